@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 constexpr int kDegree = 3;
 constexpr int kMinElements = 4;
 
-// Nodes of Gauss and Lobatto.
+// Gauss–Lobatto nodes.
 const std::array<double, 4>& lobatto() {
   static const std::array<double, 4> x{-1.0, -1 / std::sqrt(5.0), 1 / std::sqrt(5.0), 1.0};
   return x;
@@ -47,7 +47,7 @@ double lagrange_slope(int i, double x) {
 
 }  // namespace
 
-// The stiffness shared by elements of one length, with the inner nodes eliminated.
+// The stiffness of all elements of one length, with the inner nodes eliminated.
 struct Face::Kind {
   double length;
   Eigen::LLT<MatrixXd> inner;  // 2r × 2r
@@ -109,7 +109,7 @@ Face::Face(const ModeMatrices& modes, double width, double element)
     GW_ENSURES(llt.info() == Eigen::Success);
     factor_.push_back(llt.matrixL());
     if (i == n) break;
-    // M = O L⁻ᵀ, O the block below.
+    // M = O L⁻ᵀ, where O is the block below the diagonal.
     const MatrixXd transposed = factor_.back().triangularView<Eigen::Lower>().solve(
         kinds_[kind_of_[i]]->ends.topRightCorner(r, r));
     below_.push_back(transposed.transpose());
@@ -153,7 +153,7 @@ void Face::solve(MatrixXd& x) const {
   const auto node = [&](Index i) { return x.middleRows(i * r, r); };
   const auto n = static_cast<Index>(kind_of_.size());
   GW_EXPECTS(x.rows() == (n * kDegree + 1) * r);
-  // The inner nodes are solved in place, and their reaction is transferred to the ends.
+  // The inner nodes are solved first, and the loads on them are transferred to the ends of the element.
   for (Index e = 0; e < n; ++e) {
     const Kind& k = *kinds_[kind_of_[e]];
     auto inner = x.middleRows((e * kDegree + 1) * r, 2 * r);

@@ -1,10 +1,10 @@
-// A tooth along its face: mode amplitudes f(z) by elements of third order between free end faces.
+// The amplitudes f(z) of the modes along the face, by one-dimensional finite elements of third order.
 //
 //   K = m00 ⊗ K_aa + m01 ⊗ K_ab + m01ᵀ ⊗ K_abᵀ + m11 ⊗ K_bb                          [T12.8]
 //   m00 = ∫NNᵀ, m01 = ∫N N′ᵀ, m11 = ∫N′N′ᵀ of an element
 //
-// The two inner nodes of an element are eliminated first, which leaves a chain of blocks. Elements
-// of one length share that work. The ends are free faces z = const without conditions.
+// The two inner nodes of each element are eliminated first, which leaves a chain of blocks. Elements of
+// the same length share this elimination. Both end faces z = const are free, without conditions.
 //                                                theory: docs/theory/12-loaded-contact.md
 #pragma once
 
@@ -19,19 +19,21 @@ namespace gearwright::detail {
 
 class Face {
  public:
-  /// The face from −width/2 to width/2, in elements about as long as `element`, modules.
+  /// The face from −width/2 to width/2, divided into elements about as long as `element`; in modules.
   Face(const ModeMatrices& modes, double width, double element);
   ~Face();
   Face(Face&&) noexcept;
 
   int node_count() const { return static_cast<int>(nodes_.size()); }
   int mode_count() const { return modes_; }
-  /// Weights of the nodes: the value at z, its slope, the mean over [lo, hi].
+  /// Weights of the nodes, which give the value at z.
   Eigen::VectorXd at(double z) const;
+  /// Weights of the nodes, which give the slope at z.
   Eigen::VectorXd slope_at(double z) const;
+  /// Weights of the nodes, which give the mean over [lo, hi].
   Eigen::VectorXd mean(double lo, double hi) const;
-
-  /// Replaces each column by the amplitudes under it: node after node, all modes of each.
+  /// Replaces each column, a load, by the amplitudes under this load. A column contains all modes of the
+  /// first node, then of the next node, and so on.
   void solve(Eigen::MatrixXd& columns) const;
 
  private:
@@ -41,7 +43,7 @@ class Face {
   std::vector<double> ends_, nodes_;
   std::vector<int> kind_of_;
   std::vector<std::unique_ptr<Kind>> kinds_;
-  std::vector<Eigen::MatrixXd> factor_, below_;  // of the chain
+  std::vector<Eigen::MatrixXd> factor_, below_;  // Cholesky factors of the chain of blocks
   int modes_ = 0;
 };
 

@@ -10,15 +10,15 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr int kGraded = 40;      // number of points, concentrated at the logarithm
-constexpr double kTiny = 1e-12;  // modules, an arbitrary distance that keeps asinh finite
+constexpr int kGraded = 40;      // number of points, which are concentrated at the singularity
+constexpr double kTiny = 1e-12;  // modules: an arbitrary least distance, so that asinh is finite
 
 double bump_at(double x, double c) {
   const double q = 1 - x * x / (c * c);
   return q > 0.0 ? 15.0 / (16.0 * c) * q * q : 0.0;
 }
 
-// The density of x − x′ for two bumps. It is a polynomial between its ends, so the rule is exact.
+// The density of the difference x − x′ for two bumps. The integrand is a polynomial, so the rule is exact.
 double difference_density(double t, double c, double c_other) {
   static const GaussRule rule = gauss_rule(6);
   const double lo = std::max(-c, t - c_other);
@@ -32,7 +32,7 @@ double difference_density(double t, double c, double c_other) {
   return 0.5 * (hi - lo) * sum;
 }
 
-// Nodes on [0, to] (or [to, 0]), dense towards 0: x = to·u⁴.
+// Adds nodes between 0 and `to`, which are dense towards 0: x = to·u⁴.
 template <class Density>
 void graded(double to, Density density, Offsets& out) {
   static const GaussRule rule = gauss_rule(kGraded);

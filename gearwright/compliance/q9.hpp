@@ -1,9 +1,9 @@
-// Square elements with nine nodes and nine Gauss points: the elements of a section mesh.
+// Quadrilateral elements with nine nodes and nine Gauss points, of which a section mesh consists.
 //
-//   x, y   place in an element, −1 … 1      N   its nine functions
+//   x, y   place in an element, −1 … 1      N   the nine shape functions
 //
-// Order of the nodes: the corners (−1,−1), (1,−1), (1,1), (−1,1), the sides' middles after them in
-// the same turn, the centre.
+// The order of the nodes is: the corners (−1,−1), (1,−1), (1,1), (−1,1), the middles of the sides in the
+// same sense, and the centre.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ using Place9 = Eigen::Matrix<double, 9, 2>;
 
 struct Shape9 {
   Node9 value;
-  Slope9 slope;  ///< by x and y
+  Slope9 slope;  ///< derivatives by x and y
 };
 Shape9 shape9(double x, double y);
 
@@ -27,10 +27,11 @@ struct GaussPoint {
 };
 const std::array<GaussPoint, 9>& gauss9();
 
-/// Gauss' rule with n points on [−1, 1].   Domain: 1 ≤ n ≤ 64 (contract)
+/// A quadrature rule on [−1, 1].
 struct GaussRule {
   std::vector<double> x, weight;
 };
+/// The Gauss–Legendre rule with n points.   Domain: 1 ≤ n ≤ 64 (contract)
 GaussRule gauss_rule(int n);
 
 }  // namespace gearwright::detail

@@ -15,7 +15,8 @@ RootPoints root_points(const ToothSection& section) {
   const Eigen::Index r = phi.cols();
   const Matrix6 law = hooke(1.0, section.poisson_ratio);
   RootPoints points;
-  // Ends and middles of the fillet's elements; at ends the mean of both sides.
+  // The points are the ends and middles of the elements along the fillet. At an end, the mean of both
+  // elements is used.
   const int first = 2 * mesh.fillet_begin;
   const int last = 2 * mesh.flank_begin;
   for (int i = first; i <= last; ++i) {
@@ -64,7 +65,7 @@ RootPoints root_points(const ToothSection& section) {
 }
 
 double greatest_principal(const Eigen::Matrix<double, 6, 1>& s) {
-  // Roots of the characteristic polynomial by the angle of the deviator.
+  // The greatest root of the characteristic polynomial, in trigonometric form (Lode angle).
   const double mean = (s[0] + s[1] + s[2]) / 3;
   const double x = s[0] - mean;
   const double y = s[1] - mean;

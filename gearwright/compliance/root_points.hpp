@@ -1,6 +1,6 @@
 // Stress at the root of the teeth, computed from the modes and their slopes along the face.
 //
-//   σ = D (A f + B f′)   xx, yy, zz, xy, yz, zx in coordinates that turn with the helix
+//   σ = D (A f + B f′)   components xx, yy, zz, xy, yz, zx in coordinates that turn with the helix
 //                                                theory: docs/theory/12-loaded-contact.md, [T12.15]
 #pragma once
 
@@ -12,15 +12,15 @@
 namespace gearwright::detail {
 
 struct RootPoints {
-  std::vector<double> t;                    ///< along the outline
-  std::vector<std::complex<double>> place;  ///< on tooth 0, normal modules
-  /// Stresses of tooth −1, 0, 1: six rows for each point.
+  std::vector<double> t;                    ///< place along the outline
+  std::vector<std::complex<double>> place;  ///< point on tooth 0, normal modules
+  /// Stresses in the teeth −1, 0, 1 for each mode and for its slope, with six rows per point.
   std::vector<Eigen::MatrixXd> of_mode, of_slope;
 };
 
 RootPoints root_points(const ToothSection& section);
 
-/// The greatest principal stress.
+/// The greatest principal stress of six components.
 double greatest_principal(const Eigen::Matrix<double, 6, 1>& stress);
 
 }  // namespace gearwright::detail

@@ -12,7 +12,7 @@ namespace {
 
 using Matrix27 = Eigen::Matrix<double, 27, 27>;
 
-constexpr double kPoint = 1e-4;  // least relative area of an element with slopes
+constexpr double kPoint = 1e-4;  // least relative area at which slopes of an element are computed
 
 Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   Place9 x;
@@ -23,8 +23,7 @@ Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   return x;
 }
 
-// The position of the 3 × 3 block of two nodes, among all nodes that share an element with the node
-// of the column.
+// The sparsity pattern of the matrices, in 3 × 3 blocks of two nodes that share an element.
 class BlockPattern {
  public:
   explicit BlockPattern(const SectionMesh& mesh) : beside_(mesh.nodes.size()) {
@@ -38,7 +37,7 @@ class BlockPattern {
         first_.push_back(first_.back() + 3 * static_cast<int>(list.size()));
     }
   }
-  // The place of the first of the three rows of node i in column c of node j.
+  // The index of the first of the three rows of node i, in column c of node j.
   Eigen::Index place(int i, int j, int c) const {
     const auto& list = beside_[j];
     const auto rank = std::lower_bound(list.begin(), list.end(), i) - list.begin();
@@ -63,7 +62,7 @@ class BlockPattern {
   std::vector<int> first_;  // of each column
 };
 
-// Nodes that are not held, in an order that fills the factors little (approximate minimum degree).
+// The nodes that are not held, in an order that keeps the factors sparse (approximate minimum degree).
 std::vector<int> elimination_order(const SectionMesh& mesh) {
   std::vector<int> place(mesh.nodes.size(), 0);
   for (const int i : mesh.bore) place[i] = -1;
@@ -88,7 +87,7 @@ std::vector<int> elimination_order(const SectionMesh& mesh) {
   return out;
 }
 
-// The term by k of [T12.6], from the elements of ab and abᵀ.
+// The term of [T12.6] that is linear in k, from the elements of ab and abᵀ.
 double between(double ab, double ba, double) { return ab + ba; }
 std::complex<double> between(double ab, double ba, std::complex<double>) { return {0.0, ab - ba}; }
 
@@ -182,8 +181,8 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
     const double middle = (shape9(0.0, 0.0).slope * x).determinant();
     for (int a = 0; a < 9; ++a) {
       Shape9 s = shape9(kX[a], kY[a]);
-      // The tip of a pointed tooth is a degenerate side of its element, so the slopes of the
-      // element's middle are used.
+      // At the tip of a pointed tooth a side of the element is degenerate, so the slopes at the middle of
+      // the element are used.
       if ((s.slope * x).determinant() < kPoint * middle) s = shape9(0.0, 0.0);
       const Slope9 slope = (s.slope * x).inverse() * s.slope;
       for (int k = 0; k < 9; ++k) {
@@ -201,7 +200,7 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
 template <class Scalar>
 struct StripSolver<Scalar>::Parts {
   std::vector<Eigen::Index> free;  // dof that are not held, in the order of elimination
-  // For these, the upper triangles of the terms of [T12.6] in 1, k, k², with one pattern.
+  // Upper triangles of the terms of [T12.6] in 1, k, k² for these dof, with the same pattern.
   std::array<Eigen::SparseMatrix<Scalar>, 3> k;
 };
 
@@ -216,7 +215,7 @@ StripSolver<Scalar>::StripSolver(const SectionMesh& mesh, const SectionMatrices&
       place[3 * static_cast<std::size_t>(i) + c] = static_cast<int>(parts_->free.size());
       parts_->free.push_back(3 * i + c);
     }
-  // All three matrices have an entry wherever two dof share an element.
+  // All three matrices have an entry for every two dof that share an element.
   const Sparse back = matrices.ab.transpose();
   const std::array<const Sparse*, 3> from{&matrices.aa, &matrices.ab, &matrices.bb};
   const auto size = static_cast<Eigen::Index>(parts_->free.size());

@@ -1,8 +1,9 @@
-// The elasticity of a section, in waves or free along the face: sparse matrices over its nodes.
+// Sparse stiffness matrices of a section, for displacements that are waves or free functions along the
+// face.
 //
 //   U = (u, v, w)   displacement in coordinates that turn with the helix; dof 3·node + component
-//   A, B            strains of U that is constant along the face, and of its slope by z   [T12.5]
-//   τ               turn of the section per length, 1/m_n; 0 for a spur gear
+//   A, B            matrices that give the strains due to U and due to ∂U/∂z   [T12.5]
+//   τ               rotation of the section per length, 1/m_n; 0 for a spur gear
 //   E = 1, lengths in normal modules                theory: docs/theory/12-loaded-contact.md
 #pragma once
 
@@ -20,7 +21,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Hooke's law, strains xx, yy, zz, xy, yz, zx.   Domain: 0 ≤ ν < ½ (contract)
+/// The matrix of Hooke's law, for strains xx, yy, zz, xy, yz, zx.   Domain: 0 ≤ ν < ½ (contract)
 Matrix6 hooke(double youngs_modulus, double poisson_ratio);
 
 /// A and B of the 27 dof of an element at a point `at` of the section. [T12.4], [T12.5]
@@ -34,29 +35,30 @@ struct SectionMatrices {
   Sparse aa, ab, bb;  ///< ∫AᵀDA, ∫AᵀDB, ∫BᵀDB over the section; ab is not symmetric
 };
 
-/// If `wave`, B belongs to U = (u cos kz, v cos kz, w sin kz), divided by k [T12.6], otherwise to
-/// free functions of z.
+/// The matrices of a section. If `wave` is true, B belongs to U = (u cos kz, v cos kz, w sin kz), divided
+/// by k [T12.6]. If not, B belongs to free functions of z.
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
 
-/// The trace ε_x + ε_y of each column, averaged to nodes, as a w-field; 0 at the bore.
+/// The trace ε_x + ε_y of each displacement field, averaged at the nodes, as a field of w. It is 0 at the
+/// bore.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
-
-/// Waves along the face on the nodes that are not held, of one wave number k at a time. [T12.6], [T12.18]
+/// Solves for waves along the face with a given wave number k, on the nodes that are not held.
+/// [T12.6], [T12.18]
 ///
-///   double                 K(k) = aa + k (ab + abᵀ) + k² bb     u, v as cos kz, w as sin kz, τ = 0
-///   std::complex<double>   K(k) = aa + ik (ab − abᵀ) + k² bb    all as exp(ikz), of a helix too
+///   double                 K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0
+///   std::complex<double>   K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz); any τ
 template <class Scalar>
 class StripSolver {
  public:
   using Fields = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// `matrices` are those of waves for double, and of free functions of z for complex numbers.
+  /// `matrices` belong to waves if Scalar is double, and to free functions of z if Scalar is complex.
   StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices);
   ~StripSolver();
   StripSolver(StripSolver&&) noexcept;
-  /// Displacements of all dof under the columns of `loads`. For k = 0 and τ = 0 there must be no
-  /// axial loads. Each call factorises K(k). Calls from any thread are allowed.
+  /// Displacements of all dof under the columns of `loads`. If k = 0 and τ = 0, the loads must not be
+  /// axial. Each call factorises K(k). Thread-safe.
   Fields solve(double k, const Eigen::MatrixXd& loads) const;
 
  private:

@@ -15,9 +15,9 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr int kLengthSteps = 64;    // per element; the error of the chord length is 1e-6
-constexpr double kSameNode = 1e-7;  // modules: points this close are equal
+constexpr double kSameNode = 1e-7;  // modules: points that are closer are equal
 constexpr double kNoArc = 1e-6;     // modules: shorter arcs are ignored
-constexpr double kMinRim = 0.3;     // modules of body behind the teeth
+constexpr double kMinRim = 0.3;     // modules: least thickness of the body behind the teeth
 
 struct Part {
   Arc arc;
@@ -28,7 +28,8 @@ double arc_length(const Arc& arc) {
   return arc.begin == arc.end ? 0.0 : ArcLength(*arc.curve, arc.begin, arc.end).length();
 }
 
-// The elements of one kind of arc shared among its pieces by their length, one each at least.
+// Distributes a number of elements among the arcs of one name in proportion to their length, with at
+// least one element each.
 void share_out(std::vector<Part>& parts, ArcName name, int elements) {
   double sum = 0.0;
   for (const Part& p : parts)
@@ -38,7 +39,7 @@ void share_out(std::vector<Part>& parts, ArcName name, int elements) {
       p.elements = std::max(1, static_cast<int>(std::lround(elements * arc_length(p.arc) / sum)));
 }
 
-// Merges nodes that two blocks share.
+// Adds nodes, and merges nodes that two blocks share.
 class Nodes {
  public:
   explicit Nodes(std::vector<Complex>& nodes) : nodes_(nodes) {}
@@ -61,7 +62,7 @@ class Nodes {
   std::map<std::pair<long, long>, int> places_;
 };
 
-// (2a+1) × (2b+1) points of a block of a × b elements.
+// The (2a+1) × (2b+1) points of a block of a × b elements.
 struct Block {
   int rows, columns;
   std::vector<Complex> points;
@@ -87,7 +88,7 @@ class Builder {
  public:
   explicit Builder(SectionMesh& mesh) : mesh_(mesh), nodes_(mesh.nodes) {}
 
-  // The nodes of the block in its order.
+  // Adds the elements of a block and returns its nodes in the order of the points.
   std::vector<int> add(const Block& b) {
     std::vector<int> id(b.points.size());
     for (std::size_t k = 0; k < id.size(); ++k) id[k] = nodes_.add(b.points[k]);
@@ -97,7 +98,7 @@ class Builder {
         std::array<int, 9> e{at(i, j),         at(i + 2, j), at(i + 2, j + 2),
                              at(i, j + 2),     at(i + 1, j), at(i + 2, j + 1),
                              at(i + 1, j + 2), at(i, j + 1), at(i + 1, j + 1)};
-        // Blocks that run clockwise are reversed, and the side y = −1 stays the same.
+        // Elements of blocks that run clockwise are reversed; their side y = −1 does not change.
         if (jacobian(mesh_, e, 0, 0) < 0.0)
           e = {e[1], e[0], e[3], e[2], e[4], e[7], e[6], e[5], e[8]};
         mesh_.elements.push_back(e);
@@ -215,7 +216,7 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
                   : "is the outside of an internal gear's rim, and must leave one around "
                     "the teeth: at least {}");
   }
-  // The base point on the tooth's centre line, and the circle on which the body begins.
+  // `foot` is the base point on the tooth's centre line, and `body` the radius at which the body begins.
   const double foot = mesh.root_radius - out * std::min(1.125, 0.5 * rim);
   const double below = 0.45 * options.rim;
   const double left = out * (foot - ri);

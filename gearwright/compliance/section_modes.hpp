@@ -1,7 +1,8 @@
-// Modes of a loaded section, from waves along the face and from its free ends. They reduce the
-// tooth to a beam along its face.
+// Modes of a loaded section, from waves along the face and from solutions for the free ends. The modes
+// reduce the tooth to a beam along its face.
 //
-//   Φ   modes: u,v-fields first, w-fields after them      f(z)  their amplitudes along the face
+//   Φ     modes: first fields of u and v, then fields of w
+//   f(z)  amplitudes of the modes along the face
 //                                    theory: docs/theory/12-loaded-contact.md, [T12.6], [T12.7]
 #pragma once
 
@@ -20,17 +21,17 @@ struct ModeMatrices {
 
 struct SectionModes {
   Eigen::MatrixXd fields;  ///< Φ, 3·nodes rows
-  ModeMatrices matrices;   ///< of the section as it turns with its own helix
+  ModeMatrices matrices;   ///< of the section that turns with the helix
 };
-
-/// Modes for loads at these places of the flank. Those of a helical gear (τ ≠ 0) include waves
-/// along its helix. Singular values below `tolerance` of the greatest are dropped. Every wave and
-/// every part counts as one step of the progress.
+/// Modes for loads at these places of the flank. For a helical gear (τ ≠ 0), waves along the helix are
+/// included. Modes whose singular value is below `tolerance` times the greatest are dropped. Every wave
+/// and every part counts as one step of the progress.
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
                            Progress* progress = nullptr);
 
-/// Displacements of the section under each load, uniform along the face (k = 0), without modes.
+/// Displacements of the section in plane strain, under loads that are uniform along the face, without
+/// modes.
 Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,
                              const std::vector<Functional>& loads);
 

@@ -38,8 +38,8 @@ struct ShaftState {
   double z = 0.0, Q = 0.0, K = 0.0, psi = 0.0, w = 0.0;
 };
 
-// The state at z, with constant section and load up to there:  Q' = −q,  K' = −Q − m,
-// ψ' = K/(E I),  w' = ψ + Q/(κ G A).
+// The state at z, from a state before it, if section and load are constant between the two:
+// Q' = −q,  K' = −Q − m,  ψ' = K/(E I),  w' = ψ + Q/(κ G A).
 ShaftState shaft_state_at(const Shaft& s, const ShaftState& from, double z, double q, double m) {
   const double t = z - from.z;
   const ShaftSection section = shaft_section_at(s, from.z + t / 2);
@@ -84,7 +84,7 @@ std::vector<double> shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
   const std::array<double, 2> R = bearing_reactions(shaft, load);
   const double b = load.hi - load.lo;
 
-  // Between these points sections and loads are constant.
+  // Section and load are constant between two of these points.
   std::vector<double> points(z);
   points.insert(points.end(), shaft.steps.begin(), shaft.steps.end());
   points.insert(points.end(), {shaft.bearings[0], shaft.bearings[1], load.lo, load.hi});
@@ -109,7 +109,7 @@ std::vector<double> shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
         ->w;
   };
 
-  // The shift and the turn of the whole shaft that bring the bearings to their places.
+  // A displacement and a rotation of the whole shaft bring the bearings to their places.
   std::array<double, 2> off{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double place = shaft.bearing_stiffness ? -R[i] / (*shaft.bearing_stiffness)[i] : 0.0;
@@ -132,7 +132,8 @@ std::vector<double> shaft_twist(const Shaft& shaft, double torque, double body, 
   twist.reserve(z.size());
   for (const double place : z) {
     GW_EXPECTS(place >= lo && place <= hi);
-    // The torque falls linearly from the end, so its integral over t is t (1 − t/(2 b)).
+    // The torque decreases linearly from the end of the face, so its integral over t is
+    // t (1 − t/(2 b)) times the torque at the end.
     const double t = left ? place - lo : hi - place;
     twist.push_back(torque * t * (1 - t / (2 * (hi - lo))) /
                     (shaft_modulus_of_shear(shaft) * polar));

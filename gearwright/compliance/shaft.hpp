@@ -2,12 +2,13 @@
 //
 //   z          mm along the axis, from the middle of the face        w    mm, deflection
 //   q, m       force and moment per length over the face, uniform    ψ    slope of the sections
-//   E, G, ν    moduli, MPa, and Poisson's ratio      I, A    of a section of diameter d
+//   E, G, ν    moduli, MPa, and Poisson's ratio
+//   I, A       second moment and area of a section of diameter d
 //   κ          shear coefficient of a solid circle, 6(1 + ν)/(7 + 6ν) (Cowper 1966)
 //
-// Sections and loads are constant between the points where one of them changes, so deflection and
-// twist are polynomials there and are evaluated in closed form. Two bearings make the shaft
-// statically determinate.                                  theory: docs/theory/11-rating.md
+// Between the points at which the section or the load changes, deflection and twist are polynomials and
+// are evaluated in closed form. With two bearings the shaft is statically determinate.
+//                                                          theory: docs/theory/11-rating.md
 #pragma once
 
 #include <array>
@@ -16,25 +17,24 @@
 
 namespace gearwright {
 
-/// The side from which the torque enters or leaves: towards −z or towards +z.
+/// The side of the face on which the torque enters or leaves, towards −z (left) or +z (right).
 enum class ShaftSide { left, right };
 
 struct Shaft {
-  std::array<double, 2> bearings{};  ///< mm, growing
-  std::vector<double> diameters;     ///< d   mm, from −z on
-  std::vector<double> steps;         ///< mm, growing: places at which the diameter changes
+  std::array<double, 2> bearings{};  ///< z of the bearings, mm, ascending
+  std::vector<double> diameters;     ///< d   mm, by ascending z
+  std::vector<double> steps;         ///< z at which the diameter changes, mm, ascending
   double youngs_modulus = 206000.0;  ///< E   MPa
   double poisson_ratio = 0.3;        ///< ν
-  bool shear = true;                 ///< true: Timoshenko; false: Euler and Bernoulli
-  std::optional<std::array<double, 2>> bearing_stiffness;  ///< N/mm, radial; none: rigid
+  bool shear = true;                 ///< true for a Timoshenko beam, false for an Euler beam
+  std::optional<std::array<double, 2>> bearing_stiffness;  ///< N/mm, radial; none if rigid
   ShaftSide torque_from = ShaftSide::left;
-
-  /// True if `bearings` and `steps` grow, there is one diameter more than steps, and every size is
-  /// positive.
+  /// True if `bearings` and `steps` are in ascending order, there is one more diameter than steps, and
+  /// every size is positive.
   bool possible() const;
 };
 
-/// The load of a gear whose face is [lo, hi], spread evenly over it.
+/// The load of a gear, distributed evenly over its face from `lo` to `hi`.
 struct ShaftLoad {
   double force = 0.0;         ///< F  N, in the direction of w
   double moment = 0.0;        ///< M  N mm, > 0 if it increases the slope dw/dz
@@ -46,20 +46,21 @@ struct ShaftLoad {
 /// Domain    shaft.possible() (contract)
 std::array<double, 2> bearing_reactions(const Shaft& shaft, const ShaftLoad& load);
 
-/// w at each z, mm.
+/// The deflection w at each z, mm.
 ///
 /// Formula   [T11.49], [T11.50]
 /// Domain    shaft.possible(), lo < hi (contract)
-/// Laws      (1) w is linear in the load    (2) lengths times k, the same force: w/k
+/// Laws      (1) w is linear in the load
+///           (2) if lengths are multiplied by k and the force is unchanged, w is divided by k
 std::vector<double> shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
                                      const std::vector<double>& z);
 
-/// Twist of a gear at each z of its face, rad, relative to its end on the side of the torque; the
-/// mesh turns the gear in this direction. The torque passes through a solid body of the given
-/// diameter, mm.
+/// Twist of a gear at each z of its face, rad, relative to the end of the face on the side of the torque.
+/// It is positive in the sense in which the mesh force turns the gear. The gear is regarded as a solid
+/// body of the diameter `body`, mm.
 ///
 /// Formula   [T11.51]
-/// Domain    as above; every z within [lo, hi] (contract)
+/// Domain    shaft.possible(), lo < hi, every z within [lo, hi] (contract)
 std::vector<double> shaft_twist(const Shaft& shaft, double torque, double body, double lo,
                                 double hi, const std::vector<double>& z);
 

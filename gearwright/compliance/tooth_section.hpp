@@ -1,7 +1,7 @@
-// The section of a tooth for its compliance: the mesh, the positions on the flank for tables, and
-// the modes. It depends on the outline only, not on the face.
+// The section of a tooth for the computation of its compliance: the mesh, the positions on the flank for
+// the tables, and the modes. It depends on the outline and the helix, but not on the face width.
 //
-//   Lengths in normal modules, E = 1: a compliance is E·u·m_n/F, in plane strain E·u/F′.
+//   Lengths are in normal modules, and E = 1. A compliance is E·u·m_n/F, or E·u/F′ in plane strain.
 //                                                theory: docs/theory/12-loaded-contact.md
 #pragma once
 
@@ -14,13 +14,13 @@
 
 namespace gearwright {
 
-/// draft: a coarser mesh and fewer modes, two to three times as fast.
+/// `draft` uses a coarser mesh and fewer modes and is two to three times as fast as `full`.
 enum class ComplianceAccuracy { full, draft };
 
-/// The body of a gear, for its compliance.
+/// The body of a gear, on which the compliance depends.
 struct ElasticBody {
-  double bore_diameter = 0.0;  ///< mm, where the body is held; the outside of the rim of an
-                               ///< internal gear
+  double bore_diameter = 0.0;  ///< mm, at which the body is held; for an internal gear the outside
+                               ///< diameter of the rim
   double poisson_ratio = 0.3;
   double youngs_modulus = 206000.0;  ///< MPa
 };
@@ -31,35 +31,30 @@ struct ToothSection {
   SectionMesh mesh;
   SectionModes modes;
   double poisson_ratio = 0.3;
-  double tau = 0.0;       ///< turn per length of the section, its loaded flank at y > 0
-  std::vector<double> s;  ///< places along the flank, evenly spaced, arc length
-  std::vector<double> c;  ///< half widths of their bumps
-  double flank_lo = 0.0, flank_hi = 0.0;  ///< arc lengths of the flank's ends
-  std::vector<Functional> bumps;          ///< along the normal of the screw surface
-
-  std::vector<double> radius_lengths;  ///< arc length at even radii of the flank
+  double tau = 0.0;       ///< τ, rotation of the section per length; the loaded flank is at y > 0
+  std::vector<double> s;  ///< evenly spaced places along the flank, as arc lengths
+  std::vector<double> c;  ///< half widths of the bumps at these places
+  double flank_lo = 0.0, flank_hi = 0.0;  ///< arc lengths at the ends of the flank
+  std::vector<Functional> bumps;          ///< bumps along the normal of the screw surface
+  std::vector<double> radius_lengths;     ///< arc lengths at evenly spaced radii of the flank
   double radius_lo = 0.0, radius_hi = 0.0;
 
-  /// Arc length at a radius, in modules; beyond the flank it continues linearly.
+  /// Arc length at a radius, in modules. Beyond the flank it is extrapolated linearly.
   double length_at_radius(double radius) const;
   /// Metric of the flank at a place.
   FlankMetric metric(double s) const;
 };
 
-/// Options for the section of a gear that turns by `twist` per mm, which is the gear's own value or
-/// that of a probe.
+/// Mesh options for the section of a gear whose section turns by `twist`, rad/mm.
 SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccuracy accuracy);
 double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 
-/// The half width of a bump at s: 0.3 modules, less near the tip.
+/// The half width of a bump at s: 0.3 modules, or less near the tip.
 double bump_width(double s, double flank_hi);
-
 }  // namespace detail
-
-/// `twist` is the turn per mm of the section whose loaded flank lies at y > 0.
-///
-/// `also`: one more position along the flank for which modes are computed. `progress`: as in
-/// section_modes.
+/// Makes the section of a tooth whose loaded flank lies at y > 0. `twist` is the rotation of the section,
+/// rad/mm. `also` is an additional position along the flank for which modes are computed. `progress` is
+/// passed to section_modes().
 ///
 /// Domain    a gear with teeth (contract)
 /// Errors    as make_section_mesh

@@ -17,10 +17,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kElement = 0.5;     // modules along the face
-constexpr double kImageReach = 2.0;  // modules: beyond it the image of a bump is that of a strip
-
-// Reads slices, mirrored if the load was mirrored; for a spur gear slice n−1−j is equivalent to
-// slice j.
+constexpr double kImageReach = 2.0;  // modules; beyond, the images of bump and strip are equal
+// The slice at the mirrored place. For a spur gear, slice n−1−j is equivalent to slice j.
 int mirrored(int j, int n) { return n - 1 - j; }
 
 }  // namespace
@@ -41,8 +39,8 @@ ToothTable::ToothTable(std::shared_ptr<const detail::ToothSection> section,
   make_local(request);
 }
 
-// Weights of Lagrange's cubic through the four evenly spaced places about x, or through the first
-// or the last four near an end.
+// Weights of the interpolating cubic through the four evenly spaced places around x, or through the first
+// or last four places near an end.
 ToothTable::Weights ToothTable::cubic(const std::vector<double>& places, double x) {
   const double step = places[1] - places[0];
   Weights w{};
@@ -57,7 +55,7 @@ ToothTable::Weights ToothTable::cubic(const std::vector<double>& places, double 
   return w;
 }
 
-// The response of the modes to a unit force on each slice at each position.
+// Computes the response of the modes to a unit force on each slice at each position.
 void ToothTable::make(const ToothTableRequest& request) {
   using namespace detail;
   const ToothSection& s = *section_;
@@ -68,7 +66,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   const Index r = face.mode_count();
   const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
-  // Readings in terms of modes, for the places of tooth −side … side.
+  // Loads and readings in terms of modes, the readings at the places of tooth −side … side.
   MatrixXd load(r, places_);
   MatrixXd read(r, places_ * (2 * side + 1));
   for (int i = 0; i < places_; ++i) {
@@ -92,7 +90,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   same_.assign(static_cast<std::size_t>(n_) * n_ * places_ * places_, 0.0);
   other_.assign(2 * side + 1, same_);
   stress_.assign(3, std::vector<MatrixXd>(places_));
-  // A spur gear is its own mirror image by the middle of the face.
+  // A spur gear is symmetric about the middle of the face.
   const bool symmetric = s.tau == 0.0;
   const int solved = symmetric ? (n_ + 1) / 2 : n_;
   // Every place is computed independently.
@@ -104,7 +102,7 @@ void ToothTable::make(const ToothTableRequest& request) {
       for (Index a = 0; a < nodes; ++a) x.col(j).segment(a * r, r) = mean(a, j) * load.col(i);
     face.solve(x);
     count_step(request.progress);
-    // Displacements: by place first, then by slice.
+    // Displacements, first by place and then by slice.
     MatrixXd by_node(nodes * read.cols(), solved);
     for (Index a = 0; a < nodes; ++a)
       by_node.middleRows(a * read.cols(), read.cols()).noalias() =
@@ -127,7 +125,7 @@ void ToothTable::make(const ToothTableRequest& request) {
     }
     if (!request.root_stress) return;
     count_step(request.progress);
-    // Amplitudes and their slopes at the middles of all slices, those of one slice side by side.
+    // Amplitudes f and slopes g at the middles of all slices. The columns of one slice are adjacent.
     MatrixXd f = MatrixXd::Zero(r, solved * n_);
     MatrixXd g = f;
     for (int l = 0; l < n_; ++l) {
@@ -155,8 +153,8 @@ void ToothTable::make(const ToothTableRequest& request) {
       }
     }
   });
-  // Betti's symmetry: exact for one tooth. For neighbouring teeth the mean of both directions is
-  // used, because the rim beyond the real teeth is smooth.
+  // Betti's reciprocity is exact for a single tooth. For neighbouring teeth the mean of both directions
+  // is used, because the smooth part of the rim disturbs the reciprocity.
   for (int j = 0; j < n_; ++j) {
     for (int l = 0; l < n_; ++l) {
       for (int i = 0; i < places_; ++i) {
@@ -175,7 +173,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   }
 }
 
-// Removes the half space under the bumps and computes that under the strip along the line.
+// Subtracts H[b, b], the indentation under the bumps, and computes H[a, a] under the strip along the line.
 void ToothTable::make_local(const ToothTableRequest& request) {
   using namespace detail;
   const ToothSection& s = *section_;
@@ -205,7 +203,7 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       }
       if (s.tau == 0.0)
         for (int d = 1; d < n_; ++d) direct[n_ - 1 - d] = direct[n_ - 1 + d];
-      // The metric across the end of the face.
+      // The metric for mirror images at an end of the face.
       const FlankMetric across{0.0, metric.zz - metric.sz * metric.sz};
       for (int j = 0; j < n_; ++j) {
         for (int l = 0; l < n_; ++l) {
@@ -220,8 +218,8 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       }
     }
   });
-  // Along the line, a wider position in the middle of the grid represents all positions at the free
-  // end.
+  // H[a, a] along the line, including mirror images at the ends. The metric in the middle of the flank is
+  // used for all positions.
   const Offsets o = hertz_offsets(request.half_width);
   const double per = request.line_per_height;
   const FlankMetric along{0.0, per * per};
@@ -295,8 +293,8 @@ MatrixXd ToothTable::other_tooth(int k, const LinePlaces& read, const LinePlaces
 MatrixXd ToothTable::on_grid(const TablePlace& place) const {
   MatrixXd grid = MatrixXd::Zero(n_, places_);
   const Weights along = weights(place.s);
-  // The compliance rises steeply at an end of the face, so the value of the last slice's middle is
-  // used beyond it.
+  // Near an end of the face the compliance increases steeply, so the value at the middle of the last
+  // slice is used beyond that middle.
   const Weights across = cubic(middles_, std::clamp(place.z, middles_.front(), middles_.back()));
   for (int j = 0; j < 4; ++j)
     for (int a = 0; a < 4; ++a) grid(across.first + j, along.first + a) = across.w[j] * along.w[a];

@@ -1,10 +1,12 @@
-// Influence coefficients of the positions on a tooth's flank: tables over slices of the face and
-// positions along the flank, used for all rotations, torques and errors.
+// Influence coefficients between positions on the flank of a tooth, as tables over slices of the face and
+// positions along the flank. The tables are used for all rotations, torques and errors.
 //
 //   C(s, z; s′, z′) = C_FE[b, b] − H[b, b] + H[a, a]                                       [T12.9]
-//   The first two terms are the table, by cubic interpolation in s and s′; the third is computed
-//   along the contact line. E = 1, lengths in normal modules: C is E·u·m_n/F, forces and
-//   displacements are those of a whole slice.    theory: docs/theory/12-loaded-contact.md
+//                                                theory: docs/theory/12-loaded-contact.md
+//
+// The table contains the first two terms and is interpolated in s and s′ by cubics. The third term is
+// computed along the contact line. Lengths are in normal modules and E = 1, so C is E·u·m_n/F. Forces
+// are totals over a slice, and displacements are means over a slice.
 #pragma once
 
 #include <memory>
@@ -15,7 +17,7 @@
 
 namespace gearwright {
 
-/// The slices of the face, in normal modules from the middle of the face.
+/// The slices of the face, in normal modules. z = 0 is the middle of the face.
 struct FaceSlices {
   int count = 32;
   double lo = 0.0, hi = 0.0;
@@ -23,11 +25,10 @@ struct FaceSlices {
   double middle(int j) const { return lo + (j + 0.5) * width(); }
 };
 
-/// The arc length along the flank at which the contact line of a tooth crosses each slice;
-/// arbitrary for slices that it does not cross.
+/// The arc length along the flank at which the contact line of a tooth crosses each slice. The value is
+/// arbitrary for slices that the line does not cross.
 using LinePlaces = std::vector<double>;
-
-/// A place of the flank and the face, normal modules.
+/// A place on the flank: arc length s and height z, normal modules.
 struct TablePlace {
   double s, z;
 };
@@ -35,10 +36,10 @@ struct TablePlace {
 struct ToothTableRequest {
   double face_width = 0.0;  ///< of this gear, normal modules
   FaceSlices slices;
-  double half_width = 0.05;      ///< a0 of H[a, a], normal modules
-  double line_per_height = 1.0;  ///< length of a contact line per height, 1/cos β_b
-  bool root_stress = true;
-  Progress* progress = nullptr;  ///< eight steps for each place along the flank
+  double half_width = 0.05;      ///< half width a of the strip in H[a, a], normal modules
+  double line_per_height = 1.0;  ///< length of the contact line per height, 1/cos β_b
+  bool root_stress = true;       ///< true if root stresses are required
+  Progress* progress = nullptr;  ///< counts eight steps for each place along the flank
 };
 
 class ToothTable {
@@ -46,26 +47,26 @@ class ToothTable {
   ToothTable(std::shared_ptr<const detail::ToothSection> section, const ToothTableRequest& request);
 
   const detail::ToothSection& section() const { return *section_; }
-  /// Coefficients between the positions of one line; symmetric.
+  /// Coefficients between the positions of one line, a symmetric matrix.
   Eigen::MatrixXd same_tooth(const LinePlaces& line) const;
-  /// Displacements on the line of tooth `k` under forces on a line of tooth 0, k not 0. Beyond
-  /// side_teeth(), the result is that of the last real tooth, because only the rotation of the body
-  /// reaches that far.
+  /// Displacements on a line of tooth k (≠ 0) under forces on a line of tooth 0. Beyond side_teeth(), the
+  /// result for the farthest tooth in the mesh is used, because only the rotation of the body has an
+  /// effect at that distance.
   Eigen::MatrixXd other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const;
   int side_teeth() const { return section_->mesh.side_teeth; }
   int slices() const { return n_; }
 
-  /// Forces on the table's grid, with a row per slice and a column per place along the flank: the
-  /// forces on the slices of a line, or a force of 1 at a place.
+  /// Distributes the forces on the slices of a line to the grid of the table. The grid has a row per
+  /// slice and a column per place along the flank.
   Eigen::MatrixXd on_grid(const LinePlaces& line, const Eigen::VectorXd& force) const;
+  /// Distributes a force of 1 at a place to the grid of the table.
   Eigen::MatrixXd on_grid(const TablePlace& place) const;
-  /// Displacement on tooth `k`, as a mean with the weights `read`, under forces on tooth 0, without
-  /// the contact itself. It consists of the first two terms of [T12.9], where H is that of the half
-  /// space alone. Its mirror image at a free end stays in C_FE, because no H[a, a] restores it.
+  /// Displacement on tooth k under the forces `loaded` on tooth 0, as a mean with the weights `read`,
+  /// without the deformation of the contact. It consists of the first two terms of [T12.9]. In H[b, b],
+  /// mirror images at the ends of the face are omitted here, because no H[a, a] replaces them.
   double yield(int k, const Eigen::MatrixXd& read, const Eigen::MatrixXd& loaded) const;
-
-  /// Stress at the root points of tooth k, −1 … 1, under forces on the grid of tooth 0: adds to
-  /// `stress`, six rows per point, a column per slice. E and lengths as above: σ·m_n²/F.
+  /// Adds to `stress` the stresses σ·m_n²/F at the root points of tooth k (−1, 0 or 1) under forces on the
+  /// grid of tooth 0. `stress` has six rows per point and a column per slice.
   void add_root_stress(int k, const Eigen::MatrixXd& force, Eigen::MatrixXd& stress) const;
   const detail::RootPoints& root() const { return root_; }
 
@@ -86,11 +87,11 @@ class ToothTable {
   int n_ = 0, places_ = 0;
   std::vector<double> middles_;             // of the slices
   std::vector<double> same_;                // [load slice][read slice][load place][read place]
-  std::vector<double> image_;               // as same_, of H[b, b] mirrored at the ends
-  std::vector<std::vector<double>> other_;  // of tooth −side … side
+  std::vector<double> image_;               // as same_: mirror images of H[b, b] at the ends
+  std::vector<std::vector<double>> other_;  // as same_: of tooth −side … side
   Eigen::MatrixXd hertz_;                   // H[a, a] of slices
   detail::RootPoints root_;
-  // Of tooth −1, 0, 1: [load place](6·points·slices × load slices)
+  // Stresses of tooth −1, 0, 1: [tooth][load place](6·points·slices × load slices)
   std::vector<std::vector<Eigen::MatrixXd>> stress_;
 };
 

@@ -17,23 +17,24 @@ namespace {
 // kSameError.
 constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
-// f of corrections at which contact is lost, rad. It is far above any other value, and finite for
-// the optimiser.
+// The value of f if contact is lost, rad. It is far above all other values, but finite, because the
+// optimiser requires finite values.
 constexpr double kLost = 1e3;
-// The same limits for an aim, in units of its smallest relevant improvement.
+// The change of an aim at which a search ends, and the value for lost contact, in units of the smallest
+// relevant difference of the aim.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
-// Cost of an arcsec of transmission error beyond the limit. It comes on top of the cost of the
-// pattern without corrections, so that no correction beyond the limit is better than none, and f
-// decreases on the way back to the limit.
+// Cost of transmission error beyond the limit, per unit. The cost of the pattern without corrections
+// is added, so that corrections beyond the limit are never better than none. f decreases towards the
+// limit.
 constexpr double kOverLimit = 100.0;
 
-// f at a number of positions.
+// Evaluates f, or the aim, with a given number of positions per pitch.
 class Judge {
  public:
   Judge(const CompensationTask& task, int positions) : task_(task), positions_(positions) {
     const std::vector<double> zero(task.corrections.size(), 0.0);
     const ContactScore score = worst(curves(zero));
-    // If contact is already lost, regaining it has no cost limit.
+    // If contact is lost without corrections, there is no limit.
     if (!task.centering && !score.lost)
       limit_ = std::max(kQuiet, score.peak_to_peak + 0.5 * kSameError).rad();
     centering_ = task.centering.value_or(default_centering(score.peak_to_peak)).rad();
@@ -64,7 +65,8 @@ class Judge {
   }
 
   int positions() const { return positions_; }
-  /// Least relevant difference of f; difference at which a search ends; value if contact is lost.
+  // The smallest relevant difference of f, the difference at which a search ends, and the value for
+  // lost contact.
   double same() const { return task_.aim ? task_.aim->same : kSameError.rad(); }
   double last_gain() const { return task_.aim ? kAimLastGain * task_.aim->same : kLastGain_rad; }
   double lost() const { return task_.aim ? kAimLost * task_.aim->same : kLost; }
@@ -101,7 +103,8 @@ class Judge {
   int evaluations_ = 0;
 };
 
-// The least squares solution of the problem linearised at v = 0, each scenario about its own mean.
+// The least squares solution of the problem linearised at v = 0. The mean of each scenario's curve is
+// subtracted.
 std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
   const std::size_t n = task.corrections.size();
   const std::vector<double> zero(n, 0.0);
@@ -193,8 +196,8 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   return best.v;
 }
 
-// The result is judged at the positions that are reported, because a peak may lie between those of
-// the search.
+// The final corrections. They are evaluated at the positions of the report, because a peak may lie
+// between the positions of the search.
 std::vector<double> settled(const CompensationTask& task, Judge& fine,
                             const std::vector<double>& found) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
@@ -209,11 +212,10 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   }
   const double same = fine.same();
   if (!(best.least < none - same)) return zero;
-  constexpr double kPartLost = 0.01;  // permitted loss of the gain, for values that can be written
-                                      // down
+  constexpr double kPartLost = 0.01;  // part of the gain that rounding for the drawing may lose
   const double loss = std::max(same, std::isfinite(none) ? kPartLost * (none - best.least) : same);
   for (const double parts : {1e2, 1e4, 1e6}) {
-    // The nearest values, or the next ones if the nearest are on the wrong side of a crease.
+    // Rounded values, or their neighbours if rounding has moved a value beyond a crease.
     Best drawn(fine, as_written(task.corrections, best.v, parts));
     for (std::size_t k = 0; k < found.size(); ++k) {
       for (const double away : {-1.0, 1.0}) {
@@ -236,7 +238,7 @@ bool Compensation::nothing_to_correct() const {
 Angle default_centering(Angle peak_to_peak) {
   constexpr double kPart = 0.1;
   constexpr Angle kLeast = Angle::arcseconds(0.1);
-  // the least value also for NaN
+  // NaN gives the least value.
   return peak_to_peak > kLeast / kPart ? kPart * peak_to_peak : kLeast;
 }
 
@@ -259,8 +261,8 @@ Compensation compensate(const CompensationTask& task) {
   GW_EXPECTS(task.positions >= 2 && task.fine_positions >= 2);
   for (const Correction& c : task.corrections)
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
-  // Two or three searches of the box and as many descents as there are starts; most of them end
-  // early.
+  // Usual number of evaluations. There are two or three searches of the box and one descent from every
+  // start, and most of them end early.
   constexpr std::int64_t kUsual = 1000;
   begin_stage(task.progress, "corrections tried", kUsual);
   Judge coarse(task, task.positions);

@@ -1,18 +1,19 @@
-// Corrections that minimise the transmission error under the worst of several errors and centre its
-// contact pattern.
+// Corrections that minimise the transmission error under the worst of several sets of errors and
+// centre the contact pattern.
 //
 //   v   corrections, in the caller's units          S   scenarios: sets of errors
 //   f(v) = max_S peak to peak TE + w · max_S (h² + p²)      [T8.24] of docs/theory/08-contact.md
 //
-//   h   mean place of the contact along the face, −1 to 1      p      the same along the profile,
-//       if it has a target (the racks' pressure angle of circular-arc teeth)
+//   h   mean place of the contact along the face, −1 to 1
+//   p   mean place of the contact along the profile, if there is a target for it (the pressure angle
+//       of the racks of circular-arc teeth)
 //
-// A given w trades quiet running for a central pattern. Without it w is small, and corrections are
-// rejected if they make the transmission error greater than no corrections do.
+// A given w trades quiet running for a central pattern. By default, w is small, and corrections are
+// rejected if the transmission error is greater with them than without them.
 //
-// f is a maximum of maxima and has creases, so the search uses values only (subplex). It starts
-// from zero, from the least squares solution of the linearised problem, from closed forms of the
-// caller, and from the best point of the whole box.
+// f is a maximum of maxima and has creases, so the search does not use derivatives (subplex). It
+// starts from zero, from the least squares solution of the linearised problem, from closed forms of
+// the caller, and from the best point of the whole box.
 #pragma once
 
 #include <array>
@@ -34,8 +35,8 @@ struct Correction {
 /// Another quantity to minimise instead of the transmission error of rigid teeth. The position of
 /// the pattern is then ignored.
 struct CompensationAim {
-  /// Evaluates the quantity with this number of positions per pitch, in any unit; infinite is worse
-  /// than any value.
+  /// Returns the quantity in any unit, computed with this number of positions per pitch. Infinity is
+  /// worse than any other value.
   std::function<double(const ContactPair&, int)> of;
   double same = 0.0;  ///< smallest improvement worth making, > 0
 };
@@ -46,30 +47,31 @@ struct CompensationTask {
   int positions = 24;                ///< per pitch, during the search
   int fine_positions = 64;           ///< per pitch, for the reported scores
   int curves = 6000;                 ///< approximate number of curves in each search of the box
-  std::optional<Angle> centering{};  ///< w, cost of a pattern at the end of the face; if absent,
-                                     ///< default_centering, and the error never increases
-  bool along_face = true;  ///< false if a contact point runs along the face in any case, so that h
-                           ///< is ignored
+  std::optional<Angle> centering{};  ///< w, cost of a pattern at the end of the face; by default
+                                     ///< default_centering, and the error must not increase
+  bool along_face =
+      true;  ///< false if h is ignored, because the contact point moves along the face
+             ///< in any case
   ProfileTarget profile{};
-  std::vector<std::vector<double>> starts{};  ///< starting values in addition to its own
+  std::vector<std::vector<double>> starts{};  ///< additional starting values of the search
   Progress* progress = nullptr;               ///< reports the progress
-  std::optional<CompensationAim> aim{};       ///< f if absent
-  /// The pair under a scenario with these corrections; null if there is none.
+  std::optional<CompensationAim> aim{};       ///< minimised in place of f, if present
+  /// Returns the pair under a scenario with these corrections; null if the pair cannot be made.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;
 };
 
-/// Δb_F for ΔC, and its effect. mm and rad.
+/// The tool setting Δb_F that compensates ΔC, and its effect. Lengths in mm.
 struct SettingAnswer {
-  double exact, first_order;             ///< Δb_F: [T8.20], −ΔC of [T8.21]
-  std::optional<Angle> angle_nominal;    ///< normal angle θ at the contact as drawn,
-  std::optional<Angle> angle_displaced;  ///< with ΔC,
-  std::optional<Angle> angle_exact, angle_first_order;  ///< and with each of the two settings
-  double thickness_change;  ///< change of the tooth that F cuts, normal, at the height of the
-                            ///< contact
-  double backlash_change;   ///< normal, for the exact setting only
+  double exact, first_order;             ///< Δb_F by [T8.20], and its first order −ΔC [T8.21]
+  std::optional<Angle> angle_nominal;    ///< θ, normal angle at the contact, without ΔC
+  std::optional<Angle> angle_displaced;  ///< θ with ΔC
+  std::optional<Angle> angle_exact, angle_first_order;  ///< θ with ΔC and each of the two settings
+  double thickness_change;  ///< change of the normal thickness of the tooth that F cuts, at the
+                            ///< height of the contact
+  double backlash_change;   ///< change of the normal backlash, for the exact setting only
 };
 
-/// The change of a gear's lead angle that leaves no slope, with the lead of the other gear
+/// The change of a gear's lead angle that makes the slope of TE zero, with the lead of the other gear
 /// unchanged. [T8.22]
 struct LeadAnswer {
   std::array<std::optional<Angle>, 2> exact;  ///< Δλ_1, Δλ_2
@@ -82,7 +84,7 @@ struct Compensation {
   ContactScore before, after;                         ///< the worst of each number
   std::vector<ContactScore> each_before, each_after;  ///< by scenario
   Angle centering;                                    ///< w
-  int evaluations = 0;                                ///< of f
+  int evaluations = 0;                                ///< number of evaluations of f
 
   /// True if no corrections lower f by 0.001 arcsec. Every value is then 0.
   bool nothing_to_correct() const;
@@ -91,30 +93,33 @@ struct Compensation {
 /// Differences of transmission error below this cannot be measured.
 constexpr Angle kSameError = Angle::arcseconds(0.001);
 
-/// A pair with less is free of error: 2 nm on a radius of 50 mm, which is smoother than any flank.
-/// A smaller limit has no effect.
+/// A pair with a smaller peak to peak counts as free of error. On a radius of 50 mm it is 2 nm, and no
+/// flank is that smooth.
 constexpr Angle kQuiet = Angle::arcseconds(0.01);
 
-/// The default of w: a tenth of the present error, at least 0.1 arcsec. TE then dominates, but of
-/// two quiet pairs the one with the central pattern is better.
+/// The default of w: a tenth of the present error, at least 0.1 arcsec. TE then dominates f, and the
+/// pattern decides between two pairs with about the same small TE.
 Angle default_centering(Angle peak_to_peak);
 
-/// Rounded values for a drawing: whole multiples of a part of a step within the bounds, each the
-/// nearest double to its decimal, and 0 without a sign.
+/// Values rounded for a drawing: multiples of step/parts within the bounds. Each is the double that is
+/// nearest to its decimal number, and 0 has no sign.
 ///
 /// Domain    as many values as corrections, parts > 0 (contract)
 std::vector<double> as_written(const std::vector<Correction>& corrections,
                                std::vector<double> values, double parts);
 
+/// Computes the corrections of the task.
+///
 /// Domain    at least one correction, each with lo ≤ 0 ≤ hi and lo < hi, step > 0; at least one
 ///           scenario; positions and fine_positions ≥ 2 (contract)
-/// Accuracy  a local minimum of f, the best found by a deterministic search of the whole box
+/// Accuracy  a local minimum of f, the best that is found by a deterministic search of the whole box
 ///           (DIRECT) and by descents from several starts. Values are multiples of a hundredth of
-///           `step`, or of less if that loses more than 1 % of the gain. All are 0 if the gain is
-///           below kSameError
-/// Laws      (1) f(value) <= f(0) at fine_positions; of an aim its worst over the scenarios
-///           (2) without a given w or an aim, after.peak_to_peak is at most before.peak_to_peak + kSameError,
-///               or kQuiet where that is more
+///           `step`, or of a smaller part if this rounding loses more than 1 % of the gain. All are 0
+///           if the gain is below kSameError
+/// Laws      (1) f(value) <= f(0) at fine_positions; for an aim, the same of its worst value over the
+///               scenarios
+///           (2) without a given w and without an aim, after.peak_to_peak is at most the greater of
+///               before.peak_to_peak + kSameError and kQuiet
 Compensation compensate(const CompensationTask& task);
 
 }  // namespace gearwright

@@ -36,7 +36,7 @@ double least_squares_slope(const std::vector<ContactPoint>& points) {
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n) {
   const ContactPair& pair = transmission.pair();
   if (!pair.gear2_drives()) return transmission.over_a_pitch(first, n);
-  // In N the rotation has the opposite sign.
+  // If gear 2 drives, the rotation in N has the opposite sign.
   const double step = pair.pitch() / n;
   auto touches = transmission.over_a_pitch(-first - (n - 1) * step, n);
   std::reverse(touches.begin(), touches.end());
@@ -53,7 +53,7 @@ std::vector<Angle> harmonics(const std::vector<double>& te) {
     roots.emplace_back(std::cos(turn), -std::sin(turn));
   }
   std::vector<Angle> amplitude;
-  const double mean = te[0];  // no effect except on rounding
+  const double mean = te[0];  // any constant; it only improves the rounding
   for (int h = 1; h <= std::min(kMax, (n - 1) / 2); ++h) {
     Complex sum = 0.0;
     for (int i = 0; i < n; ++i) {
@@ -72,7 +72,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   std::vector<PairTouch> touches;
   std::vector<Angle> rotations = request.rotations;
   const int n = request.positions;
-  // One step each for the touch, the kind and every influence.
+  // Every position counts one step for its touch, one for its description, and one for each influence.
   const auto wanted =
       static_cast<std::int64_t>(rotations.size()) *
           static_cast<std::int64_t>(2 + request.influences.size()) +
@@ -83,8 +83,8 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   begin_stage(request.progress, pair.gear2_drives() ? "positions, gear 2 driving" : "positions",
               wanted);
   if (rotations.empty()) {
-    // Errors of mounting do not rotate with the gears, so every pitch repeats the first; only the
-    // number of the tooth pair increases by one.
+    // Errors of mounting do not rotate with the gears, so every pitch repeats the first one, except
+    // that the number of the tooth pair increases by one.
     const double first = -0.5 * request.pitches * pair.pitch();
     const std::vector<PairTouch> once = one_pitch(transmission, first, n);
     for (int i = 0; i < request.pitches * n; ++i) {

@@ -1,8 +1,8 @@
 // Tooth contact analysis: a mounted pair under errors, turned through one pitch or more.
 //
-// This is the entry of the room. It uses the field (gap_field.hpp), the search for its greatest
-// value (touch.hpp), a pair followed through its range (transmission.hpp), and the description of a
-// touch (contact_point.hpp).                         theory: docs/theory/08-contact.md
+// The parts of the analysis are the field T of two flanks (gap_field.hpp), the search for its greatest
+// value (touch.hpp), the tooth pairs over a pitch (transmission.hpp) and the description of a touch
+// (contact_point.hpp).                               theory: docs/theory/08-contact.md
 #pragma once
 
 #include <vector>
@@ -26,32 +26,36 @@ struct ContactResult {
   std::vector<ContactPoint> positions;
   std::vector<std::vector<Sensitivity>> sensitivities;  ///< [influence][position]; 0 if contact is
                                                         ///< lost
-  Angle peak_to_peak;                                   ///< over the positions with contact
+  Angle peak_to_peak;                                   ///< of TE, over the positions with contact
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
   std::vector<Angle> harmonics;  ///< amplitudes of 1, 2, … per pitch; empty for given rotations
-  bool contact_lost = false;     ///< true if no pair touches at some position
-  long unfinished = 0;           ///< searches that did not end; normally 0
+  bool contact_lost = false;     ///< true if there is a position at which no tooth pair touches
+  long unfinished = 0;           ///< searches that did not converge; normally 0
   TouchCount work;
 };
 
+/// Analyses the contact of the pair at the requested positions.
+///
 /// Domain    positions ≥ 2, pitches ≥ 1, marking > 0 (contract)
-/// Accuracy  TE: rounding; ledger rows `contact.*`
+/// Accuracy  TE is exact to rounding; ledger rows `contact.*`
 ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request);
 
-/// Touches at `first + i step` of the housing's rotation, one pitch in n steps.
+/// The touches at n positions over one pitch. Position i is the rotation `first` + i pitch/n, in the
+/// housing's sense.
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n);
 
-/// Amplitudes of orders 1, 2, … of the mesh frequency, at most 20, of TE at equal steps of a pitch.
+/// Amplitudes of the orders 1, 2, … (at most 20) of the mesh frequency, for values of TE at equal
+/// steps over one pitch.
 ///
 /// Formula   [T8.18]
 /// Domain    at least one value (contract)
 std::vector<Angle> harmonics(const std::vector<double>& te);
 
-/// TE alone over one pitch from −half a pitch on, rad; NaN if contact is lost. Maps and optimisers
-/// use it.
+/// TE over one pitch, beginning at −1/2 pitch, rad; NaN where contact is lost. Maps and optimisers
+/// use this function.
 std::vector<double> transmission_error(const ContactPair& pair, int positions);
 
-/// Greatest minus least value; NaN if nothing touches.
+/// Greatest minus least value; NaN if all values are NaN.
 double peak_to_peak(const std::vector<double>& te);
 
 }  // namespace gearwright

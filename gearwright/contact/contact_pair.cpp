@@ -17,7 +17,8 @@ double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 
-// Border type (ridge or seam) towards the neighbouring cell, by u (below, above) or by z.
+// Type of the border (ridge or seam) between a cell and its neighbour in the direction of u or of z,
+// on the side of lower (`below`) or greater values.
 End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   for (const Cell& other : field.pieces()) {
     const bool across = of_u ? other.z_lo == cell.z_lo &&
@@ -83,7 +84,8 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   double cosine = (a - radius(patches_[1], true)) / r1;
   double aside = 0.0;
   if (internal_) {
-    // On crossed axes a section of gear 1 lies aside of axis 2, at most by this at its end. [T4.37]
+    // On crossed axes, the sections of gear 1 are displaced from axis 2. At the end of the face, the
+    // displacement is `off`. [T4.37]
     const double r2 = radius(patches_[1], false);
     const double off = g1.spec.face_width / 2 * std::abs(std::sin(mount.axis_angle.rad()));
     const double across = 2 * r1 * off, along = 2 * a * r1;

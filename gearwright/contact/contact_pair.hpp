@@ -1,15 +1,17 @@
-// Two mounted gears for the contact analysis: their touching flanks cut into smooth patches, in a
-// frame N in which all cases are equal.
+// Two mounted gears for the contact analysis. Their touching flanks are divided into smooth patches,
+// in a frame N in which all kinds of pair are treated alike.
 //
-//   Housing f   kinematics/pose.hpp; errors tilt and shift axis 1, ΔC moves axis 2
-//   World N     gear 2 turns counter-clockwise and is touched on the clockwise side of its tooth
+//   Housing f   the frame of kinematics/pose.hpp; errors tilt and shift axis 1, and ΔC moves axis 2
+//   World N     the frame in which gear 2 turns counter-clockwise and is touched on the clockwise side
+//               of its tooth
 //               external pair, gear 1 drives    N = f
-//               internal pair                   N = f with −y: both gears turn the same way
+//               internal pair                   N = f with −y; both gears turn in the same sense
 //               gear 2 drives                   half a turn about x, (y, z) → (−y, −z), and both
 //                                               rotations change sign
 //                                               theory: docs/theory/08-contact.md, [T8.11]…[T8.13]
 //
-// Tooth pair k is at the place of pair 0 k pitches of gear 1 earlier; k runs over all integers.
+// k numbers the tooth pairs by all integers. Tooth pair k behaves as pair 0 did k pitches of gear 1
+// earlier.
 #pragma once
 
 #include <array>
@@ -28,14 +30,14 @@ struct ContactErrors {
   Angle crossing{};                     ///< Δγ  about the centre line
   Angle intersecting{};                 ///< Δδ  in the plane of the axes
   double axial = 0.0;                   ///< Δz  mm
-  std::array<double, 2> helix_twist{};  ///< κ   rad/mm: section z turned by κz
-  std::array<Angle, 2> cutter_lead{};   ///< Δλ  cut with another lead angle
+  std::array<double, 2> helix_twist{};  ///< κ   rad/mm: the section at z is turned by κz
+  std::array<Angle, 2> cutter_lead{};   ///< Δλ  deviation of the lead angle of the cutter
 
   bool operator==(const ContactErrors&) const = default;
 };
 
-/// The errors of a mounting as its mirror image in the plane z = 0 has them. Errors of the teeth
-/// belong to each half of a double-helical gear in the same way and do not change.
+/// The errors of the mirror image, in the plane z = 0, of a mounting. Errors of the teeth do not
+/// change, because they are the same for both halves of a double-helical gear.
 ContactErrors mirrored(const ContactErrors& errors);
 
 struct ContactGear {
@@ -46,15 +48,16 @@ struct ContactGear {
 
 struct ContactMount {
   double center_distance = 0.0;  ///< a  mm, without errors
-  Angle axis_angle{};            ///< σ Σ: axis 2 lies along (0, sin, cos) of it
+  Angle axis_angle{};            ///< σ Σ; axis 2 has the direction (0, sin σΣ, cos σΣ)
   bool gear2_drives = false;
   ContactErrors errors;
-  /// z of the middle of each face, mm: not 0 for a half of a double-helical gear. Errors tilt axis 1
-  /// about its point at z = 0, and at rotation 0 the section at middle[0] is the one of pair 0.
+  /// z of the middle of each face, mm; not 0 for a half of a double-helical gear. Errors tilt axis 1
+  /// about its point at z = 0. At rotation 0, pair 0 is in mesh in the section z = middle[0].
   std::array<double, 2> middle{};
-  /// Root fillets and rounded tips are included, so that contact of a fillet before the flanks is
-  /// found. Tips of modified flanks are not included, because their removal does not continue
-  /// there.   Domain: a changed lead only if recut_outline can compute the root
+  /// True if root fillets and rounded tips are included, so that a contact of a fillet before the
+  /// flanks is found. Rounded tips of modified flanks are not included, because the removal of
+  /// material is defined on the flank only.   Domain: if a lead is changed, recut_outline must be able
+  /// to compute the root
   bool fillets = false;
 };
 
@@ -75,7 +78,7 @@ class ContactPair {
   const ContactMount& place() const { return place_; }
   double normal_pressure_angle() const { return alpha_n_; }  ///< of gear 1's straight rack, rad
 
-  /// A rotation of gear 1 in N, and the reverse.
+  /// Converts a rotation of gear 1 from the housing to N, or from N to the housing.
   double to_world(double rotation1) const { return place_.gear2_drives ? -rotation1 : rotation1; }
   /// A point (w1, z) of gear 1 before mounting, in the housing frame.
   Vec3 in_housing(const Complex& w1, double z) const;
@@ -83,18 +86,18 @@ class ContactPair {
   Vec3 direction_in_housing(const Vec3& v) const;
   /// Rotates the directions of gear 1 before mounting into N.
   const Mat3& tilt() const { return tilt_; }
-  double mirror() const { return internal_ ? -1.0 : 1.0; }            ///< of y, in N
-  double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< of z, in N
+  double mirror() const { return internal_ ? -1.0 : 1.0; }            ///< sign of y in N
+  double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< sign of z in N
   /// z of the middle of a face, mm, in N.
   double middle(int gear) const { return turned() * place_.middle[gear - 1]; }
   /// Radius at which the root fillet ends, mm; none without ContactMount::fillets or without a
   /// fillet.
   std::optional<double> root_end(int gear) const { return root_end_[gear - 1]; }
-  /// κ in N per mm of f_Hβ at the reference cylinder over the face.
+  /// κ in N, per mm of f_Hβ on the reference cylinder over the face width.
   double twist_per_slope(int gear) const { return slope_unit_[gear - 1]; }
 
  private:
-  // `twist` is that of the lead, and that of the lead error in addition.
+  // `twist` contains the twist of the lead and the additional twist of the lead error.
   void add_patches(int which, const ContactGear& gear, const std::array<double, 2>& twist,
                    double center, double side, bool right);
   void set_mount();

@@ -54,7 +54,7 @@ struct Place {
   double s, z;
 };
 
-// Follows the soft direction of the field from the touch while the flanks stay in contact.
+// Follows the direction in which the field has the least curvature, while the flanks stay in contact.
 class LineWalk {
  public:
   LineWalk(Transmission& transmission, const PairTouch& touch)
@@ -78,7 +78,8 @@ class LineWalk {
   // True if the flanks may be in contact over half the patch.
   bool worth_walking() const { return std::abs(soft_) * arm_ < 8.0 * kLineGap; }
 
-  // Both ends of D on the straight line through the touch; none if the gap opens before them.
+  // The places at which the straight line through the touch leaves D on both sides; none if the gap
+  // opens before.
   std::optional<std::array<Place, 2>> ends() {
     std::array<Place, 2> found;
     for (const int sense : {-1, 1}) {
@@ -87,7 +88,7 @@ class LineWalk {
       if (!together(at(sense * 0.5 * t)) || !together(end)) return std::nullopt;
       found[sense > 0 ? 1 : 0] = end;
     }
-    // A line shorter than this counts as a point, because the two cannot be distinguished.
+    // A line shorter than this cannot be distinguished from a point and counts as one.
     constexpr double kPoint = 1e-6;  // of half the patch
     const double long_s = (found[1].s - found[0].s) / s_half_;
     const double long_z = (found[1].z - found[0].z) / z_half_;
@@ -132,8 +133,8 @@ class LineWalk {
   double soft_ = 0.0, arm_ = 0.0;
 };
 
-// A bound that is active with a positive multiplier is an edge, although the edge may touch along
-// all of its length.
+// True if a bound is active with a positive multiplier. The touch is then at an edge, even if the edge
+// touches along its whole length.
 bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
   const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
   return weight * GapField::arm(transmission.jet_at(touch, touch.touch.s, touch.touch.z)) >
@@ -221,8 +222,8 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   p.kind = kind_of(field, touch.touch.active);
   Place at{touch.touch.s, touch.touch.z};
   const bool edge = holds_with_weight(transmission, touch);
-  // Without a multiplier, the next patch continues like this one, except for a slope that is
-  // irrelevant here.
+  // If the multiplier of a ridge is 0, T does not rise towards the ridge, so the touch counts as
+  // interior.
   if (p.kind == TouchKind::ridge && !edge) p.kind = TouchKind::interior;
   if (LineWalk walk(transmission, touch); !edge && walk.worth_walking()) {
     if (const auto ends = walk.ends()) {
@@ -234,7 +235,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
       }
       if (line[0].z() > line[1].z()) std::swap(line[0], line[1]);
       p.line = line;
-      // Every point of the line touches, so its middle represents all of them.
+      // Every point of the line touches, so the middle of the line represents all of them.
       at = {0.5 * ((*ends)[0].s + (*ends)[1].s), 0.5 * ((*ends)[0].z + (*ends)[1].z)};
     }
   }
@@ -247,7 +248,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   if (rack_angle) p.rack_angle = Angle::radians(*rack_angle);
   const Vec3 r_s = pair.tilt() * space(j.w1_s, 0.0);
   const Vec3 r_z = pair.tilt() * space(j.w1_z, 1.0);
-  // Out of gear 1. In N it points to the side of the azimuth of the flank, against its body.
+  // The normal that points out of gear 1.
   Vec3 normal = r_s.cross(r_z).normalized();
   const Vec3 round = pair.tilt() * space(Complex(0, 1) * j.w1, 0.0);
   if (normal.dot(round) * field.one().profile.side() < 0.0) normal = -normal;

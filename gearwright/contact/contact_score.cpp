@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// A number below these limits is the rounding error of 0.
+// Numbers below these limits are rounding errors.
 constexpr double kNoAngle = 1e-9 * kRadPerArcsec;
 constexpr double kNoPlace = 1e-9;
 
@@ -50,7 +50,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
     }
     c.te.push_back(t.te());
     ++n;
-    // Along a contact line every point touches, so the pattern coincides with the line.
+    // On a contact line every point touches, so the touch has no definite place along the face.
     if (!t.touch.flat) height += t.touch.z / z_half;
     if (target.width > Angle()) {
       const auto angle = transmission.field(t.fields).one().profile.rack_angle(t.touch.s);

@@ -1,7 +1,8 @@
-// The quality of the contact of a pair, in the few numbers by which corrections are judged.
+// The quality of the contact of a pair, as the few numbers that corrections shall improve.
 //
-//   h   mean place of the contact along the face, −1 to 1      p   the same along the profile,
-//       if it has a target          theory: docs/theory/08-contact.md, [T8.24]
+//   h   mean place of the contact along the face, −1 to 1
+//   p   mean place of the contact along the profile, if there is a target for it
+//                                 theory: docs/theory/08-contact.md, [T8.24]
 #pragma once
 
 #include <vector>
@@ -21,24 +22,26 @@ struct ContactScore {
   bool nothing_touches() const;
 };
 
-/// The reference of p. Without a width there is no p.
+/// The target of the place along the profile. If its width is 0, p is not computed.
 struct ProfileTarget {
-  Angle angle{};  ///< of the rack, at which the contact should lie
-  Angle width{};  ///< the distance that counts as the end; 0 without a target
+  Angle angle{};  ///< normal angle of the rack at which the contact should lie
+  Angle width{};  ///< difference of this angle at which p is 1; 0 without a target
 };
 
 /// TE and score of a pair over one pitch.
 struct ContactCurve {
-  std::vector<double> te;  ///< rad, NaN where lost
+  std::vector<double> te;  ///< rad; NaN where contact is lost
   ContactScore score;      ///< edge_share is 0 if it was not requested
 };
 
+/// TE and score of a pair over one pitch. The share of edges is computed if `edges` is true.
+///
 /// Domain    positions ≥ 2 (contract)
-/// Accuracy  rounding errors are set to 0: a peak to peak below 1e-9 arcsec, places below 1e-9
+/// Accuracy  a peak to peak below 1e-9 arcsec and a place below 1e-9 are rounding errors and become 0
 ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target,
                            bool edges);
 
-/// The same curve, computed from touches over a pitch. TE is that of N.
+/// TE and score computed from touches over one pitch. TE has the sign of the frame N.
 ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
                       const ProfileTarget& target, bool edges);
 
@@ -48,8 +51,8 @@ inline ContactScore score_of(const ContactPair& pair, int positions,
   return contact_curve(pair, positions, target, true).score;
 }
 
-/// Sets each number of `worst` to the worse of both. Places keep their sign, and a pair without any
-/// contact is the worst.
+/// Replaces each number of `worst` by the number of `score` if the number of `score` is worse. Places
+/// keep their sign, and a pair without any contact is the worst.
 void take_worst(ContactScore& worst, const ContactScore& score);
 
 }  // namespace gearwright

@@ -18,7 +18,7 @@ bool any_modification(const FlankModifications& m) {
          m.lead_crowning != 0.0 || m.lead_slope != 0.0;
 }
 
-// The reason why no teeth touch, such as tips that pass each other.
+// The reason why no teeth touch, such as tips that do not reach each other.
 std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& errors) {
   const double r1 = setup.gear(1).actual_tip_radius();
   const double r2 = setup.gear(2).actual_tip_radius();
@@ -109,7 +109,8 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     setup.place_.errors.cutter_lead[i] += change.cutter_lead[i];
     const SetupChange::Flank& f = change.flank[i];
     if (f == SetupChange::Flank{}) continue;
-    // The touching flanks, which are the right flanks of external gears if gear 1 drives.
+    // True if the working flanks are the left ones. If gear 1 drives, the right flanks of external
+    // gears touch.
     const bool left = change.left != (i == 1 && gears_[1]->internal());
     for (int side = 0; side < 2; ++side) {
       FlankModifications& m = setup.modifications_[i][side];
@@ -134,7 +135,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     auto* rack = std::get_if<ArcRack>(&spec.rack);
     GW_EXPECTS(rack != nullptr);
     rack->center_b += change.tool_setting / spec.normal_module;
-    rack->pressure_angle.reset();  // only a check of the setting on the drawing
+    rack->pressure_angle.reset();  // the drawing only states it to check the nominal setting
     auto gear = make_gear(spec);
     if (!gear) return of_gear(*which, gear.error());
     if (!gear->exists() || !gear->root_form_radius())

@@ -14,10 +14,9 @@ namespace {
 
 constexpr int kHalvings = 16;    // bisections to the end of a branch: 1.5e-5 of a step
 constexpr double kSame = 1e-13;  // rad: two values of TE that differ by rounding
-constexpr double kFlat = 1e-12;  // rad: no change closer than this to a handover or turn
-constexpr int kMaxSteps = 30;    // limit of a search for a handover or a turn, which needs five
-
-// The curve between positions, with the branches that have the greatest T at them.
+constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
+constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
+// The curve between the positions, from the branches that have the greatest T at the positions.
 class Branches {
  public:
   Branches(Transmission& transmission, const std::vector<PairTouch>& touches)
@@ -27,8 +26,8 @@ class Branches {
         step_(transmission.pair().turned() * transmission.pair().pitch() /
               static_cast<double>(touches.size())) {}
 
-  // Position i may exceed a pitch. The touch is then the same except for the number of the tooth
-  // pair.
+  // The touch at position i. If i lies beyond the pitch, the touch is the same, except for the number
+  // of the tooth pair.
   const PairTouch& at(long i) const {
     const auto n = static_cast<long>(touches_.size());
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
@@ -36,7 +35,8 @@ class Branches {
 
   // The touch of the same branch, `steps` away; not found if the branch has no contact there.
   PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
-  // The same; the search starts at a touch of that branch which may be nearer.
+  // The touch of the same branch, `steps` away. The search begins at `start`, another touch of the
+  // branch that may be nearer.
   PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
     if (!touch.found() || steps == 0.0) return touch;
     return transmission_.follow(start.found() ? start : touch, touch.phi + steps * step_);
@@ -50,8 +50,8 @@ class Branches {
            std::abs(b.phi - a.phi - step_) < 0.5 * std::abs(step_);
   }
 
-  // The part of a step over which the branch of `touch` continues in one direction: all of it, or
-  // up to its last touch.
+  // The part of a step over which the branch of `touch` continues in one direction; 1 if the branch
+  // still exists after a whole step.
   double reach(const PairTouch& touch, double way) const {
     if (moved(touch, way).found()) return 1.0;
     PairTouch last = touch;
@@ -66,12 +66,11 @@ class Branches {
     return lo;
   }
 
-  // The place between i and i + 1 where the leading branch changes; none if it does not change.
+  // The touches of both branches at the handover between i and i + 1; none if there is no handover.
   std::optional<std::array<PairTouch, 2>> handover(long i) const {
     const PairTouch& a = at(i);
     const PairTouch& b = at(i + 1);
-    // Branch b begins at lo or continues to before i; branch a ends at hi or continues beyond i +
-    // 1.
+    // Branch b begins at lo, or before i if lo is 0. Branch a ends at hi, or beyond i + 1 if hi is 1.
     double lo = 1.0 - reach(b, -1.0);
     double hi = reach(a, 1.0);
     if (lo >= hi) return std::nullopt;
@@ -95,7 +94,7 @@ class Branches {
       const double ahead = ahead_in(both);
       if (std::isnan(ahead)) return std::nullopt;
       if (std::abs(ahead) < kFlat || k + 1 == kMaxSteps) {
-        // A third branch that is greatest at a neighbour may be greatest here as well.
+        // A third branch that is greatest at position i − 1 or i + 2 may be greatest here as well.
         std::array<PairTouch, 2> lead = both;
         double te = std::max(both[0].te(), both[1].te());
         for (const bool before : {true, false}) {
@@ -112,8 +111,8 @@ class Branches {
     return std::nullopt;
   }
 
-  // Extremum of the leading branch within a step of i: a maximum (`up`) or a minimum.
-  // Its slope is exact, continuous, and may bend sharply where the contact reaches an edge.
+  // A maximum (`up`) or minimum of the leading branch within a step of i. The slope of the branch is
+  // exact and continuous, but may bend sharply where the contact reaches an edge.
   std::optional<PairTouch> turning_point(long i, bool up) const {
     const PairTouch& here = at(i);
     double lo = 0.0;
@@ -122,7 +121,7 @@ class Branches {
     const double way = (at_lo > 0.0) == up ? 1.0 : -1.0;
     double hi = way * reach(here, way);
     const PairTouch end = moved(here, hi);
-    // The end was found in smaller steps, and one large step may lose the branch.
+    // The end was found in small steps. A single large step may lose the branch.
     if (!end.found()) return std::nullopt;
     double at_hi = slope(end);
     if ((at_lo > 0.0) == (at_hi > 0.0)) {
@@ -139,7 +138,7 @@ class Branches {
       if (up ? turn.te() > best.te() : turn.te() < best.te()) best = turn;
       const double at_turn = slope(turn);
       const bool low = (at_turn > 0.0) == (at_lo > 0.0);
-      // The remaining change up to the other end of the bracket is below this.
+      // Stop if the change of T up to the other end of the bracket is negligible.
       if (std::abs(at_turn * ((low ? hi : lo) - t)) < kFlat) break;
       narrow(low, t, at_turn, lo, at_lo, hi, at_hi, stays);
     }
@@ -147,7 +146,7 @@ class Branches {
   }
 
  private:
-  // Lead of the first over the second; NaN if one has no contact.
+  // TE of the first touch minus TE of the second; NaN if a touch has no contact.
   static double ahead_in(const std::array<PairTouch, 2>& both) {
     return both[0].found() && both[1].found() ? both[0].te() - both[1].te()
                                               : std::numeric_limits<double>::quiet_NaN();
@@ -156,8 +155,8 @@ class Branches {
   double slope(const PairTouch& touch) const {
     return step_ * rotation_slope(transmission_, touch);
   }
-  // Narrows the bracket of a root after the evaluation at t. An end that stays twice gets half its
-  // value (Illinois).
+  // Narrows the bracket of a root after the evaluation at t. If an end is kept twice, its value is
+  // halved (Illinois method).
   static void narrow(bool low, double t, double value, double& lo, double& at_lo, double& hi,
                      double& at_hi, int& stays) {
     (low ? lo : hi) = t;
@@ -205,10 +204,11 @@ CurveExtremes continuous_extremes(Transmission& transmission,
       if (const auto both = curve.handover(i)) take_bottom((*both)[0], (*both)[1]);
     }
     if (!before.found()) continue;
-    // The curve may have an extreme where a line through two positions exceeds the extreme so far.
+    // The curve may have a new extreme here if a line through two positions exceeds the present one.
     const double reach =
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
-    // A branch never exceeds TE, but beyond a handover it may lie below TE.
+    // A branch never exceeds TE, so its maximum is valid. Beyond a handover it may lie below TE, so a
+    // minimum is valid only if the same branch leads at both neighbours.
     if (here.te() + reach > e.greatest) {
       if (const auto turn = curve.turning_point(i, true)) take_top(*turn);
     }

@@ -1,13 +1,15 @@
 // The least and the greatest transmission error of the continuous curve, computed from touches at
 // some positions.
 //
-//   T_a, T_b   two branches: a tooth pair on a pair of patches, as a function of the rotation
-//   TE         the greatest of the branches. A maximum lies inside a branch or at its end, and a
-//              minimum inside a branch or at a handover T_a = T_b. TE jumps where a branch begins
-//              ahead of the others
+//   T_a, T_b   two branches; a branch is T of one tooth pair on one pair of patches, as a function of
+//              the rotation
+//   TE         the greatest of the branches
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //
-// The peak to peak at the positions alone is too small by up to half a slope times a step, and the
+// A maximum of TE lies inside a branch or at its end. A minimum lies inside a branch or at a handover
+// T_a = T_b. TE jumps where a branch begins with a greater T than the others.
+//
+// The peak to peak over the positions alone is too small by up to half a slope times a step, and the
 // missing part varies with the phase of the handovers.
 #pragma once
 
@@ -20,24 +22,24 @@
 
 namespace gearwright {
 
-/// rad, in N.
+/// The extremes of TE over a pitch, rad, in N.
 struct CurveExtremes {
   double least, greatest;
   PairTouch top;                    ///< the touch with the greatest value
-  std::array<PairTouch, 2> bottom;  ///< the touch with the least value; at a handover one on each
-                                    ///< branch
+  std::array<PairTouch, 2> bottom;  ///< the touch with the least value; at a handover, one touch of
+                                    ///< each branch
   double span() const { return greatest - least; }
 };
 
-/// `touches` are those of one_pitch().
+/// The extremes of the continuous curve, from the touches of one_pitch().
 ///
 /// Formula   [T14.11]
 /// Units     rad
-/// Domain    at least one touch that is found (contract)
-/// Accuracy  1e-12 rad at the extremes that it finds, at a jump 1.5e-5 of the change of TE in a
-///           step; a branch that leads for less than a step may be overlooked
-/// Laws      (1) least is at most, and greatest at least, that of the touches   (2) the result does
-///           not depend on the number of positions
+/// Domain    at least one touch with contact (contract)
+/// Accuracy  1e-12 rad at the extremes that are found; at a jump, 1.5e-5 of the change of TE in a
+///           step. A branch that leads for less than a step may be overlooked
+/// Laws      (1) the range from `least` to `greatest` contains TE of all touches
+///           (2) the result does not depend on the number of positions
 CurveExtremes continuous_extremes(Transmission& transmission,
                                   const std::vector<PairTouch>& touches);
 
@@ -46,12 +48,12 @@ CurveExtremes continuous_extremes(Transmission& transmission,
 /// Domain    positions ≥ 2 (contract)
 std::optional<Angle> continuous_span(const ContactPair& pair, int positions);
 
-/// ∂span/∂e, rad per unit of e. `transmission` is that of the extremes.
+/// ∂span/∂e, rad per unit of e. `transmission` must be the one that computed the extremes.
 ///
-/// Formula   of a branch [T8.10], of a handover [T14.16]
+/// Formula   [T8.10] inside a branch, [T14.16] at a handover
 /// Domain    as sensitivity() (contract)
-/// Accuracy  rounding, where the extremes are unique; at a jump that of the branch, without the motion
-///           of its end
+/// Accuracy  rounding if the extremes are unique. At a jump, the slope of the branch is used, without
+///           the motion of its end
 /// Laws      (3) it is the limit of differences of span()
 double span_slope(Transmission& transmission, const CurveExtremes& extremes,
                   const Influence& influence);

@@ -1,4 +1,4 @@
-// The corrections by which a workshop compensates the errors of a pair, and the task of finding
+// The corrections by which a workshop compensates the errors of a pair, and the task that computes
 // them.
 //
 //   const auto setup = ContactSetup::of(*pair, {});
@@ -14,15 +14,15 @@
 namespace gearwright {
 
 enum class CorrectionOf {
-  tool_setting,      ///< Δb_F  mm, of the rack F of circular arcs
+  tool_setting,      ///< Δb_F  mm, of the rack F that cuts convex circular arcs
   cutter_lead,       ///< Δλ    degrees
   lead_slope,        ///< µm, on the driven flanks
   lead_crowning,     ///< µm, on both flanks
   profile_slope,     ///< µm, on the driven flanks
   profile_crowning,  ///< µm, on both flanks
-  tip_relief,        ///< µm, likewise, of a relief that the drawing places
-  root_relief,
-  end_relief,
+  tip_relief,        ///< µm, on both flanks, of a relief whose reach the drawing gives
+  root_relief,       ///< µm, as tip_relief
+  end_relief,        ///< µm, as tip_relief
 };
 
 struct WorkshopCorrection {
@@ -35,7 +35,7 @@ struct WorkshopCorrection {
   }
 };
 
-/// Usual bounds of a correction and a small change, in its unit.
+/// Usual bounds of a correction and its step, in the unit of the correction.
 constexpr Correction usual_bounds(CorrectionOf what) {
   switch (what) {
     case CorrectionOf::tool_setting: return {-5.0, 5.0, 0.005};
@@ -51,26 +51,29 @@ constexpr Correction usual_bounds(CorrectionOf what) {
   return {};
 }
 
-/// A tool setting needs a rack F; a lead needs a helical gear cut by a rack; a relief needs a start
-/// on both flanks.
+/// True if the correction is possible. A tool setting requires a rack F, a lead requires a helical
+/// gear cut by a rack, and a relief requires a reach on both flanks.
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// The usual corrections: tool setting and lead for arcs, otherwise slope and crowning of gear 1.
+/// The usual corrections: tool setting and lead for circular arcs, otherwise lead slope and lead
+/// crowning of gear 1.
 std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 
-/// These amounts, in the corrections' units; `gear2_drives` selects the flanks of a slope.
+/// The change that corresponds to these values, in the units of the corrections. `gear2_drives` selects
+/// the flanks on which slopes act.
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 
-/// The influence whose slope is computed, for a correction of a flank; none for a tool setting.
+/// The influence for which sensitivities are computed, if the correction changes the flanks; none for
+/// a tool setting and for a lead.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
-/// The usual bounds for this pair; a tool setting is also limited to a tenth of the module.
+/// The usual bounds for this pair. A tool setting is also limited to a tenth of the module.
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// The pair under each of the `scenarios` with these corrections, within bounds_of().
+/// The task that computes these corrections, within bounds_of(), for the worst of the `scenarios`.
 ///
-/// Domain    corrections that the setup can take (contract)
+/// Domain    can_take() is true for every correction (contract)
 CompensationTask compensation_task(const ContactSetup& setup,
                                    const std::vector<WorkshopCorrection>& corrections,
                                    const std::vector<ContactErrors>& scenarios,

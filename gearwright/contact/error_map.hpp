@@ -1,6 +1,7 @@
-// Peak to peak of the transmission error over a grid of two errors, on all cores.
+// Peak to peak of the transmission error over a grid of two errors, computed on all cores.
 //
-// Every point of the map has its own curve. The result does not depend on the number of threads.
+// The curve of every grid point is computed independently, so the result does not depend on the number
+// of threads.
 #pragma once
 
 #include <functional>
@@ -15,8 +16,8 @@ struct ErrorMap {
   std::vector<std::vector<double>> value;  ///< rad, [iy][ix]; NaN if nothing touches
 };
 
-/// `te_at(x, y)` computes TE over a pitch under these errors, rad, as transmission_error() does. It is
-/// called from several threads at once.
+/// The map of the peak to peak. `te_at(x, y)` must return TE over a pitch under these errors, rad, as
+/// transmission_error() does, and is called from several threads at once.
 ///
 /// Units     rad
 /// Domain    x and y not empty (contract); `threads` 0 means one per core

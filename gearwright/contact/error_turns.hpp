@@ -1,7 +1,7 @@
 // The rotations by which errors of mounting tilt axis 1, and their derivatives by the angle.
 //
-//   Δγ   crossing: about x, the centre line; axis 1 tilts towards +y
-//   Δδ   intersecting: about y; axis 1 tilts towards gear 2, +x
+//   Δγ   crossing: rotation about x, the centre line, so that axis 1 tilts towards +y
+//   Δδ   intersecting: rotation about y, so that axis 1 tilts towards gear 2, +x
 //                                    theory: docs/theory/08-contact.md, [T8.12]
 #pragma once
 
@@ -35,7 +35,8 @@ inline Mat3 intersecting_turn_slope(double d) {
   return m;
 }
 
-/// Directions of the housing in the frame of gear 2 at rotation 0; axis 2 along (0, sin Σ, cos Σ).
+/// Rotates directions from the housing into the frame of gear 2 at rotation 0. Axis 2 has the direction
+/// (0, sin Σ, cos Σ) in the housing.
 inline Mat3 shaft_turn(double sigma) { return crossing_turn(-sigma); }
 
 }  // namespace gearwright::detail

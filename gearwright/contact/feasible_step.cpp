@@ -7,11 +7,11 @@ namespace gearwright::detail {
 
 namespace {
 
-// Rounding error of a bound that is active, in scaled lengths. Multipliers near a flat ridge have
-// noise of the same size.
+// Rounding error of an active bound, in scaled lengths. Multipliers near a flat ridge have small
+// rounding errors as well.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
-// Sine of the angle between two bounds below which they are parallel within rounding and have no
+// If the sine of the angle between two bounds is smaller, they are parallel within rounding and have no
 // corner.
 constexpr double kParallel = 1e-14;
 
@@ -71,7 +71,8 @@ class Candidates {
     return mu_a >= kNoMultiplier && mu_b >= kNoMultiplier && within(step);
   }
 
-  // The crossing of two bounds, or the foot on one, at which the other bounds are violated least.
+  // The point that violates the bounds least, among the corners of two bounds and the points on single
+  // bounds that are nearest to the start.
   FeasibleStep min_broken() const {
     FeasibleStep best;
     double least = std::numeric_limits<double>::infinity();

@@ -2,9 +2,10 @@
 //
 //   max  g·d + d·H d/2    over  c_j + a_j·d ≥ 0,  j = 1 … 8,    d in the plane
 //
-// H is concave, so the first candidate that is feasible with multipliers ≥ 0 is the only one; the
-// candidates are the inside, single bounds, and corners of two bounds. The solution of the last
-// step is tried first.                                    theory: docs/theory/08-contact.md, [T8.9]
+// The candidates are the stationary point, the best point on each bound, and the corners of two bounds.
+// Because the objective is concave, the first candidate that is feasible and has multipliers ≥ 0 is the
+// solution. The set of bounds of the last step is tried first.
+//                                                         theory: docs/theory/08-contact.md, [T8.9]
 #pragma once
 
 #include <array>
@@ -15,17 +16,17 @@ namespace gearwright::detail {
 constexpr int kBounds = 8;
 
 struct Bound {
-  double c;         ///< ≥ 0 inside
-  double a_s, a_z;  ///< its gradient
+  double c;         ///< c_j, ≥ 0 inside
+  double a_s, a_z;  ///< a_j, the gradient
 };
 
 struct StepProblem {
   double g_s, g_z;
-  double h_ss, h_sz, h_zz;  ///< concave (contract)
+  double h_ss, h_sz, h_zz;  ///< H, negative definite (contract)
   std::array<Bound, kBounds> bounds;
 };
 
-/// The active bounds; −1 if there is none.
+/// The active bounds, at most two; −1 for a bound that is absent.
 struct ActiveSet {
   std::int8_t first = -1, second = -1;
   bool inside() const { return first < 0; }
@@ -36,8 +37,8 @@ struct ActiveSet {
 struct FeasibleStep {
   double d_s = 0.0, d_z = 0.0;
   ActiveSet active;
-  std::array<double, 2> multiplier{};  ///< of first and second, ≥ 0
-  bool feasible = true;  ///< false if the bounds leave no point; d then violates them least
+  std::array<double, 2> multiplier{};  ///< of active.first and active.second, ≥ 0
+  bool feasible = true;  ///< false if no point satisfies all bounds; d then violates them least
 };
 
 FeasibleStep solve_step(const StepProblem& p, const ActiveSet& guess);

@@ -7,11 +7,11 @@ namespace gearwright {
 
 namespace {
 
-// Fillets that were cut to meet the flank meet it within rounding.
+// Smaller values of `early` are rounding errors, for example where a fillet continues the flank.
 constexpr double kTouching = 1e-8;  // mm
 
-// With fillets a position costs several times as much as with flanks alone, and up to 10⁶ positions
-// may be requested.
+// The number of rotations is limited, because a position with fillets takes several times as long as
+// with flanks alone, and the user may request up to 10⁶ positions.
 constexpr std::size_t kMaxRotations = 64;
 
 // Arm of the normal at the touch about axis 2.
@@ -23,7 +23,7 @@ double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
   return std::abs((p.point - on_axis).cross(p.normal).dot(axis));
 }
 
-// The gear whose root fillet is touched there; 0 if no fillet is touched.
+// The gear whose root fillet touches at the point; 0 if no fillet touches.
 int gear_of_fillet(const ContactPair& outlines, const ContactPoint& p) {
   for (const int gear : {1, 2}) {
     const auto end = outlines.root_end(gear);

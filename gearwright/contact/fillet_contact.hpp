@@ -1,10 +1,10 @@
-// Tips in root fillets under errors of mounting and cutting.
+// Contact of tips with root fillets, under errors of mounting and cutting.
 //
-// If a tip meets the mating gear's fillet first, the flanks alone give a transmission error TE that
-// the teeth cannot have. With the fillets as additional patches the same search [T8.2] gives TE_f ≥
-// TE. The difference is the distance by which the fillet keeps gear 2 off the flanks:
+// If a tip meets the mating gear's fillet before the flanks touch, the transmission error TE of the
+// flanks alone is wrong. With the fillets as additional patches, the same search [T8.2] gives
+// TE_f ≥ TE. The difference corresponds to the gap that remains between the flanks:
 //
-//   early = (TE_f − TE) h,   h the arm of the touch's normal about axis 2, mm
+//   early = (TE_f − TE) h   mm, where h is the arm of the normal at the touch about axis 2, mm
 #pragma once
 
 #include <optional>
@@ -16,24 +16,24 @@
 namespace gearwright {
 
 struct FilletContact {
-  int gear;            ///< 1 or 2, whose fillet
-  double early;        ///< mm along the normal, before the flanks would touch
-  ContactPoint point;  ///< of the tip in the fillet, its TE that of the whole outlines
+  int gear;            ///< 1 or 2, the gear of the fillet
+  double early;        ///< mm along the normal: gap that remains between the flanks
+  ContactPoint point;  ///< of the tip in the fillet, with TE_f
 };
 
 struct FilletContacts {
-  std::vector<std::size_t> asked;         ///< examined positions of the flanks
-  std::vector<ContactPoint> whole;        ///< the whole outlines at those positions
-  std::optional<FilletContact> earliest;  ///< earliest contact before the flanks; none if the
+  std::vector<std::size_t> asked;         ///< examined positions, as indices of `flanks`
+  std::vector<ContactPoint> whole;        ///< contact of the whole outlines at these positions
+  std::optional<FilletContact> earliest;  ///< the contact with the greatest `early`; none if the
                                           ///< flanks touch first
 };
 
-/// Contact of the whole outlines at those rotations of `flanks` (positions of analyse_contact) that
-/// touch.
+/// Contact of the whole outlines at the rotations at which the flanks touch. `flanks` are the positions
+/// of analyse_contact() for the flanks alone.
 ///
 /// `outlines`  the same pair with ContactMount::fillets
-/// Accuracy    rounding at each examined rotation. At most 64 rotations, evenly chosen, are
-///             examined, and earlier touches between them may be missed
+/// Accuracy    rounding at each examined rotation. At most 64 evenly chosen rotations are examined, so
+///             an earlier contact between them may be missed
 FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,
                                Progress* progress = nullptr);
 

@@ -12,7 +12,7 @@ Complex turned(const Complex& factor, double phase) {
   return times(factor, {std::cos(phase), std::sin(phase)});
 }
 
-// The turn m = −c k C of a flank by the material removed from it, by u and z. [T8.7]
+// The rotation m = −c k C that the removal of material causes, with its derivatives by u and z. [T8.7]
 Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
   const Removal c = f.removal->at(u, f.removal_z * z, f.piece);
   const TurnPerRemoval k = f.profile.turn_per_removal(s);
@@ -28,7 +28,8 @@ Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
   return m;
 }
 
-// The angle of a point from flank 2 as cut. An angle measured from the expected rotation never wraps.
+// The angle from flank 2 as cut to a point. It is measured from the expected rotation, so that it never
+// exceeds half a turn.
 double angle_from(const FlankPatch& two, const RadialJet& q, double expected,
                   const GapField::Place2& place) {
   const Complex back =
@@ -79,7 +80,7 @@ double GapField::value(const Place2& place, double& s2) const {
 
 GapJet GapField::at(double s, double z, double& s2) const {
   const PolarJet p = one_->profile.at(s);
-  // Flank 1 in its transverse section: w1 = e^{λ}, and λ by s and z.
+  // Flank 1 in its transverse section is w1 = e^{λ}. The derivatives of λ by s and z are l_s, l_z, …
   Complex l_s = p.d1;
   Complex l_ss = p.d2;
   double turn = 0.0;
@@ -108,7 +109,7 @@ GapJet GapField::at(double s, double z, double& s2) const {
   j.w1_ss = d[2];
   j.w1_sz = d[3];
   j.w1_zz = d[4];
-  // In the frame of gear 2.
+  // Transform to the frame of gear 2.
   const Mat3& r = mount_.rotation;
   const auto across = [&](const Complex& v) { return v.real() * from_x_ + v.imag() * from_y_; };
   const auto along = [&](const Complex& v) { return v.real() * r(2, 0) + v.imag() * r(2, 1); };
@@ -117,7 +118,7 @@ GapJet GapField::at(double s, double z, double& s2) const {
   j.w_s = across(d[0]);
   j.w_z = across(d[1]) + from_z_;
   j.Z = {place.Z, along(d[0]), along(d[1]) + r(2, 2), along(d[2]), along(d[3]), along(d[4])};
-  // L = ln w: its real part is u, its imaginary part the azimuth.
+  // L = ln w. The real part is u, and the imaginary part is the azimuth.
   const double square = std::norm(j.w);
   const Complex over = std::conj(j.w) / square;
   const Complex L_s = times(j.w_s, over);

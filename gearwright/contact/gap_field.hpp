@@ -1,17 +1,16 @@
-// The angle through which gear 2 must turn for its flank to pass through a point of flank 1, with
-// all its derivatives.
+// The angle through which gear 2 must turn until its flank passes through a point of flank 1, with
+// first and second derivatives.
 //
-//   World N: z along axis 1, x along the centre line, gear 2 driven counter-clockwise; the flank of
-//   gear 2 that is touched is the clockwise side of its tooth. Other cases are mirrored into it
-//   (contact/contact_pair.hpp).
+//   World N: z along axis 1, x along the centre line, gear 2 driven counter-clockwise; the clockwise
+//   side of its tooth touches. Other cases are transformed to N (contact/contact_pair.hpp).
 //   φ1   rotation of gear 1          E = φ1 |z1/z2|, the expected rotation of gear 2
 //   T    φ2* − E, rad                u = ln ρ and Z: position of the point on gear 2
 //                                    theory: docs/theory/08-contact.md, [T8.1]…[T8.3], [T8.8]
 //
 //   φ2*(ρ, ψ, Z) = ψ − θ2(ρ) − m2(ρ, Z) − Z τ2
 //
-// The flanks touch where T is greatest over the part of flank 1 that lies inside flank 2. No
-// allocation, no virtual call; one evaluation returns all data of a Newton step.
+// The flanks touch where T is greatest over the part of flank 1 that lies opposite flank 2. One
+// evaluation returns all data of a Newton step, without memory allocation and virtual calls.
 #pragma once
 
 #include <array>
@@ -25,23 +24,24 @@ namespace gearwright {
 /// A patch of a flank in world N: one smooth piece of its profile over a part of the face.
 struct FlankPatch {
   Profile profile;
-  double center;      ///< rad, azimuth of the tooth's centre line at rotation 0, section z = 0
-  double twist;       ///< τ  rad/mm, with the lead error
+  double center;  ///< rad, azimuth of the tooth's centre line at rotation 0 in the section z = 0
+  double twist;   ///< τ  rad/mm, including the lead error
   double z_lo, z_hi;  ///< mm
-  /// Material removed from this flank; null if there is none. Its z runs along `removal_z`, ±1.
+  /// Material removed from this flank; null if there is none. The z of the field is removal_z (±1)
+  /// times the z of the patch.
   const RemovalField* removal = nullptr;
   RemovalField::Piece piece = {};
   double removal_z = 1.0;
-  /// The neighbour of the patch at its ends: the end of the flank, or the next patch. At a ridge
-  /// the next patch continues with another slope, at a seam with the same slope.
+  /// Types of the ends of a patch. At a ridge the next patch continues with another slope, and at a
+  /// seam with the same slope. The other types are ends of the flank.
   enum class End { tip, form, seam, ridge, face };
   End s_lo_end = End::form, s_hi_end = End::tip, z_lo_end = End::face, z_hi_end = End::face;
-  /// Ends of the part in use, within those of the profile.
+  /// Ends of the part of the profile that the patch uses.
   double s_lo = 0.0, s_hi = 0.0, u_lo = 0.0, u_hi = 0.0;
 };
 
-/// The position of the frame of gear 1 in that of gear 2, both at rotation 0: x_2 = rotation x_1 +
-/// shift.
+/// The transformation from the frame of gear 1 to that of gear 2, both at rotation 0:
+/// x_2 = rotation x_1 + shift.
 struct RelativeMount {
   Mat3 rotation = Mat3::Identity();
   Vec3 shift = Vec3::Zero();
@@ -56,8 +56,8 @@ struct GapJet {
   Jet2 t;                     ///< T   rad
   Jet2 u;                     ///< ln ρ of the point on gear 2
   Jet2 Z;                     ///< mm
-  double slope2_u, slope2_Z;  ///< θ2′ + ∂m2/∂u,  τ2 + ∂m2/∂Z: of flank 2 there
-  double bend2_uu, bend2_uZ, bend2_ZZ;  ///< and their derivatives
+  double slope2_u, slope2_Z;  ///< slopes of flank 2: θ2′ + ∂m2/∂u and τ2 + ∂m2/∂Z
+  double bend2_uu, bend2_uZ, bend2_ZZ;  ///< derivatives of these slopes
   Complex w1, w1_s, w1_z;  ///< the point of gear 1 in the transverse plane, mm, before mounting
   Complex w1_ss, w1_sz, w1_zz;
   Complex w, w_s, w_z;  ///< the same point in the frame of gear 2
@@ -65,27 +65,28 @@ struct GapJet {
 
 class GapField {
  public:
-  /// `rotation_sign` is −1 if gear 1 turns clockwise for growing φ1, +1 if counter-clockwise.
+  /// `rotation_sign` is −1 if increasing φ1 turns gear 1 clockwise, and +1 if counter-clockwise.
   GapField(const FlankPatch& one, const FlankPatch& two, const RelativeMount& mount, double ratio,
            double rotation_sign);
 
   void set_rotation(double phi1);
   double rotation() const { return phi1_; }
-  /// The field at (s, z) of flank 1. `s2` is the parameter on flank 2 at which the last call ended.
+  /// The field at (s, z) of flank 1. `s2` is the parameter on flank 2: the value from the last call on
+  /// entry, and the new value on return.
   GapJet at(double s, double z, double& s2) const;
   /// The point at (s, z) of flank 1 in the transverse plane at rotation 0, mm, before mounting.
   Complex point_at_rest(double s, double z) const;
-  /// The same point after the rotation φ1.
+  /// The point `at_rest` after the rotation φ1.
   Complex rotated(const Complex& at_rest) const { return times(at_rest, rotation_factor_); }
-  /// A point of flank 1 in the frame of gear 2.
+  /// Coordinates of a point in the frame of gear 2.
   struct Place2 {
     Complex w;  ///< mm
     double Z;   ///< mm
   };
   Place2 on_gear_2(const Complex& w1, double z) const;
-  /// T alone at a point of flank 1, without its derivatives; `s2` as in at().
+  /// T at a point of flank 1, without derivatives; `s2` as in at().
   double value(const Place2& place, double& s2) const;
-  /// Normal distance of the flanks per radian of gap angle: 1/|∇φ2*|, mm. [T8.3]
+  /// Normal distance of the flanks per radian of gap angle, 1/|∇φ2*|, mm. [T8.3]
   static double arm(const GapJet& j);
 
   const FlankPatch& one() const { return *one_; }

@@ -17,7 +17,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Vec3 in_mirror(const Vec3& v) { return {v.x(), v.y(), -v.z()}; }
 
-// The sign of an error in the mirror image.
+// The sign that an error of the pair gets in the mirror image.
 double mirror_sign(ErrorKind kind) {
   const bool turns =
       kind == ErrorKind::crossing || kind == ErrorKind::intersecting || kind == ErrorKind::axial;
@@ -43,7 +43,7 @@ std::vector<Angle> harmonics_of(const ContactResult& result, int per_pitch) {
   return harmonics(te);
 }
 
-// The mean of the TE of both halves, rad; NaN if one of them does not touch.
+// The mean of the TE of both halves, rad; NaN if a half does not touch.
 class MeanError {
  public:
   explicit MeanError(const HalvesMesh& mesh) : mesh_(mesh), a_(*mesh.half[0]), b_(*mesh.half[1]) {}
@@ -180,7 +180,7 @@ std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
     for (int i = 0; i < positions; ++i) best = std::max(best, value(i));
     for (int i = 0; i < positions; ++i) {
       if (value(i) < value(i - 1) || value(i) < value(i + 1)) continue;
-      // The curve may exceed the best position where a neighbouring step reaches beyond it.
+      // Between two positions, the curve may exceed the best value by as much as it changes in a step.
       const double reach = value(i) - std::min(value(i - 1), value(i + 1));
       if (value(i) + reach < best) continue;
       const double middle = (i - positions / 2) * step;

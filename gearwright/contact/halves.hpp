@@ -1,13 +1,13 @@
-// Contact of a double-helical pair: both halves, and the motion of the whole gears if one of them
+// Contact of a double-helical pair: contact of both halves, and motion of the whole gears if one gear
 // floats along its axis.
 //
 //   e_A, e_B   TE of the half at z > 0 and of the half at z < 0
-//   k          rad of gear 2 per mm of gear 1 along its axis, (z1/z2) tan β/r_1 of half A
+//   k          rotation of gear 2 per axial displacement of gear 1, rad/mm; (z1/z2) tan β/r_1 of half A
 //   s          stagger of half B, pitches
 //
-// A half is a helical pair of its own. Half B is computed as its mirror image in the plane z = 0,
-// which has the teeth of half A and the errors of mirrored(). Both halves transmit the same torque,
-// because the axial forces on the floating gear cancel, so both touch:
+// Each half is a helical pair. Half B is replaced by its mirror image in the plane z = 0, which has the
+// teeth of half A and the errors of mirrored(). The axial forces on the floating gear cancel. Both
+// halves therefore transmit the same torque, and both touch:
 //
 //   TE = (e_A + e_B)/2,   Δz = (e_B − e_A)/(2k)      theory: docs/theory/08-contact.md, [T8.27]
 #pragma once
@@ -26,15 +26,14 @@ namespace gearwright {
 /// Domain    a gear with a gap, which may be 0 (contract)
 double middle_of_half(const Gear& half);
 
-/// The rotation of half B relative to that of the gears.
+/// The rotation of half B minus the rotation of the gear.
 Angle behind(double stagger, const Gear& gear_1);
-
-/// The rotations of half B and of its mirror image, for those of the gears. Empty if `rotations` is
-/// empty, which stands for `positions` per pitch, and half B is at the same ones.
+/// The rotations of half B for these rotations of the gear. If `rotations` is empty, the gear has
+/// `positions` per pitch; the result is then empty if half B has the same rotations (no stagger).
 std::vector<Angle> rotations_of_second(const Gear& gear_1, double stagger,
                                        std::vector<Angle> rotations, int positions, int pitches);
 
-/// A pattern on half B from that of its mirror image.
+/// Converts the pattern on the mirror image of half B to the pattern on half B.
 FlankRaster in_mirror(const FlankRaster& raster);
 
 /// A double-helical pair under its errors, driven by one of its gears.
@@ -43,7 +42,7 @@ struct HalvesMesh {
   std::array<const ContactPair*, 2> half{};  ///< A, and the mirror image of B
   double stagger = 0.0;                      ///< s
 
-  /// The rotation of half B relative to that of the gear.
+  /// The rotation of half B minus the rotation of the gear.
   Angle behind() const { return gearwright::behind(stagger, *gear_1); }
   /// True if half B equals the mirror image of half A at all rotations.
   bool alike() const {
@@ -51,32 +50,34 @@ struct HalvesMesh {
   }
 };
 
-/// Half B itself, from the analysis of its mirror image at rotations_of_second(): contact points,
-/// normals and derivatives, which are by the errors of the pair and not by those of the image.
+/// Converts the analysis of the mirror image at rotations_of_second() to the result for half B. Contact
+/// points and normals are mirrored, and derivatives become those by the errors of the pair.
 ///
-/// Domain    `per_pitch` is the number of positions in one pitch, 0 if the rotations were given
+/// Domain    `per_pitch` is the number of positions in one pitch; 0 if the caller gave the rotations
 ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
                           const std::vector<Influence>& influences, int per_pitch);
 
-/// Both gears, from the results of the halves at the same rotations.
+/// The contact of the whole gears.
 struct WholeContact {
-  /// Rotations and TE of every position; the place of contact is NaN. `kind` is that of half A, or
-  /// an edge that touches on half B only.
+  /// Rotations and TE of every position; the place of contact is NaN. `kind` is taken from half B if
+  /// only half B touches at an edge, otherwise from half A.
   ContactResult result;
   std::vector<double> float_axial;  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 };
 
+/// The contact of the whole gears, from the results of both halves at the same rotations.
+///
 /// Formula   [T8.27]
 /// Domain    results at the same positions (contract); `per_pitch` as for second_half()
 WholeContact whole_contact(const HalvesMesh& mesh, const std::array<const ContactResult*, 2>& half,
                            int per_pitch);
 
-/// TE of the whole gears over one pitch, as transmission_error() of a pair.
+/// TE of the whole gears over one pitch, at the positions of transmission_error() for a ContactPair.
 std::vector<double> transmission_error(const HalvesMesh& mesh, int positions);
 
 /// Peak to peak of the continuous curve of TE; none if a half loses contact.
 ///
-/// Accuracy  1e-12 rad at the extremes that it finds; a branch that leads for less than a step of
+/// Accuracy  1e-12 rad at the extremes that are found. A branch that leads for less than a step of
 ///           `positions` per pitch may be overlooked
 std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions);
 

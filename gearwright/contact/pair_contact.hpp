@@ -1,10 +1,10 @@
-// The contact of a mounted pair in one call; the result owns all that it needs.
+// The contact of a mounted pair in one call. The result owns all data that it uses.
 //
 //   const auto touching = contact(*pair, {.crossing = 0.02_deg});
 //   if (touching) use(touching->peak_to_peak);
 //
-// A ContactPair points to its gears and their modifications. Here both are copied and live as long
-// as the ContactPair does, so the caller need not keep the pair.
+// A ContactPair points to its gears and their modifications. Here both are copied and live as long as
+// the ContactPair, so the caller need not keep the pair.
 #pragma once
 
 #include <array>
@@ -17,7 +17,8 @@
 
 namespace gearwright {
 
-/// The modifications of a gear, the same on all its teeth. Right and left: gear/modifications.hpp.
+/// The modifications of a gear, the same on all its teeth. Right and left flanks are defined in
+/// gear/modifications.hpp.
 struct GearModifications {
   FlankModifications right{}, left{};
 };
@@ -27,27 +28,28 @@ GearModifications on_both_flanks(const FlankModifications& modifications);
 
 struct ContactOptions {
   std::array<GearModifications, 2> modifications{};  ///< of gear 1, gear 2
-  bool gear2_drives = false;                         ///< if true, the non-working flanks touch
+  bool gear2_drives = false;                         ///< if true, the trailing flanks touch
   ContactRequest request{};
 };
 
 /// A contact analysis together with its pair, for example for contact_pattern(*contact.pair, 64).
 struct Contact : ContactResult {
   Contact() = default;                      ///< empty, and not an aggregate; contact() makes it
-  std::shared_ptr<const ContactPair> pair;  ///< keeps gears and modifications alive too
+  std::shared_ptr<const ContactPair> pair;  ///< also keeps gears and modifications alive
 };
 
-/// The pair for contact analyses, patterns, maps and CompensationTask::pair_at; it owns its gears.
+/// The pair for contact analyses, patterns, maps and CompensationTask::pair_at. The result owns its
+/// gears.
 ///
 /// Units     mm, rad
 /// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
-///           `errors.cutter_lead[N]` if there is no lead to change or it leaves its range
+///           `errors.cutter_lead[N]` as check_cutter_lead
 Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});
 
-/// Turns the pair under its errors and computes where it touches. Lost contact is not an error, but
-/// sets `contact_lost`.
+/// Analyses the contact of the pair under its errors. Lost contact is not an error, but sets
+/// `contact_lost`.
 ///
 /// Errors    as contact_pair
 /// Domain    `options.request` as analyse_contact (contract)

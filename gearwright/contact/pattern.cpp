@@ -33,9 +33,9 @@ FlankRaster empty_raster(const std::vector<FlankPatch>& patches, const RasterSiz
   return r;
 }
 
-// The patch that contains a place. On a border it is the first one, beyond the flank there is none.
+// The first patch that contains the place; −1 if the place lies beyond the flank.
 int patch_at(const std::vector<FlankPatch>& patches, double u, double z) {
-  // For u = ln ρ, and for z in mm: borders of neighbours are equal within rounding.
+  // Borders of neighbours are equal within rounding, for u = ln ρ and for z in mm.
   constexpr double kSlack = 1e-9;
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const FlankPatch& p = patches[i];
@@ -46,27 +46,27 @@ int patch_at(const std::vector<FlankPatch>& patches, double u, double z) {
   return -1;
 }
 
-// A node of flank 1 in N, and its data at one position.
+// A node of the raster on flank 1, in N.
 struct Node {
   int patch;
   double s, u, z;
   double azimuth;  // at rotation 0, not reduced to one turn
 };
-// The gap at a node, with the numbers of the pieces of both profiles.
+// The gap at a node, with a number that identifies the two patches.
 struct Gap {
   double value = kInfinity;
   int pieces = -1;
   bool operator<(const Gap& other) const { return value < other.value; }
 };
 struct Seen {
-  double u = 0.0, Z = 0.0;  // position on gear 2, within its flank or beyond
-  Gap gap;                  // finite within
-  bool near = false;
+  double u = 0.0, Z = 0.0;  // position on gear 2, on its flank or beyond
+  Gap gap;                  // finite if the position is on the flank
+  bool near = false;        // true if u and Z were computed
 };
 
-// Newton's steps: two or three from a neighbour's cell, one more from the next piece of a profile.
+// Limit of Newton's steps. Two or three are usual, and one more if the place lies on the next patch.
 constexpr int kMaxSteps = 8;
-constexpr double kNear = 1e-4;  // relative to a piece: a step that the series covers
+constexpr double kNear = 1e-4;  // relative to a patch: the series is accurate for a shorter step
 
 class Rasterer {
  public:
@@ -86,8 +86,8 @@ class Rasterer {
     }
   }
 
-  // Adds the gaps of pair 0 at φ (N), with gear 2 ahead of the ratio by `te`. Rotations must
-  // increase.
+  // Adds the gaps of tooth pair 0 at the rotation φ in N, with the transmission error `te`. Rotations
+  // must increase from call to call.
   void add(double phi, double te) {
     te_ = te;
     for (GapField& f : fields_) f.set_rotation(phi);
@@ -104,7 +104,7 @@ class Rasterer {
     for (std::size_t which = 0; which < 2; ++which) fold(which);
   }
 
-  // Ends the sequence. The next position, if any, does not continue the last one.
+  // Ends a sequence of positions. A following position does not continue it.
   void close() {
     for (std::size_t which = 0; which < 2; ++which) {
       std::fill(now_[which].begin(), now_[which].end(), Gap{});
@@ -113,7 +113,7 @@ class Rasterer {
     }
   }
 
-  // The rasters in the gears' own frames, with growing rows and columns.
+  // The rasters in the frames of the gears, with rows and columns in ascending order.
   std::array<FlankRaster, 2> take() {
     for (FlankRaster& r : rasters_) {
       if (pair_.turned() > 0.0) continue;
@@ -167,8 +167,8 @@ class Rasterer {
     return seen;
   }
 
-  // Each cell of flank 1 is a quadrangle on flank 2. Nodes inside it use it as the start of their
-  // search.
+  // Maps each cell of flank 1 to a quadrangle on flank 2. For the nodes of flank 2 inside a quadrangle,
+  // the search for the opposite point starts in that cell.
   void fill_second() {
     const FlankRaster& r = rasters_[1];
     const std::size_t columns = rasters_[0].height.size();
@@ -202,7 +202,8 @@ class Rasterer {
     const Vec2 b = p[2] - p[0];
     const double det = a.x() * b.y() - a.y() * b.x();
     if (det == 0.0) return;
-    constexpr double kSlack = 1e-6;  // relative to a cell, because bent cells meet along bent lines
+    constexpr double kSlack =
+        1e-6;  // relative to a cell, so that no node between two cells is missed
     const auto first = [](double lo) {
       return std::max(0, static_cast<int>(std::ceil(lo - kSlack)));
     };
@@ -230,9 +231,9 @@ class Rasterer {
     }
   }
 
-  // The gap at the place (u, Z) of flank 2, from an approximate point (u1, z) on flank 1: Newton's
-  // steps from piece to piece of the profile, and the field's second-order series at their end.
-  // Infinite if the steps leave flank 1 or do not converge, near a fold of one flank on the other.
+  // The gap at the place (u, Z) of flank 2, from an approximate opposite point (u1, z) on flank 1.
+  // Newton's steps, which may change the patch, find that point, and a series of second order replaces
+  // the last step. Infinite if the steps leave flank 1 or do not converge.
   Gap gap_on_2(double u1, double z, double u, double Z) const {
     const int two = patch_at(pair_.patches(2), u, Z);
     if (two < 0) return {};
@@ -266,8 +267,8 @@ class Rasterer {
     return {};
   }
 
-  // The least of three successive positions lies between them, on the parabola through them, if all
-  // belong to the same pieces. The gap of another piece begins with a jump.
+  // If the middle one of three successive positions has the least gap and all three belong to the same
+  // patches, the minimum of the parabola through them is used. From one patch to another the gap jumps.
   void fold(std::size_t which) {
     std::vector<double>& least = rasters_[which].gap;
     for (std::size_t i = 0; i < least.size(); ++i) {
@@ -304,7 +305,7 @@ std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int position
   Transmission transmission(pair);
   const auto touches = transmission.over_a_pitch(-0.5 * pair.pitch(), positions);
   Rasterer rasterer(pair, size);
-  // Follows one tooth pair through all of its range, with every position of every pitch.
+  // Follows one tooth pair through its whole range, at every position of every pitch.
   const int farthest = transmission.farthest_pair();
   begin_stage(progress, "pattern", (2 * std::int64_t{farthest} + 1) * positions);
   for (int k = farthest; k >= -farthest; --k) {

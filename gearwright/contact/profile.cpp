@@ -8,13 +8,13 @@ namespace gearwright {
 namespace {
 
 constexpr double kRounding = 4e-16;  // of ln ρ and of a parameter
-// ξ² on the base circle, where θ″ = −(1 + ξ²)/ξ has no limit. The slopes of a flank that begins
-// there are computed r_b · 5e-13 beyond it.
+// The least ξ² at which slopes are computed, because θ″ = −(1 + ξ²)/ξ is infinite on the base circle.
+// This place lies r_b · 5e-13 above the base circle.
 constexpr double kMinRollSquare = 1e-12;  // rad²
 
 Complex with_side(const Complex& w, double side) { return {w.real(), side * w.imag()}; }
 
-// θ′ and θ″ by u from ℓ′ and ℓ″ by a parameter. [T8.5]
+// Computes θ′ and θ″ (by u) from ℓ′ and ℓ″ (by the parameter). [T8.5]
 void slopes(const Complex& d1, const Complex& d2, double& theta1, double& theta2) {
   const double inverse = 1.0 / d1.real();
   theta1 = d1.imag() * inverse;
@@ -71,12 +71,12 @@ RadialJet Profile::involute_at_radius(double u) const {
 }
 
 RadialJet Profile::circle_at_radius(double u, double& s) const {
-  // Steps of second order from the last solution, within a bracket, because a free step may jump to
-  // the far end of the circle. Squares of radii are compared, which needs no logarithm near the
-  // solution.
+  // Steps of second order from the last solution. They are limited to a bracket, because a free step
+  // may jump to the other end of the circle. The squares of the radii are compared, so that no logarithm
+  // is needed near the solution.
   constexpr int kMax = 60;
-  constexpr double kClose = 1e-8;  // in u: below this the series is used
-  // For (ρ/ρ_s)² − 1, three terms of the logarithm leave x⁴/8 ≤ 1.3e-17.
+  constexpr double kClose = 1e-8;  // in u: a shorter rest is covered by the series
+  // Below this x = (ρ/ρ_s)² − 1, three terms of the logarithm have an error of x⁴/8 ≤ 1.3e-17.
   constexpr double kSmall = 1e-4;
   const double square = std::exp(2.0 * u);
   double lo = s_lo_;
@@ -136,8 +136,8 @@ RadialJet Profile::at_radius(double u, double& s) const {
 TurnPerRemoval Profile::turn_per_removal(double s) const {
   if (involute_) return {1.0 / arm_per_cos_, 0.0, 0.0};
   if (circle_) {
-    // k = 1/(r cos β cos τ), because the rack moves along the datum line, on which its normal has
-    // the component cos τ cos β.
+    // k = 1/(r cos β cos τ), because the rack moves along the datum line, and the component of its
+    // normal along that line is cos τ cos β.
     const PolarJet j = circle_->polar_jet(s);
     const double k = 1.0 / (arm_per_cos_ * std::cos(s));
     const double t = std::tan(s);

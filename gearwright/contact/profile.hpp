@@ -1,15 +1,15 @@
-// One smooth piece of a flank's transverse outline, written as one complex number.
+// One smooth piece of a flank's transverse outline, as a complex function of one parameter.
 //
-//   W(s)   point ρ e^{iθ}, mm; s the piece's own parameter         ℓ = log W,  u = ln ρ = Re ℓ
-//   c      +1 the side y > 0 of a tooth about the x axis, −1 its mirror image, the side y < 0
+//   W(s)   point ρ e^{iθ}, mm; s is the parameter of the piece     ℓ = log W,  u = ln ρ = Re ℓ
+//   c      +1 for the side y > 0 of a tooth about the x axis, −1 for its mirror image, the side y < 0
 //   θ′, θ″ derivatives of θ by u, which determine the contact with a mating gear
 //                                    theory: docs/theory/08-contact.md, [T8.4]…[T8.6]
 //
 //   involute       s = ξ   roll angle (an internal gear's is negative)
 //   rack circle    s = τ   normal angle of the generating rack
-//   by radius      s = u   every other curve of an outline
+//   other curves   s = u
 //
-// Along a piece the radius is monotone, so that θ(u) is a function.
+// The radius is monotone along a piece, so that θ is a function of u.
 #pragma once
 
 #include <optional>
@@ -26,20 +26,20 @@ inline Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; 
 
 /// The outline at a radius:  θ = arg(factor) + phase.
 struct RadialJet {
-  Complex factor;  ///< any length
+  Complex factor;  ///< of any magnitude
   double phase;    ///< rad
   double d1, d2;   ///< θ′, θ″ by u
 };
 
-/// The turn of a flank per normal removal of material, k = 1/arm, and its derivatives by u.
+/// The rotation of a flank per material removed along the normal, k = 1/arm, and its derivatives by u.
 struct TurnPerRemoval {
   double k, d1, d2;  ///< rad/mm
 };
 
 class Profile {
  public:
-  /// The piece of an outline's arc from parameter lo to hi (of the arc's curve), on the side c.
-  /// `twist` is 1/p of the gear, rad/mm, which the normal of a surface needs.
+  /// The piece of an outline that consists of one arc, on the side c. `twist` is 1/p of the gear,
+  /// rad/mm, from which the normal of the surface is computed.
   Profile(const Arc& arc, double side, double twist);
 
   double s_lo() const { return s_lo_; }  ///< s_lo < s_hi
@@ -49,17 +49,20 @@ class Profile {
   bool grows() const { return grows_; }  ///< true if the radius grows with s
   double side() const { return side_; }
 
-  /// Domain  any s near the piece; the formulas continue beyond its ends.
+  /// The point at the parameter s, with derivatives.
+  ///
+  /// Domain    on the piece and near it, because the formulas continue beyond the ends
   PolarJet at(double s) const;
-  /// The outline at ln ρ = u. Beyond the ends of the piece a Taylor series of second order is used.
-  /// `s` is the parameter of the last call and is updated (circles of a rack iterate from it).
+  /// The outline at ln ρ = u. Beyond the ends of the piece, a Taylor series of second order is used.
+  /// `s` is the parameter from the last call and is updated. For rack circles, the iteration starts
+  /// there.
   RadialJet at_radius(double u, double& s) const;
-  /// The turn per removal at the parameter s (not far beyond the ends). [T8.7]
+  /// The rotation per removal at the parameter s, which must not lie far beyond the ends. [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;
-  double s_of(double u) const;                ///< solved to rounding; u is moved into the piece
-  double s_of(double u, double start) const;  ///< the same, starting nearby
+  double s_of(double u) const;  ///< s at u, solved to rounding; u beyond the piece gives the end
+  double s_of(double u, double start) const;  ///< the same by an iteration from `start`
   bool is_involute() const { return involute_ != nullptr; }
-  /// Normal angle of the generating rack's circle; none if no such circle cut the piece.
+  /// Normal angle of the generating rack; none if the piece was not cut by a circle of a rack.
   std::optional<double> rack_angle(double s) const;
 
  private:
@@ -68,8 +71,8 @@ class Profile {
   RadialJet curve_at_radius(double u) const;
 
   CurvePtr curve_;
-  const Involute* involute_ = nullptr;    // the curve, if it is one
-  const RackTrochoid* circle_ = nullptr;  // the curve, if a circle of a rack cut it
+  const Involute* involute_ = nullptr;    // the curve, if it is an involute
+  const RackTrochoid* circle_ = nullptr;  // the curve, if a circle of a rack has cut it
   double side_;
   double s_lo_, s_hi_, u_lo_, u_hi_;
   bool grows_;

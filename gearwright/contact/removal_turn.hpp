@@ -1,4 +1,4 @@
-// The effect on the gap angle of material removed from a flank.
+// The effect of material removed from a flank on the gap angle.
 //                                    theory: docs/theory/08-contact.md, [T8.7], [T8.10]
 #pragma once
 
@@ -8,16 +8,16 @@ namespace gearwright {
 
 struct RemovalTurn {
   double te;                    ///< ∂T*  rad in N, per mm removed
-  double u, z;                  ///< the place as arguments of the gear's RemovalField
-  RemovalField::Piece piece{};  ///< of its patch; empty without a field
+  double u, z;                  ///< the place, as arguments of the gear's RemovalField
+  RemovalField::Piece piece{};  ///< piece of the patch; empty without a field
 };
 
-/// For the greatest T over the profile at a fixed height z of flank 1, which lies at s.
+/// The effect on T*, the greatest T over the profile at a fixed height z of flank 1. T* lies at s.
 ///
 /// Units     rad, mm
 /// Domain    gear 1 or 2; patches of this pair (contract)
 /// Accuracy  rounding
-/// Laws      times the field of a modification's amount it is row_slope() by that amount
+/// Laws      the result times the removal per amount of a modification is row_slope() by this amount
 RemovalTurn row_turn(const ContactPair& pair, const GapField& field, double s, double z, int gear);
 
 }  // namespace gearwright

@@ -1,5 +1,4 @@
-// The gap about a touch on a ridge: [T8.25] of docs/theory/08-contact.md.
-// Internal to contact/.
+// The gap around a touch on a ridge, [T8.25] of docs/theory/08-contact.md. Internal to contact/.
 #pragma once
 
 #include "gearwright/contact/contact_point.hpp"

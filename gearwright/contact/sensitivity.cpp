@@ -8,8 +8,7 @@ namespace gearwright {
 
 namespace {
 
-// The change when e grows, at a fixed place (s, z) of flank 1, and its derivatives in both
-// directions.
+// The derivatives by e at a fixed place (s, z) of flank 1, and their derivatives by s and z.
 struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;  // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;
@@ -17,7 +16,7 @@ struct Change {
   Vec3 dr = Vec3::Zero();  // of the point, in N
 };
 
-// Adds the effect of a point that moves by d, which varies along s and z, as seen from gear 2.
+// Adds the effect of a motion d of the point in the frame of gear 2. d varies with s and z.
 void add_motion(Change& c, const GapJet& j, const Vec3& d, const Vec3& d_s, const Vec3& d_z) {
   const Complex over = 1.0 / j.w;
   const auto across = [](const Vec3& v) { return Complex(v.x(), v.y()); };
@@ -37,7 +36,7 @@ void add_motion(Change& c, const GapJet& j, const Vec3& d, const Vec3& d_s, cons
   c.p_z = dL_z.imag() - j.slope2_u * c.du_z - j.slope2_Z * c.dZ_z - bend_u * j.u.z - bend_Z * j.Z.z;
 }
 
-// Adds the change of φ2* of points that turn on gear 1 by q(s, z) about its axis.
+// Adds the effect of a rotation q(s, z) of the points of flank 1 about axis 1.
 void add_turn_of_1(Change& c, const ContactPair& pair, const GapJet& j, double q, double q_s,
                    double q_z) {
   const Mat3& m = pair.mount().rotation;
@@ -93,7 +92,7 @@ Change change_of_error(const ContactPair& pair, const GapJet& j, double z, Error
   return c;
 }
 
-// The turn of a flank per amount of a modification, by u and its own z. [T8.7]
+// The rotation of a flank per amount of a modification, with its derivatives by u and z. [T8.7]
 Jet2 turn_per_amount(const FlankPatch& f, double s, double u, double z,
                      RemovalField::Parameter parameter) {
   const Removal c = f.removal->derivative(parameter, u, f.removal_z * z, f.piece);
@@ -124,7 +123,7 @@ Change change_of_modification(const ContactPair& pair, const GapField& field, co
   return c;
 }
 
-// An active bound: its gradient, its Hessian, and its movement with e. Unscaled.
+// An active bound, unscaled: gradient, Hessian, and derivative by e.
 struct ActiveBound {
   double a_s = 0.0, a_z = 0.0;
   double h_ss = 0.0, h_sz = 0.0, h_zz = 0.0;
@@ -153,7 +152,7 @@ ActiveBound active_bound(int j, const GapJet& at, const Change& c) {
 
 namespace {
 
-// The active bounds of a touch with their multipliers, which are unscaled: slope + Σ μ_j a_j = 0.
+// The active bounds of a touch with their unscaled multipliers: ∇T + Σ μ_j a_j = 0.
 struct Holding {
   int count = 0;
   std::array<ActiveBound, 2> bound{};
@@ -178,14 +177,14 @@ Holding holding(const Change& c, const PairTouch& touch, const GapJet& j) {
   return h;
 }
 
-// ∂TE, rad per unit, in the housing's sense of rotation.
+// ∂TE/∂e, rad per unit, in the housing's sense of rotation.
 double te_of(const Change& c, const Holding& h, const ContactPair& pair) {
   double te = c.p;
   for (int k = 0; k < h.count; ++k) te += h.mu[k] * h.bound[k].d;
   return pair.turned() * te;
 }
 
-// The reaction of the touch to a change, from the KKT system of the active bounds. [T8.10]
+// The derivatives of TE and of the point of contact, from the KKT system of the active bounds. [T8.10]
 Sensitivity answer_to(const Change& c, const ContactPair& pair, const PairTouch& touch,
                       const GapJet& j) {
   const Holding h = holding(c, touch, j);
@@ -235,9 +234,9 @@ Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
 
 namespace {
 
-// ∂T* of a row's greatest T, which lies at (s, z), from the change c at a fixed place.
+// ∂T*/∂e of the greatest T of a row, which lies at (s, z), from the derivatives c at a fixed place.
 double of_row(const GapField& field, const GapJet& j, const Change& c) {
-  // Inside, ∂T/∂s = 0. At an end of flank 1, s does not move.
+  // Inside, ∂T/∂s = 0. At an end of flank 1, s does not change. At an end of flank 2, s changes with e.
   constexpr double kAtEnd = 1e-9;  // of the patch: the place was found to 1e-15 of the flank
   const FlankPatch& two = field.two();
   const double near = kAtEnd * (two.u_hi - two.u_lo);
@@ -284,7 +283,7 @@ double rotation_slope(Transmission& transmission, const PairTouch& touch) {
   const GapJet j = transmission.jet_at(touch, touch.touch.s, touch.touch.z);
   Change c;
   add_turn_of_1(c, pair, j, pair.rotation_sign(), 0.0, 0.0);
-  // In N both rotations change sign together if gear 2 drives, but their quotient does not.
+  // If gear 2 drives, both rotations change their sign in N, but their quotient does not change.
   return pair.turned() * te_of(c, holding(c, touch, j), pair) - pair.ratio();
 }
 

@@ -1,9 +1,9 @@
 // Exact derivatives of transmission error and contact point by every error and every modification.
 //
-//   e          an error or a chosen number
+//   e          an error, or an amount of a modification
 //   p = ∂φ2*/∂e at a fixed place of flank 1, with its derivatives over the flank
-//   ∂TE/∂e  = p + Σ μ_j ∂c_j/∂e      over active bounds c_j of flank 2, which move with e
-//   ∂(s,z)  = −H⁻¹ ∇p                inside; along the active bounds otherwise
+//   ∂TE/∂e  = p + Σ μ_j ∂c_j/∂e      over the active bounds c_j of flank 2, which move with e
+//   ∂(s,z)/∂e = −H⁻¹ ∇p              inside the flanks; otherwise along the active bounds
 //                                    theory: docs/theory/08-contact.md, [T8.10]
 #pragma once
 
@@ -25,10 +25,10 @@ constexpr std::array<ErrorKind, 6> kErrorKinds{ErrorKind::center_distance, Error
                                                ErrorKind::intersecting,    ErrorKind::axial,
                                                ErrorKind::helix_slope1,    ErrorKind::helix_slope2};
 
-/// An error, or an amount of a modification of gear 1 or 2 (per mm removed).
+/// The variable of a derivative: an error, or an amount (mm) of a modification of gear 1 or 2.
 struct Influence {
   ErrorKind error = ErrorKind::center_distance;
-  int modified_gear = 0;  ///< 1, 2: `modification` of that gear instead of `error`
+  int modified_gear = 0;  ///< 0 selects `error`; 1 or 2 selects `modification` of that gear
   RemovalField::Parameter modification = RemovalField::Parameter::tip_relief;
 };
 
@@ -37,21 +37,24 @@ struct Sensitivity {
   Vec3 point;  ///< ∂r/∂e    mm per unit, in the housing
 };
 
+/// The derivatives at a touch.
+///
 /// Units     rad, mm; per mm or rad of the influence
-/// Domain    a touch that was found; a modification of a gear that has a RemovalField (contract)
-/// Accuracy  TE: rounding; point: as the contact point itself, and meaningless along a line contact
+/// Domain    a touch with contact; a modified gear has a RemovalField (contract)
+/// Accuracy  TE to rounding; the point as the contact point. For a line contact, the derivative of the
+///           point has no meaning
 Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
                         const Influence& influence);
 
-/// ∂T*/∂e of the greatest T over the profile at a fixed height z of flank 1, which lies at s: rad in
-/// N per unit. A place at the end of a patch of flank 2 moves along flank 1 with that end.
+/// ∂T*/∂e, rad in N per unit. T* is the greatest T over the profile at a fixed height z of flank 1, and
+/// it lies at s. If the place is at the end of a patch of flank 2, it moves along flank 1 with that end.
 ///
 /// Domain    as sensitivity(), for patches of this pair (contract)
 /// Accuracy  rounding
 double row_slope(const ContactPair& pair, const GapField& field, double s, double z,
                  const Influence& influence);
 
-/// dTE/dφ1, rad/rad: exact, by the same rule with the rotation of gear 1 in place of an error.
+/// dTE/dφ1, rad/rad. It is exact and computed like a sensitivity, with the rotation of gear 1 as e.
 double rotation_slope(Transmission& transmission, const PairTouch& touch);
 
 }  // namespace gearwright

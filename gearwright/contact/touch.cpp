@@ -12,17 +12,18 @@ namespace {
 
 constexpr double kLastStep = 1e-7;    // relative to the patch; the remaining error is its square
 constexpr double kLongestStep = 0.6;  // of half the patch
-constexpr double kFlat = 1e-14;       // rad per scaled unit: a ridge is flat within rounding
+constexpr double kFlat = 1e-14;  // rad, scaled: smaller slopes and curvatures are rounding errors
 constexpr double kTinyBend = -1e-15;  // replaces a curvature of 0
 constexpr int kMaxSteps = 80;
-constexpr double kBroken = 1e-9;       // scaled: a touch farther outside is not valid
+constexpr double kBroken = 1e-9;       // scaled: a touch that violates a bound by more is not valid
 constexpr double kWorse = 1e-13;       // rad: rounding error of T and of the merit
 constexpr double kTinySquare = 1e-12;  // (of half the patch)²: a shorter step is not halved
 constexpr double kMinPrice = 1e-3;     // rad per scaled length: least cost of a bound
-constexpr double kSameTe = 1e-12;      // rad: within this, two searches found the same place
-constexpr double kSamePlace = 1e-5;    // relative to half the patch: likewise
-
-// H with its positive eigenvalues removed; along a flat ridge there is no slope.
+constexpr double kSameTe = 1e-12;      // rad: greatest difference of T for the same maximum
+constexpr double kSamePlace = 1e-5;    // of half the patch: greatest distance for the same maximum
+// Replaces H by a negative definite matrix, by changing the sign of positive eigenvalues. If T is
+// constant in one direction within rounding, the slope in that direction becomes 0. Returns true in
+// this case.
 bool make_concave(detail::StepProblem& p) {
   const double mean = 0.5 * (p.h_ss + p.h_zz);
   const double half = 0.5 * (p.h_ss - p.h_zz);
@@ -121,8 +122,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
   detail::StepProblem p;
   const double ks = scale_.s_half;
   const double kz = scale_.z_half;
-  // The exact-penalty merit of a place: the gap angle minus a penalty for the bounds that it
-  // violates.
+  // The merit of a place is T minus an exact penalty for violated bounds.
   double price = 0.0;
   const auto merit = [&](const GapJet& at) {
     double broken = 0.0;
@@ -130,7 +130,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
     return at.t.v - price * broken;
   };
   double last_merit = -kInfinity;
-  double d_s = 0.0;  // the step that led here, scaled
+  double d_s = 0.0;  // the last step, scaled
   double d_z = 0.0;
   GapJet at{};
   for (int i = 0; i < kMaxSteps; ++i) {
@@ -138,8 +138,8 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
     ++t.evaluations;
     ++count_.evaluations;
     fill(at, t.s, t.z, p);
-    // A step that lowers the merit is halved repeatedly, but not without limit, because the merit
-    // has rounding errors.
+    // A step that lowers the merit is halved, but not below a limit, because the merit has rounding
+    // errors.
     if (const double now = merit(at);
         now < last_merit - kWorse && d_s * d_s + d_z * d_z > kTinySquare) {
       d_s *= 0.5;
@@ -148,7 +148,8 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
       t.z -= d_z * kz;
       continue;
     }
-    // Active bounds of flank 2 are curved, so their curvature counts with their multiplier.
+    // The bounds of flank 2 are curved, so the curvature of an active bound, times its multiplier, is
+    // added to H.
     for (int m = 0; m < 2; ++m) {
       const int j = m == 0 ? t.active.first : t.active.second;
       const double mu = t.multiplier[m];
@@ -190,7 +191,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
     t.z += d_z * kz;
   }
   t.stop = Touch::Stop::too_long;
-  // If D is empty, the steps move between its bounds.
+  // If D is empty, the steps do not converge either.
   double broken = 0.0;
   for (const auto& b : p.bounds) broken = std::max(broken, -b.c);
   if (broken > kBroken) t.stop = Touch::Stop::no_room;
@@ -236,7 +237,7 @@ struct GridNode {
 
 using Grid = std::array<std::array<GridNode, kRows>, kSections>;
 
-// True if inside D and no neighbour inside D is higher.
+// True if the node lies inside D and no neighbour inside D has a greater value.
 bool is_peak(const Grid& grid, int i, int k) {
   if (grid[i][k].broken > 0.0) return false;
   for (int p = std::max(0, i - 1); p <= std::min(kSections - 1, i + 1); ++p) {
@@ -247,7 +248,8 @@ bool is_peak(const Grid& grid, int i, int k) {
   return true;
 }
 
-// The row of a section to start from: the highest inside D, otherwise the one nearest to D.
+// The row of a section from which a search starts: the greatest value inside D, or the node nearest to
+// D if no node lies inside.
 int best_row(const std::array<GridNode, kRows>& section) {
   int best = 0;
   for (int k = 1; k < kRows; ++k) {
@@ -265,11 +267,11 @@ bool TouchSearch::uneven() const {
   return has(field_.one()) || has(field_.two());
 }
 
-// T along the line of contact varies slowly, and across it fast. The greatest T of each section is
-// therefore found first, by Newton steps along the profile from each row that exceeds its
-// neighbours. Its peaks over the sections are the starts.
+// T varies slowly along the line of contact and rapidly across it. The greatest values of T in each
+// section are therefore computed first, by Newton steps along the profile from each row that exceeds its
+// neighbours. The searches start from those that exceed the values of the neighbouring sections.
 std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
-  constexpr int kFine = 25;   // sections, 8 for each of three waves over the face
+  constexpr int kFine = 25;   // sections, eight for each of three waves over the face
   constexpr int kAcross = 7;  // rows
   constexpr int kSteps = 4;
   struct Crest {
@@ -316,7 +318,7 @@ std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi)
   std::vector<std::array<double, 3>> starts;
   for (int i = 0; i < kFine; ++i) {
     for (const Crest& c : sections[i]) {
-      // The next section may continue this crest at a place that the slant of the line displaces.
+      // The neighbouring section may continue this crest at another s, because the line is inclined.
       const auto higher = [&](int other) {
         if (other < 0 || other >= kFine) return false;
         return std::any_of(sections[other].begin(), sections[other].end(), [&](const Crest& o) {
@@ -381,7 +383,7 @@ std::vector<Touch> TouchSearch::every_maximum() const {
     any = true;
     for (int k = 0; k < kRows; ++k)
       if (is_peak(grid, i, k)) start(i, k);
-    // D may end between two sections, and T may be greatest there.
+    // If D ends between two sections, T may be greatest at that end.
     const bool end = i == 0 || !inside(i - 1) || i + 1 == kSections || !inside(i + 1);
     if (end && !is_peak(grid, i, best)) start(i, best);
   }

@@ -1,10 +1,10 @@
-// Computes where one flank touches another: the greatest T over the part D of flank 1 that lies
-// inside flank 2, by Newton steps with all eight bounds of D.
+// Computes where one flank touches another. D is the part of flank 1 that lies opposite flank 2, and
+// Newton steps with the eight bounds of D find the greatest T over D.
 //
-//   s, z   place on flank 1, scaled to [−1, 1] inside
+//   s, z   place on flank 1, scaled to [−1, 1] internally
 //                                    theory: docs/theory/08-contact.md, [T8.9]
 //
-// Bounds, in this order: s from below and above, z, then u and Z of flank 2.
+// The order of the bounds is: lower and upper bound of s, of z, then of u and of Z on flank 2.
 #pragma once
 
 #include <vector>
@@ -16,9 +16,9 @@ namespace gearwright {
 
 struct Touch {
   enum class Stop {
-    converged,  ///< the last step was below 1e-7 of the patch and is taken into account
+    converged,  ///< the last step was below 1e-7 of the patch and is included in the result
     no_room,    ///< D is empty
-    too_long    ///< the steps did not end
+    too_long    ///< the steps did not converge
   };
   Stop stop = Stop::no_room;
   double te = 0.0;          ///< T  rad
@@ -26,13 +26,13 @@ struct Touch {
   double s2 = 0.0;          ///< on flank 2
   detail::ActiveSet active;
   std::array<double, 2> multiplier{};  ///< of the active bounds, rad per scaled bound
-  bool flat = false;                   ///< T is flat along one direction to rounding: line contact
+  bool flat = false;  ///< true if T is constant in one direction within rounding (line contact)
   int evaluations = 0;
 
   bool found() const { return stop == Stop::converged; }
 };
 
-/// Work done, for tests and benches.
+/// Amount of work, for tests and benchmarks.
 struct TouchCount {
   long evaluations = 0;
   long searches = 0;
@@ -41,20 +41,19 @@ struct TouchCount {
 
 class TouchSearch {
  public:
-  /// `mesh_azimuth`: 0 or π, where gear 1 meets gear 2; `reach`: distance from there, rad, within
-  /// which points of gear 1 can lie inside gear 2. The caller owns the field, which must not move.
+  /// `mesh_azimuth` is the azimuth of the mesh on gear 1, 0 or π. `reach` is the distance from it, rad,
+  /// within which points of gear 1 can lie in the annulus of gear 2. The field must outlive this object.
   TouchSearch(const GapField& field, double mesh_azimuth, double reach);
 
-  /// Searches from a place, with the bounds that were active there.
+  /// Searches from a place. `active` are the bounds that are active there.
   Touch from(double s, double z, double s2, const detail::ActiveSet& active) const;
-  /// Searches from the best of a few places, otherwise from everywhere. This is sufficient if there
-  /// is one maximum.
+  /// Searches from the best of nine places. If this search fails, cold() is used. This is sufficient if
+  /// there is only one maximum.
   Touch from_middle() const;
-  /// Searches from everywhere: a grid, then every peak over the sections, and both end sections of
-  /// D.
+  /// Searches the whole flank: from every peak of a grid, and from both end sections of D.
   Touch cold() const;
-  /// Like cold(), but returns all local maxima, the greatest first. Flanks with a topography have a
-  /// maximum for each crest, and every section is a start of its own.
+  /// Like cold(), but returns all local maxima, the greatest first. On flanks with a topography, which
+  /// have a maximum for each crest, the greatest T of every section is examined.
   std::vector<Touch> every_maximum() const;
 
   /// True if a flank has a topography, so that T may have many maxima.
@@ -62,7 +61,7 @@ class TouchSearch {
 
   const TouchCount& count() const { return count_; }
   const GapField& field() const { return field_; }
-  /// Bound j at a point, scaled: ≥ 0 inside.
+  /// The scaled value of bound j at a point, ≥ 0 inside.
   double bound(const GapJet& at, double s, double z, int j) const;
 
  private:
@@ -73,7 +72,7 @@ class TouchSearch {
   /// The interval of z in which flank 1 can be in mesh. Returns false if it is empty.
   bool window(double& z_lo, double& z_hi) const;
   bool within_a_turn(const Touch& t) const;
-  /// Starts on uneven flanks: s, z and s2.
+  /// The places (s, z, s2) from which searches on uneven flanks start.
   std::vector<std::array<double, 3>> crests(double z_lo, double z_hi) const;
 
   const GapField& field_;

@@ -8,12 +8,12 @@ namespace gearwright {
 
 namespace {
 
-// rad below another pair: if T also falls, the track ends. A whole convex flank has one hump; with
-// patches, or with flanks that may be concave, a later hump may follow.
+// A track ends where T falls and lies this far below another pair, rad. T of a whole convex flank has
+// only one maximum. With patches or concave flanks, another maximum may follow, so the limit is greater.
 constexpr double kBelow = 1e-5;
 constexpr double kFarBelow = 2e-3;
 
-// Pairs that touch together within rounding are represented by the one nearest to the centre line.
+// If several pairs touch within rounding, the one nearest to the centre line is used.
 constexpr double kTogether = 1e-13;  // rad
 
 bool wins(const Touch& t, double phi, const PairTouch& best) {
@@ -23,9 +23,9 @@ bool wins(const Touch& t, double phi, const PairTouch& best) {
   return std::abs(phi) < std::abs(best.phi);
 }
 
-// Predicts the place of the next touch by the polynomial through the last four at equal steps. If
-// the active bounds change, the path of the touches bends, and a straight line through the last two
-// places is used. Each additional order saves a step of the search that starts there.
+// Predicts the place of the next touch by the polynomial through the last four places at equal steps. If
+// the active bounds change, the path of the touches bends, and only places after the change and one
+// before it are used. Each additional order of the polynomial saves a step of the search.
 class PlaceAhead {
  public:
   explicit PlaceAhead(const Touch& t) { add(t); }
@@ -47,7 +47,7 @@ class PlaceAhead {
   }
 
  private:
-  std::array<std::array<double, 2>, 4> past_{};  // s, z; the last one first
+  std::array<std::array<double, 2>, 4> past_{};  // (s, z), the latest first
   std::size_t count_ = 0;
   detail::ActiveSet active_;
 };
@@ -61,8 +61,8 @@ bool is_convex(const FlankPatch& f) {
          f.removal->amount(P::lead_crowning) >= 0.0;
 }
 
-// Distance from the mesh, rad, within which points of one patch can lie inside the annulus of the
-// other. [T8.13]
+// Distance from the mesh, rad, within which points of patch `one` can lie in the annulus of patch `two`.
+// [T8.13]
 double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch& two) {
   if (pair.place().axis_angle != Angle()) return pair.reach();
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
@@ -151,7 +151,8 @@ std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   return all;
 }
 
-// The results of one pair of patches at each position of tooth pair 0, reduced to one pitch.
+// Follows one pair of patches through the positions of tooth pair 0 and records the greatest T of each
+// position, reduced to one pitch.
 class Transmission::Track {
  public:
   Track(Transmission& all, int fields, double first, int n, double below,
@@ -160,7 +161,7 @@ class Transmission::Track {
 
   double own(int m) const { return first_ + m * (all_.pair_.pitch() / n_); }
 
-  // Records a touch. Returns true unless it lies well below another pair.
+  // Records a touch. Returns false if it lies well below another pair.
   bool offer(int m, const Touch& t) {
     // Position m of pair 0 is position i of pair k.
     const int i = ((m % n_) + n_) % n_;
@@ -170,8 +171,8 @@ class Transmission::Track {
     return t.te >= b.touch.te - below_;
   }
 
-  // Follows a touch from m in one direction until D is empty, the touch is well below and falls, or
-  // `known` returns true because another track has been here.
+  // Follows a touch from position m in one direction. The track ends if D is empty, if T falls and lies
+  // well below another pair, or if `known` returns true because another track has passed this touch.
   template <class Known>
   void walk(int m, const Touch& from, int direction, int most, bool cold_again, Known known) {
     GapField& field = *all_.fields_[static_cast<std::size_t>(fields_)];
@@ -205,7 +206,8 @@ class Transmission::Track {
   std::vector<PairTouch>& best_;
 };
 
-// One maximum and one interval of rotation: whole flanks without concave contact.
+// Follows the maximum of T on whole convex flanks, for which T has only one maximum and one interval of
+// rotation.
 void Transmission::follow_one(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kBelow, best);
   const int most = farthest_pair_ * n;
@@ -217,8 +219,8 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
       if (!t.found()) continue;
       track.offer(m, t);
       const auto never = [](int, const Touch&) { return false; };
-      // The direction in which T rises comes first. If T is well below on the other side, that side
-      // is not examined.
+      // The direction in which T rises is followed first. The other direction then ends early if T lies
+      // well below.
       fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m + 1));
       const Touch ahead =
           searches_[static_cast<std::size_t>(fields)]->from(t.s, t.z, t.s2, t.active);
@@ -229,9 +231,9 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
   }
 }
 
-// Several maxima, and separate intervals of rotation: every maximum that a grid of cold starts
-// finds is followed until it meets one that was followed before. On uneven flanks, a crest of a wave
-// may touch for a small part of a pitch only, so cold starts are closer.
+// Follows the maxima of T on flanks with several maxima and separate intervals of rotation. Cold starts
+// at regular positions find the maxima. Each maximum is followed until it meets another track. On uneven
+// flanks the cold starts are closer, because a crest of a wave may touch for a small part of a pitch.
 void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kFarBelow, best);
   const int most = farthest_pair_ * n;
@@ -276,7 +278,7 @@ GapJet Transmission::jet_at(const PairTouch& t, double s, double z) {
   field.set_rotation(t.phi);
   double s2 = t.touch.s2;
   const GapJet rough = field.at(s, z, s2);
-  // A second evaluation starts at the exact radius.
+  // The second evaluation starts with the exact parameter on flank 2.
   s2 = field.two().profile.s_of(rough.u.v, s2);
   return field.at(s, z, s2);
 }

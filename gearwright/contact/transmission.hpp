@@ -1,10 +1,10 @@
-// Transmission error: the lead of gear 2 over the ratio at each position, with the handover between
-// tooth pairs, and the places where the teeth touch.
+// Transmission error: the rotation of gear 2 minus its nominal rotation at each position, with the
+// handover between tooth pairs, and the places where the teeth touch.
 //
 //   TE(φ1) = max over pairs k of T(φ1 − k·2π/z1)                 [T8.2], docs/theory/08-contact.md
 //
-// Only one tooth pair is followed, through all of its range, because the others repeat it one pitch
-// later. Every pair of patches is followed separately, and the greatest T is used.
+// Only one tooth pair is followed through its whole range, because the others repeat its motion whole
+// pitches later. Every pair of patches is followed separately, and the greatest T is used.
 #pragma once
 
 #include <memory>
@@ -30,28 +30,28 @@ struct PairTouch {
 
 class Transmission {
  public:
-  /// The pair must outlive it. `progress` counts every position.
+  /// The pair must outlive this object. `progress` counts every position.
   explicit Transmission(const ContactPair& pair, Progress* progress = nullptr);
 
-  /// The touches at n positions over one pitch, from `first` (rad, N) on in steps of a pitch/n.
+  /// The touches at n positions over one pitch, in steps of pitch/n from `first` (rad, in N).
   std::vector<PairTouch> over_a_pitch(double first, int n);
   /// The touch at any rotation, computed from scratch.
   PairTouch at(double phi);
   /// The touch of tooth pair 0 alone, even if another pair carries the load.
   PairTouch of_pair_0(double phi);
-  /// The touch of the same tooth pair on the same patches at another rotation of pair 0, computed
-  /// from the given touch. Not found if these patches do not touch there.
+  /// The touch of the same tooth pair on the same patches at another rotation of pair 0. The search
+  /// starts at the given touch. Not found if these patches do not touch at that rotation.
   PairTouch follow(const PairTouch& from, double phi);
-  /// Every place of tooth pair 0 at which T has a local maximum, for all pairs of patches,
-  /// including places at a seam beyond which T may rise.
+  /// All local maxima of T of tooth pair 0, for all pairs of patches. Maxima at a seam are included,
+  /// although T may rise beyond the seam.
   std::vector<PairTouch> every_of_pair_0(double phi);
 
   const ContactPair& pair() const { return pair_; }
   const TouchSearch& search(int fields) const { return *searches_[fields]; }
   const GapField& field(int fields) const { return *fields_[fields]; }
-  /// Moves the field to a touch's rotation and returns its exact jet, with θ2 fully converged.
+  /// Sets the field to the rotation of the touch and returns its exact jet, with θ2 fully converged.
   GapJet jet_at(const PairTouch& t, double s, double z);
-  int farthest_pair() const { return farthest_pair_; }  ///< |k| of a pair that can touch
+  int farthest_pair() const { return farthest_pair_; }  ///< greatest |k| of a pair that can touch
   TouchCount count() const;
   long too_long() const { return too_long_; }  ///< searches that did not converge
 

@@ -11,12 +11,12 @@ namespace {
 
 constexpr int kDeepest = 10;  // halvings, which give 1024 panels at most
 
-// Relative to the size of the curve. Rounding causes errors of about 1e-16 in a coefficient of the
-// points and, after differentiation (degree² = 256), 3e-14 in one of the speed. Both limits are
-// well above these values.
+// Limits of the last coefficients of a series, relative to the size of the curve. Rounding causes errors
+// of about 1e-16 in the coefficients of the points. Differentiation multiplies them by degree² = 256,
+// so the errors in the coefficients of the speed are 3e-14. Both limits are well above these errors.
 constexpr double kPointTail = 1e-14;
 constexpr double kSpeedTail = 1e-12;
-// Newton's last step: two spacings of doubles at 1, in the panel's own parameter −1 … 1.
+// Last step of Newton's method in the parameter x of a panel; two spacings of doubles at 1.
 constexpr double kLastStep = 4e-16;
 
 }  // namespace
@@ -35,8 +35,8 @@ double ArcLength::value(const Series& series, double x) {
 
 void ArcLength::add(const Curve& curve, double t_begin, double t_end, double scale, int depth) {
   constexpr std::size_t n = kDegree;
-  // x_j = cos(π j/n), where j = n is the beginning. cos(π jk/n) is the cosine of the turn jk/(2n),
-  // which is exact at corners.
+  // The nodes are x_j = cos(π j/n), where j = n is the beginning. cos(π jk/n) is computed from jk/(2n)
+  // of a full turn, which is exact at multiples of a right angle.
   const auto cosine = [](std::size_t j, std::size_t k) {
     return sincos_turn(static_cast<long long>(j * k), 2 * static_cast<long long>(n)).cos;
   };
@@ -107,7 +107,7 @@ void ArcLength::add(const Curve& curve, double t_begin, double t_end, double sca
 
 ArcLength::ArcLength(const Curve& curve, double t0, double t1) : t0_(t0), t1_(t1) {
   GW_EXPECTS(t0 != t1);
-  // The size to which the rounding of the points is relative.
+  // The size of the curve, to which the rounding errors of the points are proportional.
   double scale = 0.0;
   for (int i = 0; i <= 4; ++i) {
     scale = std::max(scale, curve.point(t0 + 0.25 * i * (t1 - t0)).norm());
@@ -133,7 +133,7 @@ double ArcLength::parameter(double s) const {
                        [](double wanted, const Panel& p) { return wanted < p.s_end; });
   const double target = s - panel->s_begin;
   const double extent = panel->s_end - panel->s_begin;
-  // Newton's method within a bracket that every step narrows, because s grows with x.
+  // Newton's method within a bracket. Every step narrows the bracket, because s increases with x.
   double lo = -1.0;
   double hi = 1.0;
   double x = extent > 0.0 ? -1.0 + 2.0 * (target / extent) : 0.0;

@@ -2,19 +2,19 @@
 //
 //   W(t)   point of the curve, mm           s(t) = ∫ |W'| dt from t0, mm       L = s(t1)
 //
-// A Curve provides points but no speed, so the speed is computed from points. On panels of [t0,
-// t1], which are halved until the series converges, W is interpolated at Chebyshev points (degree
-// 16), differentiated, and |W'| is integrated term by term (Trefethen, Approximation Theory and
-// Approximation Practice, ch. 19, 21).
+// A Curve provides points but no speed |W'|, so the speed is computed from points. The range [t0, t1]
+// is divided into panels, which are halved until the series converges. On each panel, W is interpolated
+// at Chebyshev points (degree 16) and differentiated, and |W'| is integrated term by term (Trefethen,
+// Approximation Theory and Approximation Practice, ch. 19, 21).
 //
-// Arc length reduces the number of poles: the trochoid of a rounded cutter tip is parametrised by
-// the angle of a rack normal, which concentrates its speed at one end. A quintic with uniform knots
-// and an error of 1e-6 mm needs 25 poles there, and 13 by arc length (20 teeth, module 2). For a
-// curve with a cusp at its end the opposite is true.
+// A spline by arc length usually needs fewer poles. The trochoid of a rounded cutter tip is
+// parametrised by the angle of the rack's normal, and its speed is high at one end only. A quintic
+// with uniform knots and an error of 1e-6 mm needs 25 poles for this parameter and 13 poles for arc
+// length (20 teeth, module 2). A curve with a cusp at its end needs more poles by arc length.
 //
-//   Laws  (1) parameter(0) = t0 and parameter(L) = t1, bit for bit
+//   Laws  (1) parameter(0) = t0 and parameter(L) = t1, to the last bit
 //         (2) parameter(length_to(t)) = t up to rounding divided by the speed
-//         (3) walking the curve backwards gives the same length
+//         (3) exchanging t0 and t1 does not change the length
 #pragma once
 
 #include <array>
@@ -26,21 +26,19 @@ namespace gearwright {
 
 class ArcLength {
  public:
-  /// Domain    t0 ≠ t1 (contract); if t1 < t0, the curve is walked backwards and s still grows from 0
-  /// Accuracy  |error of L| < 1e-13 (L + max|W|) for curves analytic on [t0, t1], cusps at an end
-  ///           included; otherwise error_estimate() returns the remaining error. At most 1024
-  ///           panels.
+  /// Domain    t0 ≠ t1 (contract); if t1 < t0, s also increases from 0 at t0 to L at t1
+  /// Accuracy  |error of L| < 1e-13 (L + max|W|) for curves that are analytic on [t0, t1], also with a
+  ///           cusp at an end. For other curves, error_estimate() returns the remaining error with at
+  ///           most 1024 panels.
   ArcLength(const Curve& curve, double t0, double t1);
 
   double length() const { return length_; }  ///< L  mm
 
-  /// t at the distance s from the start; an s outside [0, L] is moved to the nearer end.
+  /// The parameter t at the arc length s. If s lies outside [0, L], the nearer end is used.
   double parameter(double s) const;
-
-  /// s at t; a t outside [t0, t1] is moved to the nearer end.
+  /// The arc length s at the parameter t. If t lies outside [t0, t1], the nearer end is used.
   double length_to(double t) const;
-
-  /// mm: the first neglected terms of all panels, summed.
+  /// The sum of the first neglected terms of all panels, mm.
   double error_estimate() const { return error_estimate_; }
 
   int panels() const { return static_cast<int>(panels_.size()); }
@@ -53,9 +51,9 @@ class ArcLength {
     double t_begin;
     double t_end;
     double s_begin;    ///< arc length before this panel, mm
-    double s_end;      ///< arc length to its end, mm
-    Series speed;      ///< |dW/dx|, x in [−1, 1] over the panel, mm
-    Series travelled;  ///< its integral from x = −1, mm
+    double s_end;      ///< arc length at the end of this panel, mm
+    Series speed;      ///< |dW/dx| with x in [−1, 1] over the panel, mm
+    Series travelled;  ///< integral of `speed` from x = −1, mm
   };
 
   void add(const Curve& curve, double t_begin, double t_end, double scale, int depth);

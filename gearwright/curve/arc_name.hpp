@@ -1,4 +1,4 @@
-// The five parts of half a tooth, root to tip (ISO 21771). Each arc of a cutter generates one of them.
+// The five parts of half a tooth from root to tip (ISO 21771). Each arc of a cutter generates one part.
 #pragma once
 
 #include <string_view>

@@ -23,9 +23,8 @@ Vec2 Involute::point(double xi) const {
 }
 
 CurvePoint Involute::at(double xi) const {
-  // dW/dξ = r_b ξ e^{i(ψ_b − ξ)}: the tangent turns clockwise, one radian per radian of roll.
-  // For ξ < 0 growing ξ runs toward the cusp, against e^{i(ψ_b − ξ)}; the turn per radian is the
-  // same.
+  // dW/dξ = r_b ξ e^{i(ψ_b − ξ)}, so the tangent turns clockwise by one radian per radian of roll. For
+  // ξ < 0, the direction of growing ξ is opposite to e^{i(ψ_b − ξ)}.
   const double back = xi < 0.0 ? std::numbers::pi : 0.0;
   return {point(xi), base_half_angle_ - xi + back, -1.0 / (base_radius_ * std::abs(xi))};
 }

@@ -1,8 +1,8 @@
-// The curves common to all gears: circles about the axis, involutes of the base circle, and
+// The curves that occur in all gears: circles about the axis, involutes of the base circle, and
 // circular fillets about another point.
 //
 //   r     radius, mm              W(t)   point as a complex number, mm
-//   r_b   base radius, mm         ξ      roll angle, rad: the way on the base circle is r_b ξ
+//   r_b   base radius, mm         ξ      roll angle, rad; r_b ξ is the arc length on the base circle
 //   ψ_b   half angle of the tooth on the base circle, rad
 //                                                          theory: docs/theory/01-frames.md
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace gearwright {
 
-/// Circle about the gear axis by its polar angle,  W(θ) = r e^{iθ}. [T1.3]
+/// Circle about the gear axis as a function of the polar angle,  W(θ) = r e^{iθ}. [T1.3]
 class AxisCircle final : public Curve {
  public:
   explicit AxisCircle(double radius) : radius_(radius) {}
@@ -27,12 +27,12 @@ class AxisCircle final : public Curve {
   double radius_;
 };
 
-/// The flank on the side y > 0 of a tooth about the x axis,  W(ξ) = r_b (1 + iξ) e^{i(ψ_b − ξ)}.
-/// [T2.4]
+/// The involute flank on the side y > 0 of a tooth that is symmetric about the x axis,
+/// W(ξ) = r_b (1 + iξ) e^{i(ψ_b − ξ)}. [T2.4]
 ///
-/// Laws  (1) |W| = r_b √(1 + ξ²)   (2) arg W = ψ_b − (ξ − atan ξ)   (3) curvature radius r_b ξ
-/// Domain  any ξ; ξ > 0 is the flank of an external tooth. The branch behind the cusp, ξ < 0, is the
-///         flank of an internal gear's tooth, whose half angle ψ_b + inv α grows outward
+/// Laws  (1) |W| = r_b √(1 + ξ²)   (2) arg W = ψ_b − (ξ − atan ξ)   (3) radius of curvature r_b |ξ|
+/// Domain  any ξ. ξ > 0 is the flank of an external tooth. ξ < 0, the branch behind the cusp, is the
+///         flank of an internal tooth, whose half angle ψ_b + inv α increases with the radius
 class Involute final : public Curve {
  public:
   Involute(double base_radius, double base_half_angle)
@@ -43,7 +43,7 @@ class Involute final : public Curve {
 
   double base_radius() const { return base_radius_; }
   double base_half_angle() const { return base_half_angle_; }
-  /// |ξ| of the points at radius ρ; 0 for ρ ≤ r_b.
+  /// |ξ| at the radius ρ; 0 for ρ ≤ r_b.
   double roll_at(double rho) const;
 
   double polar_angle(double xi) const override;
@@ -55,7 +55,7 @@ class Involute final : public Curve {
   double base_half_angle_;
 };
 
-// Inline for the inner loop of contact.
+// Inline, because the inner loop of contact/ calls it.
 inline PolarJet Involute::polar_jet(double xi) const {
   const double square = 1.0 + xi * xi;
   const Complex inverse = Complex{1.0, -xi} / square;
@@ -63,11 +63,11 @@ inline PolarJet Involute::polar_jet(double xi) const {
           times(inverse, inverse)};
 }
 
-/// Circle about a point at the distance D and the polar angle γ,  W(t) = D e^{iγ} + r e^{it}.
-/// [T6.1]
+/// Circle about a point at the distance D from the gear axis and the polar angle γ,
+/// W(t) = D e^{iγ} + r e^{it}. [T6.1]
 ///
-/// Laws  (1) |W|² = D² + r² + 2 D r cos(t − γ): nearest at t = γ ± π, farthest at t = γ
-/// Domain  D > 0, r > 0; a range of t lies on one side of γ, for the radius to be monotone
+/// Laws  (1) |W|² = D² + r² + 2 D r cos(t − γ), so |W| is least at t = γ ± π and greatest at t = γ
+/// Domain  D > 0, r > 0; a range of t must lie on one side of γ, so that |W| is monotone
 class OffsetCircle final : public Curve {
  public:
   OffsetCircle(double distance, double direction, double radius)
@@ -81,8 +81,8 @@ class OffsetCircle final : public Curve {
   double distance() const { return distance_; }
   double direction() const { return direction_; }
   double radius() const { return radius_; }
-  /// cos(t − γ) = −r/D: where the ray from the axis touches the circle and the polar angle turns,
-  /// as a distance from γ; there is none if the axis lies inside the circle.
+  /// |t − γ| of the points where a ray from the axis touches the circle, cos(t − γ) = −r/D. The polar
+  /// angle is stationary there. Empty if the axis lies inside the circle.
   std::optional<double> tangent_ray() const;
 
  private:

@@ -4,9 +4,10 @@
 //   W    point as a complex number x + iy, mm
 //                                                          theory: docs/theory/01-frames.md
 //
-// Curves are immutable and shared. An envelope holds the curve that generates it, so a pinion cut
-// by a rack can itself cut a wheel. Most code uses only the points of a curve; code with a closed
-// form for one class of curves queries its class. This room names no class of a higher one.
+// Curves are immutable and shared. An envelope contains the curve that generates it, so a pinion that
+// is cut by a rack can itself be the cutter of a wheel. Most code uses only the points of a curve. Code
+// with a closed form for one class of curves checks whether a curve is of this class. The files of
+// curve/ contain no name of a class that is defined in a folder above it.
 #pragma once
 
 #include <memory>
@@ -18,7 +19,7 @@ namespace gearwright {
 
 struct CurvePoint {
   Vec2 point;            ///< mm
-  double tangent_angle;  ///< rad, direction of growing t, not reduced to one turn
+  double tangent_angle;  ///< rad, direction of growing t, not limited to one turn
   double curvature;      ///< 1/mm, > 0 where the tangent turns counter-clockwise
 };
 
@@ -28,24 +29,23 @@ class Curve {
   virtual Vec2 point(double t) const = 0;
   virtual CurvePoint at(double t) const = 0;
 
-  /// arg W(t) [T1.1], rad; continuous along the curve if a subclass implements it, otherwise in
-  /// (−π, π].
+  /// arg W(t) [T1.1], rad, in (−π, π]. If a subclass overrides it, the result is continuous along the curve.
   virtual double polar_angle(double t) const;
-  /// The parameter between t_lo and t_hi at which |W| = ρ; |W| grows from t_lo to t_hi, and ρ is
-  /// moved into that range. Solved with a bracket unless a subclass has it in closed form.
+  /// The parameter between t_lo and t_hi at which |W| = ρ. |W| increases from t_lo to t_hi, and if ρ is
+  /// outside the range of |W|, the nearer end is returned. A subclass may have a closed form.
   virtual double parameter_at_radius(double rho, double t_lo, double t_hi) const;
   virtual bool radius_is_closed_form() const { return false; }
 };
 
 using CurvePtr = std::shared_ptr<const Curve>;
 
-/// The curve as one class; null if it is of another class.
+/// The curve as a pointer to the class Kind; null if the curve is of another class.
 template <class Kind>
 const Kind* curve_if(const Curve& curve) {
   return dynamic_cast<const Kind*>(&curve);
 }
 
-/// The curve as a class that is known by construction.   Domain: it is of that class (contract)
+/// The curve as a reference to the class Kind.   Domain: the curve is of this class (contract)
 template <class Kind>
 const Kind& curve_as(const Curve& curve) {
   const Kind* known = curve_if<Kind>(curve);
@@ -53,8 +53,8 @@ const Kind& curve_as(const Curve& curve) {
   return *known;
 }
 
-/// Calls `visit` with a pointer to the first of the classes that the curve has, and otherwise with
-/// a pointer to the curve itself.
+/// Calls `visit` with a pointer to the first of the listed classes of which the curve is an instance. If
+/// there is none, calls `visit` with a pointer to the curve itself.
 template <class Kind, class... Others, class Visitor>
 auto visit_curve(const Curve& curve, const Visitor& visit) {
   if (const Kind* known = curve_if<Kind>(curve)) return visit(known);

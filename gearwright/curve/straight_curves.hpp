@@ -1,5 +1,5 @@
-// The curves of a rack in a plane section: straight lines, and circles of a normal section that
-// appear stretched in the transverse section.
+// The curves of a rack in a plane section: straight lines, and circles of the normal section, which
+// are ellipses in the transverse section.
 //
 //   W(t)  point as a complex number x + iy, mm      ρ  radius in the normal section, mm
 //   k     stretch along y, 1/cos β                  theory: docs/theory/02-involute-and-pair.md, 2.10
@@ -24,8 +24,8 @@ class StraightLine final : public Curve {
 
 /// Ellipse with its axes along x and y,  W(t) = c + ρ (cos t + i k sin t).
 ///
-/// Laws    (1) k = 1 is the circle about c   (2) y/k of every point lies on the circle about
-///         (c_x, c_y/k)
+/// Laws    (1) for k = 1, the ellipse is a circle about c   (2) the points (x, y/k) lie on the circle
+///         about (c_x, c_y/k)
 /// Domain  ρ > 0, k > 0 (contract)
 class StretchedCircle final : public Curve {
  public:

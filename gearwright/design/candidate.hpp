@@ -1,12 +1,12 @@
-// Batches of candidates: the values of a pair that the limits of a search need, in columns,
-// computed with vector instructions.
+// Batches of candidates: the values of a pair that are compared with the limits of a search, in
+// columns, computed with vector instructions.
 //
 // One text of formulas (design/candidate_formulas.inc) is compiled for double and for every
-// instruction set; at run time the best available one is used. The last bits of lanes depend on the
-// machine, so within kSieveDoubt of a limit, and for every printed number, the scalar formulas of
-// the pair are used instead.
+// instruction set. At run time the best available instruction set is used. The last bits of the vector
+// results depend on the machine. Within kSieveDoubt of a limit, and for every printed number, the
+// scalar formulas of the pair are therefore used.
 //
-//   Laws  (1) lanes agree with the scalar instance to 1e-12
+//   Laws  (1) the vector results agree with the scalar instance to 1e-12
 //         (2) the verdicts are the same on any machine
 #pragma once
 
@@ -18,18 +18,19 @@
 
 namespace gearwright {
 
-/// Candidates of a batch: its columns stay in the nearest caches.
+/// Number of candidates in a batch, small enough for the columns to stay in the cache.
 inline constexpr std::size_t kBatch = 1024;
 
-/// Data common to all candidates of a batch; parallel axes, normal modules.
+/// Data common to all candidates of a batch, on parallel axes, in normal modules.
 struct CandidateConstants {
   double tan_alpha = 0.0;                                      ///< tan α_n
   std::array<double, 2> addendum{}, dedendum{}, edge_depth{};  ///< of the racks
-  std::array<double, 2> flank_depth{};                         ///< for the limit of interference
+  std::array<double, 2> flank_depth{};                         ///< for the interference limit
   bool tight = false, shorten = false;
 };
 
-/// Columns in: z1, z2 (internal gear: < 0), sin β, x1, x2. Columns out, in normal modules:
+/// The input columns are z1, z2 (< 0 for an internal gear), sin β, x1 and x2. The output columns are in
+/// normal modules.
 struct CandidateBatch {
   enum In { z1, z2, sin_beta, x1, x2, kIn };
   enum Out {
@@ -43,9 +44,9 @@ struct CandidateBatch {
     clearance_1,
     clearance_2,
     interference_1,
-    interference_2,  ///< ρ at the mating gear's tip − ρ_F; ∞ for an internal gear, which has no
-                     ///< such limit
-    residual,        ///< of inv α_wt; the error of tan α_wt is this over tan² α_wt
+    interference_2,  ///< ρ at the mating gear's tip − ρ_F; ∞ for an internal gear, for which there
+                     ///< is no such limit
+    residual,        ///< of inv α_wt; the error of tan α_wt is the residual over tan² α_wt
     kOut
   };
   std::array<std::vector<double>, kIn> in;
@@ -54,17 +55,17 @@ struct CandidateBatch {
   void resize(std::size_t n);
 };
 
-/// Evaluates the batch in lanes of this machine; NaN if a tip lies inside its base circle or there
-/// is no mesh.
+/// Evaluates the batch with vector instructions. Values are NaN if a tip lies inside its base circle or
+/// if there is no mesh.
 void evaluate(const CandidateConstants& constants, CandidateBatch& batch);
 /// Evaluates the batch with scalar formulas.
 void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch);
 
-/// Within this distance from a limit, modules, the lanes' verdict is not used.
+/// Within this distance from a limit, modules, the vector result is not used.
 inline constexpr double kSieveDoubt = 1e-10;
-
-/// The result of the filter for a trial: certainly rejected by one of the first three limits; not
-/// rejected at the point with the longest path; or undecided. The graph decides the last two cases.
+/// Verdicts of the filter for a trial. The first three name the limit that certainly rejects the trial.
+/// kSievePass is returned if the point with the longest path is not rejected, and kSieveAsk if the
+/// filter cannot decide. In the last two cases the graph decides.
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
                         kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
 
@@ -72,11 +73,11 @@ inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
 struct SieveConstants {
   double cos_transverse = 1.0;       ///< cos α_t
   double involute_transverse = 0.0;  ///< inv α_t
-  double sum_per_involute = 0.0;     ///< Σ/(R Δinv α) = cos β/tan α_n, tight centres
+  double sum_per_involute = 0.0;     ///< Σ/(R Δinv α) = cos β/tan α_n, for tight centres
   double min_path = 0.0;             ///< K
   std::array<double, 2> addendum{};
   bool tight = false, internal = false;
-  bool path = false;  ///< true for extended external pairs, to which the third limit applies too
+  bool path = false;  ///< true if the third limit is evaluated (external pairs at extended centres)
 };
 
 struct SieveBatch {
@@ -90,7 +91,7 @@ struct SieveBatch {
 void sieve(const SieveConstants& constants, SieveBatch& batch);
 void sieve_scalar(const SieveConstants& constants, SieveBatch& batch);
 
-/// "AVX3", "AVX2", …: the instruction set that this machine's lanes use.
+/// The name of the instruction set in use, such as "AVX3" or "AVX2".
 std::string lanes_name();
 std::size_t lanes();
 

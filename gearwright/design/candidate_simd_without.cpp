@@ -1,5 +1,5 @@
-// Without Google Highway plain doubles are used. They are also the reference in the tests of the
-// vector code.
+// Without Google Highway, the scalar formulas are used. They are also the reference in the tests of
+// the vector code.
 #include "gearwright/design/candidate.hpp"
 
 namespace gearwright {

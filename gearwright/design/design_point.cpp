@@ -1,5 +1,5 @@
-// The point of a design in its region: on the line of Eq. 11 and away from the borders, if
-// possible.
+// Chooses the point of a design in its region. If possible, the point lies on the line of Eq. 11 and
+// away from the borders.
 //                                              theory: docs/theory/09-design-search.md, 9.4
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b) {
   const Vec2 at_1 = balanced_point(t.z1, t.z2, 1.0, graph.problem().lambda);
   const auto limits = graph.shift_limits();
   for (const int i : {0, 1}) {
-    // Shifts do not fall as Σ grows.
+    // Along the line, the shifts do not decrease as Σ increases.
     const double rise = at_1[i] - at_0[i];
     const Interval& limit = limits[static_cast<std::size_t>(i)];
     if (!(rise > 0.0)) {
@@ -39,8 +39,8 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b) {
 
 namespace {
 
-constexpr double kFarOff = 1e9;  // modules, farther outside than any value
-// An end of a piece that is an end of the whole range, modules. Both were solved separately.
+constexpr double kFarOff = 1e9;  // modules; greater than the distance of any point
+// A smaller distance from a border, modules, is a rounding error.
 constexpr double kSameEnd = 1e-9;
 
 // The greatest value of f over [a, b], by nodes and golden section around the highest node; any
@@ -57,8 +57,7 @@ double greatest(const F& f, double a, double b, double bend) {
     const double value = f(node(i));
     if (value > top) top = value, best = i;
   }
-  // climb() stops at a positive value, so it receives the difference from a value above the
-  // maximum.
+  // climb() stops at a positive value. A value above the maximum is therefore subtracted.
   const double above = top + 1.0;
   const double x =
       detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
@@ -66,13 +65,13 @@ double greatest(const F& f, double a, double b, double bend) {
   return std::max(top, f(x));
 }
 
-// The point of a piece with Σ nearest 0 that keeps a distance from the borders, and from cut
-// fillets if requested.
+// The point of the line of Eq. 11 with Σ nearest 0 that keeps a distance from the borders and, if
+// requested, does not cut into a fillet.
 enum class Fillets { asked, left_out };
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
   if (!(range.lo <= range.hi) || line_is_outside(graph, range.lo, range.hi)) return std::nullopt;
-  // If fillets are checked, the distance is discontinuous and has no bound on its curvature.
+  // If fillets are checked, the distance is discontinuous, so its curvature has no limit.
   const double bend =
       fillets == Fillets::asked ? std::numeric_limits<double>::infinity() : kMostBend;
   const Trial& t = graph.trial();
@@ -82,14 +81,15 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const auto off_walls = [&](double sum) {
     const Vec2 p = place(sum);
     const double wall = graph.wall_distance(p[0], p[1]);
-    // A cut fillet counts as a violated border. The distance of a point from it is not computed.
+    // A cut fillet counts as a violated border. The distance from it is not computed.
     return fillets == Fillets::asked && wall > 0.0 && fillet_is_cut(graph, p) ? -wall : wall;
   };
   const double nearest = std::clamp(0.0, range.lo, range.hi);
   const double at_nearest = off_walls(nearest);
   if (at_nearest >= kWallDistance) return place(nearest);
-  // The distance has one hump, except in rare regions in pieces. The search climbs from there in
-  // growing steps, and returns to the first point that is far enough from the borders.
+  // As a function of Σ, the distance has one maximum, except in the rare regions in pieces. The search
+  // climbs from `nearest` in growing steps. Then it returns to the first point that is far enough from
+  // the borders.
   constexpr double kStep = 0.05;  // modules, a tenth of the usual value
   const double right = std::min(nearest + kStep, range.hi);
   const double left = std::max(nearest - kStep, range.lo);
@@ -108,8 +108,8 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
     value = next;
   }
   if (value < kWallDistance) {
-    // The maximum lies between `before` and `beyond`, which are on both sides of the start if no
-    // step succeeded.
+    // The maximum lies between `before` and `beyond`. If no step succeeded, the maximum may lie on
+    // either side of the start.
     if (before == nearest) before = side > 0.0 ? left : right;
     here = detail::climb([&](double sum) { return off_walls(sum) - kWallDistance; },
                          std::min(before, beyond), std::max(before, beyond),
@@ -123,7 +123,7 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
                                 std::min(nearest, here), std::max(nearest, here));
     if (root.found()) return place(root.x);
   }
-  // At extended centres of external gears there is only one hump.
+  // For external gears at extended centres, the distance has only one maximum.
   const SearchProblem& problem = graph.problem();
   const bool one_hump = problem.mounting == Mounting::extended && !problem.internal() &&
                         !problem.crossed() && fillets == Fillets::left_out;
@@ -143,8 +143,8 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
 
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
   if (!graph.problem().limits.avoid_interference) {
-    // If designs need not run, the point of the plain theory may be at a border. Inside the limits
-    // it is known without the region.
+    // If interference is not excluded, the point with Σ nearest 0 is used. It may lie at a border, but
+    // then it is found only with the region.
     const ShiftGraph::Sums range = graph.sums();
     if (!(range.lo <= range.hi)) return std::nullopt;
     const Trial& t = graph.trial();
@@ -152,7 +152,8 @@ std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
         balanced_point(t.z1, t.z2, std::clamp(0.0, range.lo, range.hi), graph.problem().lambda);
     return graph.wall_distance(p[0], p[1]) > kSameEnd ? std::optional(p) : std::nullopt;
   }
-  // The check of fillets costs more than all other borders together and is rarely violated.
+  // The check of fillets takes longer than that of all other borders and rarely fails, so the point is
+  // first computed without it.
   const auto place = place_off_walls(graph, Fillets::left_out);
   return place && fillet_is_cut(graph, *place) ? place_off_walls(graph, Fillets::asked) : place;
 }
@@ -171,7 +172,7 @@ Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const Vec2 inside{x1, sum - x1};
   const Vec2 middle = (region.lo + region.hi) / 2.0;
   const bool runs = graph.problem().limits.avoid_interference;
-  // If one end of the slices is a point, the distance is exactly half, so rounding is allowed for.
+  // If the slice at one end is a point, the distance is exactly half, so a tolerance is subtracted.
   const double enough =
       (runs ? std::max(0.0, graph.wall_distance(inside[0], inside[1]) / 2.0) : 0.0) - kTouching;
   const bool one = region.sums.size() == 1;

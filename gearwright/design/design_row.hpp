@@ -1,7 +1,7 @@
-// One feasible design: its values at a point of the region, and its ranking criteria.
+// One feasible design: its values at a point of the region, and the criteria by which it is ranked.
 //
-// The values come from the formulas of a mounted pair (pair/mesh.hpp), so the search prints the
-// same values as the mounted design.
+// The values are computed with the formulas of a mounted pair (pair/mesh.hpp), so they are those of
+// the mounted design.
 #pragma once
 
 #include <array>
@@ -20,13 +20,13 @@ namespace gearwright {
 struct DesignRow {
   Trial trial;
   std::array<double, 2> shift{};          ///< x1, x2
-  std::array<double, 2> allowance{};      ///< E_sn, the mean of its tolerance
+  std::array<double, 2> allowance{};      ///< E_sn, the mean of the upper and lower allowance
   double face_width = 0.0;                ///< b, of both gears
   bool balanced = false;                  ///< true on the line of Eq. 11; false for chosen_point()
   double center_distance = 0.0;           ///< a
-  Angle working_angle;                    ///< α_wt, crossed: α_n
+  Angle working_angle;                    ///< α_wt; α_n of the rack on crossed axes
   double ratio = 0.0;                     ///< z2/z1
-  double contact_ratio = 0.0;             ///< ε_α, Eq. 10; crossed: of AE
+  double contact_ratio = 0.0;             ///< ε_α, Eq. 10; AE/p_bn on crossed axes
   double contact_ratio_true = 0.0;        ///< the same with the path clipped to the usable flanks
   double overlap_ratio = 0.0;             ///< ε_β
   double backlash_normal = 0.0;           ///< j_bn, along the common normal
@@ -34,48 +34,45 @@ struct DesignRow {
   std::array<double, 2> tip_clearance{};  ///< tip 1 to root 2, tip 2 to root 1
   double tip_alteration = 0.0;            ///< k m_n, ≤ 0
   std::array<std::array<std::optional<double>, 2>, 2> sliding;  ///< ζ of gear 1, 2 at A, E
-  bool interference = false;  ///< a tip passes the start of the mating gear's straight-cut flank
-  /// Distance of the mating gear's tip from it along the line of action, on the flank of gear 1 and
-  /// of gear 2; none for an internal gear, whose flank end depends on its cutter.
+  bool interference = false;  ///< true if a tip passes the start of the mating gear's involute
+  /// Distance of the mating gear's tip from the start of the involute, along the line of action, on
+  /// the flank of gear 1 and of gear 2. None for an internal gear, whose cutter determines the start.
   std::array<std::optional<double>, 2> form_clearance{};
   double mass = 0.0;  ///< kg, of both gears: design/design_strength.hpp
-  /// S_H, S_F of each gear; none if not requested, or if the standard has no form factor for its
+  /// S_H and S_F of each gear; none if not requested, or if the standard gives no form factor for the
   /// root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
-  bool runs = true;  ///< false if the verdict over the drawing has a finding above green
+  bool runs = true;  ///< false if the verdict over the drawing has a finding worse than green
   std::array<std::optional<double>, 2> backlash_ends{};  ///< j_n, least and greatest, as drawn
-  /// True if the following values of the region are computed.
+  /// True if the following members, which describe the region, are computed.
   bool whole = false;
   double area = 0.0;
   std::array<double, 2> sums{};  ///< least and greatest Σ
   Vec2 lo{0.0, 0.0}, hi{0.0, 0.0};
 
-  /// x_E of gear i: the shift with which its flanks and root are cut.
+  /// x_E of gear i, the generating profile shift.
   double cut_shift(std::size_t i, const SearchProblem& problem) const;
   /// Greatest |ζ|; none where a flank reaches a base tangent point.
   std::optional<double> max_sliding() const;
 };
 
-/// The row of a trial; none if it is not feasible. The shifts do not depend on the detail. `point`
-/// omits the values of the region, which cost a hundred times as much as the rest.
+/// The row of a trial; none if the trial is not feasible. RegionDetail::point omits the values of the
+/// region, which take a hundred times as long as the rest. The shifts do not depend on the detail.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
 /// The row for a known region.
 std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region);
 
-/// True if there is a design: a region and, if interference is excluded, a point of it at which the
-/// tips keep clear of the fillets.
+/// True if there is a design: a region and, if fillets are checked, a point of the region at which the
+/// tips do not cut into the fillets. Rated or drawn designs must also meet their limits.
 bool has_design(const ShiftGraph& graph);
-
-/// The numbers at any point of the graph.   Domain: a working angle exists there (contract)
+/// The row at any point of the graph.   Domain: a working angle exists there (contract)
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
-
-/// The score of a design for one objective; smaller is better. Objectives are taken at the point of
-/// Eq. 11; rows without one have none and come last.
+/// The cost of a design for one objective; smaller is better. Costs are defined for rows on the line of
+/// Eq. 11 only. Other rows have no cost and come last.
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row, Objective objective);
-
-/// The place of a row in the order: by the objective, then contact ratio, module, z1, z2, trial. A
-/// total order; smaller comes first.
+/// The key by which rows are sorted: the objective, then contact ratio, module, z1, z2 and trial. This
+/// is a total order, in which the smaller key comes first.
 struct RankKey {
   bool without_cost;
   double cost, contact_ratio, module;
@@ -85,15 +82,15 @@ struct RankKey {
 };
 RankKey rank_key(const SearchProblem& problem, Objective objective, const DesignRow& row);
 
-/// True if a comes before b in that order.
+/// True if the key of a is smaller than that of b.
 bool ranks_before(const SearchProblem& problem, Objective objective, const DesignRow& a,
                   const DesignRow& b);
 
-/// True if a is at least as good in every objective and better in one. Rows without a cost never
+/// True if a is at least as good as b in every objective and better in one. Rows without a cost never
 /// dominate.
 bool dominates(const SearchProblem& problem, const DesignRow& a, const DesignRow& b);
 
-/// The rows that no other row dominates, kept as rows arrive in any order.
+/// The rows that no other row dominates. Rows can be added in any order.
 class ParetoFront {
  public:
   explicit ParetoFront(const SearchProblem& problem) : problem_(&problem) {}

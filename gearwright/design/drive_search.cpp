@@ -20,10 +20,10 @@ namespace gearwright {
 namespace {
 
 using M = SetMember;
-constexpr std::size_t kCarrier = kSetMembers;  // a body beside the members
+constexpr std::size_t kCarrier = kSetMembers;  // the carrier follows the members
 constexpr std::size_t at(M m) { return static_cast<std::size_t>(m); }
 
-// Speed of a body relative to the carrier, divided by that of the planet, p/q.
+// Speed of a body divided by the speed of the planet, both relative to the carrier, as a fraction p/q.
 struct Share {
   long long p, q;
 };
@@ -44,7 +44,8 @@ struct Ends {
   std::size_t fixed, input, output;
 };
 
-// i = (α_in − α_fixed)/(α_out − α_fixed), of three numbers of teeth exact in double; 0 if none.
+// i = (α_in − α_fixed)/(α_out − α_fixed), where α is the speed relative to the carrier. Products of
+// three numbers of teeth are exact in double. 0 if there is no finite ratio.
 double ratio_of(const TeethOfSet& z, const Ends& ends) {
   const Share f = share_of(z, ends.fixed), i = share_of(z, ends.input),
               o = share_of(z, ends.output);
@@ -54,10 +55,10 @@ double ratio_of(const TeethOfSet& z, const Ends& ends) {
 }
 
 struct CentralTeeth {
-  long long rider, central;  // numbers of teeth; that of the central gear is < 0 for a ring
+  long long rider, central;  // numbers of teeth; `central` is < 0 for a ring
 };
 
-// The meshes of a set with central gears, in the order of its short form.
+// The meshes of the planets with the central gears of a set.
 struct SetMeshes {
   std::array<CentralTeeth, 4> list{};
   std::size_t count = 0;
@@ -72,8 +73,9 @@ struct SetMeshes {
   }
 };
 
-// N* = gcd of a_i b_j − a_j b_i over the meshes, a divided by its gcd: the relations between pairs
-// of meshes generate all integer relations, as the a_i have no common divisor. [T13.12]
+// N* is the gcd of (a_i b_j − a_j b_i)/gcd(a) over all pairs of meshes, where a and b are the numbers of
+// teeth of planet and central gear. These relations between two meshes generate all integer relations,
+// because the a_i/gcd(a) have no common divisor. [T13.12]
 long long places_of(const SetMeshes& meshes) {
   long long common = 0, places = 0;
   for (std::size_t i = 0; i < meshes.count; ++i) common = std::gcd(common, meshes.list[i].rider);
@@ -155,8 +157,8 @@ class SetSearch {
     return static_cast<double>(places / n) / static_cast<double>(places);
   }
 
-  // Clearance of the gear on the circle of the first mesh. A second gear with its own circle may
-  // have profile shifts, which only the drive itself takes into account.
+  // Clearance of the planet gears whose centre distance is that of the first mesh. A second planet gear
+  // with another centre distance has profile shifts, which are known only when the drive is made.
   double clearance_of(const TeethOfSet& z, const SetMeshes& meshes, double step) const {
     const double a = distance(meshes.list[0]);
     double tip = z[at(M::planet)] * transverse_ + 2.0;
@@ -199,7 +201,7 @@ class SetSearch {
   double transverse_ = 1.0;
 };
 
-// Fixed, input and output members: those of the short form where the problem gives none.
+// Fixed, input and output members. Members that the problem does not give have the defaults of a set.
 Result<Ends> ends_of(const DriveSearchProblem& problem) {
   DriveCandidate any;
   for (const M m : members_of(problem))
@@ -228,7 +230,7 @@ Result<Ends> ends_of(const DriveSearchProblem& problem) {
 
 void find_efficiency(const DriveSearchProblem& problem, DriveCandidate& candidate) {
   PlanetarySpec set = set_of(problem, candidate);
-  set.normal_module.reset();  // Without a module only speeds and powers are computed.
+  set.normal_module.reset();  // without a module, only speeds and powers are computed
   const auto graph = graph_of(set);
   if (!graph) return;
   const auto motion = drive_motion(*graph);
@@ -273,7 +275,8 @@ void search_sets(const DriveSearchProblem& problem, const Ends& ends, int thread
       threads);
 }
 
-// Repeats every candidate, whose size is in modules, with each of the modules that is small enough.
+// Replaces every candidate, whose size is in modules, by one candidate for each module with which its
+// size is permitted.
 void give_modules(const DriveSearchProblem& problem, DriveSearchResult& result) {
   const std::vector<double>& modules = problem.modules;
   if (modules.empty()) return;
@@ -387,7 +390,7 @@ std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
-  // In this order a candidate can only be beaten by an earlier one.
+  // In this order, only an earlier candidate can dominate a candidate.
   std::vector<std::size_t> front;
   const auto beats = [&](const std::vector<double>& a, const std::vector<double>& b) {
     return a != b && std::equal(a.begin(), a.end(), b.begin(), std::less_equal<>());

@@ -1,13 +1,14 @@
 // Search for whole drives: planetary sets of five kinds and trains, by their numbers of teeth.
 //
-//   i        = n_in/n_out, exactly [T13.3]      N*   places of a planet per turn [T13.12]
+//   i        = n_in/n_out, exactly [T13.3]
+//   N*       number of places per turn at which a planet can be assembled [T13.12]
 //   a        centre distance, a = m_t (z_a + z_b)/2 of the first mesh without shifts
-//   c        clearance of neighbouring planets between their tip circles, modules [T13.15b]
+//   c        clearance between the tip circles of neighbouring planets, modules [T13.15b]
 //                                              theory: docs/theory/13-drives.md
 //
-// Ratio, places, neighbours and phases of every set are checked in whole numbers. The sets that
-// meet all limits are ranked. The ranking by efficiency is exact if the losses of the meshes are
-// given; otherwise they are estimated. The caller makes the drives of the best sets.
+// Ratio, assembly, neighbouring planets and phases of every set are checked, and the sets that meet all
+// limits are ranked. The ranking by efficiency is exact if the losses of the meshes are given; otherwise
+// they are estimated. The caller makes the drives of the best sets.
 #pragma once
 
 #include <array>
@@ -27,12 +28,12 @@ inline constexpr std::array<std::string_view, 5> kDriveKindNames{"planetary", "s
                                                                  "two_suns", "train"};
 
 enum class DriveObjective {
-  efficiency,           ///< greatest, input driving
-  ratio,                ///< nearest to the target
-  size,                 ///< least diameter over all
-  efficiency_backward,  ///< greatest, output driving
-  clearance,            ///< greatest between neighbouring planets
-  planets               ///< most
+  efficiency,           ///< greatest efficiency if the input drives
+  ratio,                ///< ratio nearest to the target
+  size,                 ///< least overall diameter
+  efficiency_backward,  ///< greatest efficiency if the output drives
+  clearance,            ///< greatest clearance between neighbouring planets
+  planets               ///< greatest number of planets
 };
 inline constexpr std::array<std::string_view, 6> kDriveObjectiveNames{
     "efficiency", "ratio", "size", "efficiency_backward", "clearance", "planets"};
@@ -44,34 +45,34 @@ struct DriveSearchProblem {
   std::array<double, 2> ratio{};       ///< closed, signed
   std::optional<double> target_ratio;  ///< by default the middle of the band
   TeethBand planets{3, 3};
-  /// Bands of the members of the kind; by default those of teeth_band().
+  /// Bands of the members of the kind; by default the bands of teeth_band().
   std::array<std::optional<TeethBand>, kSetMembers> teeth{};
-  TeethBand stages{2, 2};  ///< number of them, of a train, which have one module
+  TeethBand stages{2, 2};  ///< number of stages of a train, all with one module
   TeethBand pinion{17, 40}, wheel{17, 150};
-  /// Greatest difference between the sums of teeth of meshes on one circle. By default it is 1, or
-  /// for two rings on one planet gear the number of planets; a train has no limit.
+  /// Greatest difference between the sums of teeth of meshes on one circle. The default is 1, or the
+  /// number of planets if two rings mesh with one planet gear. A train has no limit by default.
   std::optional<int> coaxial_teeth;
   double neighbour_clearance = 1.0;   ///< c ≥ this  modules
   std::vector<PhasingClass> phasing;  ///< allowed classes; all if empty
   std::vector<DriveObjective> objectives{DriveObjective::efficiency};
-  /// m_n of all meshes  mm; each set is tried with every one. If empty, there is no geometry of
+  /// m_n of all meshes  mm; each set is tried with every module. If empty, there is no geometry of
   /// teeth, and sizes are in modules.
   std::vector<double> modules;
-  double size_max = kInfinity;  ///< greatest DriveCandidate::size; needs modules  mm
-  std::optional<std::array<double, 2>> face_width;  ///< b, to be sized in this closed band  mm
-  double face_diameters = 1.2;                      ///< greatest sized b/d of the smallest gear
+  double size_max = kInfinity;  ///< greatest DriveCandidate::size  mm; requires modules
+  std::optional<std::array<double, 2>> face_width;  ///< b  mm, closed band of the sized face width
+  double face_diameters = 1.2;                      ///< greatest b/d of the smallest gear if sized
   std::optional<double> safety_flank, safety_root;  ///< least S_H and S_F of every mesh
-  /// Helix, losses, spacing, and the fixed and driving members; its numbers of teeth are
-  /// not used.
+  /// Helix angle, losses, spacing, and the fixed and driving members. The numbers of teeth in it are not
+  /// used.
   PlanetarySpec base;
 
   double target() const { return target_ratio.value_or((ratio[0] + ratio[1]) / 2); }
   bool asks(DriveObjective objective) const;
 };
 
-/// The members of a kind whose numbers of teeth are tried, in their order; without those of a train.
+/// The members of the kind whose numbers of teeth are tried; empty for a train.
 std::vector<SetMember> members_of(const DriveSearchProblem& problem);
-/// The band of a member, given or by default.
+/// The band of the number of teeth of a member, as given or by default.
 TeethBand teeth_band(const DriveSearchProblem& problem, SetMember member);
 
 /// Reasons for rejecting a set, in the order in which they are checked.
@@ -81,43 +82,43 @@ inline constexpr std::array<std::string_view, 5> kDriveLimitNames{"ratio", "asse
 
 /// A drive by its numbers of teeth.
 struct DriveCandidate {
-  std::array<int, kSetMembers> teeth{};      ///< > 0 for rings too; 0 if there is no such member
+  std::array<int, kSetMembers> teeth{};      ///< > 0, also for rings; 0 if there is no such member
   std::vector<std::array<int, 2>> stages{};  ///< of a train
   int planets = 1;
   double module = 1.0;     ///< m_n  mm
   double ratio = 0.0;      ///< i
-  long long places = 0;    ///< N*; 0 of a train
-  double clearance = 0.0;  ///< c  modules, without shifts; of a train and one planet infinite
-  double size = 0.0;  ///< diameter over all without shifts, of a train the sum of its distances; mm
+  long long places = 0;    ///< N*; 0 for a train
+  double clearance = 0.0;  ///< c  modules, without shifts; infinite for a train and for one planet
+  double size = 0.0;  ///< mm: overall diameter without shifts; for a train, sum of centre distances
   /// Efficiencies with given or estimated losses; 0 if self-locking or not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;
-  std::optional<double> face_width{};  ///< b  mm, if the search sizes it
+  std::optional<double> face_width{};  ///< b  mm, if the search sizes the face width
 };
 
 struct DriveSearchResult {
   std::int64_t tested = 0;
   std::array<std::int64_t, kDriveLimitNames.size()> rejected{};
-  std::vector<DriveCandidate> found;  ///< best first by the first objective; ties by teeth
+  std::vector<DriveCandidate> found;  ///< best first by the first objective, then by size
 };
 
 /// All candidates that meet the limits.
 ///
-/// Formula   sets of one module: sums of teeth of all meshes of a circle agree to `coaxial_teeth`
-/// Domain    bands with at least one tooth, at most kMostDriveTeeth (contract)
-/// Errors    `drive.fixed`, `drive.input`, `drive.output` : no such member, or the same one twice
+/// Formula   the sums of teeth of all meshes on one circle agree to `coaxial_teeth`, because all
+///           meshes of a set have one module
+/// Domain    bands from 1 to kMostDriveTeeth (contract)
+/// Errors    `drive.fixed`, `drive.input`, `drive.output` if there is no such member, or if one
+///           member has two of these functions
 Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int threads = 0);
-
-/// Sets the fixed, input and output members that the problem does not give. Of two rings or two
-/// suns, one is held and the other one is driven; other kinds use the defaults of a set.
+/// Sets the fixed, input and output members that the problem does not give. If there are two rings
+/// (wolfrom) or two suns, one is fixed and the other is the output. Other kinds use the defaults of a
+/// set.
 void complete_ends(DriveSearchProblem& problem);
-
-/// The set of a candidate, with the losses and ends of the problem. No train.
+/// The set of a candidate, with the losses and ends of the problem.   Domain: not a train
 PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
-
-/// The greatest face width that the search may size: that of the band and of b/d  mm
+/// The greatest face width that the search may choose, mm, from the band and from b/d.
 double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate);
 
-/// The number by which an objective ranks; smaller is better.
+/// The number by which candidates are ranked for an objective; smaller is better.
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,
                DriveObjective objective);
 
@@ -125,7 +126,7 @@ double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidat
 std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
                                       const std::vector<DriveCandidate>& candidates);
 
-/// Greatest number of teeth in a search: products of three of them stay exact.
+/// Greatest number of teeth in a search. The product of three such numbers is exact in double.
 inline constexpr int kMostDriveTeeth = 2000;
 
 }  // namespace gearwright

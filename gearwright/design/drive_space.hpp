@@ -1,5 +1,4 @@
-// The numbers of teeth of a search for drives, one set after the other.
-// Internal to design/.
+// Enumerates the numbers of teeth of all sets in a search for drives. Internal to design/.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +18,14 @@ inline int coaxial_slack(const DriveSearchProblem& problem) {
   return problem.kind == DriveKind::wolfrom && one_gear ? problem.planets[1] : 1;
 }
 
-/// η of a mesh with friction μ, estimated from its numbers of teeth; used for ranking only. z < 0:
-/// a ring.
+/// η of a mesh with the coefficient of friction μ, estimated from the numbers of teeth (z < 0 for a
+/// ring). It is used for ranking only.
 double estimated_efficiency(int z1, int z2, double friction);
 
-/// All trains of the problem. The band of the last wheel follows from the ratio.
+/// Adds all trains of the problem to the result. The band of the last wheel follows from the ratio.
 void search_trains(const DriveSearchProblem& problem, DriveSearchResult& result);
 
-/// Visits all sets of the kind whose first member has `first` teeth.
+/// Visits all sets of the kind whose planet has a given number of teeth.
 class DriveSpace {
  public:
   explicit DriveSpace(const DriveSearchProblem& problem)
@@ -94,7 +93,7 @@ class DriveSpace {
     for (z[at(m)] = band_[at(m)][0]; z[at(m)] <= band_[at(m)][1]; ++z[at(m)]) next();
     z[at(m)] = 0;
   }
-  // Values near the number of teeth that makes the set coaxial without profile shifts.
+  // Tries the numbers of teeth near the one that makes the set coaxial without profile shifts.
   template <class Next>
   void near(SetMember m, TeethOfSet& z, int middle, const Next& next) const {
     const int last = std::min(band_[at(m)][1], middle + slack_);

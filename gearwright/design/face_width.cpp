@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-// Relative: a width computed from a module or a diameter still counts as a multiple of the step.
+// Relative tolerance of a width, which may have been computed from a module or a diameter.
 constexpr double kRounding = 1e-9;
 
 }  // namespace
@@ -36,7 +36,7 @@ std::optional<double> next_face_width(const SearchProblem& problem, const Trial&
   const double step = problem.face_step;
   double next = std::ceil(std::max(width, least) / step - kRounding) * step;
   if (next <= before) next = (std::floor(before / step + kRounding) + 1.0) * step;
-  // A band narrower than a step is used with its least width only.
+  // If a band contains no multiple of the step, only its least width is used.
   const bool only = std::ceil(least / step - kRounding) * step > most * (1.0 + kRounding);
   if (least == most || only)
     return before < least && width <= least ? std::optional(least) : std::nullopt;

@@ -19,22 +19,22 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kSteepestHelix = 75;     // degrees
-constexpr double kMinTipFillet = 0.1;  // modules: r_t of a cutter that does not overheat
-
+constexpr int kSteepestHelix = 75;  // degrees
+constexpr double kMinTipFillet =
+    0.1;  // modules: least tip radius r_t, below which a cutter overheats
 constexpr double kSameRatio = 0.02;
-// Sums of shifts on one diagonal of the grid of 0.001, modules.
+// Sums of shifts that differ by less, modules, are equal. The grid has steps of 0.001.
 constexpr double kSameSum = 1e-6;
 // Helix angles are rounded to this fraction of a degree, as on drawings.
 constexpr double kHelixSteps = 1e9;
-// Relative distance beyond the base circles, on which gears do not mesh.
+// Relative excess of the least centre distance over the sum of the base radii.
 constexpr double kOffBase = 1e-9;
-// Relative difference of one radius computed in two ways.
+// Relative rounding error of a radius that is computed in two ways.
 constexpr double kSameRadius = 1e-9;
 
-// The ranking of feasible candidates: the contact ratio in steps, then the sum of the shifts. The
-// path is as long as the pinion's flank at any centre distance. Of paths that agree within two
-// hundredths of a pitch, the one nearest the reference centre distance is chosen.
+// The rank of a feasible candidate: the contact ratio in steps of 0.02, then the sum of the shifts. If
+// the contact ratios of two candidates are in the same step, the candidate whose centre distance is
+// nearer to the reference centre distance is better.
 struct Rank {
   double ratio, sum;  // in whole steps
 
@@ -46,11 +46,11 @@ struct Rank {
   }
 };
 
-// The stage that a candidate reached, and the condition that rejected it.
+// The last check that a candidate reached, and the condition that rejected it.
 struct Verdict {
   int stage = 0;
   double shortfall =
-      0.0;  // the nearest of the candidates that are rejected at one stage is reported
+      0.0;  // amount by which the check failed; the candidate with the least one is reported
   std::string limit;
   std::optional<FewTeethDesign> design;
 };
@@ -66,14 +66,14 @@ struct Cut {
   double distance, mounted;
 };
 
-// A pair of shifts, with the condition that rejected it, or its rank if it can be mounted.
+// A pair of shifts, with its verdict and, if it can be mounted, its rank.
 struct Candidate {
   double x1, x2;
   Verdict verdict;
   std::optional<Rank> rank;
 };
 
-// Chord of the space where the flanks begin.
+// Chord of the tooth space where the flanks begin.
 double gap_of(const Gear& gear) {
   const Arc* flank = gear.tooth->outline.find(ArcName::flank);
   const Vec2& p = flank->begin_point;
@@ -101,13 +101,13 @@ class Search {
   }
 
  private:
-  // Adds all points of a grid about (x1, x2).
+  // Evaluates all points of a grid around (x1, x2).
   void scan(double reach1, double reach2, double step, double x1, double x2) {
     const int n1 = static_cast<int>(std::lround(reach1 / step));
     const int n2 = static_cast<int>(std::lround(reach2 / step));
     std::vector<Candidate> all;
     for (int i = -n1; i <= n1; ++i) {
-      // Numbers with the decimals of a drawing.
+      // Shifts are rounded to the decimals of a drawing.
       for (int k = -n2; k <= n2; ++k)
         all.push_back({p_.pinion_shift.value_or(std::round((x1 + i * step) * 1000) / 1000),
                        std::round((x2 + k * step) * 1000) / 1000,
@@ -130,7 +130,8 @@ class Search {
     }
   }
 
-  // Candidates are sorted by rank, the best one first, and equal ones by their place in the grid.
+  // Mounts the candidates in the order of their rank, and in the order of the grid if ranks are equal,
+  // until one is accepted.
   void mount_the_best(std::vector<Candidate>& all) {
     std::vector<Candidate*> order;
     for (Candidate& c : all) {
@@ -139,8 +140,8 @@ class Search {
     std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
       return a->rank->is_better_than(*b->rank);
     });
-    // Mounts one candidate, then two together, four, and so on, because the first that passes is
-    // usually among the first.
+    // Candidates are mounted in groups of 1, 2, 4 and so on in parallel, because usually one of the
+    // first is accepted.
     begin_stage(p_.progress, "pairs mounted", static_cast<std::int64_t>(order.size()));
     std::size_t together = 1;
     for (std::size_t from = 0; from < order.size(); from += together, together *= 2) {
@@ -169,8 +170,8 @@ class Search {
 
   static Rank rank_of(const Cut& cut) {
     const auto input = mesh_input(cut.gear_1, cut.gear_2, {cut.mounted, std::nullopt});
-    // There is no mesh if the base circles are as far apart as the axes, so that value is tried
-    // last.
+    // If the centre distance does not exceed the sum of the base radii, there is no mesh. Such a
+    // candidate gets the contact ratio 0 and is tried last.
     const bool meshes = cut.mounted > base_radius_sum(input.gears);
     const double ratio = meshes ? mesh_of(input).true_ratio : 0.0;
     return Rank::of(std::isfinite(ratio) ? ratio : 0.0,
@@ -193,7 +194,7 @@ class Search {
     return c;
   }
 
-  // β and E for given shifts. If both are given, x2 follows from E.
+  // The cutter, its gear and the generating distance E.
   struct Place {
     CylindricalSpec cutter;
     Gear gear;
@@ -227,8 +228,8 @@ class Search {
       return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance
                : std::numeric_limits<double>::quiet_NaN();
     };
-    // The search proceeds degree by degree, because the difference is undefined where no centre
-    // distance belongs to the shifts.
+    // The search proceeds in steps of one degree, because the difference is undefined where the shifts
+    // have no backlash-free centre distance.
     double before = 0.0;
     for (int degree = 1; degree <= kSteepestHelix; ++degree) {
       const double beta = Angle::degrees(degree).rad();
@@ -238,7 +239,8 @@ class Search {
     return std::nullopt;
   }
 
-  // If helix and distance are given, the shift of the wheel follows: E + j/(2 tan α_wt) = a.
+  // The generating distance E if helix angle and centre distance are given: E + j/(2 tan α_wt) = a. The
+  // shift of the wheel follows from E.
   std::optional<double> distance_within(const Gear& cutter) const {
     const double r =
         cutter.base_radius() * std::abs(1.0 + static_cast<double>(p_.teeth[1]) / p_.teeth[0]);
@@ -256,7 +258,7 @@ class Search {
     return find_root(miss, from, hi).x;
   }
 
-  // The gears of a candidate; none with the reason in `verdict`.
+  // The gears of a candidate. If there are none, the reason is stored in `verdict`.
   std::optional<Cut> cut_gears(double x1, double x2, Verdict& verdict) const {
     auto made = candidate(x1, x2);
     if (auto* cut = std::get_if<Cut>(&made)) return std::move(*cut);
@@ -370,8 +372,8 @@ class Search {
     return {15, 0.0, "", std::move(design)};
   }
 
-  // The flank of the wheel should reach the conjugate of C. If the pinion's concave root cuts a
-  // cusp, the flank ends before it.
+  // True if the pinion's concave root cuts a cusp. The flank of the wheel then ends before the point
+  // that is conjugate to the start of the pinion's flank.
   bool has_cusp(const Gear& cutter, const Gear& whole, double distance) const {
     const Arc& flank = *cutter.tooth->outline.find(ArcName::flank);
     const auto& involute = curve_as<Involute>(*flank.curve);
@@ -380,7 +382,8 @@ class Search {
     return std::abs(*whole.tooth->tip_form_radius - end) > kSameRadius * end;
   }
 
-  // Thickness of the finished tip: the land, or the circle of the fillet if it ends the tooth.
+  // Thickness of the finished tip: the width of the land, or the diameter of the tip fillet if the
+  // fillet ends the tooth.
   static double tip_width(const Gear& g) {
     if (g.tooth->rounded_tip && g.tooth->tip_fillet) return 2 * g.tooth->tip_fillet->radius;
     return g.tip_tooth_thickness_normal.value_or(0.0);

@@ -20,23 +20,23 @@ struct Corner {
   double ratio;  // z of the mating gear over z
 };
 
-// The rounding of the rack's tip, transverse; X from the middle of the rack's tooth, Y outwards from
-// the pitch line.
+// The fillet that the rounding of the rack's tip cuts, in the transverse section. X is measured from the
+// middle of the rack's tooth, and Y outwards from the pitch line.
 class Fillet {
  public:
   Fillet(const TrialGear& g, double alpha_n, double x) : r_(g.r) {
     cos_beta_ = g.teeth / (2.0 * g.r);
     const double sin_n = std::sin(alpha_n);
     radius_ = (g.dedendum - g.flank_depth) / (1.0 - sin_n);
-    const double depth = g.dedendum - radius_;  // of its centre
+    const double depth = g.dedendum - radius_;  // of the centre of the rounding
     across_ = std::numbers::pi / 4.0 - depth * std::tan(alpha_n) - radius_ / std::cos(alpha_n);
     down_ = depth - x;
     end_ = std::numbers::pi / 2.0 - alpha_n;
   }
   double end() const { return end_; }
 
-  // The gap at the point whose normal is at tau to that of the rack; ∞ if the corner does not reach
-  // it.
+  // The gap at the point that the rounding cuts with the normal angle tau; ∞ if the corner does not
+  // reach the radius of that point.
   double gap(double tau, const Corner& c) const {
     const double sine = std::sin(tau);
     const double cosine = std::cos(tau);
@@ -77,15 +77,16 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
     if (gap < least) least = gap, best = i;
   }
   if (least == kInfinite) return least;
-  // A minimum between nodes is at most as far below the least node as the neighbours are above it,
-  // and at most half as far next to the flank, where the gap starts from contact.
+  // Between the nodes, the gap may be smaller than at the least node, but at most by the difference
+  // between the least node and its neighbours. If the gap stays positive even with this difference, the
+  // value at the least node is returned.
   const auto rise = [&](int i) {
     const double gap = at[static_cast<std::size_t>(std::clamp(i, 0, kNodes))];
     return gap == kInfinite ? least : gap - least;
   };
   if (best == kNodes || least > std::max(rise(best - 1), rise(best + 1))) return least;
   // There is one minimum between the neighbours of the least node. Golden section finds it to a
-  // thousandth of a step, where the gap is constant to a millionth of the step.
+  // thousandth of a step, which changes the gap by a millionth of a step.
   constexpr double kGolden = 0.6180339887498949;
   double lo = node(std::max(best - 1, 0));
   double hi = node(std::min(best + 1, kNodes));
@@ -118,7 +119,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const std::array<TrialGear, 2>& g = graph.gears();
   if (graph.problem().crossed() || g[1].teeth < 0) return std::nullopt;
   const double sum = shifts[0] + shifts[1];
-  // Both gears mesh with one rack, whose corner does not reach the fillet its rounding cuts.
+  // If Σ = 0, both gears mesh with one rack, and the corners do not reach the fillets that its rounding
+  // cuts.
   if (sum == 0.0 &&
       std::max(g[0].addendum, g[1].addendum) <= std::min(g[0].flank_depth, g[1].flank_depth) + 1e-3)
     return std::nullopt;
@@ -128,7 +130,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const double alpha_w = std::atan2(at.N, B);
   const double inv_t = std::tan(std::asin(g[0].sin_transverse)) - std::asin(g[0].sin_transverse);
   const double inv_w = at.N / B - alpha_w;
-  // Backlash along the path of contact, due to the centre distance beyond the tight one.
+  // Backlash along the line of action, if the centre distance exceeds the backlash-free one.
   const double opened = inv_w - inv_t - 2.0 * std::tan(alpha_n) * sum / (g[0].teeth + g[1].teeth);
   const double backlash = std::max(0.0, 2.0 * B * opened);
   double least = kInfinite;
@@ -136,7 +138,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
     const TrialGear& mate = g[1 - i];
     const double x = shifts[static_cast<int>(1 - i)];
     const double u = mate.r + mate.addendum + x + at.k;
-    // Half the transverse tip thickness as an angle, from s_an. [T9.3]
+    // Half of the transverse tip thickness, from s_an, as an angle. [T9.3]
     const double cos_at_tip =
         1.0 / std::sqrt(1.0 + std::pow(mate.tan_base_helix * u / mate.r_b, 2));
     const double half = tip_thickness(mate, x, at.k) / cos_at_tip / (2.0 * u);
@@ -150,7 +152,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
 
 bool fillet_is_cut(const ShiftGraph& graph, const Vec2& shifts) {
   if (!graph.problem().limits.clear_fillets) return false;
-  constexpr double kClear = 1e-6;  // modules, for the rounding of a printed spec
+  constexpr double kClear = 1e-6;  // modules: tolerance for the rounding of a printed spec
   const auto gap = fillet_gap(graph, shifts);
   return gap && *gap < kClear;
 }

@@ -1,12 +1,12 @@
 // The closed intervals in which a continuous function of one variable is not negative, with solved
 // ends.
 //
-// Signs are evaluated at nodes. Between two nodes of different sign one root is solved by
-// bracketing. From every node that is higher than its neighbours but below zero, golden section
-// climbs to the maximum first, so that a narrow interval between nodes is also found. Exact, to
-// rounding, for functions whose superlevel sets are intervals (quasiconcave), as those of the s1–s2
-// graph are where docs/theory/09-design-search.md proves it; of others, humps narrower than a
-// node's step beside a higher one may be missed.
+// The function is evaluated at nodes. Between two nodes of different sign, one root is solved by
+// bracketing. From every node that is higher than its neighbours but below zero, golden section climbs
+// to the maximum first, so that a narrow interval between nodes is also found. The result is exact to
+// rounding for quasiconcave functions, whose superlevel sets are intervals.
+// docs/theory/09-design-search.md proves where the functions of the s1–s2 graph are quasiconcave. For
+// other functions, a maximum narrower than the step of the nodes, beside a higher one, may be missed.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Interval {
 
 inline constexpr int kIntervalNodes = 24;
 
-/// The number nearest to 0 in the intervals; none if there are no intervals.
+/// The number in the intervals that is nearest to 0; none if there are no intervals.
 inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals) {
   std::optional<double> nearest;
   for (const Interval& i : intervals) {
@@ -38,16 +38,15 @@ inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals
 
 /// Known properties of a function, which reduce the number of evaluations.
 struct Hump {
-  /// f″ is nowhere greater, beside the edges that a least of several smooth functions has.
+  /// Upper limit of f″, except at creases where f is the least of several smooth functions.
   double bend = std::numeric_limits<double>::infinity();
-  double below = -1e-9;  ///< a maximum below this is not searched for
+  double below = -1e-9;  ///< maxima below this value are not searched for
 };
 
 namespace detail {
 
-/// The greatest possible value of f between a and b, from its values at a < x < y < b (those of a
-/// and b may be unknown, −∞). Beyond two points, a function that bends downwards stays below their
-/// secant.
+/// The greatest possible value of f between a and b, from its values at a < x < y < b. The values at a
+/// and b may be −∞ if they are unknown. A concave function stays below the secant beyond its two points.
 inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double y, double f_y,
                               double b, double f_b, double bend) {
   const auto rise = [](double lower, double upper) { return std::max(upper - lower, 0.0); };
@@ -59,13 +58,12 @@ inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double
   return std::max(f_x, f_y) + std::max(outside, inside) + bend * (b - a) * (b - a);
 }
 
-/// Climbs towards the maximum of f between a and b by golden section and returns the best point. The
-/// search ends as soon as f > 0, or when f cannot exceed `hump.below`.
+/// Searches the maximum of f between a and b by golden section and returns the best point. The search
+/// ends as soon as f > 0, or if f cannot exceed `hump.below`.
 template <class F>
 double climb(const F& f, double a, double b, const Hump& hump = {}) {
   constexpr double kGolden = 0.6180339887498949;
-  // For a variable of size 1, such as shifts and their sums. Golden section reaches rounding long
-  // before.
+  // Suitable for variables of the order of 1, such as shifts and their sums.
   constexpr double kNarrow = 1e-13;
   constexpr double kUnknown = -std::numeric_limits<double>::infinity();
   double x = b - kGolden * (b - a);
@@ -95,8 +93,8 @@ double climb(const F& f, double a, double b, const Hump& hump = {}) {
   return f_x > f_y ? x : y;
 }
 
-/// A node is the root itself if the chord to the next one crosses zero within rounding, as at a
-/// corner of the limits of shift. A bracket would not be closer.
+/// True if the node x is a root within rounding, because the chord to the next node crosses zero there,
+/// for example at a corner of the shift limits. Bracketing would not improve it.
 inline bool is_root(double x, double f_x, double next, double f_next) {
   const double away = std::abs(next - x) * -f_x;
   return away <=
@@ -146,8 +144,8 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
     at.insert(at.begin() + static_cast<std::ptrdiff_t>(top > at[i].x ? i + 1 : i), {top, value});
     ++i;
   }
-  // A node with f exactly 0, as at a corner of the shift limits, is a root itself. A maximum
-  // between it and a negative neighbour is climbed to first.
+  // A node with f = 0, for example at a corner of the shift limits, is a root. A positive maximum
+  // between this node and a negative neighbour is searched first.
   for (std::size_t i = 0; i + 1 < at.size(); ++i) {
     const double l = at[i].value;
     const double r = at[i + 1].value;
@@ -161,8 +159,7 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i].value < 0.0) continue;
     Interval piece{at[i].x, at[i].x};
-    // The end of the root may lie outside by a rounding error. The inner end of its bracket does
-    // not.
+    // The solved root may lie outside the interval by a rounding error, but the inside node does not.
     const auto end = [&](const Node& outside, const Node& inside) {
       if (detail::is_root(outside.x, outside.value, inside.x, inside.value)) return outside.x;
       return find_root([&f](double x) { return f(x); }, std::min(outside.x, inside.x),
@@ -178,23 +175,24 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
   return found;
 }
 
-/// The intervals of [a, b] where f ≥ 0, in growing order; a single point counts.
+/// The intervals of [a, b] in which f ≥ 0, in ascending order. An interval may be a single point.
 ///
-/// Domain    f continuous; a ≤ b, else none
+/// Domain    f continuous; there are no intervals if a > b
 template <class F>
 std::vector<Interval> where_not_negative(const F& f, double a, double b, int nodes = kIntervalNodes,
                                          const Hump& hump = {}) {
   return superlevel(f, a, b, nodes, hump).pieces;
 }
 
-/// The same intervals; if there are none, those with f ≥ −touch.
+/// The intervals in which f ≥ 0. If there are none, the intervals in which f ≥ −touch.
 ///
-/// Domain    touch well below −hump.below
+/// Domain    touch much smaller than −hump.below
 template <class F>
 std::vector<Interval> where_not_negative_or_touching(const F& f, double a, double b, double touch,
                                                      const Hump& hump = {}) {
   Superlevel exactly = superlevel(f, a, b, kIntervalNodes, hump);
-  // Tangential contact with zero counts, but must not change the ends of proper intervals.
+  // A maximum that touches zero within rounding counts, but the tolerance must not change the ends of
+  // other intervals.
   if (!exactly.pieces.empty() || exactly.highest < hump.below) return std::move(exactly.pieces);
   return where_not_negative([&](double x) { return f(x) + touch; }, a, b, kIntervalNodes, hump);
 }

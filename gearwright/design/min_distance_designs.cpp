@@ -23,17 +23,16 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMargin = 0.1 * kRadPerDeg;     // a working helix of 90° is not a gear
-constexpr double kSteepest = 89.0 * kRadPerDeg;  // of a gear, as on its rack
-constexpr double kParallel = 1e-9;               // rad: as in the room pair
-constexpr int kCells = 512;  // of β_w1, to find roots of a function of unknown shape
-
-// H and its slope over β_w1 at one shaft angle.
+constexpr double kMargin = 0.1 * kRadPerDeg;  // least distance of a working helix angle from 90°
+constexpr double kSteepest = 89.0 * kRadPerDeg;  // greatest helix angle of a gear
+constexpr double kParallel = 1e-9;               // rad, as in pair/partners.cpp
+constexpr int kCells = 512;  // of the range of β_w1, to find roots of functions of unknown shape
+// H as a function of β_w1 at one shaft angle, and its minimum.
 class PitchSum {
  public:
   PitchSum(const std::array<int, 2>& teeth, double sigma)
       : z1_(teeth[0]), z2_(std::abs(teeth[1])), side_(side_of(teeth[1])), sigma_(sigma) {
-    // Both helices stay within ±90°.
+    // Both working helix angles are within ±90°.
     lo_ = -kHalfPi + std::max(0.0, side_ > 0 ? sigma_ : 0.0) + kMargin;
     hi_ = kHalfPi + std::min(0.0, side_ > 0 ? sigma_ : 0.0) - kMargin;
     const auto slope = [this](double b1) {
@@ -52,7 +51,7 @@ class PitchSum {
   double hi() const { return hi_; }
   double argmin() const { return argmin_; }
   double min() const { return (*this)(argmin_); }
-  // H(β_w1) = t, ascending; convexity leaves at most two.
+  // The solutions of H(β_w1) = t in ascending order. There are at most two, because H is convex.
   std::vector<double> where(double t) const {
     const double rest = min() - t;
     if (rest > 0.0) return {};
@@ -60,8 +59,8 @@ class PitchSum {
     std::vector<double> found;
     for (const auto& [from, to] : {std::pair{lo_, argmin_}, std::pair{argmin_, hi_}}) {
       const Root root = find_root(f, from, to);
-      // If the bracket contains no root, it lies beyond the ends. There H is steep, unless t is
-      // larger than that of any gear.
+      // If the bracket contains no root, the root lies beyond the ends, where H is so great that no
+      // practical gear has this t.
       if (root.stop == RootStop::no_bracket) continue;
       GW_ENSURES(root.found());
       if (found.empty() || found.back() != root.x) found.push_back(root.x);
@@ -73,17 +72,17 @@ class PitchSum {
   double z1_, z2_, side_, sigma_, lo_, hi_, argmin_;
 };
 
-// Axes closer than this are parallel.
+// The given shaft angle; 0 if the axes are parallel within kParallel.
 double shaft_angle_of(const FitProblem& p) {
   return std::abs(p.shaft_angle->rad()) <= kParallel ? 0.0 : p.shaft_angle->rad();
 }
 
-// One design per β_w1; none if the rack has no such helix.
+// Computes the design that belongs to a value of β_w1, if there is one.
 class Designs {
  public:
   explicit Designs(const FitProblem& p) : p_(p), H_(p.teeth, shaft_angle_of(p)) {}
   const PitchSum& pitch_sum() const { return H_; }
-  // H of a design with the working angle α_wn.
+  // T, the value of H for the working pressure angle α_wn.
   double target(double cos_wn) const {
     return 2 * *p_.center_distance * cos_wn /
            (p_.normal_module * std::cos(p_.normal_pressure_angle.rad()));
@@ -117,8 +116,8 @@ class Designs {
   PitchSum H_;
 };
 
-// Roots of f over [lo, hi] where it is defined: every change of sign between neighbours of a grid,
-// and pairs of roots near an extremum between them.
+// Roots of f in the parts of [lo, hi] in which f is defined. A root is solved for every change of sign
+// between neighbouring grid points, and a pair of roots near every extremum that crosses zero.
 std::vector<double> roots(const std::function<std::optional<double>(double)>& f, double lo,
                           double hi) {
   std::vector<double> found;
@@ -160,7 +159,8 @@ std::array<double, 2> divided(const FitProblem& p, double sum) {
   return {x1, x2};
 }
 
-// The least a at this Σ and the Σ next to the given one at this a, for one working angle.
+// Finds the nearest possible values for one working pressure angle: the least a at the given Σ, and the
+// greatest |Σ| at the given a.
 void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   const Designs designs(p);
   const PitchSum& H = designs.pitch_sum();
@@ -244,7 +244,7 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
         fmt::format("no pair with `{}` = {} has its minimum centre distance there",
                     gear_field(known + 1, "helix_angle"), format_number(p.helix[known]->deg()));
   } else if (p.working_normal_pressure_angle || wanted_sum == 0.0) {
-    // x1 + x2 = 0 at the minimum centre distance, so the working angle is that of the rack.
+    // If x1 + x2 = 0 at the minimum centre distance, the working pressure angle is that of the rack.
     const Angle alpha = p.working_normal_pressure_angle.value_or(p.normal_pressure_angle);
     const double cos_wn = std::cos(alpha.rad());
     const std::optional<double> sum =

@@ -1,6 +1,6 @@
-// Helix angles and shifts of the pairs whose minimum centre distance lies at a given a and Σ.
+// Helix angles and shifts of the pairs whose minimum centre distance is a given a, at a given Σ.
 //
-//   β_w1   the unknown; everything else follows from it in closed form:
+//   β_w1   the only unknown; the other values have closed forms:
 //          β_w2 = σ (Σ − β_w1), H, cos α_wn = H m_n cos α_n/(2a), sin β = sin β_w cos α_wn/cos α_n,
 //          2 tan α_n Σx = Σ z (inv α_wt − inv α_t)                             [T4.29]…[T4.32]
 #pragma once
@@ -9,10 +9,10 @@
 
 namespace gearwright {
 
-/// The designs that meet the one given condition: α_wn, a helix angle, or x1 + x2 (0 if absent).
+/// The designs that meet the given condition: α_wn, a helix angle, or x1 + x2 (0 by default).
 ///
-/// Domain    a and Σ given, a helix angle absent (contract)
-/// Errors    conditions that exclude each other, with their names
+/// Domain    a and Σ are given, and at least one helix angle is absent (contract)
+/// Errors    names of conditions that exclude each other
 Result<Fit> min_distance_designs(const FitProblem& problem);
 
 }  // namespace gearwright

@@ -22,28 +22,28 @@ std::string shown(const std::array<double, 2>& b) {
   return b[0] == b[1] ? shown(b[0]) : fmt::format("[{:.10g}, {:.10g}]", b[0], b[1]);
 }
 
-// More trials than this are not filtered for one knob.
+// Greatest number of trials that are filtered for one member.
 constexpr std::int64_t kMaxSifted = 20 * kMaxForChange;
-// Effort of the last change, which permits designs that do not run.
+// Effort of the change that permits interference, with which designs do not run.
 constexpr double kNotToRun = 100.0;
-// The change is printed with four digits, and this relative accuracy is beyond all of them.
+// Relative accuracy of a change, which is printed with four digits.
 constexpr double kEnough = 1e-9;
 
-// The least change of one limit, and the number of trials to find it.
+// Computes the least change of one member, and counts the evaluated graphs.
 class Least {
  public:
   Least(const SearchProblem& problem, const Knob& knob, const SearchWatch& watch,
         std::int64_t most_questions)
       : knob_(&knob), watch_(&watch), max_questions_(most_questions), problem_(problem) {}
 
-  /// The value with which a design exists, rounded outwards to four digits of the move.
+  /// The nearest value with which a design exists; its change is rounded up to four digits.
   std::optional<double> find() {
     if (knob_->value == knob_->far || !reach()) return std::nullopt;
     const auto to = knob_->kind == Knob::Kind::limit ? of_limit() : of_new_trials();
     if (!to || knob_->kind == Knob::Kind::teeth) return to;
     const double move = *to - knob_->value;
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(move))) - 3.0);
-    constexpr double kWhole = 1e-6;  // relative to a step: a move of whole steps is not rounded up
+    constexpr double kWhole = 1e-6;  // of a step: tolerance, so that whole steps are not rounded up
     const double rounded =
         knob_->value + std::copysign(std::ceil(std::abs(move) / step - kWhole) * step, move);
     const double tidy = std::stod(shown(rounded));
@@ -54,7 +54,7 @@ class Least {
   bool stopped() const { return stopped_; }
 
  private:
-  // Moves the far end so near that its trials can be counted.
+  // Moves the far end nearer until the number of its trials is small enough.
   bool reach() {
     far_ = knob_->far;
     for (int i = 0; i < 60; ++i) {
@@ -87,13 +87,12 @@ class Least {
   }
   bool lets_through(double value) {
     if (knob_->kind == Knob::Kind::limit) return feasible(*witness_, value);
-    // The end of the band must include the exact ratio of the trial that was found, by the rule of
-    // the space.
+    // The band must include the exact ratio of the trial that was found, by the rule of SearchSpace.
     knob_->set(problem_, value);
     const auto [first, last] = wheels_of(problem_, witness_->z1);
     return first <= witness_->z2 && witness_->z2 <= last;
   }
-  // Trials that pass the filter with the limit at its far end.
+  // Sets the member to the far end of its range, and calls f for the trials that pass the filter.
   template <class F>
   void each_candidate(const F& f) {
     knob_->set(problem_, far_);
@@ -114,7 +113,7 @@ class Least {
     knob_->set(problem_, far_);
     const SearchProblem at_far = problem_;
     const SearchSpace space(at_far);
-    std::mt19937_64 random(1);  // any seed: the result does not depend on the order
+    std::mt19937_64 random(1);  // the result does not depend on the seed
     const double enough = kEnough * std::max(1.0, std::abs(knob_->value));
     std::optional<double> best;
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -137,7 +136,7 @@ class Least {
     return best;
   }
 
-  // The distance of a trial from its band, and the value of the limit that would include it.
+  // The value of the member that would include the trial.
   double needs(const Trial& t) const {
     return knob_->kind == Knob::Kind::teeth ? t.z1 : static_cast<double>(t.z2) / t.z1;
   }
@@ -326,7 +325,7 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   };
   if (problem.coprime)
     switched("coprime", "true", "false", 0.5, [](SearchProblem& p) { p.coprime = false; });
-  // Designs that do not run are not drawn.
+  // If designs are drawn, interference is never permitted.
   if (problem.limits.avoid_interference && !problem.draw) {
     switched("limits.avoid_interference", "true", "false", kNotToRun, [](SearchProblem& p) {
       p.limits.avoid_interference = p.limits.clear_fillets = false;
@@ -348,7 +347,7 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   std::stable_sort(
       found.changes.begin(), found.changes.end(),
       [](const NearestChange& a, const NearestChange& b) { return a.effort < b.effort; });
-  // A band has two ends with one name, and the names of two bands may alternate.
+  // Both ends of a band have the same name, so each name is kept only once.
   std::vector<std::string> once;
   for (std::string& field : found.bounded) {
     if (std::find(once.begin(), once.end(), field) == once.end()) once.push_back(std::move(field));

@@ -6,7 +6,7 @@ namespace gearwright {
 
 namespace {
 
-// The result is in modules, because every length is proportional to the module.
+// Chooses the cutter. The module is 1, because every length is proportional to the module.
 std::optional<RingCut> cut_of(const SearchProblem& problem, const Trial& trial, double shift) {
   CylindricalSpec spec;
   spec.teeth = trial.z2;
@@ -14,7 +14,7 @@ std::optional<RingCut> cut_of(const SearchProblem& problem, const Trial& trial, 
   spec.normal_pressure_angle = problem.normal_pressure_angle;
   spec.helix_angle = trial.helix[1];
   spec.profile_shift = shift;
-  spec.face_width = kFaceModules;  // has no effect on a tooth
+  spec.face_width = kFaceModules;  // has no effect on the tooth
   spec.rack = rack_of(problem, trial, 1);
   const auto ring = make_gear(spec);
   if (!ring) return std::nullopt;
@@ -36,7 +36,7 @@ std::optional<RingCut> RingCuts::of(const SearchProblem& problem, const Trial& t
   }
   const auto cut = cut_of(problem, trial, shift);
   const std::lock_guard lock(mutex_);
-  constexpr std::size_t kMost = 1 << 16;  // a few megabytes of teeth
+  constexpr std::size_t kMost = 1 << 16;  // limits the stored cuts to a few megabytes
   if (cuts_.size() >= kMost) cuts_.clear();
   cuts_.emplace(key, cut);
   return cut;

@@ -23,7 +23,7 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   return *this;
 }
 
-// A shift or a distance without limit, modules. It is greater than any value, but its square is
+// Replaces an absent limit of a shift or a distance, modules. It exceeds any value, but its square is
 // finite.
 constexpr double kNoLimit = 1e9;
 
@@ -36,7 +36,7 @@ std::shared_ptr<const TrialGears> Search::gears(int which, int rack, Angle helix
   const std::lock_guard lock(mutex_);
   const auto key = std::make_tuple(which, rack, helix);
   if (const auto found = tables_.find(key); found != tables_.end()) return found->second;
-  // All trials of one rack and helix are processed before the next, so a few tables suffice.
+  // Trials are processed by rack and helix angle, so a few tables are sufficient.
   constexpr std::size_t kTables = 16;
   if (tables_.size() >= kTables) tables_.clear();
   const bool ring = problem_.internal();
@@ -58,7 +58,7 @@ ShiftGraph Search::graph(const Trial& trial) const {
 
 namespace {
 
-// The trials of one rack and helix in the filter.
+// Collects trials of one rack and helix angle and evaluates the filter for all of them at once.
 class Sieve {
  public:
   Sieve(const SearchProblem& problem, const Trial& first, const TrialGear& pinion)
@@ -94,7 +94,7 @@ class Sieve {
       a_lo = (*distance)[0] / t.module;
       a_hi = (*distance)[1] / t.module;
     }
-    // Shortened tips are thicker, and the graph determines their permissible shifts.
+    // Shortened tips are thicker, so the graph must determine the greatest shifts.
     const double hi_1 = shortened_ ? ceiling_ : g_1.x_max;
     const double hi_2 = shortened_ ? ceiling_ : g_2.x_max;
     const double values[] = {g_1.r, g_1.x_min, hi_1, g_2.r, g_2.x_min, hi_2, a_lo, a_hi};
@@ -169,7 +169,7 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
            ++result.rejected[static_cast<std::size_t>(verdict)];
            return true;
          }
-         // A graph may cost as much as a thousand verdicts.
+         // A graph may take as long as a thousand verdicts, so the watch is called before each graph.
          if (wish.watch && !wish.watch(0)) return false;
          const ShiftGraph graph(problem_, t, g_1, g_2);
          const auto keep = [&](const DesignRow& row) {
@@ -194,13 +194,13 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
          } else if (const auto row =
                         design_row(graph, problem_.rating || problem_.draw ? RegionDetail::point
                                                                            : wish.detail)) {
-           // The numbers of the region cost more than the rest, so they are computed for accepted
-           // designs only.
+           // The values of the region take longer than the others, so they are computed only for
+           // accepted designs.
            if (keep(*row) && !row->whole && wish.detail == RegionDetail::whole)
              rows.back() = *design_row(graph, wish.detail);
            return true;
          }
-         // If a region remains, tips cut into the fillets at each of its candidate points.
+         // If all limits leave a region, tips cut into the fillets at its candidate points.
          const Limit limit = graph.what_kills().value_or(Limit::interference);
          ++result.rejected[static_cast<std::size_t>(limit)];
          return true;

@@ -1,10 +1,10 @@
-// The design search: every trial with the limit that rejected it or its design, and the best
-// designs in order.
+// The design search: computes for every trial either a design or the limit that rejects the trial, and
+// sorts the best designs.
 //
-// A range of trials is searched independently, so the search can be divided at any point among
-// threads, shards and ranks. Three limits that cost a few operations reject most trials; the filter
-// (design/candidate.hpp) evaluates them for several trials at once, and a graph is computed only
-// for undecided trials.
+// Ranges of trials are searched independently, so the search can be divided among threads, shards and
+// ranks. The first three limits take only a few operations and reject most trials. The filter
+// (design/candidate.hpp) evaluates them for several trials at once, and a graph is computed only for
+// trials that the filter does not reject.
 #pragma once
 
 #include <array>
@@ -24,29 +24,30 @@
 namespace gearwright {
 
 struct SearchCounts {
-  std::int64_t tested = 0;  ///< trials that count: all, or the coprime ones
+  std::int64_t tested = 0;  ///< number of trials; only coprime ones if this is required
   std::int64_t feasible = 0;
-  std::array<std::int64_t, kLimits> rejected{};  ///< by the first limit that leaves no region
-  std::int64_t points_tested = 0, points_feasible = 0;  ///< of the grid of shifts
+  std::array<std::int64_t, kLimits> rejected{};  ///< by the first limit that leaves no design
+  std::int64_t points_tested = 0, points_feasible = 0;  ///< points of the grid of shifts
 
   SearchCounts& operator+=(const SearchCounts& other);
   friend bool operator==(const SearchCounts&, const SearchCounts&) = default;
 };
 
-/// Numbers of trials decided by the filter, and of those that needed their graph.
+/// Numbers of trials that the filter could decide, and that it could not decide (`asked`).
 struct SieveCounts {
   std::int64_t decided = 0, asked = 0;
 };
 
-/// A callback for long searches: it receives the number of trials since the last call and returns
-/// true to continue. It is called many times per second, from any working thread; it may be empty.
+/// A callback for long searches. It receives the number of trials since the last call and returns true
+/// to continue. It is called many times per second, from any working thread, and may be empty.
 using SearchWatch = std::function<bool(std::int64_t trials)>;
 
-/// Requests for a range in addition to its designs.
+/// Options for the search of a range.
 struct RangeOptions {
-  RegionDetail detail = RegionDetail::whole;  ///< of each row; rank by area needs `whole`
+  RegionDetail detail = RegionDetail::whole;  ///< of each row; ranking by area requires `whole`
   SieveCounts* sieve = nullptr;
-  std::vector<ShiftPoint>* points = nullptr;  ///< of the grid of shifts
+  std::vector<ShiftPoint>* points =
+      nullptr;  ///< receives the feasible points of the grid of shifts
   SearchWatch watch{};
 };
 
@@ -57,26 +58,25 @@ class Search {
   const SearchProblem& problem() const { return problem_; }
   const SearchSpace& space() const { return space_; }
 
-  /// Searches [from, to) and appends its feasible designs in the order of the trials. Thread-safe.
-  /// If the watch ends the search, the result covers a part of the range.
+  /// Searches the trials [from, to) and appends their feasible designs in the order of the trials.
+  /// Thread-safe. If the watch ends the search, the result covers only a part of the range.
   SearchCounts range(std::int64_t from, std::int64_t to, std::vector<DesignRow>& rows,
                      const RangeOptions& wish = {}) const;
 
-  /// The row with the numbers of its region.
+  /// The row with the values of its region.
   DesignRow whole(const DesignRow& row) const;
-
-  /// True if some trial of [from, to) is feasible; stops at the first.
+  /// True if a trial of [from, to) is feasible. The search stops at the first one.
   bool exists(std::int64_t from, std::int64_t to) const;
 
-  /// Calls f for every trial that passes the filter, until f returns false.
+  /// Calls f for every trial that the filter does not reject, until f returns false.
   void candidates(const std::function<bool(const Trial&)>& f, const SearchWatch& watch = {}) const;
 
   ShiftGraph graph(const Trial& trial) const;
   bool feasible(const Trial& trial) const { return has_design(graph(trial)); }
 
  private:
-  // Runs [from, to) through the filter: calls decide(trial, verdict, gear 1, gear 2) until it
-  // returns false.
+  // Evaluates the filter for the trials [from, to) and calls decide(trial, verdict, gear 1, gear 2) for
+  // each, until `decide` returns false.
   template <class F>
   void sift(std::int64_t from, std::int64_t to, const SearchWatch& watch, const F& decide) const;
   std::shared_ptr<const TrialGears> gears(int which, int rack, Angle helix) const;
@@ -87,17 +87,16 @@ class Search {
   mutable std::map<std::tuple<int, int, Angle>, std::shared_ptr<const TrialGears>> tables_;
 };
 
-/// The result of a search. Designs are sorted best first, by the objective; with several objectives
-/// the Pareto front comes first, and both parts are sorted by the first objective.
+/// The result of a search. Designs are sorted by the first objective, the best first. If there are
+/// several objectives, the designs of the Pareto front come before all others.
 struct SearchAnswer {
   SearchAnswer() = default;  ///< empty, and not an aggregate; a Search makes it
   SearchCounts counts;
   std::vector<DesignRow> designs;
-  std::vector<std::size_t> pareto;  ///< indices in `designs` of those that no other dominates
-  bool cut = false;                 ///< there are more feasible designs than `designs` holds
+  std::vector<std::size_t> pareto;  ///< indices in `designs` of the designs on the Pareto front
+  bool cut = false;                 ///< true if there are more feasible designs than in `designs`
 };
-
-/// Keeps the best of any number of designs, and the front.
+/// Collects any number of designs and keeps the best ones and the Pareto front.
 class BestDesigns {
  public:
   /// `most` is the number of designs that the result may contain.
@@ -113,8 +112,8 @@ class BestDesigns {
   };
   const SearchProblem* problem_;
   std::size_t max_;
-  std::vector<Place> heap_;      ///< the worst on top; rows are not moved
-  std::vector<DesignRow> rows_;  ///< of the heap
+  std::vector<Place> heap_;      ///< places of the best rows, the worst of them on top
+  std::vector<DesignRow> rows_;  ///< the rows to which `heap_` refers
   ParetoFront front_;
   std::int64_t added_ = 0;
 };

@@ -41,7 +41,7 @@ SearchSpace::SearchSpace(const SearchProblem& problem) : problem_(&problem) {
     min_wheel_ = max_wheel_ == 0 ? near : std::min(min_wheel_, near);
     max_wheel_ = std::max({max_wheel_, std::abs(first), std::abs(last)});
   }
-  constexpr double kMaxInt64 = 9e18;  // below 2⁶³ − 1 by more than the rounding of the product
+  constexpr double kMaxInt64 = 9e18;  // less than 2⁶³ − 1, by more than the rounding of the product
   if (approximate_size() < kMaxInt64) {
     size_ = per_module_ * static_cast<std::int64_t>(problem.modules.size()) *
             static_cast<std::int64_t>(problem.helix.size()) *
@@ -98,7 +98,8 @@ void SearchSpace::next(Cursor& c) const {
 
 Trial SearchSpace::trial_of(const Cursor& c) const {
   const Angle beta = problem_->helix[c.helix];
-  // β1 = −β2 on parallel external axes, β1 = β2 of an internal gear, Σ = β1 + β2 of crossed axes.
+  // β2 = Σ − β1 on crossed axes, β2 = β1 for an internal gear, β2 = −β1 for an external pair on parallel
+  // axes.
   const Angle mate = problem_->crossed()    ? *problem_->shaft_angle - beta
                      : problem_->internal() ? beta
                                             : Angle() - beta;

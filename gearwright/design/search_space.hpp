@@ -1,8 +1,8 @@
-// The trials of a search, numbered 0 … size − 1, so that any part can be computed anywhere with the
-// same result.
+// The trials of a search, numbered 0 … size − 1. Any part of them can be computed on any machine with
+// the same result.
 //
-//   order     rack, helix, module, z1, z2, the last running fastest
-//   z2        the tooth numbers whose ratio lies in the band, closed with a slack of 1e-12
+//   order     rack, helix, module, z1, z2; the last one changes fastest
+//   z2        the tooth numbers whose ratio lies in the closed band, with a tolerance of 1e-12
 #pragma once
 
 #include <cstdint>
@@ -13,24 +13,23 @@
 
 namespace gearwright {
 
-inline constexpr int kMaxSearchTeeth = 20'000;  ///< limit for a wheel, because the limits of every
-                                                ///< number are tabulated
+inline constexpr int kMaxSearchTeeth = 20'000;  ///< of a wheel; the shift limits of every number of
+                                                ///< teeth are tabulated
 
 class SearchSpace {
  public:
   /// Domain    a problem as read from a spec; wheels up to kMaxSearchTeeth (contract)
   explicit SearchSpace(const SearchProblem& problem);
-
-  /// The count of all numbers, including those with a common factor; none if it exceeds 9·10^18.
+  /// The number of trials, including those with a common factor; none if it exceeds 9·10^18.
   std::optional<std::int64_t> size() const { return size_; }
-  /// The count as a double.
+  /// The number of trials as a double.
   double approximate_size() const;
 
   /// Domain    0 ≤ index < size (contract)
   Trial trial(std::int64_t index) const;
 
-  /// Calls f(trial) for every trial of [from, to) that counts, all or the coprime ones, until it
-  /// returns false.
+  /// Calls f(trial) for every trial of [from, to) until f returns false. Trials with a common factor are
+  /// omitted if only coprime numbers are permitted.
   template <class F>
   void each(std::int64_t from, std::int64_t to, const F& f) const {
     if (from >= to) return;
@@ -55,16 +54,16 @@ class SearchSpace {
 
   const SearchProblem* problem_;
   struct Wheels {
-    int z1, first, last;  ///< z2 from … to
+    int z1, first, last;  ///< first and last z2
   };
   std::vector<Wheels> pinions_;              ///< pinions with a wheel
-  std::vector<std::int64_t> before_pinion_;  ///< number of trials of one module before each
+  std::vector<std::int64_t> before_pinion_;  ///< number of trials of one module before each pinion
   std::int64_t per_module_ = 0;
   std::optional<std::int64_t> size_;
   int min_wheel_ = 0, max_wheel_ = 0;
 };
 
-/// z2 of the least and of the greatest ratio for z1; first > last if there is none.
+/// The first and the last z2 for z1; first > last if there is none.
 std::array<int, 2> wheels_of(const SearchProblem& problem, int z1);
 
 }  // namespace gearwright

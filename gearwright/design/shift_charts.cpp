@@ -60,7 +60,7 @@ std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& char
 
 std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, int rack,
                                                   Angle helix, int from, int to) {
-  SearchProblem free = problem;  // without a centre distance, and with one rack for both gears
+  SearchProblem free = problem;  // without a centre distance, and with the same rack for both gears
   free.center_distance.reset();
   free.shaft_angle.reset();
   free.ratio = {1.0, 1.0};
@@ -68,7 +68,7 @@ std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, 
   free.racks[0].rack[1] = free.racks[0].rack[0];
   free.racks[0].undercut_depth[1] = free.racks[0].undercut_depth[0];
   free.racks[0].flank_depth[1] = free.racks[0].flank_depth[0];
-  free.limits.contact_ratio = 0.0;  // only the working angle remains as a part of this limit
+  free.limits.contact_ratio = 0.0;  // this limit then only requires a working pressure angle
 
   std::vector<IdenticalGears> chart;
   for (const ShiftLimits& limits : shift_limit_chart(free, 0, helix, 0, from, to)) {

@@ -20,8 +20,9 @@ using detail::raise;
 
 namespace {
 
-// A working pressure angle of 4e-5 rad. Closer to the base radii, a mesh is indistinguishable from
-// none in double precision.
+// Relative excess of the least centre distance over the sum of the base radii. At this distance, the
+// working pressure angle is 4e-5 rad. For smaller distances, double precision is not sufficient to
+// decide whether there is a mesh.
 constexpr double kMinOpening = 1e-9;
 
 }  // namespace
@@ -107,7 +108,7 @@ double ShiftGraph::sum_of_distance(double distance) const {
   return (involute(alpha_w) - inv_alpha_t_) * teeth_sum_ / (2.0 * tan_alpha_);
 }
 
-// The ends of Σ that have a closed form: all but the corners of the rectangle of shifts.
+// The range of Σ by the limits that have a closed form, without the corners of the rectangle of shifts.
 ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   Sums s{-kInfinity, kInfinity, ShiftEdge::mesh, ShiftEdge::mesh};
   const auto from_below = [&](double sum, ShiftEdge edge) {
@@ -116,16 +117,16 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   const auto from_above = [&](double sum, ShiftEdge edge) {
     if (sum < s.hi) s.hi = sum, s.hi_edge = edge;
   };
-  // The distance of an internal pair decreases as Σ grows, so a lower bound of the distance is an
-  // upper bound of Σ.
+  // The centre distance of an internal pair decreases as Σ increases, so a lower limit of the distance
+  // is an upper limit of Σ.
   const auto not_nearer = [&](double sum, ShiftEdge edge) {
     internal_ ? from_above(sum, edge) : from_below(sum, edge);
   };
   const auto not_farther = [&](double sum, ShiftEdge edge) {
     internal_ ? from_below(sum, edge) : from_above(sum, edge);
   };
-  // Without a working pressure angle there is no contact ratio, so this limit counts and not an
-  // earlier one.
+  // Without a working pressure angle there is no contact ratio, so this condition belongs to the contact
+  // ratio and not to an earlier limit.
   if (limits > static_cast<int>(Limit::contact_ratio)) {
     not_nearer(mesh_sum_, ShiftEdge::mesh);
   }
@@ -134,13 +135,13 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
     const auto& band = *problem_->center_distance;
     const double least = band[0] / trial_.module;
     const double most = band[1] / trial_.module;
-    // No sum of shifts gives tight centres nearer than the base radii.
+    // No sum of shifts gives a backlash-free centre distance below the sum of the base radii.
     if (tight_ && most < nearest_) return {1.0, 0.0, ShiftEdge::Cmax, ShiftEdge::Cmax};
     not_nearer(sum_of_distance(least), ShiftEdge::Cmin);
     not_farther(sum_of_distance(most), ShiftEdge::Cmax);
   }
   if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {
-    // N ≥ K: the path between the base tangent points.
+    // N ≥ K, because the path lies between the base tangent points.
     from_below(path_sum_, ShiftEdge::eps_true);
   }
   return s;
@@ -150,8 +151,8 @@ ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   Sums s = plain_sums(limits, Band::asked);
   if (s.lo_edge == ShiftEdge::Cmax && s.hi_edge == ShiftEdge::Cmax)
     return s;  // the limit cannot be reached
-  // The graph also ends at the corners of the rectangle, which are points and give no edge its
-  // name.
+  // The graph also ends at the corners of the rectangle of shifts. A corner is a point and does not name
+  // an edge.
   raise(s.lo, gears_[0].x_min + gears_[1].x_min);
   double corner = gears_[0].x_max + gears_[1].x_max;
   if (tight_ && problem_->shorten_tips) {
@@ -163,9 +164,9 @@ ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   return s;
 }
 
-// A sum at which the tips, shortened by k, leave no path of length K on the line. The same holds
-// for every greater sum, because k falls. With equal tip angles E = √((a + h_a1 + h_a2 + k)² − B²)
-// − N. [T9.6]
+// A sum at which tips shortened by k leave no path of length K. The same is true for every greater sum,
+// because k decreases. E is greatest if both tip pressure angles are equal, and is then
+// √((a + h_a1 + h_a2 + k)² − B²) − N. [T9.6]
 double ShiftGraph::beyond_long_paths(double sum) const {
   if (internal_) return sum;  // tips are not shortened
   sum = std::max(sum, 0.0);
@@ -177,7 +178,8 @@ double ShiftGraph::beyond_long_paths(double sum) const {
   }
 }
 
-// The sum from which on tips are too thin even if shortened by k; a large value if there is none.
+// The sum above which tips are too thin even if they are shortened by k. It is large if there is no such
+// sum.
 double ShiftGraph::beyond_thin_tips(double sum, double least) const {
   constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
   constexpr double kBeyond = 1e-9;     // modules, the remainder after the last increases
@@ -191,9 +193,8 @@ double ShiftGraph::beyond_thin_tips(double sum, double least) const {
 }
 
 double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const {
-  // ρ_1E − ρ_1A of the leaf formulas, weighted for crossed axes and with the signs of N: its slopes
-  // over x1 are those of the two roots. k is added to the tip radii first, because it is common to
-  // a line Σ = const.
+  // ρ_1E − ρ_1A of the leaf formulas, with weights for crossed axes and with the signs of N. In this form
+  // the slope by x1 is the sum of the slopes of the two square roots.
   const double u_1 = gears_[0].r + gears_[0].addendum + at.k + x1;
   const double u_2 = gears_[1].r + gears_[1].addendum + at.k + (sum - x1);
   const double sign = internal_ ? -1.0 : 1.0;
@@ -203,7 +204,7 @@ double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const 
 
 namespace {
 
-// dE/dx1 = w_1/sin α_a1 − w_2/sin α_a2, and its derivative; both tips beyond their base circles.
+// dE/dx1 = w_1/sin α_a1 − w_2/sin α_a2, and its derivative, if both tips lie outside their base circles.
 struct PathSlope {
   double first, second;
 };
@@ -238,8 +239,8 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
   return {x1, path_length(at, sum, x1)};
 }
 
-// The point at which the path length ends the line between its maximum and a bound; none if it does
-// not.
+// The point between the maximum of the path length and a bound at which E = K; none if there is no such
+// point.
 std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, const Longest& top,
                                               LineSide side, double bound) const {
   const bool below = side == LineSide::lo;
@@ -252,8 +253,8 @@ std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, co
                                    weight_[1], internal_);
     return Slope<double>{path_length(at, sum, x) - min_path_, s.first};
   };
-  // The E of an external pair is concave, so Newton's steps from outside stop short of the root.
-  // The E of an internal pair may bend upwards, so the steps are kept in a bracket.
+  // E of an external pair is concave, so Newton's steps from outside never pass the root. E of an
+  // internal pair may be convex, so the steps are limited to a bracket.
   return below ? newton_in_bracket<double>(excess, bound, top.x1, bound, true).x
                : newton_in_bracket<double>(excess, top.x1, bound, bound, false).x;
 }
@@ -264,8 +265,8 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
   if (limits <= static_cast<int>(Limit::contact_ratio) || slice.empty()) return slice;
   const Longest top = longest_path(at, sum, slice);
   if (!(top.length >= min_path_)) {
-    // The interval is a point or empty. It is returned as the place of the longest path, with zero
-    // or negative length.
+    // The interval is a point or empty. The returned interval lies at the place of the longest path and
+    // has zero or negative width.
     const bool touching = top.length >= min_path_ - kTouching;
     return {{top.x1 + (touching ? 0.0 : 1.0), top.x1}, ShiftEdge::eps, ShiftEdge::eps};
   }

@@ -1,19 +1,18 @@
-// The s1–s2 graph of one pair of tooth numbers: the ranges of the two profile shifts that each
-// limit leaves.
+// The s1–s2 graph of one pair of tooth numbers: the ranges of the two profile shifts that meet all
+// limits.
 //
-//   Σ = x1 + x2     the coordinate along which the graph is cut: centre distance, working angle and
-//                   tip alteration depend on Σ alone, and on a line Σ = const every limit leaves
-//                   one interval of x1
+//   Σ = x1 + x2     centre distance, working pressure angle and tip alteration depend on Σ alone, and on
+//                   a line Σ = const every limit leaves one interval of x1
 //   a(Σ), N(Σ), k(Σ)  centre distance, distance of the base tangent points, tip alteration
-//   E(Σ, x1)        length of the path of contact, with one maximum in x1 (external: concave); its
-//                   weights w_1, w_2 are 1, or 1/cos β_b of crossed axes
+//   E(Σ, x1)        length of the path of contact, with one maximum in x1 (external: concave)
+//   w_1, w_2        weights of the flanks in E: 1, or 1/cos β_b on crossed axes
 //   K               least length of the path: the least contact ratio times the pitch
 //                                              theory: docs/theory/09-design-search.md
 //
-// All values are in normal modules with ISO 21771 signs, so external, internal and crossed pairs
-// share one set of formulas. Every bound is solved, not sampled. The ends in Σ are searched from
-// nodes if section 9.4 does not prove that there is a single interval. If interference is to be
-// avoided, external gears with tips inside their own reference circle are deliberately excluded.
+// All values are in normal modules with ISO 21771 signs, so external, internal and crossed pairs have
+// the same formulas. Every bound is solved, not sampled. Where section 9.4 does not prove that there is
+// a single interval of Σ, the ends are searched from nodes. If interference is excluded, external gears
+// with tips inside their own reference circle are also excluded.
 #pragma once
 
 #include <array>
@@ -27,12 +26,12 @@
 
 namespace gearwright {
 
-/// Upper limit of the second derivative of margins over Σ, 1/modules. The greatest are those of the
-/// bounds of interference, a few if tips lie outside their own reference circles. The bound is
-/// generous, because it only determines when to stop searching.
+/// Upper limit of the second derivative of margins by Σ, 1/modules. The greatest values, a few
+/// 1/modules, are those of the interference bounds. The limit is generous, because it only determines
+/// when a search ends.
 inline constexpr double kMostBend = 100.0;
 
-/// The limit at an end of the region.
+/// The limit that forms a part of the boundary.
 enum class ShiftEdge {
   s1min,
   s1max,
@@ -49,18 +48,15 @@ enum class ShiftEdge {
   mesh
 };
 inline constexpr std::size_t kShiftEdges = 13;
-/// "s1min", "Cmax", …; `mesh` if there is no working angle beyond.
+/// "s1min", "Cmax", …; "mesh" if there is no working pressure angle beyond this edge.
 std::string_view name(ShiftEdge edge);
-
-/// Limits that coincide within this, modules, touch, because a centre distance divided by a module
-/// is rounded.
+/// Tolerance within which two limits touch, modules. A centre distance divided by a module has rounding
+/// errors.
 inline constexpr double kTouching = 1e-11;
-
-/// Bounds of x1 within this, modules, count as one bound, so that rounding does not change its
-/// name.
+/// Bounds of x1 that differ by less, modules, count as one bound, so that its name does not depend on
+/// rounding.
 inline constexpr double kOneBound = 1e-12;
-
-/// One line Σ = const: the interval of x1; empty when lo > hi + kTouching.
+/// The interval of x1 on a line Σ = const. It is empty if lo > hi + kTouching.
 struct LineEnds {
   double lo, hi;
   bool empty() const { return !(lo <= hi + kTouching); }
@@ -69,12 +65,11 @@ struct LineEnds {
 
 enum class LineSide { lo, hi };
 
-/// The same interval with the names of the limits at its ends.
+/// The interval of x1 on a line Σ = const, with the names of the limits at its ends.
 struct ShiftSlice : LineEnds {
   ShiftEdge lo_edge, hi_edge;
 };
-
-/// The ends of the interval for each edge; ∓∞ for an edge that does not end it.
+/// The lower and upper bound of x1 that each limit gives; ∓∞ if a limit gives no bound.
 struct ShiftBounds {
   std::array<double, kShiftEdges> lo, hi;
   ShiftBounds() {
@@ -84,7 +79,7 @@ struct ShiftBounds {
   static constexpr bool kNamed = true;
   double& lo_of(ShiftEdge edge) { return lo[static_cast<std::size_t>(edge)]; }
   double& hi_of(ShiftEdge edge) { return hi[static_cast<std::size_t>(edge)]; }
-  ShiftSlice slice() const;  ///< the slice between the tightest edges
+  ShiftSlice slice() const;  ///< the slice between the tightest bounds
 };
 
 /// Values that depend on Σ alone.
@@ -96,7 +91,7 @@ struct SumPlace {
 
 class ShiftGraph {
  public:
-  /// Domain    the problem outlives the graph
+  /// Domain    the problem must outlive the graph
   ShiftGraph(const SearchProblem& problem, const Trial& trial, const TrialGear& gear_1,
              const TrialGear& gear_2);
 
@@ -104,12 +99,10 @@ class ShiftGraph {
   const Trial& trial() const { return trial_; }
   const SearchProblem& problem() const { return *problem_; }
   double min_path() const { return min_path_; }  ///< K
-  double pitch() const { return pitch_; }        ///< p_bt, crossed p_bn
-
-  /// Domain    within sums() (contract: there is a working angle)
+  double pitch() const { return pitch_; }        ///< p_bt; p_bn on crossed axes
+  /// The values that depend on Σ alone.   Domain: within sums() (contract: a working angle exists)
   SumPlace place(double sum) const;
-
-  /// The range of Σ that the limits on Σ alone leave, with the first `limits` of them evaluated.
+  /// The range of Σ that meets the limits that depend on Σ alone. Only the first `limits` limits are used.
   struct Sums {
     double lo, hi;
     ShiftEdge lo_edge, hi_edge;
@@ -118,50 +111,46 @@ class ShiftGraph {
     return limits == kRegionLimits ? region_sums_ : all_sums(limits);
   }
 
-  /// The limits on Σ alone that are not simple ranges, in units of Σ; satisfied if ≥ 0.
+  /// The margin of the limits that depend on Σ alone but are not ranges of Σ, in units of Σ. The limits
+  /// are met if it is ≥ 0.
   struct SumMargin {
     double value;
     ShiftEdge edge;
   };
   SumMargin sum_margin(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
-  /// All bounds on a line except that of the path's length, and the slice including that one.
+  /// All bounds of x1 on a line Σ = const, except the bound of the path length.
   ShiftBounds bounds_before_path(double sum, int limits = kRegionLimits) const {
     return bounds_before_path(place(sum), sum, limits);
   }
+  /// The interval of x1 on a line Σ = const, including the limit of the path length.
   ShiftSlice slice(double sum, int limits = kRegionLimits) const;
-  /// One end of that slice, without its name, for the integral of the area.
+  /// One end of slice() without its name, for the integral of the area.
   double slice_end(double sum, LineSide side) const;
   /// The result of bounds_before_path() without names, which is sufficient for most lines.
   LineEnds ends_before_path(const SumPlace& at, double sum, int limits = kRegionLimits) const;
-
-  /// E: the path's length at a point, and the greatest length on a slice with its place.
+  /// E, the length of the path at a point.
   double path_length(const SumPlace& at, double sum, double x1) const;
   struct Longest {
     double x1, length;
   };
+  /// The greatest E on a line Σ = const, and its place.
   Longest longest_path(const SumPlace& at, double sum, const LineEnds& within) const;
-
-  /// The sums Σ at which the first `limits` limits leave a slice. There are several intervals only
-  /// if the region is in pieces.
+  /// The sums Σ at which the first `limits` limits leave an interval of x1. There are several intervals
+  /// of Σ only if the region is in pieces.
   std::vector<Interval> feasible_sums(int limits = kRegionLimits) const;
-
-  /// True if feasible_sums() is not empty; faster in that case.
+  /// True if feasible_sums() is not empty; in this case it is faster than feasible_sums().
   bool has_feasible_sums(int limits = kRegionLimits) const;
-
   /// The first limit that leaves no region; none if the region exists.
   std::optional<Limit> what_kills() const;
-
-  /// Least margin over all limits at one point, modules, from the same bounds as the slices; ≥ 0:
-  /// inside.   Domain: outside sums() that distance alone
+  /// The least margin of all limits at one point, modules, from the same bounds as the slices. The point
+  /// is inside the region if it is ≥ 0. Outside sums(), it is the distance from this range.
   double margin(double x1, double x2) const;
-
-  /// The limits of each shift that are independent of the other shift, without those of shortened
+  /// The limits of each shift that are independent of the other shift, without the limits of shortened
   /// tips.
   std::array<Interval, 2> shift_limits() const;
-
-  /// The same as margin() without the band of centre distances, whose ends are a choice of the
-  /// user: the distance of a point from the nearest violated limit.   Domain: within sums()
+  /// margin() without the band of centre distances, because its ends are a choice of the user. It is the
+  /// distance of a point from the nearest border.   Domain: within sums()
   double wall_distance(double x1, double x2) const;
 
  private:
@@ -197,9 +186,9 @@ class ShiftGraph {
   double tan_alpha_, inv_alpha_t_, teeth_sum_;
   double nearest_;                                      ///< least centre distance
   double crossed_line_0_ = 0.0, crossed_line_1_ = 0.0;  ///< N = …_0 + …_1 Σ
-  // Values that every line needs again.
-  double mesh_sum_ = 0.0, path_sum_ = 0.0;  ///< Σ where a mesh begins, where N = K
-  Sums walls_{};                            ///< of plain_sums, without the band
+  // Stored values that are used for every line.
+  double mesh_sum_ = 0.0, path_sum_ = 0.0;  ///< Σ at which a mesh begins, and at which N = K
+  Sums walls_{};                            ///< plain_sums() without the band of centre distances
   Sums region_sums_{};                      ///< sums() of all limits
   std::array<double, 2> start_slope_{};     ///< w_i/sin α_t
   std::array<double, 2> least_start_{};     ///< w_i ρ_Fi at x = 0

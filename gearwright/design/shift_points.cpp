@@ -28,7 +28,7 @@ CandidateConstants constants_of(const ShiftGraph& graph) {
 
 enum class Verdict { inside, outside, ask };
 
-// All limits of one candidate. A NaN is undecided and is evaluated in full.
+// Compares one candidate with all limits. A value of NaN is undecided, so that the graph decides.
 Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i) {
   bool ask = false;
   bool out = false;
@@ -40,7 +40,7 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
       ask = true;
     }
   };
-  // The residual is one of inv α, whose slope is tan² α.
+  // The residual is an error of inv α_wt, and the derivative of inv α is tan² α.
   const double tan_w = b.out[CandidateBatch::tan_working][i];
   if (!(b.out[CandidateBatch::residual][i] < 0.01 * kSieveDoubt * tan_w * tan_w)) ask = true;
   at_least(CandidateBatch::contact_ratio, limits.contact_ratio);
@@ -64,7 +64,7 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
       ask = true;
     }
   }
-  // An undecided limit does not keep a candidate that another limit rejects.
+  // A candidate that one limit rejects is outside, even if another limit is undecided.
   return out ? Verdict::outside : ask ? Verdict::ask : Verdict::inside;
 }
 
@@ -105,8 +105,8 @@ PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, 
       const double x1 = batch.in[CandidateBatch::x1][i];
       const double x2 = batch.in[CandidateBatch::x2][i];
       Verdict verdict = p.crossed() ? Verdict::ask : judge(p.limits, batch, i);
-      // The region excludes tips inside their own reference circle (section 9.3), and so does its
-      // grid.
+      // The region excludes tips inside their own reference circle (section 9.3), so the graph decides
+      // about such points.
       const double low = std::min(g[0].addendum + x1, g[1].addendum + x2) + graph.place(x1 + x2).k;
       if (p.limits.avoid_interference && low < 0.0 && verdict == Verdict::inside)
         verdict = Verdict::ask;

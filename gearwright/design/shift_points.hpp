@@ -1,11 +1,11 @@
-// Every feasible point of a grid of shifts in a region, as a table of candidates.
+// The feasible points of a grid of shifts, as a table.
 //
 //   h           step of the grid; x1 = i h, x2 = j h
-//   candidate   a point within the rectangle of the shift limits and the band of Σ
+//   candidate   a grid point within the rectangle of the shift limits and within the range of Σ
 //
-// Vector code (design/candidate.hpp) compares the candidates with all limits. Within kSieveDoubt of
-// a limit, and on crossed axes, the graph is used. The numbers in the table are computed with the
-// scalar formulas of the pair, so a table is equal on every machine.
+// Vector code (design/candidate.hpp) compares the candidates with all limits. Within kSieveDoubt of a
+// limit, and on crossed axes, the graph decides. The values in the table are computed with the scalar
+// formulas of the pair, so the table is the same on every machine.
 #pragma once
 
 #include <array>
@@ -32,10 +32,9 @@ struct ShiftPoint {
 
 struct PointCounts {
   std::int64_t tested = 0, feasible = 0;
-  std::int64_t asked = 0;  ///< of the graph
+  std::int64_t asked = 0;  ///< number of points decided by the graph
 };
-
-/// Appends the feasible points of a trial, x1 before x2, both growing.
+/// Appends the feasible points of a trial, by ascending x1 and then ascending x2.
 ///
 /// Domain    step > 0; region of the graph (contract)
 PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, double step,

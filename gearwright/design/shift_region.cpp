@@ -13,7 +13,7 @@ namespace {
 
 Vec2 point(double sum, double x1) { return {x1, sum - x1}; }
 
-// Bounds of a line that are straight in the plane of x1 and x2.
+// True if the edge is a straight line in the plane of x1 and x2.
 bool is_straight(ShiftEdge edge, const SearchProblem& problem) {
   switch (edge) {
     case ShiftEdge::eps:
@@ -34,10 +34,11 @@ ShiftEdge edge_of(const ShiftSlice& s, Side side) {
 }
 double value_of(const ShiftSlice& s, Side side) { return side == Side::lo ? s.lo : s.hi; }
 
-// Zero at the point where the edges a and b give the same bound of x1.
+// A function of Σ that is zero where the edges a and b give the same bound of x1.
 double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, double sum) {
   const ShiftBounds bounds = graph.bounds_before_path(sum);
-  // An edge that does not bound is placed far away, at a value that a root finder can use.
+  // An edge that gives no bound has an infinite value, which is replaced by a large one for the root
+  // finder.
   constexpr double kFar = 1e3;
   const auto at = [&](ShiftEdge e) {
     const auto& all = side == Side::lo ? bounds.lo : bounds.hi;
@@ -51,21 +52,22 @@ double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, 
   return at(a) - at(b);
 }
 
-// Upper limit for the corners of a side. With more, two bounds are equal within rounding.
+// Greatest number of corners of a side. It is exceeded only if two bounds are equal within rounding.
 constexpr std::size_t kMaxChanges = 40;
-// Two spacings of doubles, relative: nothing lies between such sums.
+// Relative difference of sums between which there are no doubles.
 constexpr double kSameSum = 4e-16;
-// The distance from a change at which the edges are evaluated: relative to the interval, and in
-// modules. The latter exceeds kOneBound, a width within which rounding decides the name of an edge.
+// The distance from a corner at which the edges are evaluated, relative to the interval and in modules.
+// The distance in modules exceeds kOneBound, within which rounding decides the name of an edge.
 constexpr double kBeside = 1e-9;
 constexpr double kMinBeside = 1e-10;
-// The ends of a piece are corners. At this fraction of its width inside them, the edge has a unique
+// The ends of a piece are corners. At this fraction of its width from an end, the edge has a unique
 // name.
 constexpr double kInset = 1e-7;
-// An end of a piece that is an end of the whole range, modules. Both were solved separately.
+// Tolerance, modules, within which an end of a piece is an end of the whole range. The two ends are
+// solved separately.
 constexpr double kSameEnd = 1e-9;
-
-// Sums between l and r at which the bounding edge of the side changes; known at the ends.
+// Adds the sums between l and r at which the edge that bounds the side changes. The edges at l and r are
+// known.
 void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, double r,
                   ShiftEdge at_r, std::vector<double>& found) {
   if (at_l == at_r) return;
@@ -84,14 +86,14 @@ void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, 
       return;
     }
   }
-  // There is a third edge between them.
+  // There is another edge between l and r.
   const double middle = (l + r) / 2.0;
   const ShiftEdge at_middle = edge_of(graph.slice(middle), side);
   find_changes(graph, side, l, at_l, middle, at_middle, found);
   find_changes(graph, side, middle, at_middle, r, at_r, found);
 }
 
-// A stretch of one side bounded by one edge.
+// A part of one side that is bounded by a single edge.
 struct Stretch {
   double from, to;
   ShiftEdge edge;
@@ -126,17 +128,18 @@ std::vector<Stretch> stretches(const ShiftGraph& graph, Side side, const Interva
   return found;
 }
 
-// Σ = from … to by an angle, so that an end where two roots of the path's length meet, as √ of the
-// distance, is smooth.
+// Σ between `from` and `to` as a function of an angle. Where two roots of the path length meet, x1 varies
+// as the square root of the distance from the end, and is a smooth function of this angle.
 double sum_at(double from, double to, double theta) {
   return from + (to - from) * (1.0 - std::cos(theta)) / 2.0;
 }
 
-// Near the tip of the path's curve, x1 varies as √Σ. Seven more digits take three halvings there.
+// Greatest number of bisections in the integral of the area. Seven additional digits take three of them
+// near an end at which x1 varies as a square root.
 constexpr unsigned kBisections = 10;
 constexpr double kAreaTolerance = 1e-12;  // of the area under the stretch, modules²
-// A bound of x1 is a difference of radii: its rounding, per module, must not look like a curve that
-// needs repeated bisection.
+// Rounding error of a bound of x1, which is a difference of radii, relative to the radii. The tolerance
+// of the integral is not smaller, because rounding would otherwise cause repeated bisection.
 constexpr double kAreaRounding = 1e-13;
 
 double area_under(const ShiftGraph& graph, Side side, const Stretch& s, bool straight) {
@@ -163,13 +166,12 @@ double area_of(const ShiftGraph& graph, const SearchProblem& problem, const Inte
   return area;
 }
 
-// If the two roots at the ends of a slice coincide, as for interference, the error of x1 is the
-// square root of the rounding of Σ, in modules.
+// Greatest width of a slice, modules, that counts as a point if both ends are roots of the same limit.
+// The error of coinciding roots is the square root of the rounding error of Σ.
 constexpr double kPinch = 2e-6;
-
-// A slice at an end of a piece. Between two roots of the path length it is one point. The place of
-// the longest path is that point within rounding, while the error of the roots is the square root
-// of the rounding.
+// A slice at an end of a piece. If both ends are roots of the path length, the slice is one point, the
+// place of the longest path. This place is exact to rounding, whereas the error of the roots is the
+// square root of the rounding error.
 ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   ShiftSlice s = graph.slice(sum);
   if (s.lo_edge == ShiftEdge::eps && s.hi_edge == ShiftEdge::eps) {
@@ -181,7 +183,7 @@ ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   return s;
 }
 
-// The distance of a point of one piece from the limits; Σ is already inside.
+// The distance of a point from the limits, if Σ is within the range of a piece.
 double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   const double sum = p[0] + p[1];
   const SumPlace at = graph.place(sum);
@@ -190,7 +192,7 @@ double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   return std::min({p[0] - s.lo, s.hi - p[0], path});
 }
 
-// Adds an edge. The same edge on both sides of an end counts as one edge.
+// Adds an edge to a loop. If the last part has the same edge, both parts are joined.
 void append(std::vector<RegionEdge>& loop, RegionEdge next) {
   if (!loop.empty() && loop.back().edge == next.edge) {
     auto& points = loop.back().points;

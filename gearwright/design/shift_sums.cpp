@@ -1,4 +1,4 @@
-// The sums of shifts within the limits, and the first limit that leaves none.
+// Computes the sums of shifts that meet the limits, and the first limit that no sum meets.
 //                                              theory: docs/theory/09-design-search.md, 9.4
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,8 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
     range.lo = range.hi = (range.lo + range.hi) / 2.0;
   const auto width = [&](double sum) { return width_before_path(place(sum), sum, limits); };
   const auto excess = [&](double sum) { return excess_of_path(place(sum), sum, limits); };
-  // The interference of an internal pair may leave ranges on both sides of Σ = 0 [T9.9], and the
-  // gap between them may be narrower than the step of the nodes.
+  // The interference limit of an internal pair may leave ranges on both sides of Σ = 0 [T9.9], with a
+  // gap narrower than the step of the nodes.
   const bool gap_at_zero = internal_ && problem_->limits.avoid_interference &&
                            limits > static_cast<int>(Limit::interference);
   const Hump hump{.bend = kMostBend};
@@ -49,8 +49,8 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
     if (!pieces.empty()) return pieces;
     return beside_zero([&](double sum) { return f(sum) + kTouching; });
   };
-  // First the range in which the interval of x1 exists without the limit of the path length, then
-  // the range in which its longest path is sufficient.
+  // `wide` is the range in which an interval of x1 exists without the limit of the path length. Within
+  // it, the longest path must be long enough.
   const auto wide = exactly_or_touching(width, range.lo, range.hi);
   if (limits <= static_cast<int>(Limit::contact_ratio)) return wide;
   std::vector<Interval> found;
@@ -66,7 +66,7 @@ bool ShiftGraph::has_feasible_sums(int limits) const {
   if (limits > static_cast<int>(Limit::tip_clearance) && !tip_clearance_can_be_enough())
     return false;
   const Sums range = sums(limits);
-  constexpr double kInside = 1e-9;  // so that rounding is not the whole interval
+  constexpr double kInside = 1e-9;  // modules; exceeds rounding errors
   for (const double share : {0.5, 0.25, 0.75, 0.1}) {
     const double sum = range.lo + share * (range.hi - range.lo);
     if (!(range.lo < sum && sum < range.hi)) break;
@@ -114,7 +114,7 @@ bool ShiftGraph::overlap_ratio_is_enough() const {
   return overlap >= *problem_->limits.overlap_ratio - kTouching;
 }
 
-// External pairs have the clearance of the racks at most: a − R − Σ ≤ 0 there. [T9.5]
+// The clearance of an external pair is at most that of the racks, because a − R − Σ ≤ 0. [T9.5]
 bool ShiftGraph::tip_clearance_can_be_enough() const {
   if (internal_ || !problem_->limits.tip_clearance) return true;
   const double most =

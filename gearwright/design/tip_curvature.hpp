@@ -1,5 +1,5 @@
-// A tip and its distance along the line of action: the two conversions of the s1–s2 graph, and the
-// tightening of a bound. Internal to design/.
+// Conversions between a tip radius and the curvature radius of the flank at the tip, and functions that
+// tighten a bound. Internal to design/.
 //
 //   u, b   tip and base radius
 //   q      √(u² − b²), curvature radius of the flank at its tip
@@ -13,10 +13,10 @@
 
 namespace gearwright::detail {
 
-/// q, 0 inside the base circle; signs of u and b do not matter.
+/// q for the tip radius u, or 0 if the tip lies inside the base circle. The signs of u and b do not
+/// matter.
 inline double curvature(double u, double b) { return leaf::curvature_at(std::abs(u), std::abs(b)); }
-
-/// |u| of a tip whose flank ends with the curvature radius q.
+/// |u| for the curvature radius q.
 inline double radius_of(double q, double b) { return std::sqrt(b * b + q * q); }
 
 inline void raise(double& lo, double value) { lo = std::max(lo, value); }

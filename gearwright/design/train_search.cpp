@@ -1,4 +1,4 @@
-// The trains of a search for drives: pairs of gears one after the other.
+// Searches the trains of a search for drives. A train is a series of pairs of gears.
 #include <cmath>
 #include <numbers>
 
@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-// All stages but the last wheel, whose band follows from the ratio.
+// Tries all numbers of teeth, except that the band of the last wheel follows from the ratio.
 class TrainSearch {
  public:
   TrainSearch(const DriveSearchProblem& problem, DriveSearchResult& result)
@@ -39,7 +39,7 @@ class TrainSearch {
     const double per_tooth = -before / z1;
     double lo = problem_.ratio[0] / per_tooth, hi = problem_.ratio[1] / per_tooth;
     if (lo > hi) std::swap(lo, hi);
-    // The sums are limited before conversion, as they may exceed the range of an int.
+    // The values are limited before their conversion, because they may exceed the range of an int.
     const double least = std::max<double>(problem_.wheel[0], std::floor(lo));
     const double most = std::min<double>(problem_.wheel[1], std::ceil(hi));
     const int band = problem_.wheel[1] - problem_.wheel[0] + 1;
@@ -53,7 +53,8 @@ class TrainSearch {
     result_.rejected[static_cast<std::size_t>(DriveLimit::ratio)] += band - kept;
   }
 
-  // The ratio exactly, as one fraction.
+  // Adds the train if it meets the limits, and returns 1 in this case. The ratio is computed exactly, as
+  // one fraction.
   int keep() {
     double p = 1.0, q = 1.0, size = 0.0;
     const auto& helix = problem_.base.helix_deg.all;
@@ -86,7 +87,7 @@ class TrainSearch {
 }  // namespace
 
 double estimated_efficiency(int z1, int z2, double friction) {
-  constexpr double kPath = 0.7;  // 1 − ε_α + ε_1² + ε_2² of usual teeth
+  constexpr double kPath = 0.7;  // usual value of 1 − ε_α + ε_1² + ε_2²
   return 1.0 - kPath * std::numbers::pi * friction * (1.0 / z1 + 1.0 / z2);
 }
 

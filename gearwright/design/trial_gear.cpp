@@ -26,26 +26,24 @@ double tip_thickness(const TrialGear& gear, double x, double k) {
 
 namespace {
 
-// The shifts at which the tip is on the base circle, where an external tooth begins and an internal
-// tooth ends.
+// The shift at which the tip is on the base circle. It is the least shift of an external gear and the
+// greatest shift of an internal gear.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
-  // Rounds to the safe side, because the thickness is evaluated at both ends.
+  // The result is moved to the safe side of rounding, because the thickness is evaluated there.
   const double ulp = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(g.r) + 2.0);
   return g.teeth > 0 ? x + ulp : x - ulp;
 }
 
 struct Shifts {
   double min, max;
-  bool as_a_rule = false;  // true if the tip is thick enough at x = 0 and becomes thinner from
-                           // there on
+  bool as_a_rule = false;  // true if the tip is thick enough at x = 0 and too thin at great x
 };
-
-// The uppermost interval in which the tip is thick enough.
+// The interval of greatest shifts in which the tip is thick enough.
 Shifts thick_enough(const TrialGear& g, double k) {
   const double edge = shift_of_base_circle(g, k);
-  // Beyond x = |z|, all tips of external gears are pointed. The x of an internal gear has no lower
-  // limit except its size.
+  // The range of the search. Beyond x = |z| all tips of external gears are pointed. For an internal gear
+  // the lower limit of x is arbitrary.
   const double far = std::abs(static_cast<double>(g.teeth)) + 5.0;
   const double lo = g.teeth > 0 ? edge : -far;
   const double hi = g.teeth > 0 ? edge + far : edge;
@@ -54,7 +52,7 @@ Shifts thick_enough(const TrialGear& g, double k) {
   if (g.teeth > 0) {
     const double start = std::max(edge, 0.0);
     as_a_rule = margin(start) >= 0.0 && margin(hi) < 0.0;
-    // From about a hundred teeth on, tips on the base circle are also too thin.
+    // From about a hundred teeth on, the tip may also be too thin at the base circle.
     if (as_a_rule && margin(edge) >= 0.0) return {edge, find_root(margin, start, hi).x, true};
   }
   const auto pieces = where_not_negative(margin, lo, hi, 64);
@@ -76,8 +74,8 @@ Slope<double> tip_thickness_and_slope(const TrialGear& g, double x, double k) {
   return {thickness, slope};
 }
 
-// The same root as that of thick_enough() for k < 0. With x = thick_until − k the tip has the same
-// radius as at thick_until, but on a thicker tooth, so the root lies slightly beyond.
+// The upper end of thick_enough() for k < 0. At x = thick_until − k the tip has the same radius as at
+// thick_until, but the tooth is thicker, so the root lies slightly above.
 double thick_until_with(const TrialGear& g, double k) {
   const auto margin = [&](double x) {
     Slope<double> s = tip_thickness_and_slope(g, x, k);

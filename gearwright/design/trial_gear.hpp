@@ -1,11 +1,11 @@
 // One gear of a trial, in normal modules: the values that follow from tooth number, helix angle and
-// rack before the profile shift is chosen, and the limits of the shift.
+// rack, before the profile shift is chosen, and the limits of the shift.
 //
-//   r, r_b    reference and base radius, negative if internal (ISO 21771 signs): external and
-//             internal pairs share every formula,  |r_a| = |r + h_a + x + k|
+//   r, r_b    reference and base radius, negative for an internal gear (ISO 21771 signs), so that
+//             |r_a| = |r + h_a + x + k| and the other formulas hold for external and internal gears
 //   h_a, h_f  addendum and dedendum of the rack
-//   h_F       depth of its straight edge
-//   k         tip alteration ≤ 0, of tight centres with shortened tips; else 0
+//   h_F       depth of the straight edge of the rack
+//   k         tip alteration: ≤ 0 at tight centres with shortened tips, otherwise 0
 //                                              theory: docs/theory/09-design-search.md, 9.1
 #pragma once
 
@@ -17,27 +17,27 @@
 namespace gearwright {
 
 struct TrialGear {
-  int teeth = 0;                      ///< z, signed
-  double r = 0.0, r_b = 0.0;          ///< signed
-  double addendum = 0.0;              ///< h_a
-  double dedendum = 0.0;              ///< h_f
-  double edge_depth = 0.0;            ///< h_F
-  double flank_depth = 0.0;           ///< the depth of the rack itself, if h_F is given
-  double sin_transverse = 0.0;        ///< sin α_t
-  double cos_base_helix = 1.0;        ///< cos β_b
-  double tan_base_helix = 0.0;        ///< tan β_b, unsigned
-  double min_tip_thickness = 0.0;     ///< the limit of s_an
+  int teeth = 0;                   ///< z, signed
+  double r = 0.0, r_b = 0.0;       ///< signed
+  double addendum = 0.0;           ///< h_a
+  double dedendum = 0.0;           ///< h_f
+  double edge_depth = 0.0;         ///< h_F
+  double flank_depth = 0.0;        ///< depth of the rack's own straight edge, even if h_F is given
+  double sin_transverse = 0.0;     ///< sin α_t
+  double cos_base_helix = 1.0;     ///< cos β_b
+  double tan_base_helix = 0.0;     ///< tan β_b, unsigned
+  double min_tip_thickness = 0.0;  ///< the limit of s_an
   double reference_half_angle = 0.0;  ///< s_t/d at x = 0, plus (internal gear: minus) inv α_t
   double half_angle_per_shift = 0.0;  ///< 2 tan α_n/|z|
   double x_min = 0.0,
-         x_max = 0.0;  ///< the limits, at k = 0; x_min > x_max if there are none
-  /// The greatest x with a tip that is thick enough, at k = 0, if tips become thinner from x = 0
-  /// on, as usual. Absent for exceptions and internal gears.
+         x_max = 0.0;  ///< the limits of x at k = 0; x_min > x_max if no x is possible
+  /// The greatest x at which the tip is thick enough, at k = 0. It is present in the usual case that
+  /// the tip becomes thinner as x increases from 0, and absent otherwise and for internal gears.
   std::optional<double> thick_until{};
 };
 
-/// The gear and its limits: undercut (none of an internal gear), tip thickness, floor and ceiling,
-/// and that its tip does not lie inside its base circle.
+/// The gear with the limits of its shift: undercut (not for an internal gear), tip thickness, lower and
+/// upper limit of the problem, and a tip that does not lie inside the base circle.
 ///
 /// Units     modules
 TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int rack, int which);
@@ -48,14 +48,14 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int r
 /// Domain    |r + h_a + x + k| ≥ |r_b| (contract)
 double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 
-/// The greatest x within the limits with tip alteration k: at k < 0 the tooth is thicker at its tip
-/// than the limits assume. Below `x_min` if there is none.
+/// The greatest x within the limits for the tip alteration k. It exceeds x_max if k < 0, because the
+/// shortened tip is thicker. Less than `x_min` if no x is possible.
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
-/// A lower bound of it, computed without solving.
+/// A lower bound of max_shift(), which is computed without solving an equation.
 double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 
-/// The limits of every tooth number at one helix angle and rack, computed once because trials use
-/// them often.
+/// The gears of all tooth numbers for one helix angle and rack. They are stored, because trials use them
+/// repeatedly.
 class TrialGears {
  public:
   TrialGears(const SearchProblem& problem, int least, int greatest, Angle helix, int rack,

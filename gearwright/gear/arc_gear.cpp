@@ -29,7 +29,7 @@ std::optional<Error> check_spec(const CylindricalSpec& spec) {
   return std::nullopt;
 }
 
-// The point at which the two flanks meet on the arc that ends the edge, if they do.
+// The diameter at which the two flanks meet on the last arc of the edge; none if they do not meet.
 std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdge& edge) {
   const auto* last = std::get_if<EdgeCircle>(&edge.arcs.back().shape);
   GW_EXPECTS(last != nullptr);
@@ -41,14 +41,14 @@ std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdg
   return 2 * curve.point(find_root(theta, std::min(a, b), std::max(a, b)).x).norm();
 }
 
-// True if the arc of the flank begins behind its cusp.
+// True if the arc of the flank begins beyond its cusp, on the side of the root.
 bool is_undercut(const EdgeCircle& flank, const std::optional<Angle>& limit) {
   if (!limit) return false;
   return flank.q > 0.0 ? *limit > flank.begin_tau : *limit < flank.begin_tau;
 }
 
-// The lowest flank, or the one above it that is undercut. A joint between two flanks has no
-// contact.
+// Finds undercut. The data of the gear are those of an undercut flank arc, or of the lowest one if none
+// is undercut. Arcs that join two flanks are not examined, because they have no contact.
 void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& edge) {
   auto& flanks = std::get<ArcTeeth>(gear.flanks);
   bool first = true;

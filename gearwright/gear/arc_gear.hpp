@@ -1,23 +1,21 @@
-// A gear cut by a rack of arcs: circular-arc (Wildhaber-Novikov) teeth of every kind.
-//
-// Internal to gear/: make_gear calls this if the spec has such a rack.
+// A gear with circular-arc (Wildhaber-Novikov) teeth of any kind, cut by a rack of arcs. Internal to gear/.
 #pragma once
 
 #include "gearwright/gear/gear.hpp"
 
 namespace gearwright::detail {
 
-/// The normal angle τ at which the circle's envelope has the cusp that limits it on the side of the
-/// root: below (a convex tooth) or beyond it (a concave one) the cutter undercuts. None if there is
-/// no cusp on the quarter circle.
+/// The normal angle τ at which the envelope of the circle has the cusp nearest to the root. The cutter
+/// undercuts a convex tooth below this angle, and a concave tooth above it. None if there is no cusp on
+/// the quarter circle.
 ///
 /// Formula   F(sin τ) = 0, [T3.9]; [T7.12]
 std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& circle);
 
-/// Makes the gear from the arcs of the spec, if its rack is one of arcs.   Domain  check_limits
-/// found nothing
+/// Makes the gear from the arcs of its rack. make_gear() calls this function.
 ///
-/// Errors    as the rack's own; `teeth` for an internal gear; `profile_shift`, `root_fillet`,
+/// Domain    check_limits() returns no error
+/// Errors    the error of `rack`; `teeth` for an internal gear; `profile_shift`, `root_fillet`,
 ///           `tip_fillet`, which these teeth do not have; `tip_diameter`
 Result<Gear> make_arc_gear(const CylindricalSpec& spec, const Result<RackOfArcs>& rack);
 

@@ -1,13 +1,14 @@
-// A gear by its own dimensions, which determine its flanks independently of the rack.
+// A gear described by the dimensions of its base cylinder, which determine the flanks independently of
+// the rack.
 //
 //   z    teeth, negative if internal     r_b    base radius, mm
-//   s_bt tooth thickness on the base cylinder, transverse, mm; an internal gear's is extrapolated
+//   s_bt transverse tooth thickness on the base cylinder, mm; extrapolated for an internal gear
 //   β_b  base helix angle, rad, > 0 right hand
 //   α_n  pressure angle of a rack       p_bn   normal base pitch, mm
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// Any rack with m_n cos α_n = p_bn/π could have cut it, and m_n, α_n, β and x depend on the chosen
-// rack. Templates over the scalar.
+// Any rack with m_n cos α_n = p_bn/π can cut the gear, and m_n, α_n, β and x depend on the chosen rack.
+// The functions are templates over the scalar.
 #pragma once
 
 #include <cmath>
@@ -56,7 +57,7 @@ bool has_rack(const BaseGear<T>& gear, const T& alpha_n) {
   return cos(alpha_n) > abs(sin(gear.helix_angle));
 }
 
-/// The gear as the rack with the pressure angle α_n describes it, without allowance.
+/// The reference data of the gear for a rack with the pressure angle α_n, without allowance.
 ///
 /// Formula   m_n = p_bn/(π cos α_n), sin β = sin β_b/cos α_n, x from s_bt; [T4.2], [T4.3]
 /// Domain    0 < α_n < π/2, has_rack (contract)

@@ -8,9 +8,9 @@ namespace gearwright {
 
 namespace {
 
-// Of an internal gear, whose rim must reach the radius `room`, mm.
+// The error of the rim of an internal gear, which must extend to the radius `room`, mm.
 std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
-  // The value is rounded up so that the outline fits.
+  // The value is rounded up, so that the printed diameter is large enough.
   const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;
   const std::string need = fmt::format(
       "the bore of an internal gear is the outside of its rim and must lie outside its roots; at "
@@ -53,7 +53,7 @@ std::optional<Error> bore_error(const Bore& bore, double room) {
   const double depth = bore.has_keyway() ? bore.keyway_depth : 0.0;
   const double largest =
       room > half ? 2.0 * (std::sqrt((room - half) * (room + half)) - depth) : 0.0;
-  // rounded down, so that the printed value fits
+  // The value is rounded down, so that the printed diameter is small enough.
   const double printed = std::floor(largest * 1000.0) / 1000.0;
   const char* with = bore.has_keyway() ? " with its keyway" : "";
   return refused(

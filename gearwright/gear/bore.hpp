@@ -1,8 +1,8 @@
-// The bore of a gear's body and its keyway. The bore of an internal gear is the outside of its rim.
+// The bore of a gear body and its keyway. For an internal gear, the bore is the outside of the rim.
 //
-//   r  bore radius     w, t  keyway width and depth     all mm
+//   r  bore radius, mm     w, t  width and depth of the keyway, mm
 //
-// The keyway's floor lies at y = r + t, its walls at x = ±w/2. There is no keyway if w = 0.
+// The floor of the keyway is at y = r + t, and its walls are at x = ±w/2. If w = 0, there is no keyway.
 #pragma once
 
 #include <optional>
@@ -19,12 +19,10 @@ struct Bore {
   bool has_keyway() const { return keyway_width > 0.0; }
 };
 
-/// Largest distance of the bore's wall from the axis, mm: the keyway's corner, or the circle.
+/// Largest distance of the bore from the axis, mm: the distance of the keyway's corner, or the bore radius.
 double bore_reach(const Bore& bore);
-
-/// Empty if there is no error; otherwise the key and the allowed range.
-///
-/// Domain    `room` mm: the radius that the bore and its keyway must not exceed
+/// The error of a bore that is too large or invalid; empty if there is none. `room` is the radius, mm,
+/// that the bore and its keyway must not exceed.
 std::optional<Error> bore_error(const Bore& bore, double room);
 
 /// The cylinders of a gear that limit its bore or its rim.
@@ -34,8 +32,8 @@ struct HoleLimits {
   std::optional<double> groove{};  ///< mm, the radius of the groove of a double-helical gear
 };
 
-/// The error of a bore or a rim with less than `wall` mm to the roots or to the groove. The rim of an
-/// internal gear must exist and has no keyway.
+/// The error of a bore or a rim that leaves less than `wall` mm to the roots or to the groove. An
+/// internal gear must have a rim diameter, and its rim has no keyway.
 std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits,
                                 double wall);
 

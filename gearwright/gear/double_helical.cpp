@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSameLength = 1e-9;  // relative, for two ways to compute one length
+constexpr double kSameLength = 1e-9;  // relative rounding error of a length computed in two ways
 
 }  // namespace
 

@@ -29,7 +29,8 @@ Gear described(const CylindricalSpec& spec) {
   gear.root_diameter = d - sigma * 2 * m * (dedendum_of(spec.rack) - x_E);
   gear.lead = beta == 0.0 ? 0.0 : std::numbers::pi * d / std::tan(beta);
   const double psi_b = reference.base_tooth_thickness / reference.base_diameter;
-  // An internal gear's tooth thins inward: its flanks meet at inv α = −ψ_b, if they do. [T2.13]
+  // The tooth of an internal gear becomes thinner inward, and its flanks meet at inv α = −ψ_b if ψ_b is
+  // not positive. [T2.13]
   const double y = sigma * psi_b;
   if (y >= 0.0) gear.pointed_diameter = reference.base_diameter / std::cos(inverse_involute(y));
   return gear;
@@ -41,12 +42,12 @@ void warn(Gear& gear, WarningCode code, std::string message) {
 
 namespace {
 
-// The profile shift on a drawing for which x_E reaches the limit; it includes the allowance.
+// The profile shift x of the drawing that gives x_E. x_E also contains the allowance.
 double shift_for(const Gear& gear, double x_E) {
   return x_E - (gear.reference().generating_profile_shift - gear.spec.profile_shift);
 }
 
-// The remedy for undercut: a profile shift for a gear cut by a rack, otherwise another cutter.
+// The cause of or the remedy for undercut, as the end of a sentence.
 std::string without_undercut(const Gear& gear) {
   if (const ArcTeeth* arcs = gear.arcs()) {
     return fmt::format(
@@ -56,7 +57,7 @@ std::string without_undercut(const Gear& gear) {
   }
   const auto free_shift = gear.involute()->undercut_free_profile_shift;
   if (!free_shift) return "its pinion cutter reaches below the involute.";
-  const double shift = std::ceil(1e4 * shift_for(gear, *free_shift)) / 1e4;  // avoids it as printed
+  const double shift = std::ceil(1e4 * shift_for(gear, *free_shift)) / 1e4;  // rounded up
   return fmt::format("a profile shift of at least {:.4f} avoids it.", shift);
 }
 
@@ -76,7 +77,7 @@ void warn_about_tip(Gear& gear) {
   }
 }
 
-// Only addendum and dedendum of a rack apply to an internal gear.
+// Adds the warnings of an internal gear without a tooth. Of its rack, only addendum and dedendum apply.
 void warn_about_ring(Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||
@@ -145,7 +146,8 @@ void find_tip_bulge(Gear& gear) {
            bulge.amount, bulge.from_diameter, gear.internal() ? "least" : "most"));
 }
 
-// Normal thickness of the finished tooth at its tip, which is the remaining land; 0 at a point.
+// Normal thickness of the finished tooth at its tip, which is the width of the remaining land; 0 if the
+// tip is pointed or rounded.
 std::optional<double> tip_thickness(const Gear& gear) {
   if (!gear.exists()) return std::nullopt;
   if (!gear.involute()) {
@@ -158,7 +160,7 @@ std::optional<double> tip_thickness(const Gear& gear) {
     if (gear.tooth->pointed || gear.tooth->rounded_tip) return 0.0;
     const double d_end = 2 * gear.tooth->tip_radius;
     const Arc& land = gear.tooth->outline.arcs.back();
-    // A tip on the base circle itself may lie an ulp inside it.
+    // Due to rounding, a tip on the base circle may lie inside the base circle.
     const bool plain = gear.tooth->tip_form_radius == gear.tooth->tip_radius && d_end >= d_b;
     const double s_t = plain
                            ? tooth_thickness_transverse(

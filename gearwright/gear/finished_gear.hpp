@@ -1,7 +1,5 @@
-// The data common to all gears, however they are cut: closed forms before the tooth, and warnings
-// after it.
-//
-// Internal to gear/.
+// Data that are computed for all gears, independently of the cutter: closed forms before the tooth is
+// cut, and tip, root and warnings afterwards. Internal to gear/.
 #pragma once
 
 #include <string>
@@ -14,7 +12,7 @@ namespace gearwright::detail {
 /// tooth.
 Gear described(const CylindricalSpec& spec);
 
-/// Root and tip of the tooth as it was cut, and the warnings that follow.
+/// Sets root and tip of the tooth as cut, and adds the warnings.
 void finish(Gear& gear);
 
 void warn(Gear& gear, WarningCode code, std::string message);

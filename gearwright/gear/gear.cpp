@@ -16,8 +16,7 @@ namespace gearwright {
 
 namespace {
 
-// The limits of a spec. They lie far beyond real gears and keep each formula inside its tested
-// domain.
+// The limits of a spec. They lie far beyond real gears, and within them all formulas are tested.
 constexpr int kMaxTeeth = 100'000;
 constexpr double kMinModule = 1e-3;   // mm
 constexpr double kMaxModule = 1e3;    // mm
@@ -89,7 +88,7 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
 
 namespace {
 
-// A tip fillet that lies beyond the blank is not on the gear.
+// Removes a tip fillet that begins beyond the blank, and adds a warning.
 void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
   GeneratedTooth& tooth = *gear.tooth;
   if (!tooth.tip_fillet || !(gear.tip_diameter / 2 <= fillet_begin)) return;
@@ -101,7 +100,7 @@ void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
                            2 * tooth.tip_radius));
 }
 
-// The tooth of an external gear, with circular fillets if requested.
+// Cuts the tooth of an external gear, with circular fillets if requested.
 std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   const CylindricalSpec& spec = gear.spec;
   auto& flanks = std::get<InvoluteTeeth>(gear.flanks);
@@ -122,7 +121,7 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   if (fillets->root) flanks.point_c_l = ruler.l(fillets->root->roll);
   if (fillets->tip) {
     flanks.point_j_l = ruler.l(fillets->tip->roll);
-    // A tooth that ends with its fillet needs no other tip.
+    // Without a blank, the tooth ends with its tip fillet.
     if (!blank) gear.tip_diameter = 2 * fillets->tip->arc.end;
   }
   auto tooth = cut_by_rack(edge, motion, spec.teeth, gear.tip_diameter / 2, *fillets);

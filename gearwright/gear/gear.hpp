@@ -1,6 +1,6 @@
 // A cylindrical gear: its values on the drawing, the derived values, and the tooth as cut.
 //
-// Symbols of ISO 21771; see gear/reference.hpp and docs/theory/00-notation.md.
+// Symbols are those of ISO 21771; see gear/reference.hpp and docs/theory/00-notation.md.
 #pragma once
 
 #include <optional>
@@ -26,8 +26,8 @@ struct CylindricalSpec {
   double profile_shift = 0.0;                        ///< x
   double thickness_allowance = 0.0;                  ///< E_sn  mm, < 0 thins the tooth
   double face_width = 0.0;                           ///< b     mm
-  std::optional<double> tip_diameter{};              ///< d_a   mm; else from the rack
-  Rack rack{};                                       ///< with arcs the gear has no α_n and no x
+  std::optional<double> tip_diameter{};              ///< d_a   mm; by default from the rack
+  Rack rack{};                                       ///< if it has arcs, α_n and x are not used
   std::optional<RootFilletSpec> root_fillet{};       ///< a circular arc instead of the root as cut
   std::optional<TipFilletSpec> tip_fillet{};         ///< a circular arc instead of the tip as cut
 
@@ -48,18 +48,18 @@ struct PinionCutting {
 struct InvoluteTeeth {
   ReferenceGeometry<double> reference;
   std::optional<double> undercut_free_profile_shift;  ///< least x_E without undercut, signed; only
-                                                      ///< of a rack
+                                                      ///< for a gear cut by a rack
   std::optional<double> undercut_l;                   ///< l_F  mm, signed; none if internal
   std::optional<double> point_c_l, point_j_l;         ///< l_C, l_J  mm, with circular fillets
 };
 
-/// The corresponding data of a gear cut by a rack of arcs.
+/// The data of gears cut by a rack of arcs only.
 struct ArcTeeth {
-  RackOfArcs rack;                            ///< its edge, in modules
+  RackOfArcs rack;                            ///< in modules
   std::optional<double> reference_thickness;  ///< s_n  mm, with the allowance
-  Angle flank_begin;                          ///< τ at the root end of the flank's arc; of several
-                                              ///< arcs, the undercut one or else the lowest
-  std::optional<Angle> undercut_limit;        ///< τ of that arc's cusp; none if it has no cusp
+  Angle flank_begin;                          ///< τ at the root end of the flank arc; if there are
+                                              ///< several, of the undercut arc or the lowest one
+  std::optional<Angle> undercut_limit;        ///< τ of the cusp of this arc, if it has a cusp
 };
 
 /// The projection of a tip beyond the involute (gear/tip_bulge.hpp).
@@ -78,12 +78,12 @@ struct Gear {
   double tip_diameter;        ///< d_a   mm, of the blank
   double root_diameter;       ///< d_f   mm, negative if the rack passes through the axis
   double lead;                ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
-  bool undercut;  ///< the cutter removed part of the flank; false with a circular root fillet
-  std::optional<double> pointed_diameter;            ///< where the two flanks meet, mm
+  bool undercut;  ///< true if the cutter has removed part of the flank; not with `root_fillet`
+  std::optional<double> pointed_diameter;            ///< mm, at which the two flanks meet
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
   std::optional<TipBulge> tip_bulge;                 ///< none if the tip does not project
-  std::optional<Bore> bore;   ///< of the body (internal: rim); independent of the teeth
-  std::optional<double> gap;  ///< mm, between the halves of a double-helical gear; this is one half
+  std::optional<Bore> bore;             ///< of the body, or of the rim of an internal gear
+  std::optional<double> gap;            ///< mm, if this gear is one half of a double-helical gear
   std::optional<GeneratedTooth> tooth;  ///< none for an internal gear that no pinion cutter has cut
   std::vector<Warning> warnings;
 
@@ -91,33 +91,33 @@ struct Gear {
   double side() const { return side_of(spec.teeth); }  ///< σ  +1 external, −1 internal
   const InvoluteTeeth* involute() const { return std::get_if<InvoluteTeeth>(&flanks); }
   const ArcTeeth* arcs() const { return std::get_if<ArcTeeth>(&flanks); }
-  /// Domain  an involute gear (contract), here and for the base radius
+  /// The reference geometry.   Domain: an involute gear (contract), also for base_radius()
   const ReferenceGeometry<double>& reference() const;
   double base_radius() const { return reference().base_diameter / 2; }
   bool exists() const { return !tooth || (!tooth->through_axis && !tooth->severed); }
-  /// d_Ff/2, where the usable flank starts; none for an internal gear or when no flank is left.
+  /// d_Ff/2, the radius at which the usable flank starts; none without a tooth or a usable flank.
   std::optional<double> root_form_radius() const;
-  /// Two flanks meet before the tip: a pointed tooth, or an internal gear's that thins to nothing
-  /// inward.
+  /// True if the two flanks of a tooth meet before the tip.
   bool pointed() const;
-  /// d_Fa/2, its end; for an internal gear the tip, or the base circle if the tip lies inside it.
+  /// d_Fa/2, the radius at which the usable flank ends. For an internal gear without a tooth, it is the
+  /// tip radius, or the base radius if the tip lies inside the base circle.
   double tip_form_radius() const;
-  /// The radius at which the finished tooth ends: blank, cutter's bottom, or its point.
+  /// The radius at which the finished tooth ends. The blank, the bottom land of the cutter or the point
+  /// of the tooth determines it.
   double actual_tip_radius() const;
-  /// The face width, mm, of a gear whose teeth are `face` mm wide: that, or of a double-helical gear
-  /// both halves and the gap.
+  /// The whole face width, mm, of a gear whose teeth are `face` mm wide. For a double-helical gear it
+  /// includes both halves and the gap.
   double whole_face(double face) const { return gap ? 2.0 * face + *gap : face; }
   double twist() const;  ///< 2π/p_z [T1.2]  rad/mm, signed, 0 for a spur gear
 };
 
-/// Checks the limits of a spec and returns the first member out of bounds, or nothing. make_gear
-/// calls it too.
+/// Checks the limits of a spec and returns the error of the first member that is out of bounds, if any.
+/// make_gear() also calls this function.
 std::optional<Error> check_limits(const CylindricalSpec& spec);
-
-/// Makes the gear: closed-form data, then the tooth by generation.
+/// Makes the gear: computes the closed-form data and generates the tooth.
 ///
-/// Errors    the member of CylindricalSpec ("teeth", "normal_module", "rack.dedendum", …).
-///           Undercut, pointed, severed teeth are data and warnings.
+/// Errors    the member of CylindricalSpec ("teeth", "normal_module", "rack.dedendum", …). Undercut,
+///           pointed and severed teeth are not errors but data and warnings
 Result<Gear> make_gear(const CylindricalSpec& spec);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// The name of a member of one of two gears in an error: "gear1.teeth".
+// Names of the members of gear 1 and gear 2 in errors, such as "gear1.teeth".
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-/// "gear1", "gear2".
+/// "gear1" or "gear2"
 inline std::string gear_field(int which) { return "gear" + std::to_string(which); }
 
 /// "gear1.teeth"
@@ -16,7 +16,7 @@ inline std::string gear_field(int which, std::string_view member) {
   return gear_field(which) + "." + std::string(member);
 }
 
-/// Prefixes the error of a gear with gear1 or gear2.
+/// Adds the prefix "gear1" or "gear2" to the field of an error.
 inline Error of_gear(int which, Error error) { return within(gear_field(which), std::move(error)); }
 
 }  // namespace gearwright

@@ -1,5 +1,5 @@
-// Formulas of one gear for any number type: the text of gear/leaf_formulas.inc, and the selection
-// functions that it uses instead of branches.
+// Formulas of one gear for any scalar type. Their text is in gear/leaf_formulas.inc, and this file adds
+// the selection functions that the text uses in place of branches.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace gearwright::leaf {
 
-/// The second if either is NaN, as in vector instructions.
+/// The lesser value; the second argument if either is NaN, as in vector instructions.
 template <class T>
 T min_of(const T& a, const T& b) {
   return a < b ? a : b;

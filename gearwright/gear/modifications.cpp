@@ -13,28 +13,28 @@ namespace gearwright {
 
 namespace {
 
-// Greatest amount relative to the depth of the usable flank, which is about two modules: 0.2
-// modules, ten times the usual values. Removed from both flanks, it is half the tip land of most
-// teeth.
+// Greatest amount, relative to the depth of the usable flank. The depth is about two modules, so the
+// greatest amount is 0.2 modules, which is ten times the usual amounts. If it is removed from both
+// flanks, half the tip land of most teeth is left.
 constexpr double kMaxAmount = 0.1;
-// Greatest slope of a relief over its depth (length). Removal along the normal of the unmodified
-// flank has an error of half the square of the slope, here 2 % of the amount. A steeper one is a
-// chamfer, which is a separate surface.
+// Greatest slope of a relief over its depth or length. The material is removed along the normal of the
+// unmodified flank, with an error of half the square of the slope, here 2 % of the amount. A steeper
+// relief is a chamfer, which is a separate surface.
 constexpr double kSteepest = 0.2;
-// Least depth (length) of a relief relative to that of the flank (face). A smaller one is an edge.
+// Least depth (length) of a relief, relative to the depth of the flank (to the face width). A shorter
+// relief is an edge.
 constexpr double kMinReach = 1e-3;
-// Borders closer together than this, relative to the flank's width, are merged, which changes a
-// linear relief by less than 1e-6 of its amount.
+// Borders that are closer together, relative to the width of the flank, are merged. This changes a linear
+// relief by less than 1e-6 of its amount.
 constexpr double kSameBorder = 1e-9;
-// Relative tolerance for a grid that must reach a form diameter, which has more digits.
+// Relative tolerance of a grid that must reach a form diameter, because diameters in a spec are rounded.
 constexpr double kSameDiameter = 1e-9;
-// Least L, relative to the greatest, for which √(ρ² − r0²) is used directly. The L of a flank that
-// begins on the base circle has an error of half this value at that point only.
+// Least L, relative to the greatest, at which √(ρ² − r0²) is used directly. If the flank begins on the
+// base circle, L has an error of half this value at that point only.
 constexpr double kMinRoll = 1e-6;
-// The form radius of a flank that begins on the base circle is that of the circle, to rounding.
+// Relative rounding error of the form radius of a flank that begins on the base circle.
 constexpr double kOnBase = 1e-12;
-
-// mm as µm of the spec, without the rounding of a conversion in both directions.
+// Converts mm to µm as in the spec, without the rounding errors of the conversion in both directions.
 double in_um(double mm) {
   constexpr double kSteps = 1e9;  // per µm: finer than any drawing, coarser than rounding
   return std::round(mm / kMmPerUm * kSteps) / kSteps;
@@ -42,7 +42,7 @@ double in_um(double mm) {
 
 double length(double rho, double r0) { return std::sqrt(std::max(0.0, (rho - r0) * (rho + r0))); }
 
-// Messages give µm.
+// Amounts in messages are in µm.
 constexpr const char* kTenth =
     "must lie between {} and {} µm, a tenth of the depth of this gear's usable flank";
 
@@ -188,7 +188,7 @@ void add(Removal& sum, double amount, const Removal& unit) {
   sum.c_zz += amount * unit.c_zz;
 }
 
-// The candidates inside (lo, hi), sorted, neighbours nearer than kSameBorder made one.
+// The candidates inside (lo, hi), in ascending order. Neighbours closer than kSameBorder are merged.
 std::vector<double> borders(std::vector<double> candidates, double lo, double hi) {
   const double same = kSameBorder * (hi - lo);
   std::sort(candidates.begin(), candidates.end());
@@ -244,7 +244,7 @@ void RemovalField::make_cells() {
   const std::vector<double> u = with_ends(std::log(inner), kinks_u_, std::log(outer));
   const std::vector<double> z = with_ends(-half, kinks_z_, half);
   for (std::size_t i = 0; i + 1 < u.size(); ++i) {
-    // The middle of a cell determines on which side of each start it lies.
+    // The middle of a cell determines which reliefs apply in the cell.
     const double L = length(std::exp((u[i] + u[i + 1]) / 2), extent_.r0);
     const auto beyond = [](const Ramp& r, double x) {
       return r.placed && (x - r.from) / (r.to - r.from) > 0.0;
@@ -270,9 +270,9 @@ bool RemovalField::ridge_between(const Piece& a, const Piece& b) const {
          begins(a.end_lo != b.end_lo || a.end_hi != b.end_hi, end_, Parameter::end_relief);
 }
 
-// L of y = ρ² − r0². Below y0 = y_floor_, with t = (y0 − y)/y0:  L = √y0 (1 − h),
-// h = t (1 + 7t/4)/(2 (1 + t)^(3/2)) has the value, slope and second derivative of 1 − √(1 − t)
-// at t = 0, grows for all t, and as √t in the end.
+// L as a function of y = ρ² − r0². Above y0 = y_floor_, L = √y. Below y0, L = √y0 (1 − h) with
+// t = (y0 − y)/y0 and h = t (1 + 7t/4)/(2 (1 + t)^(3/2)). At t = 0, h has the value, slope and second
+// derivative of 1 − √(1 − t). It increases for all t, and as √t for great t.
 RemovalField::Roll RemovalField::roll(double rho) const {
   const double y = (rho - extent_.r0) * (rho + extent_.r0);
   const double y_u = 2 * rho * rho;

@@ -1,14 +1,15 @@
 // Flank modifications: material removed from a flank, as the numbers of a drawing and as a smooth
 // field over the flank.
 //
-//   C      amount of one modification, mm          c(u, z)  removed normal to the flank, mm
+//   C      amount of one modification, mm          c(u, z)  material removed normal to the flank, mm
 //   ρ, u   radius, mm, and ln ρ                    z, b     height from the middle of the face, mm;
 //                                                           face width, mm
-//   L      roll length √(ρ² − r0²), mm: the place along the profile. r0 is the base radius of an
-//          involute, 0 for other teeth, whose L is the radius. L_f at d_Ff, L_a at d_Fa
+//   L      roll length √(ρ² − r0²), mm, which gives the place along the profile; L_f at d_Ff and L_a
+//          at d_Fa
+//   r0     base radius of an involute; 0 for other teeth, so that L is the radius
 //   w      (L − (L_f + L_a)/2)/(L_a − L_f), from −½ at the root to ½ at the tip
 //
-// Every modification is its amount times its own field (ISO 21771-1, "flank modifications"):
+// Every modification is its amount times one of these fields (ISO 21771-1, "flank modifications"):
 //
 //   tip relief        q or q²,  q = (L − L_start)/(L_a − L_start), from d_start to the tip
 //   root relief       q or q²,  q = (L − L_start)/(L_f − L_start), from d_start to the root
@@ -16,11 +17,11 @@
 //   helix crowning     4 (z/b)²                      helix slope modification     z/b
 //   end relief        q or q²,  q = (|z| − b/2 + l)/l, over the length l from each face
 //
-// and a measured or designed topography is added as it is. An internal gear's tip has the lesser
-// radius; the same formulas hold.
+// A measured or designed topography is added. The formulas also hold for an internal gear, whose tip has
+// the lesser radius.
 //
-// Right and left: seen from +z with the tooth pointing up, so that on the tooth whose centre line
-// is the x axis the right flank has y < 0.
+// The right and the left flank are those seen from +z with the tooth pointing up. If the centre line of
+// the tooth is the x axis, the right flank has y < 0.
 #pragma once
 
 #include <array>
@@ -38,7 +39,8 @@ enum class ReliefShape { linear, parabolic };
 
 struct Relief {
   double amount = 0.0;            ///< C  mm, ≥ 0
-  std::optional<double> reach{};  ///< mm: start diameter (tip, root), length from each face (end)
+  std::optional<double> reach{};  ///< mm: start diameter (tip and root relief), or length from each
+                                  ///< face (end relief)
   ReliefShape shape = ReliefShape::linear;
 };
 
@@ -71,11 +73,10 @@ struct Removal {
 
 /// The field of one flank.
 ///
-///   Laws  (1) at = Σ amount · derivative + topography
-///         (2) pieces() cover the usable flank without overlap; within one, every formula is smooth
-///             and continues beyond the borders, so an iterate slightly outside uses the same
-///             formula
-///         (3) the derivatives are those of c itself, everywhere
+///   Laws  (1) at() = Σ amount · derivative() + topography
+///         (2) pieces() cover the usable flank without overlap; the formulas of a piece are smooth and
+///             continue beyond its borders, so that an iteration may leave the piece
+///         (3) the derivatives are those of c, everywhere
 class RemovalField {
  public:
   enum class Parameter {
@@ -104,39 +105,40 @@ class RemovalField {
     Piece piece;
   };
 
-  /// Domain    what make_removal_field accepts (contract)
+  /// Domain    arguments that make_removal_field() accepts (contract)
   RemovalField(const FlankModifications& modifications, const FlankExtent& extent);
 
   /// The material removed at (u, z), by the formulas of `piece`.
   ///
   /// Units     u = ln(ρ/mm), z in mm
-  /// Domain    any u, z. Every relief of `piece` must be placed (contract). √(ρ² − r0²) ends on
-  ///           the base circle: below half the least L of the usable flank (or 1e-6 of its greatest
-  ///           L, if the flank begins on the circle) L is continued by another function with the
-  ///           same first two derivatives, which passes through 0 and is bounded like √
-  /// Accuracy  derivatives are those of the formulas, not differences. They grow as ρ²/L² towards
-  ///           the base circle, where c is no smooth function of u
+  /// Domain    any u, z. Every relief of `piece` must have a reach (contract). √(ρ² − r0²) is not
+  ///           defined inside the base circle. Below half the least L of the usable flank (1e-6 of the
+  ///           greatest L, if the flank begins on the base circle), L is therefore continued by another
+  ///           function with the same value and the same first two derivatives
+  /// Accuracy  derivatives are those of the formulas, not differences. They grow as ρ²/L² towards the
+  ///           base circle, where c is not a smooth function of u
   Removal at(double u, double z, const Piece& piece) const;
   Removal at(double u, double z) const { return at(u, z, piece_at(u, z)); }
 
-  /// ∂/∂amount of `at`: mm removed per mm of the amount. A relief without a start or length applies
-  /// in no piece, and its field is 0.
+  /// Derivative of at() by the amount of a modification, in mm removed per mm of the amount. It is 0 for
+  /// a relief without a reach, which applies in no piece.
   Removal derivative(Parameter parameter, double u, double z, const Piece& piece) const;
 
   double amount(Parameter parameter) const { return amounts_[index(parameter)]; }  ///< C  mm
 
-  /// The piece that contains (u, z); on a border the one above, and beyond the flank the nearest
-  /// one.
+  /// The piece that contains (u, z). On a border it is the upper piece, and beyond the flank the nearest
+  /// piece.
   const Piece& piece_at(double u, double z) const;
   /// Pieces in order of u, and for equal u in order of z.
   const std::vector<Cell>& pieces() const { return cells_; }
-  /// Borders between pieces, growing: where a first derivative jumps, or (parabolic) a second one.
-  /// A relief with a start has a border even if its amount is 0, because its derivative needs it.
+  /// Borders between pieces, in ascending order. At a border the first derivative jumps, or the second
+  /// derivative if the relief is parabolic. A relief with a reach has a border even if its amount is 0,
+  /// because derivative() depends on the border.
   const std::vector<double>& kinks_u() const { return kinks_u_; }
   const std::vector<double>& kinks_z() const { return kinks_z_; }
 
-  /// True if the flank has a ridge where two neighbouring pieces meet. A ridge is the start of a
-  /// linear relief with an amount other than 0, where the first derivative of c jumps.
+  /// True if the border between two neighbouring pieces is a ridge. A ridge is the start of a linear
+  /// relief with an amount other than 0, where the first derivative of c jumps.
   bool ridge_between(const Piece& a, const Piece& b) const;
 
   bool has_topography() const { return topography_ != nullptr; }
@@ -147,7 +149,7 @@ class RemovalField {
   struct Roll {
     double value, d1, d2;  // L and its derivatives by u
   };
-  struct Ramp {  // a relief: 0 at `from`, its amount at `to`; of L, or of |z|
+  struct Ramp {  // a relief as a function of L or |z|: 0 at `from`, and its amount at `to`
     double from = 0.0, to = 0.0;
     ReliefShape shape = ReliefShape::linear;
     bool placed = false;
@@ -167,13 +169,13 @@ class RemovalField {
   std::vector<Cell> cells_;
 };
 
-/// The field, if the modifications fit the flank.
+/// Makes the field, if the modifications fit the flank.
 ///
-/// Errors    the member of FlankModifications, `tip_relief.reach`: a start off the usable flank,
-///           a relief without start or length, one steeper than 1 in 5 (a chamfer),
-///           an amount over a tenth of the flank's depth, a grid that does not cover the flank
-/// Domain    0 ≤ r0 ≤ both form radii, which differ; face_width > 0; a topography's grid as its
-///           members state (contract)
+/// Errors    the member of FlankModifications, such as `tip_relief.reach`: a start off the usable
+///           flank, a relief without a reach or steeper than 1 in 5 (a chamfer), an amount greater than
+///           a tenth of the flank's depth, or a grid that does not cover the flank
+/// Domain    0 ≤ r0 ≤ both form radii, which differ; face_width > 0; is_grid() of the topography
+///           (contract)
 Result<RemovalField> make_removal_field(const FlankModifications& modifications,
                                         const FlankExtent& extent);
 

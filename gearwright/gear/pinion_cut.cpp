@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// x of the gear that meshes with the cutter at E without backlash:
+// The x with which the gear meshes with the cutter at E without backlash:
 // x + x_0 = (inv α_w − inv α_t)(z_0 + z)/(2 tan α_n). [T6.12]
 double shift_at(const Gear& cutter, int teeth, double roll_w) {
   const ReferenceGeometry<double>& g = cutter.reference();
@@ -23,9 +23,9 @@ double shift_at(const Gear& cutter, int teeth, double roll_w) {
   return sum - g.generating_profile_shift;
 }
 
-// ρ_a0 on the drawing of the cutter: the radius of its circular tip or, if the blank reaches it, of
-// the bottom of the rack that cut it. A cutter that was cut by a gear has no rounding of constant
-// radius there.
+// ρ_a0, the tip rounding of the cutter. It is the radius of the circular tip fillet or, if the blank
+// reaches so far, the root rounding of the rack that cut the cutter. If a gear cut the cutter, there is
+// no rounding of constant radius.
 double tip_rounding(const Gear& cutter) {
   if (const auto& arc = cutter.tooth->tip_fillet) return arc->radius;
   const StraightRack& rack = cutter.spec.straight_rack();
@@ -97,8 +97,8 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   spec.root_fillet.reset();
   spec.tip_fillet.reset();
   const PinionMotion motion{cutter.spec.teeth, wanted.teeth, e};
-  // The tip radius left by the root of the cutter, if nothing else ends the tooth. It is the same
-  // number, so that rounding does not decide between the two.
+  // By default, the tip radius is the one that the root of the cutter leaves. The number is the same as
+  // in cut_by_pinion(), so that rounding does not decide between blank and cutter.
   spec.tip_diameter = wanted.tip_diameter.value_or(2 * left_by_root(*cutter.tooth, motion));
   if (auto error = check_limits(spec)) return *error;
   Gear gear = detail::described(spec);

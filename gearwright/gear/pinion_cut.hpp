@@ -1,7 +1,8 @@
-// A gear cut by a pinion cutter: a finished gear, rolling with it at generating centre distance.
+// A gear cut by a pinion cutter. The cutter is a gear that rolls with the workpiece at the generating
+// centre distance.
 //
 //   E    generating centre distance, mm
-//   x    follows from E: cutter and gear mesh there without backlash
+//   x    profile shift with which cutter and gear mesh at E without backlash
 //                                              theory: docs/theory/06-few-teeth.md
 #pragma once
 
@@ -16,16 +17,16 @@ struct PinionCutSpec {
   std::optional<double> tip_diameter;  ///< d_a  mm; by default determined by the cutter's root
 };
 
-/// The reason why a cutter cannot cut a gear of that many teeth at any distance; empty if it can.
+/// The reason why a cutter cannot cut a gear with this number of teeth at any distance; empty if it can.
 std::optional<Error> check_cutter(const Gear& cutter, int teeth);
 
 /// The generating centre distance that gives the gear the profile shift x.
 ///
-/// Errors    `profile_shift` where the cutter has no such place
+/// Errors    `profile_shift` if there is no such distance
 Result<double> generating_distance(const Gear& cutter, int teeth, double profile_shift);
 
-/// Makes the gear. Module, pressure angle and |β| are those of the cutter. An internal gear has the
-/// hand of the cutter, and an external gear has the opposite hand.
+/// Makes the gear. Module, pressure angle and |β| are those of the cutter. An internal gear has the same
+/// hand as the cutter, and an external gear has the opposite hand.
 ///
 /// Domain    `cutter` is an external involute gear that exists (contract)
 /// Errors    `teeth`, `cut_by`, `tip_diameter`, `face_width`

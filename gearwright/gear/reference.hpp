@@ -4,10 +4,10 @@
 //   z         teeth, negative if internal     m_n, m_t   normal and transverse module, mm
 //   α_n, α_t  pressure angles, rad           β, β_b     helix angles, rad, > 0 right hand
 //   d, d_b    reference and base diameter    s_n, s_t, s_bt   tooth thicknesses, mm
-//   x         profile shift                  x_E        the same with the thickness allowance E_sn
+//   x, x_E    profile shift and generating profile shift, which includes the allowance E_sn
 //                                              theory: docs/theory/02-involute-and-pair.md
 //
-// Templates over the scalar: double in production, 50 digits in the accuracy ledger.
+// The functions are templates over the scalar: double in production, 50 digits in the accuracy ledger.
 #pragma once
 
 #include <cmath>
@@ -38,11 +38,13 @@ struct ReferenceGeometry {
   T generating_profile_shift;              ///< x_E
   T reference_tooth_thickness_normal;      ///< s_n   mm, with the allowance
   T reference_tooth_thickness_transverse;  ///< s_t   mm
-  T base_tooth_thickness;   ///< s_bt  mm, transverse; if internal extrapolated, may be < 0
+  T base_tooth_thickness;   ///< s_bt  mm; extrapolated and possibly < 0 for an internal gear
   T base_pitch_normal;      ///< p_bn  mm
   T base_pitch_transverse;  ///< p_bt  mm
 };
 
+/// The reference geometry of a gear.
+///
 /// Formula   ISO 21771-1, clauses 5 and 6; [T2.5]…[T2.10]
 /// Units     mm, rad
 /// Domain    z ≠ 0, m_n > 0, 0 < α_n < π/2, |β| < π/2 (contract)
@@ -83,10 +85,9 @@ ReferenceGeometry<T> reference_geometry(const ReferenceInput<T>& in) {
   return g;
 }
 
-/// Transverse tooth thickness (arc) at the diameter d_y, mm; negative beyond the point of the
-/// tooth.
+/// Transverse tooth thickness (arc) at the diameter d_y, mm; negative beyond the point of the tooth.
 ///
-/// Formula   s_yt = d_y (s_bt/d_b ∓ inv α_y), minus external; [T2.11]
+/// Formula   s_yt = d_y (s_bt/d_b ∓ inv α_y), with minus for an external gear; [T2.11]
 /// Domain    d_y ≥ d_b (contract)
 template <class T>
 T tooth_thickness_transverse(int teeth, const T& base_diameter, const T& base_tooth_thickness,
@@ -97,7 +98,7 @@ T tooth_thickness_transverse(int teeth, const T& base_diameter, const T& base_to
   return leaf::transverse_thickness(teeth > 0 ? T(1) : T(-1), half, xi, d_y);
 }
 
-/// cos β_y on the cylinder d_y:  tan β_y = d_y tan β_b / d_b. [T2.12]
+/// cos β_y on the cylinder with the diameter d_y:  tan β_y = d_y tan β_b/d_b. [T2.12]
 template <class T>
 T cos_helix_at(const T& base_diameter, const T& base_helix_angle, const T& d_y) {
   using std::tan;

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kCutterDedendum = 1.5;  // modules, with a sharp root: flanks for any internal tip
+constexpr double kCutterDedendum = 1.5;  // modules, with a sharp root, for any internal tip
 constexpr double kMinLand = 0.1;         // modules, at the cutter's tip
 constexpr double kSameTip = 1e-9;        // relative tolerance for the requested tip
 
@@ -21,7 +21,7 @@ struct Cutter {
   double distance;
 };
 
-// A cutter of z_0 teeth that reaches the internal gear's root, its tip rounded by ρ.
+// A cutter of z_0 teeth with this tip rounding, which reaches the root of the internal gear.
 std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   CylindricalSpec c;
   c.teeth = z_0;
@@ -43,7 +43,7 @@ std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   c.tip_diameter = 2 * r_a;
   auto cutter = make_gear(c);
   if (!cutter || !cutter->exists() || cutter->pointed()) return std::nullopt;
-  // A cutter without a land, or with a truncated rounding, would not reach the root.
+  // A cutter without a land or with a truncated rounding would not reach the root.
   const auto& land = cutter->tip_tooth_thickness_normal;
   if (!land || *land < kMinLand * c.normal_module) return std::nullopt;
   if (std::abs(cutter->tooth->tip_radius - r_a) > kSameTip * r_a) return std::nullopt;
@@ -80,8 +80,7 @@ std::optional<Gear> cut_by_default(const Gear& ring) {
     for (const double rounding : {ring.spec.straight_rack().root_fillet_radius, 0.2, 0.0}) {
       const auto cutter = cutter_of(ring, z_0, rounding);
       if (!cutter) continue;
-      // The drawing gives the end of the flank, so a cutter that removes part of the flank is not
-      // suitable.
+      // A cutter that removes part of the flank is not suitable.
       auto cut = cut_with(ring, *cutter);
       if (cut && cut->tooth->tip_form_radius == cut->tooth->tip_radius &&
           cut->tooth->tip_radius == ring.tip_diameter / 2) {

@@ -1,16 +1,16 @@
-// A flank's topography: material removed at the points of a grid, and the smooth surface through
-// them.
+// The topography of a flank: material removed at the points of a grid, and the smooth surface through
+// these points.
 //
 //   d, z   diameter and height from the middle of the face, mm         s(d, z)   removed, mm
 //
-// Tensor product of cubic splines, C2, not-a-knot at the ends. A natural spline has no curvature at
-// its ends, so it would remove the crowning at the edges of the flank, where contact ends, with an
-// error of second order in the grid step. The not-a-knot spline has an error of fourth order up to
-// the edge. Two or three points on a side give the line or the parabola through them.
+// The surface is a tensor product of cubic splines with not-a-knot ends, and twice continuously
+// differentiable. Its error is of fourth order in the grid step up to the edge. The error of a natural
+// spline would be of second order at the edges of the flank, because it has no curvature at its ends.
+// Two or three points along a side give the line or the parabola through them.
 //
 //   Laws  (1) the surface passes through the points of the grid
 //         (2) cubics in d and in z are reproduced
-//         (3) rows and columns may be exchanged: splines along d first or along z first agree
+//         (3) splines along d first and along z first give the same surface
 #pragma once
 
 #include <vector>
@@ -18,12 +18,12 @@
 namespace gearwright {
 
 struct Topography {
-  std::vector<double> diameters;  ///< mm, growing, two or more
-  std::vector<double> heights;    ///< z  mm, growing, two or more
+  std::vector<double> diameters;  ///< mm, ascending, two or more
+  std::vector<double> heights;    ///< z  mm, ascending, two or more
   std::vector<double> removed;    ///< mm, [i heights.size() + j] at diameter i and height j
 };
 
-/// True if sizes and order satisfy the conditions of the members.
+/// True if the members have the required sizes and order.
 bool is_grid(const Topography& topography);
 
 class TopographySpline {
@@ -34,7 +34,8 @@ class TopographySpline {
   struct Value {
     double s, d, z, dd, dz, zz;  ///< mm; derivatives by diameter and height
   };
-  /// Beyond the grid the outermost cubic continues. The function does not allocate.
+  /// The surface at a place. Beyond the grid, the outermost cubic is continued. The function does not
+  /// allocate memory.
   Value at(double diameter, double height) const;
 
  private:

@@ -16,7 +16,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::contact_lost, "contact_lost", kProblem,
      "verbs contact, load and compensate: no tooth pair touches at some positions",
      "contact is lost at some positions"},
-    // There is no such gear.
+    // The gear does not exist.
     {C::through_axis, "through_axis", kProblem,
      "the cutter passes through the axis of the gear; no outline",
      "the cutter passes through the axis"},

@@ -1,7 +1,7 @@
 // Facts about gears and pairs that are not errors, with their meaning for the user.
 //
-// Warnings, findings of a verdict and entries of `interference` carry an enumerator. One table
-// (warning.cpp) has a row for each: its code in results, its severity, and its sentences.
+// Every warning, finding of a verdict and entry of `interference` has a code. One table (warning.cpp) has
+// a row for each code, with its name in results, its severity and its sentences.
 #pragma once
 
 #include <array>
@@ -12,15 +12,13 @@ namespace gearwright {
 
 enum class Severity {
   note,     ///< a default or a consequence, for information
-  caution,  ///< it works, but the user should check this
-  problem,  ///< it cannot be made or does not run as specified
+  caution,  ///< the gears run, but the user should check this
+  problem,  ///< the gears cannot be made or do not run as specified
 };
-
-/// In order of severity, the worst first. Of two findings of one level, the earlier one is named
-/// first.
+/// The codes, the worst first. Findings of the same level are reported in this order.
 enum class WarningCode {
   contact_lost,  ///< of the pair
-  // There is no such gear.
+  // The gear does not exist.
   through_axis,
   severed,
   no_body,
@@ -126,11 +124,11 @@ inline constexpr std::size_t kWarningCodes = static_cast<std::size_t>(WarningCod
 /// A row of the table.
 struct WarningMeaning {
   WarningCode code;
-  const char* text;  ///< the word for programs in all results, "undercut"
+  const char* text;  ///< the name of the code in all results, "undercut"
   Severity severity;
-  const char* sentence;       ///< when it occurs, for documents
+  const char* sentence;       ///< the condition for the warning, for documents
   const char* reason = "";    ///< a clause for headlines, "the gears jam"; empty for a note
-  const char* advice = "";    ///< the change of the spec that helps if no number would
+  const char* advice = "";    ///< a change of the spec, if the remedy is not a number
   bool gear_unnamed = false;  ///< true if the message does not name the gear
 };
 

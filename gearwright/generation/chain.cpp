@@ -16,8 +16,8 @@ struct Joint {
   double height = 0.0;
 };
 
-// Returns the height in [lo, hi] at which the half angle of `last`, smaller at lo, becomes the
-// larger one.
+// Returns the height in [lo, hi] at which the half angles of `last` and `next` are equal. At lo, the
+// half angle of `last` is smaller.
 double crossing(const Branch& last, const Branch& next, double lo, double hi) {
   if (last.curve->radius_is_closed_form() && next.curve->radius_is_closed_form()) {
     const auto gap = [&](double h) { return last.theta_at(h) - next.theta_at(h); };
@@ -39,10 +39,10 @@ double crossing(const Branch& last, const Branch& next, double lo, double hi) {
   return free.height(find_root(gap_t, std::min(t_a, t_b), std::max(t_a, t_b)).x);
 }
 
-// The tooth is the lower envelope of the half angles, which is continuous. If the radii of the two
-// branches only touch, or if one branch ends before it crosses the other, they share that point
-// within rounding. Examples are undercut that begins here and a corner of the edge on the pitch
-// line.
+// Returns the transition from `last` to `next`. The lower envelope of the half angles is continuous.
+// If the height ranges of the two branches only touch, or if one branch ends before it crosses the
+// other, the two branches share this end within rounding. Examples are undercut that begins at this
+// end and a corner of the cutter's edge on the pitch line.
 Joint joint(const Branch& last, const Branch& next) {
   if (!(next.height_lo < next.height_hi)) return {Joint::next_hidden};  // the branch has no height
   const double lo = std::max(last.height_lo, next.height_lo);
@@ -50,13 +50,14 @@ Joint joint(const Branch& last, const Branch& next) {
   const auto gap = [&](double h) { return last.theta_at(h) - next.theta_at(h); };
   if (!(lo < hi)) {
     if (last.height_hi <= next.height_lo) return {Joint::at_height, last.height_hi};
-    return {Joint::last_hidden};  // unless the preceding branch also hides `next`
+    return {Joint::last_hidden};  // the caller checks whether the branch before `last` hides `next`
   }
   if (gap(lo) >= 0.0) {
     if (next.height_lo > last.height_lo) return {Joint::at_height, lo};
     return {Joint::last_hidden};
   }
-  if (std::isinf(hi)) {  // if both are straight, the flatter one is lower at large heights
+  if (std::isinf(
+          hi)) {  // two involutes; at large heights, the smaller base circle gives the smaller half angle
     // Multiple of the radius, an upper limit of the height of a tooth.
     constexpr double kFarOut = 1e6;
     hi = 2.0 * lo;
@@ -67,13 +68,13 @@ Joint joint(const Branch& last, const Branch& next) {
   return {Joint::next_hidden};
 }
 
-// The largest difference, relative to the radius, between two ends that represent one point. It is
-// √ε, because θ varies like the square root of the radius on a branch that begins along a circle
-// about the axis (τ = π/2).
+// The largest difference, relative to the radius, between two ends that are the same point. It is √ε,
+// because θ varies like the square root of the radius at the start of a branch that is tangent to a
+// circle about the axis (τ = π/2).
 constexpr double kSamePoint = 1.5e-8;
 
-// Returns the branch of a chain at the height h. If two branches meet there, it returns the upper
-// one; outside the chain it returns null.
+// Returns the branch of a chain at the height h. If two branches meet at h, the result is the upper
+// branch. If h is outside the chain, the result is null.
 const Branch* at_height(const std::vector<Branch>& chain, double h) {
   if (chain.empty() || h < chain.front().height_lo) return nullptr;
   std::size_t i = 0;
@@ -85,7 +86,7 @@ const Branch* at_height(const std::vector<Branch>& chain, double h) {
 
 std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height) {
   std::vector<Branch> chain;
-  const Branch* before = nullptr;  // the branch that ends the chain, not shortened
+  const Branch* before = nullptr;  // the last branch of the chain in its original length
   for (const Branch& branch : branches) {
     if (branch.height_lo >= tip_height && !chain.empty() && chain.back().height_hi >= tip_height)
       continue;
@@ -97,7 +98,7 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
     }
     std::size_t kept = chain.size();
     if (next.height_hi <= chain.back().height_lo) {
-      // The whole branch lies below the last one, so the predecessor of the last one may hide it.
+      // The whole branch lies below the last branch, so an earlier branch of the chain may hide it.
       const Branch* below = at_height(chain, next.height_hi);
       if (below && below->theta_at(next.height_hi) < next.theta_at(next.height_hi)) continue;
     }
@@ -107,7 +108,7 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
       j = joint(chain[kept - 1], next);
     }
     if (j.kind == Joint::next_hidden) continue;
-    // the crossing lies beyond the tip
+    // The crossing lies beyond the tip.
     if (j.kind == Joint::at_height && j.height >= tip_height) continue;
     if (j.kind == Joint::last_hidden) {
       chain.clear();
@@ -127,8 +128,8 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
 
 namespace {
 
-// At a stationary radius the parameter is accurate to half the digits only, so ends within
-// tolerance are left unchanged.
+// Relative difference of heights within which an end is not moved, because the parameter at a
+// stationary radius is accurate to half of the digits only.
 constexpr double kSameHeight = 1e-12;
 
 void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double lo, double hi) {
@@ -140,13 +141,13 @@ void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double 
   }
 }
 
-constexpr double kRounding = 1e-13;  // rad; curves that coincide within it do not cross
-// Relative difference of heights that represent one point.
+constexpr double kRounding = 1e-13;  // rad; curves that coincide within this angle do not cross
+// Rounding error of heights, relative to the height.
 constexpr double kHeightRounding = 1e-14;
 
-// Returns the distance of a above b at the height h, minimised within the rounding of heights,
-// because θ varies like the square root of the height where a branch begins along a circle about
-// the axis.
+// Returns the least difference of the half angles of a and b at the height h, within the rounding
+// error of h. At the start of a branch that is tangent to a circle about the axis, θ varies like the
+// square root of the height, so this error matters.
 double surely_above(const Branch& a, const Branch& b, double h) {
   const double near = kHeightRounding * std::abs(h);
   const double below = a.theta_at(std::max(a.height_lo, h - near));
@@ -154,7 +155,7 @@ double surely_above(const Branch& a, const Branch& b, double h) {
   return std::min(below, above) - b.theta_at(h);
 }
 
-// Returns the first height in (from, to] at which b lies lower than a.
+// Returns the first height in (from, to] at which the half angle of b is smaller than that of a.
 std::optional<double> passes_below(const Branch& a, const Branch& b, double from, double to) {
   constexpr int kCells = 48;
   const double lo = std::max(from, b.height_lo);
@@ -191,7 +192,7 @@ const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended,
   for (const Branch& b : branches) {
     if (b.height_lo > h + near || b.height_hi <= h + near) continue;
     if (std::abs(b.theta_at(h) - theta) > same) continue;
-    // Multiple of the tolerance at which the two branches have separated.
+    // Distance, as a multiple of the tolerance, at which two branches from the same point have separated.
     constexpr double kAhead = 1e3;
     const double ahead = std::min(b.height_hi, h + kAhead * near);
     if (!lowest || b.theta_at(ahead) < lowest->theta_at(ahead)) lowest = &b;
@@ -222,8 +223,7 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
     }
     if (until > from) append(lower, {*own}, from, until);
     if (!next && until >= tip_height - kAtTip * std::abs(tip_height)) return lower;
-    // The comparison is strict, because a branch may be shorter than the tolerance within which
-    // points coincide.
+    // The small tolerance is tried first, because a branch may be shorter than the large tolerance.
     if (!next) next = going_on(branches, *own, until, kSameHeight);
     if (!next) next = going_on(branches, *own, until, kSamePoint);
     if (!next) return {};

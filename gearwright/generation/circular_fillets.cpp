@@ -22,7 +22,7 @@ std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double
   if (!(u > -kHalfPi && u < kHalfPi)) return std::nullopt;
   const double radius = r_b * (std::tan(u) - xi);
   if (!(radius > 0.0)) return std::nullopt;
-  // D − r_r = r_b (1/cos u − tan u + ξ). The difference is computed as tan((π/2 − u)/2).
+  // D − r_r = r_b (1/cos u − tan u + ξ). The difference 1/cos u − tan u is computed as tan((π/2 − u)/2).
   const double end = r_b * (std::tan((kHalfPi - u) / 2) + xi);
   return FilletArc{radius, r_b / std::cos(u), Angle::radians(kHalfPi - u), end};
 }
@@ -68,7 +68,7 @@ std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius) {
 
 namespace {
 
-// Roll angle at which the flanks of the tooth meet; infinite if they do not.
+// Roll angle at which the flanks of the tooth meet; 0 if they meet on or inside the base circle.
 double roll_of_point(const Involute& flank) {
   const double psi_b = flank.base_half_angle();
   return psi_b > 0.0 ? std::tan(inverse_involute(psi_b)) : 0.0;
@@ -81,7 +81,7 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   const double xi = std::max(0.0, ruler.roll(l_zero + root.offset));
   const double eta = std::numbers::pi / teeth - flank.base_half_angle();
   const double most = std::min(tip_roll, kHalfPi - eta);
-  // The rack cuts both flanks of the tooth space there, so the space is not closed.
+  // At the least roll angle, the rack cuts both flanks of the tooth space, so the space is not closed.
   const double least = std::max(0.0, ruler.roll(l_zero));
   const char* const field = "root_fillet.offset";
   if (!(least < most)) {
@@ -102,8 +102,8 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   return CircularFillet{xi, *arc};
 }
 
-// Returns ξ_J of the tip fillet that ends at the radius ρ. It is at least ψ_b, because above ψ_b
-// the end moves outward as ξ grows. [T6.6]
+// Returns ξ_J of the tip fillet that ends at the radius ρ. The search starts at ξ = ψ_b, because the
+// end of the fillet moves outward with increasing ξ from there on. [T6.6]
 std::optional<double> roll_of_end(const Involute& flank, double rho) {
   const double r_b = flank.base_radius();
   const double psi_b = flank.base_half_angle();
@@ -121,7 +121,8 @@ std::optional<double> roll_of_end(const Involute& flank, double rho) {
   return root.x;
 }
 
-// Both corners are rounded. The greatest radius leaves no land between them or no flank below them.
+// Returns the rounding of the tip corners. With the greatest radius, either no land is left between
+// the two corners or no flank below them.
 Result<CircularFillet> tip_corner(const FlankRuler& ruler, double radius, double tip_radius,
                                   double least) {
   const Involute& flank = ruler.flank;
@@ -131,7 +132,7 @@ Result<CircularFillet> tip_corner(const FlankRuler& ruler, double radius, double
     const CircularFillet corner = tip_corner_at(flank, tip_radius, rho);
     return std::min(corner.arc.land.rad(), corner.roll - least);
   };
-  // Relative to the tip radius; smaller than any rounding on a drawing.
+  // Least corner radius, relative to the tip radius. It is smaller than any radius on a drawing.
   constexpr double kSharp = 1e-9;
   const double sharp = kSharp * tip_radius;
   if (!(most > sharp && room(sharp) > 0.0)) {
@@ -206,8 +207,8 @@ FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion) {
     if (arc.cuts != ArcName::flank || !line) continue;
     const double x = line->begin_height + motion.shift;
     const double roll = rack_involute_roll(motion, *line, x);
-    // The step is one module. Since ξ is linear in x, a smaller difference would only be less
-    // accurate.
+    // The step in x is one pitch radius. Since ξ is linear in x, a smaller step would only increase the
+    // rounding error.
     const double one = motion.pitch_radius;
     const double slope = (rack_involute_roll(motion, *line, x + one) - roll) / one;
     const double cos_tau = std::cos(line->tau.rad());

@@ -1,20 +1,17 @@
-// Circular fillets at the root and at the tip of an involute tooth that are not cut by a rack. This
-// file computes the arcs from the dimensions on a drawing, and generate.hpp adds them to the tooth.
+// Computes circular fillets at the root and at the tip of an involute tooth, which are not cut by a
+// rack, from the dimensions on a drawing. The functions of generate.hpp add them to the tooth.
 //
-//   l    mm along the straight flank of the rack, in its normal section, from its lower end. The
-//        height x of the rack and the roll angle ξ are linear in l.
-//   F    point where undercut begins, ξ = 0      C, J    points where root and tip fillet touch the
-//        flank
-//   δ = ψ_b − ξ     direction of the flank at ξ; its normal touches the base circle at the polar
-//   angle δ
-//   η = π/z − ψ_b   half the space on the base circle, u = ξ_C + η
+//   l    mm along the straight flank of the rack in the normal section, from the lower end of the flank;
+//        the height x of the rack and the roll angle ξ are linear in l
+//   F    limit of undercut, ξ = 0            C, J    points where root and tip fillet touch the flank
+//   δ = ψ_b − ξ     polar angle at which the normal of the flank at ξ touches the base circle
+//   η = π/z − ψ_b   half angle of the space on the base circle, u = ξ_C + η
+//   γ    polar angle of the centre of a rounded tip corner, half angle of the remaining land
 //                                              theory: docs/theory/06-few-teeth.md
-//   γ    polar angle of the centre of a rounded tip corner, half of the remaining land
 //
-// All arcs are tangent to the flank, so their centres lie on its normal. The centre of the root
-// fillet is on the centre line of the space, that of the tip fillet on the centre line of the
-// tooth. The centre of a rounded tip corner is one radius inside the tip circle. All are closed
-// forms.
+// All arcs are tangent to the flank, so their centres lie on the normal of the flank. The centre of
+// the root fillet also lies on the centre line of the space, and the centre of the tip fillet on the
+// centre line of the tooth. The centre of a rounded tip corner is one radius inside the tip circle.
 #pragma once
 
 #include <optional>
@@ -32,13 +29,13 @@ struct RootFilletSpec {
   double offset = 0.0;  ///< mm, l_C = max(l_F, 0) + offset
 };
 
-/// [gearN.tip_fillet]: one value and its meaning.
+/// [gearN.tip_fillet]: a length and the dimension that it specifies.
 struct TipFilletSpec {
   enum class By {
     radius,      ///< r_t
     l,           ///< l_J
     end_radius,  ///< end of the finished tip on the centre line of the tooth
-    corner       ///< ρ_a of each tip corner, which leaves a land between the two corners
+    corner       ///< ρ_a of each tip corner; a land is left between the two corners
   };
   By by = By::radius;
   double value = 0.0;  ///< mm
@@ -58,33 +55,32 @@ struct FlankRuler {
 
 FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion);
 
-/// A fillet arc, given by its circle, by the distance of its centre from the axis and by its
-/// extent.
+/// A fillet arc.
 struct FilletArc {
   double radius;    ///< r_r or r_t  mm
-  double distance;  ///< of the centre from the gear's axis, mm
-  Angle span;    ///< σ  from the flank to the centre line; for a tip corner, from the flank to the
-                 ///< land
+  double distance;  ///< D  distance of the centre from the gear axis, mm
+  Angle
+      span;  ///< σ  angle of the arc from the flank to the centre line, or to the land at a tip corner
   double end;    ///< mm: radius at which the arc meets the centre line or the land
   Angle land{};  ///< γ  half angle of the land; 0 if there is none
 };
 
-/// Returns the root fillet that touches the flank at ξ_C and is centred in the space. There is none
-/// if the normal of the flank does not meet the centre line of the space outside the tooth.
+/// Returns the root fillet that touches the flank at ξ_C and is centred in the space. The result is
+/// empty if the normal of the flank does not meet the centre line of the space outside the tooth.
 ///
 /// Formula   r_r = r_b (tan u − ξ), D = r_b/cos u, σ = π/2 − u, end D − r_r; [T6.2]
 /// Domain    ξ_C ≥ 0, teeth ≥ 1 (contract)
 std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double xi);
 
-/// Returns the tip fillet that touches the flank at ξ_J and is centred in the tooth. There is none
-/// beyond the point of a pointed tooth.
+/// Returns the tip fillet that touches the flank at ξ_J and is centred in the tooth. The result is
+/// empty if ξ_J lies beyond the point at which both flanks of the tooth meet.
 ///
 /// Formula   r_t = r_b (ξ + tan δ), D = r_b/cos δ, σ = π/2 + δ, end D + r_t; [T6.3]
 /// Domain    ξ_J ≥ 0 (contract)
 std::optional<FilletArc> tip_fillet_at(const Involute& flank, double xi);
 
-/// Returns ξ_J for a given r_t. It is unique because dr_t/dξ = −r_b tan² δ. There is none if r_t is
-/// too large for the whole flank. [T6.4]
+/// Returns ξ_J for a given r_t, which is unique because dr_t/dξ = −r_b tan² δ. The result is empty if
+/// r_t is too large for the whole flank. [T6.4]
 ///
 /// Domain    r_t > 0 (contract)
 std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius);
@@ -107,8 +103,8 @@ struct CircularFillets {
   std::optional<CircularFillet> root, tip;
 };
 
-/// Computes the requested fillets. `tip_radius` is that of the blank if it is given. For the
-/// rounding of a tip corner it is the radius at which the tooth ends.
+/// Computes the requested fillets. `tip_radius` is the radius of the blank, if given. For the
+/// rounding of a tip corner, it is the radius at which the tooth ends.
 ///
 /// Errors    `root_fillet.offset_mm`, `tip_fillet.radius_mm`, `tip_fillet.l_mm`,
 ///           `tip_fillet.corner_radius` or `tip_fillet`, each with the range that fits

@@ -18,11 +18,12 @@ namespace {
 using detail::Branch;
 using detail::branch_of;
 
-// If two normals are this close, they count as equal and the arcs join smoothly. A corner moves the
-// cut by λ²/w per radian.
+// Difference of two normals, rad, within which two arcs join smoothly. A corner moves the cut by λ²/w
+// per radian.
 constexpr double kSameNormal = 1e-12;
 
-// Returns ν of an arc, within half a turn beyond the polar angle.
+// Returns the angle ν of the outward normal at an end of an arc, in the range of half a turn that
+// begins at the polar angle.
 double normal_angle(const Arc& arc, double u) {
   const CurvePoint p = arc.at(u);
   const double c = std::cos(p.tangent_angle);
@@ -51,7 +52,8 @@ class Cutting {
   Cutting(const GeneratedTooth& cutter, const PinionMotion& motion)
       : cutter_(cutter), motion_(motion) {}
 
-  bool misses_flank = false;  // the centrode lies inside the base circle of the cutter's flank
+  bool misses_flank =
+      false;  // true if the centrode lies inside the base circle of the cutter's flank
   std::vector<Branch> branches;
   bool loops = false;  // true if the normal misses the centrode, so the path turns back
 
@@ -65,7 +67,7 @@ class Cutting {
       if (nu_tip_side > nu + kSameNormal) {  // a convex corner
         add_fan(arc, nu, nu_tip_side, smooth);
       } else if (nu_tip_side < nu - kSameNormal) {
-        smooth = false;  // a concave corner does not cut, but its neighbours do
+        smooth = false;  // a concave corner does not cut, but the neighbouring arcs do
       }
       smooth = add_arc(arc, smooth);
       nu = normal_angle(arc, 0.0);
@@ -99,7 +101,7 @@ class Cutting {
   }
 
  private:
-  // Adds the branches behind the tooth, from the root side of the cutter's arc to its tip side.
+  // Adds the branches behind the tooth, in order from the root side to the tip side of the cutter's curve.
   void pieces(std::vector<Branch>& all, const CurvePtr& curve, Walk walk, double t_root,
               double t_tip) const {
     const auto envelope = std::make_shared<PinionEnvelope>(motion_, curve, walk, Meeting::behind);
@@ -118,7 +120,7 @@ class Cutting {
     if (!cut) return;
     const double a = cut->roll(arc.begin);
     const double b = cut->roll(arc.end);
-    // Only one side of the cusp is kept: ξ < 0 on an external gear and ξ > 0 on an internal one.
+    // Only one side of the cusp is kept: ξ < 0 on an external gear and ξ > 0 on an internal gear.
     const double side = motion_.side();
     const double t_lo = side > 0.0 ? std::min(a, 0.0) : std::max(a, 0.0);
     const double t_hi = side > 0.0 ? std::min(b, 0.0) : std::max(b, 0.0);
@@ -157,7 +159,7 @@ class Cutting {
     const double side = motion_.side();
     double t_lo = cut->roll(arc.end);
     const double t_hi = cut->roll(arc.begin);
-    if (side > 0.0 && t_lo < 0.0) {  // with undercut, the branch runs backward up to the cusp
+    if (side > 0.0 && t_lo < 0.0) {  // with undercut, the radius decreases up to the cusp at ξ = 0
       if (!(t_hi > 0.0)) return false;
       t_lo = 0.0;
       smooth = false;

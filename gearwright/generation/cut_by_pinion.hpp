@@ -2,9 +2,9 @@
 // tooth.
 //
 // Every arc of the cutter, and every corner with its range of normals, gives branches, like the
-// edge of a rack. The tip of the cutter cuts the root of the gear, and its root cuts the tip.
-// Trimming, cusps and pointed teeth need no separate treatment. The concave root of the cutter may
-// cut cusps on the tip.
+// edge of a rack. The tip of the cutter cuts the root of the gear, and the root of the cutter cuts
+// the tip of the gear. Trimming, cusps and pointed teeth need no separate treatment. The concave root
+// of the cutter may cut cusps on the tip of the gear.
 //                                              theory: docs/theory/06-few-teeth.md, [T6.8]…[T6.13]
 #pragma once
 

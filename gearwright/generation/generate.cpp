@@ -21,7 +21,7 @@ void add_branches(std::vector<Branch>& branches, const RackMotion& motion, const
   const double xi_end = std::isinf(line.end_height)
                             ? kInfinity
                             : rack_involute_roll(motion, line, line.end_height + motion.shift);
-  if (!(xi_end > 0.0)) return;  // all of it lies behind the cusp
+  if (!(xi_end > 0.0)) return;  // the whole branch lies behind the cusp
   auto curve = std::make_shared<Involute>(rack_involute(motion, line));
   const double r_b = curve->base_radius();
   const auto radius = [&](double xi) {
@@ -62,7 +62,7 @@ void add_branches(std::vector<Branch>& branches, const RackMotion& motion, const
   }
 }
 
-// Adds the circular root fillet, which replaces the root cut by the rack below ξ_C. [T6.2]
+// Adds the circular root fillet, which replaces the profile cut by the rack below ξ_C. [T6.2]
 std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
                                      const CircularFillet& root, GeneratedTooth& tooth) {
   Branch& flank = branches.front();
@@ -84,8 +84,8 @@ std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
   return std::nullopt;
 }
 
-// Adds the circular tip fillet or the rounded corner, which replaces the part after ξ_J. [T6.3]
-// [T6.17]
+// Adds the circular tip fillet or the rounded tip corner, which replaces the profile cut by the rack
+// above ξ_J. [T6.3] [T6.17]
 std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const CircularFillet& tip,
                                     GeneratedTooth& tooth) {
   Branch& flank = branches.back();
@@ -108,7 +108,7 @@ std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const Circula
   return std::nullopt;
 }
 
-// Adds the requested circular fillets and removes the parts cut by the rack beyond them.
+// Adds the requested circular fillets and removes the branches of the rack that they replace.
 std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
                                  const CircularFillets& fillets, GeneratedTooth& tooth) {
   const auto flank = std::find_if(branches.begin(), branches.end(),

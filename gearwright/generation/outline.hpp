@@ -1,8 +1,8 @@
 // The transverse outline of half a tooth: named arcs from the middle of the space to the middle of
-// the tooth, on the side y > 0, with the tooth's centre line on the x axis.
+// the tooth, on the side y > 0, with the centre line of the tooth on the x axis.
 //
-//   Laws  (1) the end of each arc is the start of the next, to the last bit
-//         (2) the first point has the polar angle π/|z|, the last one 0
+//   Laws  (1) each arc ends at the start of the next arc, to the last bit
+//         (2) the polar angle is π/|z| at the first point and 0 at the last point
 //         (3) radii never decrease from the first arc to the last (external teeth)
 #pragma once
 
@@ -18,10 +18,10 @@ struct Arc {
   CurvePtr curve;
   double begin;      ///< curve parameter at the root side
   double end;        ///< curve parameter at the tip side
-  Vec2 begin_point;  ///< shared bit for bit with the previous arc's end_point
+  Vec2 begin_point;  ///< equal to the last bit to the end_point of the previous arc
   Vec2 end_point;
 
-  /// Point at u in [0, 1], root side to tip side; the two ends are begin_point and end_point.
+  /// The point at u, where u increases from 0 at begin_point to 1 at end_point.
   Vec2 point(double u) const;
   CurvePoint at(double u) const;
 };
@@ -38,7 +38,7 @@ struct Outline {
   const Arc* find(ArcName name) const;            ///< first arc of that name, or null
 };
 
-/// Returns n points per arc, both ends included.   Domain: n ≥ 2 (contract)
+/// Returns n points of an arc, including both ends.   Domain: n ≥ 2 (contract)
 std::vector<Vec2> sample(const Arc& arc, int n);
 
 }  // namespace gearwright

@@ -16,8 +16,7 @@ namespace gearwright {
 
 namespace {
 
-// Returns the sign changes of f between a and b. The cells are fine enough for the curves of a
-// tooth.
+// Returns the roots of f between a and b. The cells are narrow enough for the curves of a tooth.
 std::vector<double> sign_changes(const std::function<double(double)>& f, double a, double b) {
   constexpr int kCells = 256;
   std::vector<double> roots;
@@ -73,12 +72,12 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   Contact c;
   c.s = std::max(0.0, p.point.x() * cos_t + p.point.y() * sin_t);  // never negative on an outline
   c.q = p.point.y() * cos_t - p.point.x() * sin_t;
-  // At the limit of reach, s equals r_p within rounding, and the square root would lose half the
-  // digits. The paths ahead and behind end there in the same point.
+  // At the limit of reach, s equals r_p within rounding, and the square root would lose half of the
+  // digits. With w = 0, the paths ahead and behind end in the same point.
   const bool at_limit = r_p_ - c.s < 4 * std::numeric_limits<double>::epsilon() * r_p_;
   c.w = at_limit ? 0.0 : meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
   c.kappa = std::atan2(c.s, c.w);
-  // ν lies within half a turn beyond the polar angle of the point, which is continuous.
+  // ν lies in the range of half a turn that begins at the polar angle. The polar angle is continuous.
   c.turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa;
   c.curvature = walk_ * p.curvature;
   return c;
@@ -87,8 +86,7 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
 Vec2 PinionEnvelope::point(double t) const {
   const Contact c = contact(t);
   const double side = motion_.side();
-  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear it is minus the conjugate of
-  // that.
+  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p; on an internal gear minus the conjugate of this number.
   const double along = side * (r_g_ + c.lambda() * c.w / r_p_);
   const double across = c.lambda() * c.s / r_p_;
   const double turn = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned;
@@ -119,7 +117,7 @@ CurvePoint PinionEnvelope::at(double t) const {
     below = c.w + n * lambda * (1.0 - c.curvature * lambda);
   }
   const double side = motion_.side();
-  const double direction = walk_ * meeting_ * below;  // of growing t along that tangent
+  const double direction = walk_ * meeting_ * below;  // > 0 if t grows along `tangent`
   const double tangent = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned +
                          side * (c.kappa + kPi / 2) + (side > 0.0 ? 0.0 : kPi);
   return {point(t), tangent + (direction < 0.0 ? kPi : 0.0),
@@ -131,16 +129,16 @@ bool PinionEnvelope::reaches(double t) const { return contact(t).s < r_p_; }
 bool PinionEnvelope::cuts(double t) const {
   const Contact c = contact(t);
   if (!(c.s < r_p_)) return false;
-  if (std::isinf(c.curvature)) return true;  // for a corner w G = n λ²/ρ, ρ → 0
+  if (std::isinf(c.curvature)) return true;  // for a corner, w G = n λ²/ρ with ρ → 0
   return c.w + (1.0 + m_) * c.lambda() * (1.0 - c.curvature * c.lambda()) > 0.0;
 }
 
-// The cutter's curve is a circle about D∠γ with the radius ρ along its normal. ρ < 0 if the curve
-// is concave. With h = λ + ρ, the distance from the centre to the pitch point, and K = r_p² − D²,
-// all terms are rational in h:  D cos(ν − γ) = (K − h²)/(2h),  w = (K + h²)/(2h).
+// The cutter's curve as a circle of radius ρ about a centre at the distance D and the polar angle γ;
+// ρ < 0 if the curve is concave. h = λ + ρ is the distance from the centre to the pitch point. With
+// K = r_p² − D², all terms are rational in h:  D cos(ν − γ) = (K − h²)/(2h),  w = (K + h²)/(2h).
 struct PinionEnvelope::Circle {
   double distance, direction, rho;
-  double nu_to_t;  // t = ν + this
+  double nu_to_t;  // t − ν
 };
 
 std::optional<PinionEnvelope::Circle> PinionEnvelope::circle() const {
@@ -151,7 +149,7 @@ std::optional<PinionEnvelope::Circle> PinionEnvelope::circle() const {
                              return Circle{p.norm(), std::atan2(p.y(), p.x()), 0.0, 0.0};
                            },
                            [&](const OffsetCircle* c) -> None {
-                             // a concave curve is run counter-clockwise
+                             // along a concave curve, the parameter grows from root to tip
                              const bool hollow = walk_ > 0.0;
                              return Circle{c->distance(), c->direction(),
                                            hollow ? -c->radius() : c->radius(),
@@ -194,7 +192,7 @@ std::vector<double> PinionEnvelope::breaks(double a, double b) const {
     found = {gamma + angle + nu_to_t, gamma + kPi - angle + nu_to_t};
   }
   if (rho != 0.0) {
-    // w G ρ = ρ w + n h (h − ρ), times 2h. [T6.9]
+    // w G ρ = ρ w + n h (h − ρ), multiplied by 2h. [T6.9]
     const double k = (r_p_ - d) * (r_p_ + d);
     const double cubic[] = {rho * k, 0.0, rho * (1.0 - 2.0 * n), 2.0 * n};
     for (double h : centre_ways(cubic, a, b)) {
@@ -205,8 +203,8 @@ std::vector<double> PinionEnvelope::breaks(double a, double b) const {
   return in_order(std::move(found), a, b);
 }
 
-// Returns the roots in h of a polynomial between the ends of the piece. h is monotone along it as
-// long as the cutter reaches the gear.
+// Returns the roots h of a polynomial between the ends a and b of a piece. h is monotone along the
+// piece as long as the normal meets the centrode.
 std::vector<double> PinionEnvelope::centre_ways(std::span<const double> polynomial, double a,
                                                 double b) const {
   const double rho = circle()->rho;

@@ -1,17 +1,15 @@
-// The envelope of a pinion cutter's outline in the transverse section of the gear that it
-// generates.
+// Computes the envelope of a pinion cutter's outline in the transverse section of the generated gear.
 //
 //   r_p, r_g  radii of the two centrodes, mm; r_g < 0 if internal    m = z_0/z, < 0 if internal
-//   s, q      coordinates of the cutter's point along its tangent and along its outward normal ν,
-//             mm
-//   w         √(r_p² − s²): coordinate of the pitch point along ν if the normal passes through it
-//   λ         w − q: from the cutter's point along ν to the pitch point
+//   s, q      coordinates of a point of the cutter along its tangent and its outward normal ν, mm
+//   w         √(r_p² − s²)  mm, coordinate along ν of the pitch point when the normal passes through it
+//   λ         w − q  mm, distance along ν from the point of the cutter to the pitch point
 //
-// The point is cut when its normal passes through the pitch point. Then κ = asin(s/r_p) is the
-// angle between the normal and the line of centres, and the cutter has turned by κ − ν. In the
+// A point of the cutter cuts when its normal passes through the pitch point. Then κ = asin(s/r_p) is
+// the angle between the normal and the line of centres, and the cutter has turned by κ − ν. In the
 // frame of the space, the point of the gear is  e^{−im(ν−κ)} (r_g + λ e^{iκ})  [T6.8]. Involutes
-// generate involutes (closed form), and circles about the axis generate circles. This file computes
-// all other curves.
+// generate involutes (pinion_involute), and circles about the axis generate circles. PinionEnvelope
+// computes the envelopes of all other curves.
 //                                              theory: docs/theory/06-few-teeth.md
 #pragma once
 
@@ -35,8 +33,7 @@ struct PinionMotion {
   double pitch_radius() const;                                                ///< r_g  mm, signed
 };
 
-/// A sharp corner of the cutter as a curve of radius 0. Its parameter is the angle ν of its
-/// normals.
+/// A sharp corner of the cutter as a curve of radius 0. The parameter is the angle ν of the normal.
 class CornerFan final : public Curve {
  public:
   explicit CornerFan(const Vec2& point) : point_(point) {}
@@ -47,19 +44,19 @@ class CornerFan final : public Curve {
   Vec2 point_;
 };
 
-/// Returns true if the parameter of the cutter's curve grows from its root to its tip.
+/// The direction of the cutter's curve. The parameter of a forward curve grows from root to tip of the cutter.
 enum class Walk { forward, backward };
 
-/// The normal meets the centrode of the cutter twice. Ahead of the tooth (w > 0) it cuts root,
-/// flank and tip. Behind the tooth (w < 0) it may trim the tip of an internal gear when the tooth
-/// leaves [T6.13].
+/// The normal of a cutter's point meets the centrode of the cutter twice. Ahead of the tooth (w > 0),
+/// the point cuts root, flank and tip. Behind the tooth (w < 0), the point may trim the tip of an
+/// internal gear when the cutter's tooth leaves the space [T6.13].
 enum class Meeting { ahead, behind };
 
-/// The envelope as a function of the cutter's own parameter.
+/// The envelope as a function of the parameter of the cutter's curve, whose arc length is σ and whose
+/// curvature is k.
 ///
-/// Laws  (1) dW/dσ = i G e^{i(κ−mϑ)}, G = 1 + (1+m) λ (1 − k λ)/w, σ and k length and curvature of
-///           the cutter's curve: G = 0 is a cusp; [T6.9]
-///       (2) d|W|²/dσ = −2 (r_g/r_p) s G: between cusps the radius is monotone
+/// Laws  (1) dW/dσ = i G e^{i(κ−mϑ)} with G = 1 + (1+m) λ (1 − k λ)/w; a zero of G is a cusp [T6.9]
+///       (2) d|W|²/dσ = −2 (r_g/r_p) s G, so the radius is monotone between cusps
 /// Domain  s ≤ r_p at every evaluated parameter
 class PinionEnvelope final : public Curve {
  public:
@@ -69,16 +66,16 @@ class PinionEnvelope final : public Curve {
   CurvePoint at(double t) const override;
   double polar_angle(double t) const override;
 
-  /// Returns true if the cutter lies outside the material of the gear around the point: s < r_p and
-  /// w G > 0.
+  /// Returns true if the cutter lies outside the material of the gear near the point, i.e. if s < r_p
+  /// and w G > 0.
   bool cuts(double t) const;
-  bool reaches(double t) const;  ///< s < r_p: the normal meets the centrode
-  /// Returns the parameters between a and b, in the direction from a to b, at which cuts() may
-  /// change: cusps and limits of reach. They are exact for circles and corners. For other curves
-  /// they are isolated on 256 cells. [T6.9]
+  bool reaches(double t) const;  ///< true if the normal meets the centrode, s < r_p
+  /// Returns the parameters at which cuts() may change, i.e. cusps and limits of reach, in order from
+  /// a to b. They are computed in closed form for circles and corners. For other curves, the roots are
+  /// bracketed on 256 cells. [T6.9]
   std::vector<double> breaks(double a, double b) const;
-  /// Returns the parameters between a and b, in the direction from a to b, at which the half angle
-  /// of the gear is stationary: q = w (1 + 1/m). [T6.10]
+  /// Returns the parameters at which the half angle of the gear is stationary, q = w (1 + 1/m), in
+  /// order from a to b. [T6.10]
   std::vector<double> turns(double a, double b) const;
 
  private:
@@ -94,14 +91,14 @@ class PinionEnvelope final : public Curve {
   double r_p_, r_g_, m_;
 };
 
-/// Returns the involute generated by the cutter's involute, or nothing if the base circle does not
-/// lie inside the centrode. For the cutter's ξ_0, its ξ is (1 + m) tan α_w − m ξ_0, or minus that
-/// on an internal gear. [T6.11]
+/// The involute generated by an involute of the cutter. The roll angle ξ_0 on the cutter gives
+/// ξ = (1 + m) tan α_w − m ξ_0 on an external gear and ξ = m ξ_0 − (1 + m) tan α_w on an internal gear. [T6.11]
 struct PinionInvolute {
   Involute flank;
   double roll_at_0, roll_per_roll;
   double roll(double cutter_roll) const { return roll_at_0 + roll_per_roll * cutter_roll; }
 };
+/// Returns the generated involute, or nothing if the base circle of the cutter does not lie inside the centrode.
 std::optional<PinionInvolute> pinion_involute(const PinionMotion& motion, const Involute& cutter,
                                               Meeting meeting = Meeting::ahead);
 

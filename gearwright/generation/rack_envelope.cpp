@@ -93,8 +93,7 @@ double transverse(const RackMotion& motion, double tau) {
 
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line) {
   const double alpha_t = transverse(motion, line.tau.rad());
-  // Half thickness of the tooth that the line cuts, on the pitch circle and then on the base
-  // circle.
+  // The half thickness of the tooth on the pitch circle gives the half angle on the base circle.
   const double y_pitch = (line.y_datum + motion.shift * std::tan(line.tau.rad())) / motion.cos_beta;
   return {motion.pitch_radius * std::cos(alpha_t),
           y_pitch / motion.pitch_radius + involute(alpha_t)};
@@ -103,7 +102,7 @@ Involute rack_involute(const RackMotion& motion, const EdgeLine& line) {
 double rack_involute_roll(const RackMotion& motion, const EdgeLine& line, double x) {
   const double alpha_t = transverse(motion, line.tau.rad());
   const double s = std::sin(alpha_t);
-  // ξ = (r sin α_t + x/sin α_t)/r_b, in a form in which the cusp x = −r sin²α_t gives exactly 0.
+  // ξ = (r sin α_t + x/sin α_t)/r_b, in a form that is exactly 0 at the cusp x = −r sin²α_t.
   return (motion.pitch_radius * s * s + x) / (motion.pitch_radius * s * std::cos(alpha_t));
 }
 

@@ -1,12 +1,12 @@
-// The envelope of a rack cutter's edge in the transverse section of the gear.
+// Computes the envelope of a rack cutter's edge in the transverse section of the gear.
 //
 //   r    pitch radius, mm        β    helix angle
 //   e    height of the datum line over the pitch circle, mm
-//   (x, y, τ)   a point of the cutter's edge with its normal angle (tool/cutter_edge.hpp); x here
+//   (x, y, τ)   a point of the cutter's edge with its normal angle as in tool/cutter_edge.hpp, but x
 //               includes e
 //
-// The point is cut when its normal passes through the pitch point. With k = x cot τ cos β, the gear
-// has then turned by φ = (y/cos β − k)/r, and the point of the gear is [T3.7]
+// A point of the edge cuts when its normal passes through the pitch point. With k = x cot τ cos β, the
+// gear has then turned by φ = (y/cos β − k)/r, and the point of the gear is [T3.7]
 //
 //   W = (r + x + ik) e^{iφ},   tangent e^{i(φ − τ_t)},   tan τ_t = tan τ / cos β
 //
@@ -33,8 +33,8 @@ struct RackMotion {
 /// The envelope of a circular piece of the edge; the parameter is the normal angle τ of the normal
 /// section.
 ///
-/// Laws  (1) d|W|²/dτ = 2 F cos τ / sin³τ with the quartic F of [T3.9]: the radius is monotone
-///           while F keeps its sign, and a zero of F is a cusp
+/// Laws  (1) d|W|²/dτ = 2 F cos τ / sin³τ with the quartic F of [T3.9], so the radius is monotone
+///           between zeros of F, and a zero of F is a cusp
 ///       (2) dθ/d|W| does not depend on the circle's radius
 class RackTrochoid final : public Curve {
  public:
@@ -44,34 +44,34 @@ class RackTrochoid final : public Curve {
   double polar_angle(double tau) const override;
   /// [T8.6]
   PolarJet polar_jet(double tau) const;
-  /// Returns ln |W| and its derivative by τ. A search for a radius needs only this part of
-  /// polar_jet.
+  /// Returns ln |W| and its derivative by τ, which is the part of polar_jet that a search for a radius
+  /// needs.
   struct LogRadius {
     double u, slope;
   };
   LogRadius log_radius(double tau) const;
   const RackMotion& motion() const { return motion_; }
-  const EdgeCircle& circle() const { return circle_; }  ///< its centre is already lifted by e
+  const EdgeCircle& circle() const { return circle_; }  ///< the height of its centre includes e
 
-  /// F(sin τ), lowest power first. [T3.9]
+  /// The coefficients of F as a polynomial in sin τ, lowest power first. [T3.9]
   std::vector<double> cusp_polynomial() const;
-  /// Returns the normal angles between the ends at which the half angle of the tooth is stationary:
-  /// the neck. [T3.10]
+  /// Returns the normal angles of necks, at which the half angle of the tooth is stationary. [T3.10]
   std::vector<double> neck_angles(double tau_lo, double tau_hi) const;
 
  private:
-  // The point of the cutter that cuts, and the turn φ of the gear.
+  // A point of the cutter when it cuts, and the rotation φ of the gear.
   struct Cut {
     double x, k, phi;
   };
   Cut cut(double s, double c) const;
 
   RackMotion motion_;
-  EdgeCircle circle_;  // its centre is already lifted by e
+  EdgeCircle circle_;  // the height of its centre includes e
 };
 
-// The inner loop of contact computes W = (r + x + ik) e^{iφ} and its derivatives by τ. x is split
-// into the part of the centre and q sin τ, so that no derivative is divided by more than sin² τ.
+// Computes W = (r + x + ik) e^{iφ} and its derivatives by τ; inline, because the inner loop of contact/
+// calls it. The height is split into the height of the centre and q sin τ, so that no term is divided
+// by more than sin² τ.
 inline PolarJet RackTrochoid::polar_jet(double tau) const {
   const double r = motion_.pitch_radius, cos_beta = motion_.cos_beta;
   const double x = circle_.center.x(), q = circle_.q;
@@ -95,7 +95,7 @@ inline PolarJet RackTrochoid::polar_jet(double tau) const {
 /// The involute that a straight piece cuts. [T3.8]
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line);
 
-/// Returns the roll angle ξ of the point cut by the point of the line at height x (e included).
+/// Returns the roll angle ξ that is cut by the point of the line at the height x, where x includes e.
 double rack_involute_roll(const RackMotion& motion, const EdgeLine& line, double x);
 
 }  // namespace gearwright

@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Diameters of measuring pins and balls for gears, mm: the common ones of DIN 3977.
+// The common diameters of measuring pins and balls for gears, DIN 3977, mm.
 constexpr std::array kMetric{
     0.3,  0.35, 0.4,  0.45, 0.5,  0.55, 0.6,  0.65, 0.7,  0.75, 0.8,  0.85, 0.9,  0.95, 1.0,  1.1,
     1.2,  1.3,  1.4,  1.5,  1.6,  1.7,  1.8,  1.9,  2.0,  2.25, 2.5,  2.75, 3.0,  3.25, 3.5,  3.75,
@@ -25,8 +25,8 @@ constexpr std::array kMetric{
 
 struct Base {
   double d_b, cos_b, tan_b;
-  double sigma;  // +1, internal −1
-  double eta;    // half angle of the space on the base cylinder; negative if it begins further out
+  double sigma;  // +1; −1 for an internal gear
+  double eta;    // η_b; negative if there is no space on the base cylinder
 };
 
 // [T10.5]
@@ -44,7 +44,7 @@ double center_involute(const Base& b, double ball) {
 
 Error no_ball(double ball, const std::string& why) { return refused("ball_diameter", ball, why); }
 
-// Balls from the one that touches at the root end of the usable flank to the one at its tip end.
+// A clause for messages: the diameters of the balls that touch on the usable flank.
 std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   const auto lo = ball_touching_at(gear, flank.root_end);
   const auto hi = ball_touching_at(gear, flank.tip_end);
@@ -53,15 +53,15 @@ std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
                      format_number(std::min(*lo, *hi)), format_number(std::max(*lo, *hi)));
 }
 
-// The ball at the intersection of the two helicoids, regardless of other obstacles; none if they do
-// not meet.
+// The ball that touches both flanks, regardless of the root and the tips; none if no position of the ball
+// touches both flanks.
 std::optional<BallSeat> seat_of(const Gear& gear, const UsableFlank& flank, double ball) {
   const Base b = base_of(gear);
   const double inv = center_involute(b, ball);
   if (!(inv >= 0.0)) return std::nullopt;
   const double alpha = inverse_involute(inv);
   const double d_K = b.d_b / std::cos(alpha);
-  // Roll length of the contacts, twice. [T10.7]
+  // Twice the roll length of the contacts. [T10.7]
   const double roll = b.d_b * std::tan(alpha) - b.sigma * ball * b.cos_b;
   if (!(roll >= 0.0)) return std::nullopt;
   const double d_M = std::hypot(b.d_b, roll);
@@ -74,7 +74,7 @@ std::optional<BallSeat> seat_of(const Gear& gear, const UsableFlank& flank, doub
                   flank.place(d_M)};
 }
 
-// The root diameter as cut, which limits the lowest point of a ball.
+// True if the lowest point of the ball lies below the root circle.
 bool hits_root(const Gear& gear, const BallSeat& seat) {
   const double sigma = gear.side();
   const double lowest = seat.center_diameter / 2 - sigma * seat.ball_diameter / 2;
@@ -93,8 +93,8 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
     return no_ball(ball, "a gear with one tooth space has no opposite space for the second ball");
   const std::string sizes = sizes_text(gear, *flank);
   const auto seat = seat_of(gear, *flank, ball);
-  // The spaces of an internal gear widen towards its tip, so a ball that is too large finds no
-  // flank.
+  // The spaces of an internal gear become wider towards the tip, so a ball that is too large touches no
+  // flank either.
   if (!seat) {
     const bool small =
         !gear.internal() || ball < ball_touching_at(gear, flank->middle()).value_or(0.0);
@@ -129,15 +129,16 @@ double over_two_balls(const Gear& gear, const BallSeat& seat) {
 
 namespace {
 
-// The least distance of two helices on one cylinder, in its diameters, whose points in one
-// transverse plane deviate by δ from opposite: √(cos² (ε/2) + T sin² ε/4), ε − T sin ε = δ. [T10.9]
+// The least distance of two helices on one cylinder, relative to its diameter:
+// √(cos² (ε/2) + T sin² ε/4), ε − T sin ε = δ. In a transverse plane, the points of the helices deviate
+// by δ from opposite positions. [T10.9]
 double least_across(double delta, double T) {
   double epsilon = delta;
   if (T > 0.0 && (delta > 0.0 || T > 1.0)) {
     const auto f = [&](double e) {
       return Slope<double>{e - T * std::sin(e) - delta, 1.0 - T * std::cos(e)};
     };
-    // Beyond the turning point of e − T sin e, the function increases and has its root.
+    // The root lies beyond the minimum of e − T sin e, where the function increases.
     const double lo = T > 1.0 ? std::acos(1.0 / T) : 0.0;
     const double start = std::clamp(delta + T * std::sin(delta), lo, pi);
     const auto root = newton_in_bracket<double>(f, lo, pi, start, true);

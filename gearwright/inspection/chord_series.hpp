@@ -1,15 +1,16 @@
-// Approximations of the shortest chord: its power series, and the virtual spur gear that has nearly
-// the same chord. The program itself uses chordal_thickness.hpp.
+// Approximations of the shortest chord: its power series, and the virtual spur gear with nearly the same
+// chord. Elsewhere the program uses the exact chord of chordal_thickness.hpp.
 //
 //   θ_t, ψ, r   half angle s_t/d, helix angle and radius at the diameter of the chord
-//   s_n         normal tooth thickness there, 2 r θ_t cos ψ, mm
+//   s_n         normal tooth thickness at this diameter, 2 r θ_t cos ψ, mm
 //   u           θ_t cos³ ψ, half angle of the virtual spur gear     T   tan² ψ
 //   θ*, k*, Δh* half angle, chord and height of the shortest chord
 //                                              theory: docs/theory/05-approximations.md
 //
-// The series are in θ_t² sin² ψ cos⁴ ψ, which is greatest at ψ = 35° [T5.11]. There, three
-// corrections leave an error of 1e-9 of the chord at θ_t = 0.2 and 3e-7 at 0.4. The error is small
-// for the threads of a steep worm. Templates over the scalar.
+// The variable of the series is θ_t² sin² ψ cos⁴ ψ, which is greatest at ψ = 35° [T5.11]. With three
+// corrections, the relative error of the chord at 35° is 1e-9 for θ_t = 0.2 and 3e-7 for 0.4. The error
+// is small for the threads of a worm with a great helix angle. The functions are templates over the
+// scalar.
 #pragma once
 
 #include <cmath>
@@ -25,12 +26,11 @@ struct ApproximateChord {
   T height;      ///< Δh*  mm
 };
 
-/// θ*, k* and Δh* by their series, with 0 to 3 corrections beyond the first term of each.
+/// θ*, k* and Δh* by their series, each with 0 to 3 corrections after the first term.
 ///
 /// Formula   [T5.8], [T5.9], [T5.10]
 /// Units     mm, rad
-/// Accuracy  the first omitted term dominates the relative error: after n corrections O(u^(2n + 2))
-///           in each
+/// Accuracy  with n corrections, the relative error of each value is O(u^(2n + 2))
 /// Domain    θ_t > 0, |ψ| < π/2, 0 ≤ corrections ≤ 3 (contract)
 template <class T>
 ApproximateChord<T> chord_by_series(const T& theta_t, const T& psi, const T& radius,
@@ -66,12 +66,12 @@ ApproximateChord<T> chord_by_series(const T& theta_t, const T& psi, const T& rad
   return sum;
 }
 
-/// A virtual spur gear of a helical one: half angle and radius of its tooth.
+/// A virtual spur gear that represents a helical gear: half angle and radius of its tooth.
 template <class T>
 struct VirtualSpur {
   T half_angle;
   T radius;  ///< mm
-  /// Its chord, in closed form. [T5.13]
+  /// The chord of the virtual spur gear, in closed form. [T5.13]
   ApproximateChord<T> chord() const {
     using std::sin;
     const T half_sine = sin(half_angle / T(2));
@@ -79,7 +79,7 @@ struct VirtualSpur {
   }
 };
 
-/// The spur gear of z/cos³ ψ teeth: half angle u, radius r/cos² ψ. [T5.12]
+/// The virtual spur gear with z/cos³ ψ teeth, the half angle u and the radius r/cos² ψ. [T5.12]
 template <class T>
 VirtualSpur<T> virtual_spur(const T& theta_t, const T& psi, const T& radius) {
   using std::cos;
@@ -87,8 +87,8 @@ VirtualSpur<T> virtual_spur(const T& theta_t, const T& psi, const T& radius) {
   return {theta_t * c * c * c, radius / (c * c)};
 }
 
-/// The spur gear of z/(cos ψ cos² β_b) teeth, of strength calculations: not for chords.
-/// [T5.14]
+/// The virtual spur gear with z/(cos ψ cos² β_b) teeth, which strength calculations use. It is not
+/// suitable for chords. [T5.14]
 template <class T>
 VirtualSpur<T> virtual_spur_on_base_helix(const T& theta_t, const T& psi, const T& base_helix,
                                           const T& radius) {
@@ -109,7 +109,7 @@ T virtual_spur_chord_error(const T& theta_t, const T& psi, const T& radius) {
   return -(s * s) / (c * c) * u * u * u * u / T(5) * T(2) * radius * theta_t * c;
 }
 
-/// The error of its height, Δh* − Δh, to leading order, mm. [T5.16]
+/// The error of the height of virtual_spur, Δh* − Δh, to leading order, mm. [T5.16]
 template <class T>
 T virtual_spur_height_error(const T& theta_t, const T& psi, const T& radius) {
   using std::cos;

@@ -21,7 +21,7 @@ struct FlankRange {
   std::string ends;  // description of the two ends, for messages
 };
 
-// The range with involutes on both sides of the tooth.
+// The range of diameters in which both flanks of the tooth are involutes.
 Result<FlankRange> flank_range(const Gear& gear, double diameter) {
   const double d_b = gear.reference().base_diameter;
   const double d_Fa = 2 * gear.tip_form_radius();

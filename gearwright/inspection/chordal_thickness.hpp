@@ -1,14 +1,15 @@
 // Chordal tooth thickness: the reading of a calliper over one tooth.
 //
 //   d, r     diameter and radius at which the jaws touch, mm      r_a  tip radius, mm
-//   θ_t      half angle of the tooth there, s_t/d, rad            ψ    helix angle there, rad
-//   θ        half angle between the two points touched            T    tan² ψ
-//   ζ        half of their axial distance, in radii
-//   k, Δh    chord, and the rise of the arc over it, mm           * marks the shortest chord
+//   θ_t      half angle of the tooth at d, s_t/d, rad             ψ    helix angle at d, rad
+//   θ        half angle between the two points of contact, rad    T    tan² ψ
+//   ζ        half of the axial distance of these points, relative to r
+//   k, Δh    chord, and rise of the arc over the chord, mm        * marks the shortest chord
 //                                                   theory: docs/theory/05-approximations.md
 //
-// A calliper laid across a helical tooth may be inclined. The reading is the shortest chord, which
-// is computed exactly by the same code for spur gears and worms. Templates over the scalar.
+// A calliper across a helical tooth can be inclined, and its reading is the shortest chord. This chord
+// is computed exactly, by the same code for spur gears and worms. The functions are templates over the
+// scalar.
 #pragma once
 
 #include <cmath>
@@ -27,27 +28,29 @@ struct ToothArc {
   T helix_angle{};        ///< ψ    rad, signed
   T radius{};             ///< r    mm
   T tip_radius{};         ///< r_a  mm
-  bool internal = false;  ///< an internal gear: its tip lies inside r
+  bool internal = false;  ///< true for an internal gear, whose tip lies inside r
 };
 
 template <class T>
 struct ChordalThickness {
   T chord;            ///< k*   mm, the least over the inclinations of the calliper
   T height;           ///< Δh*  mm, rise of the arc over the chord
-  T tip_to_chord;     ///< mm, the calliper's depth setting; < 0 if an internal chord passes its tip
-  T caliper_angle;    ///< rad, to the transverse plane, with the sign of ψ while θ* < π/2
+  T tip_to_chord;     ///< mm, depth setting of the calliper; < 0 if the chord of an internal gear
+                      ///< lies inside the tip
+  T caliper_angle;    ///< rad, to the transverse plane, with the sign of ψ if θ* < π/2
   T half_angle_used;  ///< θ*   rad
 };
 
-/// Least θ_t, rad: with T ≤ 1e33, tan² of the double next to π/2, θ* stays a normal number. A tooth
-/// thickness of rounding size, 1e-17, is much larger.
+/// Least θ_t, rad, at which θ* is a normal number for every T up to 1e33, which is tan² of the double
+/// next to π/2. A tooth thickness that is only rounding error, 1e-17, is much larger.
 inline constexpr double kMinHalfAngle = 1e-100;
 
 /// The half angle θ* of the shortest chord: the root of T sin 2θ + 2θ = 2θ_t.
 ///
-/// For θ_t ≤ π/2 it is the only root in [0, θ_t] and the least of all chords. For a tooth of more
-/// than half the circumference it is the first position from the axial direction at which tilting
-/// in either direction lengthens the chord. If θ* > π/2, the chord lies behind the axis.
+/// For θ_t ≤ π/2 there is only one root in [0, θ_t], and it gives the least of all chords. A tooth of more
+/// than half the circumference may have several roots. The result is then the root nearest to the axial
+/// direction at which a tilt in either direction lengthens the chord. If θ* > π/2, the chord lies beyond
+/// the axis.
 ///
 /// Formula   [T5.4], from [T5.1]…[T5.3]; bracket between the turning points [T5.5], start [T5.8]
 /// Domain    kMinHalfAngle ≤ θ_t < π (contract), any |ψ| < π/2 as T = tan² ψ
@@ -65,12 +68,12 @@ T shortest_chord_half_angle(const T& theta_t, const T& tan_psi_squared) {
     return Slope<T>{tan_psi_squared * sin(T(2) * theta) + T(2) * (theta - theta_t),
                     T(2) * tan_psi_squared * cos(T(2) * theta) + T(2)};
   };
-  // f rises from −2θ_t up to its turning point, if it has one (T > 1).
+  // f increases from −2θ_t up to its maximum, which exists if T > 1.
   T lo(0);
   T hi = theta_t;
   if (tan_psi_squared > T(1)) hi = acos(T(-1) / tan_psi_squared) / T(2);
   if (theta_t > half_pi && (!(tan_psi_squared > T(1)) || f(hi).value < T(0))) {
-    lo = theta_t;  // the only root lies behind the axis, where the sine is negative
+    lo = theta_t;  // the only root lies beyond the axis, where the sine is negative
     hi = pi;
   }
   T start = theta_t / (T(1) + tan_psi_squared);
@@ -84,8 +87,8 @@ T shortest_chord_half_angle(const T& theta_t, const T& tan_psi_squared) {
 /// The shortest chord over a tooth.
 ///
 /// Formula   k* = 2 r sin θ* √(1 + T cos² θ*), Δh* = 2 r sin² (θ*/2),
-///           angle arctan(tan ψ cos θ*); [T5.6], [T5.7]. ψ = 0: the spur gear's 2 r sin θ_t,
-///           exactly
+///           angle arctan(tan ψ cos θ*); [T5.6], [T5.7]. For ψ = 0, exactly 2 r sin θ_t as for a spur
+///           gear
 /// Units     mm, rad
 /// Domain    kMinHalfAngle ≤ θ_t < π, |ψ| < π/2, r > 0 (contract)
 /// Accuracy  ledger rows `chord.*`
@@ -112,17 +115,17 @@ ChordalThickness<T> shortest_chord(const ToothArc<T>& tooth) {
   return c;
 }
 
-/// The tooth of a gear on the cylinder of that diameter.
+/// The tooth of a gear on the cylinder with the diameter d_y.
 ///
 /// Formula   θ_t = s_yt/d_y, tan ψ = (d_y/d_b) tan β_b; [T2.11], [T2.12]
 /// Domain    d_y ≥ d_b (contract); beyond the point of the tooth θ_t ≤ 0
 ToothArc<double> tooth_arc(const Gear& gear, double diameter);
-
-/// The shortest chord over a tooth of the gear, allowance included. The gear may be internal.
+/// The shortest chord over a tooth of the gear, including the thickness allowance. The gear may be
+/// internal.
 ///
-/// Errors    `chord_diameter`: not on the usable flank (from d_Ff to d_Fa, and never inside the
-///           base circle; an internal gear: from d_Fa to its root), beyond the diameter at which
-///           the flanks meet, over a tooth that no calliper can span, or on a gear without a flank
+/// Errors    `chord_diameter` if it is not on the usable flank (from d_Ff to d_Fa, for an internal gear
+///           from d_Fa to the root, and never inside the base circle) or beyond the diameter at which
+///           the flanks meet, if no calliper can span the tooth, or if the gear has no flank
 Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diameter);
 
 }  // namespace gearwright

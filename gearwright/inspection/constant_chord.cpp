@@ -11,9 +11,10 @@ std::optional<ConstantChord> constant_chord(const Gear& gear) {
   const double sin_a = std::sin(gear.spec.normal_pressure_angle.rad());
   const double cos_a = std::cos(gear.spec.normal_pressure_angle.rad());
   const double side = gear.side();
-  const double across = half * cos_a * cos_a;  // from the middle of the tooth, normal to the rack
-  const double up = half * sin_a * cos_a;      // towards the tip
-  // The rack's normal points along (cos β, sin β) of transverse section and axis. [T10.14]
+  const double across =
+      half * cos_a * cos_a;                // from the middle of the tooth, in the normal section
+  const double up = half * sin_a * cos_a;  // from the reference cylinder towards the tip
+  // The component of `across` in the transverse section is cos β times its length. [T10.14]
   const double radius = std::hypot(gear.reference_diameter / 2 + side * up,
                                    across * std::cos(gear.spec.helix_angle.rad()));
   const double addendum = side * (2 * gear.actual_tip_radius() - gear.reference_diameter) / 2;

@@ -1,9 +1,8 @@
-// Positions on a flank for measuring machines: roll lengths, and the evaluation ranges of
-// tolerances.
+// Positions on a flank for measuring machines: roll lengths, and the evaluation ranges of tolerances.
 //
 //   L_y, ξ_y   roll length, mm, and roll angle, rad, of the involute at d_y
 //   L_α, L_β   evaluation ranges of profile and helix, mm
-//   d_Nf, d_Na active root and tip diameter, mm: where contact with the mating gear ends
+//   d_Nf, d_Na active root and tip diameter, mm, at which contact with the mating gear ends
 //                                              theory: docs/theory/10-inspection.md
 #pragma once
 
@@ -30,26 +29,25 @@ struct ActiveFlank {
 
 struct EvaluationRanges {
   RollPlace root_form, reference, tip_form;  ///< at d_Ff, d, d_Fa
-  std::array<double, 2> profile;             ///< mm, roll lengths from … to
-  std::array<double, 2> helix;               ///< mm, heights from the middle of the face
-  std::optional<ActiveFlank> active{};       ///< of a mounted gear that touches the other
+  std::array<double, 2> profile;             ///< mm, roll lengths of both ends
+  std::array<double, 2> helix;          ///< mm, heights of both ends from the middle of the face
+  std::optional<ActiveFlank> active{};  ///< if the gear is mounted and touches its mating gear
 };
-
+/// The place of a diameter on the involute.
+///
 /// Formula   [T10.22]
 /// Domain    d_y ≥ d_b (contract)
 RollPlace roll_place(const Gear& gear, double diameter);
-
-/// ISO 1328-1: the usable profile without a twentieth at the tip, and the face without a twentieth,
-/// or a module if that is less, at each end. [T10.23]
+/// The evaluation ranges of ISO 1328-1. The profile is the usable profile without 5 % at the tip. The
+/// helix is the face without 5 % at each end, or without one module if that is less. [T10.23]
 ///
-/// None      no usable flank
+/// None      if there is no usable flank
 std::optional<EvaluationRanges> evaluation_ranges(const Gear& gear);
-
-/// The ends of the path of contact as clipped: to both usable flanks, and on crossed axes to the
-/// faces. `which`: 1 or 2.
+/// The ends of contact on the flank of gear `which` (1 or 2). The path of contact is clipped to both
+/// usable flanks and, on crossed axes, to the faces.
 ///
 /// Formula   L_N1 = ρ_1, L_N2 = ρ_2 at the two ends; [T10.28]
-/// None      the gears do not touch
+/// None      if the gears do not touch
 std::optional<ActiveFlank> active_flank(const InvolutePair& pair, int which);
 
 }  // namespace gearwright

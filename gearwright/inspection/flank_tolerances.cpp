@@ -13,21 +13,20 @@ namespace gearwright {
 namespace {
 
 constexpr int kOwnClass = 5;  // the class of the formulas
-
 double step_factor(int quality) {
-  return std::pow(2.0, 0.5 * (quality - kOwnClass));  // √2 each
+  return std::pow(2.0, 0.5 * (quality - kOwnClass));  // √2 per class
 }
-
-// Ranges of ISO 1328:1995, mm; a value on a border belongs to the lower range.
+// Borders of the ranges of ISO 1328-1:1995, mm. A value on a border belongs to the lower range.
 constexpr std::array kDiameters{5.,    20.,   50.,   125.,  280.,  560.,  1000.,
                                 1600., 2500., 4000., 6000., 8000., 10000.};
 constexpr std::array kModules{0.5, 2., 3.5, 6., 10., 16., 25., 40., 70.};
 constexpr std::array kFaces{4., 10., 20., 40., 80., 160., 250., 400., 650., 1000.};
-// Ranges of part 2, 1997.
+// Borders of the ranges of ISO 1328-2:1997, mm.
 constexpr std::array kRadialDiameters{5., 20., 50., 125., 280., 560., 1000.};
 constexpr std::array kRadialModules{0.2, 0.5, 0.8, 1.0, 1.5, 2.5, 4.0, 6.0, 10.0};
 
-// Geometric mean of the range; the outermost one beyond the ends.
+// Geometric mean of the range that contains the value, or of the outermost range if the value lies beyond
+// the ends.
 double mean_of_range(std::span<const double> borders, double value) {
   std::size_t i = 1;
   while (i + 1 < borders.size() && value > borders[i]) ++i;
@@ -46,13 +45,13 @@ void add_radial(FlankToleranceValues& t, int quality, const ToleranceSubject& ge
   t.tooth_radial_composite = rounded_tolerance(f * (2.96 * m + 0.01 * std::sqrt(d) + 0.8));
 }
 
-// K of f_i′, which decreases as the contact ratio grows. [T10.32]
+// The factor K of f_i′. [T10.32]
 double overlap_factor(double contact_ratio) {
   return contact_ratio < 4.0 ? 0.2 * (contact_ratio + 4.0) / contact_ratio : 0.4;
 }
 
-// Tolerances that depend on the mating gear or on sectors of the gear, by formulas of 1995.
-// [T10.31] [T10.32]
+// Adds the tolerances of sector pitch and single flank composite, by the formulas of 1995. [T10.31],
+// [T10.32]
 void add_single_flank(FlankToleranceValues& t, int quality, const ToleranceSubject& gear) {
   const double root_d = std::sqrt(mean_of_range(kDiameters, gear.reference_diameter));
   const double m = mean_of_range(kModules, gear.normal_module);
@@ -80,7 +79,7 @@ FlankToleranceValues of_2013(int quality, const ToleranceSubject& gear) {
   const double f_falpha = f * (0.55 * m + 5);
   const double f_Hbeta = f * (0.05 * std::sqrt(d) + 0.35 * std::sqrt(b) + 4);
   const double f_fbeta = f * (0.07 * std::sqrt(d) + 0.45 * std::sqrt(b) + 4);
-  // The totals are computed from the unrounded parts.
+  // The total tolerances are computed from the unrounded tolerances of form and slope.
   return {rounded(f_pt),
           rounded(F_p),
           rounded(std::hypot(f_Halpha, f_falpha)),

@@ -1,13 +1,13 @@
 // Flank tolerances by ISO 1328: the permitted deviations of the teeth for each grade.
 //
-//   A      flank tolerance class (grade), the formulas give class 5; each step is a factor of √2
-//   d, m_n, b   reference diameter, normal module, face width, mm       tolerances in µm
+//   A           flank tolerance class (grade)
+//   d, m_n, b   reference diameter, normal module and face width, mm
 //                                              theory: docs/theory/10-inspection.md
 //
-// The edition of 2013 uses the numbers of the gear, and that of 1995 uses the geometric means of
-// their ranges. Radial composite tolerances are those of ISO 1328-2:1997. Sector pitch and single
-// flank composite tolerances are available for the edition of 1995 only. Tolerances of axes are
-// those of ISO/TR 10064-3.
+// Tolerances are in µm. The formulas give class 5, and the factor from class to class is √2. The edition
+// of 2013 uses the dimensions of the gear, and the edition of 1995 uses geometric means of ranges of
+// dimensions. Radial composite tolerances follow ISO 1328-2:1997. Sector pitch and single flank composite
+// tolerances exist in the edition of 1995 only. Tolerances of axes follow ISO/TR 10064-3.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ struct ToleranceSubject {
   int teeth;                                          ///< |z|
   double helix_angle;                                 ///< β    rad
   std::optional<double> transverse_pressure_angle{};  ///< α_t  rad; none if the teeth are not
-                                                      ///< involute
+                                                      ///< involutes
   std::optional<double> contact_ratio{};  ///< ε_γ  of the mounted pair; none without a pair
 };
 
@@ -40,7 +40,7 @@ struct FlankToleranceValues {
   double runout;                                 ///< F_rT
   std::optional<double> radial_composite;        ///< F_i″, total, ISO 1328-2:1997
   std::optional<double> tooth_radial_composite;  ///< f_i″, tooth to tooth
-  std::optional<double> base_pitch{};            ///< f_pb, ± ; not rounded
+  std::optional<double> base_pitch{};            ///< f_pb, ±; not rounded
   std::optional<double> sector_pitch{};          ///< F_pk over k = ⌊|z|/8⌋ pitches
   std::optional<double> single_flank{};          ///< F_i′, total composite with the mating gear
   std::optional<double> tooth_single_flank{};    ///< f_i′, tooth to tooth
@@ -48,34 +48,31 @@ struct FlankToleranceValues {
   std::optional<double> axis_inclination{};  ///< f_Σδ of the pair, in the plane of the axes
 };
 
-/// The classes that the edition has: 1 to 11, or 0 to 12.
+/// True if the edition has this class: 1 to 11 in 2013, 0 to 12 in 1995.
 bool has_class(FlankTolerances edition, int quality);
-
-/// The rule of an error for a class that the edition does not have.
+/// Message for a class that the edition does not have.
 inline constexpr const char* kClassesOfEditions =
     "is not a grade of this edition; ISO 1328-1:2013 has the grades 1 to 11, and ISO 1328-1:1995 "
     "has 0 to 12";
 
-/// True if the gear lies in the range of the edition's formulas.
+/// True if the gear is within the range of the formulas of the edition.
 bool in_range(FlankTolerances edition, const ToleranceSubject& gear);
-
-/// All tolerances except those of the axes, which belong to the pair.
+/// All tolerances except the tolerances of the axes.
 ///
 /// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]; f_pb, F_pk,
 ///           F_i′ and f_i′ by ISO 1328-1:1995, [T10.31], [T10.32]
 /// Units     mm in, µm out
-/// Domain    has_class (contract). Radial composite tolerances are absent beyond 1000 mm of
-///           diameter or 10 mm of module
+/// Domain    has_class (contract). Radial composite tolerances are absent if the diameter is not from 5
+///           to 1000 mm or the module not from 0.2 to 10 mm
 FlankToleranceValues flank_tolerances(FlankTolerances edition, int quality,
                                       const ToleranceSubject& gear);
 
-/// f_Σβ and f_Σδ over the span L of the bearings, µm, recommended by ISO/TR 10064-3:1996.
+/// Sets f_Σβ and f_Σδ over the bearing span L, µm, as recommended by ISO/TR 10064-3:1996.
 ///
-/// Formula   f_Σβ = (L/2b) F_β, f_Σδ = 2 f_Σβ, F_β the greater of both gears [T10.33]
+/// Formula   f_Σβ = (L/2b) F_β, f_Σδ = 2 f_Σβ, where F_β is the greater one of both gears [T10.33]
 void set_axis_tolerances(FlankToleranceValues& t, double greater_helix_total, double face_width,
                          double bearing_span);
-
-/// Rounds to 1 µm above 10 µm, to 0.5 µm from 5 µm on, and to 0.1 µm below.
+/// Rounds a tolerance: above 10 µm to 1 µm, from 5 to 10 µm to 0.5 µm, and below 5 µm to 0.1 µm.
 double rounded_tolerance(double um);
 
 }  // namespace gearwright

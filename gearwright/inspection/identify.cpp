@@ -20,18 +20,18 @@ namespace {
 using namespace detail;  // NOLINT(google-build-using-namespace): the room's own parts
 using std::numbers::pi;
 
-constexpr double kNothing = 1e-4;  // share of the likelihood below which a candidate is not listed
-constexpr double kSigmas = 1.96;   // of 95 %
-constexpr double kMostHelix = 45;  // degrees of a gear; steeper ones are worms
-
-// A gear found for a rack, with its evidence.
+constexpr double kNothing = 1e-4;  // least likelihood of a candidate in the list
+constexpr double kSigmas = 1.96;   // standard deviations for 95 %
+constexpr double kMostHelix = 45;  // degrees; worms have greater helix angles
+// A hypothesis: a rack with its fit and its evidence.
 struct Found {
   StandardRack rack;
   RackFit fit;
   double log_worth;
 };
 
-// The prior probability of a helix angle: 0, whole degrees, any.
+// Logarithms of the prior probability of the helix angle 0, of any angle, and of a whole number of
+// degrees.
 struct HelixPrior {
   double spur = std::log(0.45), any = std::log(0.10), whole = std::log(0.45 / 63);
   double of_degrees(int n) const { return whole + (n % 5 == 0 ? std::log(3.0) : 0.0); }
@@ -51,7 +51,7 @@ class Searching {
       if (possible(rack.module, rack.alpha)) add(rack, found);
     }
     if (const auto module = module_of_pitch()) {
-      // A nonstandard module, with the usual or the known pressure angle.
+      // A nonstandard module with the known or the usual pressure angle is also tried.
       const double alpha = problem_.normal_pressure_angle.value_or(Angle::degrees(20)).rad();
       add({*module / std::cos(alpha), alpha, ModuleSeries::none, {}, kLogOwnModule}, found);
     }
@@ -64,8 +64,8 @@ class Searching {
   static constexpr double kSameAngle = 1e-6;
   static constexpr double kLogOwnModule = -3.5;
 
-  // Base pitch from the spans furthest apart, and its standard deviation; none if there is only one
-  // span.
+  // The base pitch from the spans over the least and the greatest number of teeth, and its standard
+  // deviation; none if there is only one number of teeth.
   std::optional<std::array<double, 2>> base_pitch() const {
     const Observation *least = nullptr, *most = nullptr;
     for (const Observation& o : readings_) {
@@ -142,8 +142,7 @@ class Searching {
     take(rack, fit_rack(start, of_both, readings_), prior.any, found);
   }
 
-  // A measured lead or helix angle determines the helix angle directly. Returns true if it excludes
-  // this gear.
+  // True if a measured lead or helix angle excludes the helix angle of this gear.
   bool off_the_lead(const GearNumbers& gear) const {
     return std::any_of(readings_.begin(), readings_.end(), [&](const Observation& o) {
       if (o.kind != Observation::Kind::lead && o.kind != Observation::Kind::helix) return false;
@@ -164,7 +163,7 @@ class Searching {
   std::vector<Observation> readings_;
 };
 
-// The χ² of exact readings that about one gear in ten thousand exceeds.
+// Greatest acceptable χ² of the exact readings. About one gear in ten thousand exceeds this value.
 double most_misfit(const std::vector<Observation>& readings, const RackFit& fit) {
   const auto exact = std::count_if(readings.begin(), readings.end(),
                                    [](const Observation& o) { return o.exact(); });
@@ -172,8 +171,8 @@ double most_misfit(const std::vector<Observation>& readings, const RackFit& fit)
   return freedom > 0.0 ? 12.0 + 3.2 * freedom : 1.0;
 }
 
-// True if b is the same gear as a, with a fitted module or helix angle instead of the standard
-// values of a.
+// True if b is the same gear as a, except that a module or helix angle is fitted in one of the two and
+// standard in the other.
 bool is_double(const Found& a, const Found& b) {
   const bool looser = (b.fit.sigma_helix > 0.0) != (a.fit.sigma_helix > 0.0) ||
                       (b.fit.sigma_module > 0.0) != (a.fit.sigma_module > 0.0);
@@ -236,7 +235,7 @@ const char* name_of(Observation::Kind kind) {
   }
 }
 
-// Finds a wrong reading, without which the others agree on a standard gear.
+// Finds a reading without which all other readings agree with a standard gear.
 std::optional<Contradiction> contradiction(const IdentifyProblem& p,
                                            const std::vector<Observation>& readings,
                                            std::vector<Found>& found) {

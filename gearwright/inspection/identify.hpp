@@ -1,15 +1,16 @@
 // Identification of an unknown gear: the standard gears that agree with its readings, the likeliest
 // first.
 //
-//   u      uncertainty of a reading, 95 %; σ = u/1.96        χ²   sum of squares of (reading − gear)/σ
-//   x_E    generating profile shift, allowance included       p_bn  normal base pitch
+//   u      uncertainty of a reading at 95 %; σ = u/1.96
+//   χ²     sum of squares of (reading − predicted reading)/σ
+//   x_E    generating profile shift, including the allowance       p_bn  normal base pitch
 //                                              theory: docs/theory/10-inspection.md
 //
-// A gear of z teeth is described by module, pressure angle, helix angle and x_E. The first two come
-// from the standards. The helix angle is 0, a whole number of degrees, or free. x_E and a free
-// helix angle are fitted. A hypothesis is judged by its evidence, which combines its fit, the
-// fraction of its prior range that the readings leave, and how common such gears are. Tips may be
-// worn and roots may come from several racks, so these two readings locate the gear only roughly.
+// A gear of z teeth is described by module, pressure angle, helix angle and x_E. Module and pressure
+// angle are those of standards. The helix angle is 0, a whole number of degrees, or free. x_E and a free
+// helix angle are fitted. The evidence of a hypothesis combines the quality of the fit, the fraction of
+// the prior range that the readings leave, and the prior probability of such gears. Tips may be worn and
+// roots may be cut by several racks, so readings of tip and root are only rough.
 #pragma once
 
 #include <array>
@@ -33,7 +34,7 @@ struct DiameterReading {
   double value = 0.0;  ///< M_dK  mm
 };
 
-/// An optional reading with its own uncertainty or the usual one.
+/// An optional reading with its uncertainty; by default, the usual uncertainty is used.
 template <class T>
 struct MaybeReading {
   std::optional<T> value, uncertainty;
@@ -41,66 +42,64 @@ struct MaybeReading {
 
 struct IdentifyProblem {
   int teeth = 0;                               ///< z, negative if internal
-  std::optional<Angle> normal_pressure_angle;  ///< α_n, where it is known
-  std::optional<Angle> helix_angle;            ///< β, where it is known; 0 for a spur gear
+  std::optional<Angle> normal_pressure_angle;  ///< α_n, if known
+  std::optional<Angle> helix_angle;            ///< β, if known; 0 for a spur gear
   std::vector<SpanReading> spans;
   std::vector<DiameterReading> balls;
   double span_uncertainty = 0.02;     ///< mm
   double balls_uncertainty = 0.02;    ///< mm
   MaybeReading<double> tip, root;     ///< mm
   MaybeReading<double> lead;          ///< mm, > 0 right hand
-  MaybeReading<Angle> helix;          ///< of a measurement
-  MaybeReading<double> distance;      ///< mm, to the mating gear
-  std::optional<int> mating_teeth{};  ///< of that one
+  MaybeReading<Angle> helix;          ///< measured helix angle
+  MaybeReading<double> distance;      ///< centre distance to the mating gear, mm
+  std::optional<int> mating_teeth{};  ///< number of teeth of the mating gear
 };
-
-/// The kind of standard of a candidate.
+/// The series of standard modules to which a candidate belongs.
 enum class ModuleSeries { iso54_1, iso54_2, diametral_pitch, none };
 
 struct IdentifiedGear {
   int teeth;
   double normal_module;  ///< m_n  mm
   ModuleSeries series;
-  std::optional<double> diametral_pitch;  ///< 1/in, of that series
+  std::optional<double> diametral_pitch;  ///< 1/in, if the series is one of diametral pitches
   Angle normal_pressure_angle;            ///< α_n
-  Angle helix_angle;                      ///< β, > 0 right hand; also > 0 if the hand is unknown
+  Angle helix_angle;                      ///< β, > 0 for right hand and if the hand is unknown
   double generating_shift;                ///< x_E
-  double tip_diameter;                    ///< mm, measured, or as the shift determines it
-  std::optional<double> shift_of_tip;     ///< x that follows from an unworn tip
-  double likelihood;                      ///< the sum over all candidates is 1
-  double misfit;                          ///< χ² of the exact readings
-  // Uncertainties, ± of 95 %; 0 for the number of a standard.
+  double tip_diameter;                    ///< mm, as measured or computed from the shift
+  std::optional<double> shift_of_tip;  ///< x that follows from the measured tip if it is not worn
+  double likelihood;                   ///< the sum over all hypotheses is 1
+  double misfit;                       ///< χ² of the exact readings
+  // Uncertainties, ± at 95 %; 0 for standard values.
   double module_uncertainty;  ///< mm
   double shift_uncertainty;
   Angle helix_uncertainty;
 };
 
-/// A reading that disagrees with all others, and the value that they predict.
+/// A reading that disagrees with all other readings, and the value that the other readings predict.
 struct Contradiction {
-  std::string reading;  ///< "span", "over_balls", "lead", "helix_angle"
-  double tool;          ///< k, D_M; 0 if it has none
-  double value;         ///< as read, mm or degrees
-  double expected;      ///< predicted by the others
+  std::string reading;  ///< "span", "over_balls", "lead" or "helix_angle"
+  double tool;          ///< k or D_M; 0 for other readings
+  double value;         ///< the reading, mm or degrees
+  double expected;      ///< the value predicted by the other readings
 };
-
+/// The measurement that distinguishes best between the first candidate and another one, the rival.
 struct NextMeasurement {
-  std::string reading;           ///< "span", "over_balls", "lead"
-  double tool;                   ///< k, D_M
-  std::array<double, 2> expect;  ///< readings expected of the first candidate and of its rival
-  int rival;                     ///< index of that candidate, from 0
+  std::string reading;           ///< "span", "over_balls" or "helix_angle"
+  double tool;                   ///< k or D_M
+  std::array<double, 2> expect;  ///< predicted readings of the first candidate and of the rival
+  int rival;                     ///< index of the rival, from 0
 };
-
 struct Identification {
-  std::vector<IdentifiedGear> candidates;      ///< likeliest first
-  std::optional<Contradiction> contradiction;  ///< the candidates are those of the other readings
-  std::optional<NextMeasurement> next;         ///< none if one is left or no reading decides
+  std::vector<IdentifiedGear> candidates;      ///< the likeliest first
+  std::optional<Contradiction> contradiction;  ///< if present, this reading was not used
+  std::optional<NextMeasurement> next;         ///< none if there is one candidate or no distinction
   std::string reason;                          ///< the reason if there is no candidate
 };
-
-/// The relevant candidates, at most this number.
+/// Greatest number of candidates in a result.
 inline constexpr int kMostCandidates = 8;
-
-/// Errors    `teeth`: missing; `measured`: too few readings; a reading that no gear of so many teeth has
+/// Identifies a gear.
+///
+/// Errors    `teeth` if missing or fewer than 3; `measured` if no reading determines the size
 Result<Identification> identify(const IdentifyProblem& problem);
 
 }  // namespace gearwright

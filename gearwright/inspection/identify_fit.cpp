@@ -13,11 +13,12 @@ namespace {
 
 using std::numbers::pi;
 
-// The prior: x_E about 0, any helix angle up to 45°, modules over two decades.
+// The prior distributions: x_E scatters about 0, helix angles are uniform up to 45°, and modules cover two
+// decades.
 constexpr double kShiftScatter = 0.5;
 constexpr double kHelixRange = pi / 4;
-// Information of the helix angle's prior, 1/rad²: without readings √(2π)·σ is the whole range. Readings change with β²
-// only, so near 0 they determine a helix angle by less than its prior does.
+// Information of the prior of the helix angle, 1/rad². Without readings, √(2π)·σ is the whole range.
+// Because readings change with β² only, they contain less information than the prior near β = 0.
 constexpr double kHelixInformation = 2 * pi / (kHelixRange * kHelixRange);
 constexpr double kLogModuleRange = 5.0;
 constexpr int kMostSteps = 12;
@@ -26,10 +27,11 @@ double& unknown(GearNumbers& g, int which) {
   return which == 0 ? g.shift : which == 1 ? g.beta : g.module;
 }
 
-// Steps of the differences and of the termination, small compared with the resolution of readings.
+// Step of the difference quotients, which is small compared with the resolution of readings.
 double step_of(const GearNumbers& g, int which) { return which == 2 ? 1e-6 * g.module : 1e-6; }
 
-// Residuals, with the prior of the shift as the last one.
+// Computes the residuals. The last residual belongs to the prior of the shift. Returns false if a
+// residual is undefined.
 bool residuals(const GearNumbers& g, const std::vector<Observation>& readings,
                std::vector<double>& r) {
   r.clear();
@@ -59,7 +61,7 @@ std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknow
   GearNumbers g = start;
   std::vector<double> r, moved;
   if (!residuals(g, readings, r)) return std::nullopt;
-  // A value that is not fitted has a row of the unit matrix.
+  // Values that are not fitted have rows of the unit matrix.
   Eigen::Matrix3d normal = Eigen::Matrix3d::Identity();
   std::array<std::vector<double>, 3> slope;  // of the model, in σ
   for (int step = 0; step < kMostSteps; ++step) {
@@ -116,8 +118,8 @@ std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknow
     fit.sigma_module = std::sqrt(covariance(2, 2));
     log_prior -= std::log(kLogModuleRange * g.module);
   }
-  // The scatter of rough readings is relative to the module, so the same deviation in mm is less
-  // significant for a larger module.
+  // The scatter of rough readings is proportional to the module, so the same deviation in mm is less
+  // significant if the module is larger.
   for (const Observation& o : readings)
     if (!o.exact()) log_prior -= std::log(g.module);
   fit.log_evidence = log_prior - square_sum(r) / 2 + double(n) / 2 * std::log(2 * pi) -

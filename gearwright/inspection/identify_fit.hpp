@@ -1,7 +1,8 @@
-// Least squares of one hypothesis: the profile shift, and helix angle and module if they are free.
+// Fits the unknowns of one hypothesis by least squares: the profile shift, and also helix angle and
+// module if they are free.
 //
-// Internal to inspection/. The evidence is Laplace's approximation: the likelihood of the best fit
-// times the fraction of the prior volume that the readings leave.
+// Internal to inspection/. The evidence is Laplace's approximation, which is the likelihood of the best
+// fit times the fraction of the prior volume that the readings leave.
 #pragma once
 
 #include <optional>
@@ -19,12 +20,11 @@ struct RackFit {
   GearNumbers gear;
   double misfit;                                  ///< χ² of the exact readings
   double sigma_shift, sigma_helix, sigma_module;  ///< 0 if not fitted
-  int free;                                       ///< numbers fitted
+  int free;                                       ///< number of fitted values
   double log_evidence;
 };
-
-/// Gauss-Newton from `start`; the evidence is [T10.25]. None if a tool finds no flank, or if the
-/// readings do not determine the unknowns.
+/// Fits the unknowns by the Gauss–Newton method from `start`, and computes the evidence [T10.25]. None if
+/// a tool does not touch the flanks, or if the readings do not determine the unknowns.
 std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknowns,
                                 const std::vector<Observation>& readings);
 

@@ -15,14 +15,14 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kSigmas = 1.96;           // of 95 %
-constexpr double kLeadUncertainty = 0.02;  // of the lead measured by rolling the gear over paper
+constexpr double kSigmas = 1.96;           // standard deviations for 95 %
+constexpr double kLeadUncertainty = 0.02;  // relative, of a lead measured by rolling over paper
 constexpr double kHelixUncertainty = 0.5;  // degrees
 constexpr double kLength = 0.02;           // mm
-// Variations of drawings that readings cannot show, as standard deviations in modules.
-constexpr double kTipScatter = 0.15;  // wear, shortening, x − x_E
+// Standard deviations of rough readings, in modules.
+constexpr double kTipScatter = 0.15;  // due to wear, tip shortening and x − x_E
 constexpr double kRootScatter = 0.04;
-constexpr double kDistanceScatter = 0.5;  // the mating gear's shift
+constexpr double kDistanceScatter = 0.5;  // due to the profile shift of the mating gear
 constexpr std::array kAddenda{1.0, 0.8};
 constexpr std::array kDedenda{1.25, 1.4, 1.0, 1.157, 1.2, 1.35};
 

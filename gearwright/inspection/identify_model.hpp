@@ -1,7 +1,7 @@
-// The predicted readings of a gear for the tools that measured an unknown gear.
+// The predicted readings of a gear for the tools with which an unknown gear was measured.
 //
-// Internal to inspection/: the fits of identify() call it about ten thousand times, so it uses
-// closed forms only and does not make the gear.
+// Internal to inspection/. identify() calls these functions about ten thousand times, so they use closed
+// forms and do not make the gear.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace gearwright::detail {
 
-/// A gear by its numbers.
+/// The numbers that describe a gear.
 struct GearNumbers {
   int teeth;      ///< z, signed
   double module;  ///< m_n  mm
@@ -20,26 +20,26 @@ struct GearNumbers {
   double shift;   ///< x_E
 };
 
-/// One reading as a number defined for every gear.
+/// One reading, as a number that is defined for every gear.
 struct Observation {
   enum class Kind { span, balls, lead, helix, tip, root, distance };
   Kind kind;
   double tool;   ///< k, D_M, z of the mating gear
-  double value;  ///< mm; 1/mm of a lead, sin β/(π z m_n); rad
-  double sigma;  ///< standard deviation, in that unit, without that of a rough reading
-  /// True if it determines the gear within its own uncertainty.
+  double value;  ///< mm; for a lead its reciprocal sin β/(π z m_n), 1/mm; for a helix angle rad
+  double sigma;  ///< standard deviation of the reading, in the same unit
+  /// False for rough readings, which depend on wear, on the rack or on the mating gear.
   bool exact() const { return kind <= Kind::helix; }
 };
 
 std::vector<Observation> observations(const IdentifyProblem& problem);
 
-/// The predicted reading; none if this tool finds no flank.
+/// The predicted reading; none if the tool does not touch the flanks.
 ///
 /// Formula   [T10.2], [T10.6], [T10.8]; lead π z m_n/sin β
 std::optional<double> reading_of(const GearNumbers& gear, const Observation& o);
 
-/// (reading − gear)/σ [T10.24]. The σ of a rough reading includes its scatter in modules, because
-/// tips wear and racks differ.
+/// (reading − predicted reading)/σ [T10.24]. For a rough reading, σ includes the scatter in modules that
+/// is due to wear and different racks.
 std::optional<double> residual(const GearNumbers& gear, const Observation& o);
 
 }  // namespace gearwright::detail

@@ -32,7 +32,7 @@ NominalPoint nominal_point(const Gear& gear, const RemovalField& removal, FlankS
   const double rho = r_b * std::sqrt(1 + roll * roll);
   NominalPoint p{plain, n, 2 * rho, height};
   if (removal.none()) return p;
-  // The same point moved by −c n, and the normal of the resulting surface from its two tangents.
+  // The point is displaced by −c n, and the normal of the displaced surface follows from two tangents.
   // [T10.27]
   const Removal c = removal.at(std::log(rho), height);
   const double c_roll = c.c_u * roll / (1 + roll * roll);
@@ -69,7 +69,7 @@ struct FilletPlace {
   Vec2 point, normal;
 };
 
-// n places at equal distances along the arcs of that name, by chords of a fine subdivision.
+// n places at equal distances along the root fillet, by chords of a fine subdivision.
 std::vector<FilletPlace> along_fillet(const Outline& outline, int n) {
   constexpr int kFine = 400;
   struct Station {
@@ -91,8 +91,8 @@ std::vector<FilletPlace> along_fillet(const Outline& outline, int n) {
   }
   std::vector<FilletPlace> places;
   if (length == 0.0) return places;
-  // In the direction from root to tip, the material of an external tooth's upper side lies to the
-  // right.
+  // On the side y > 0 of an external tooth, the material lies to the right of the direction from root to
+  // tip.
   const double out = outline.side();
   std::size_t at = 0;
   for (int i = 0; i < n; ++i) {

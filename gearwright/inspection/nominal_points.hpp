@@ -4,8 +4,9 @@
 //   φ      polar angle of the base tangent point, rad                       c   material removed, mm
 //                                              theory: docs/theory/10-inspection.md
 //
-// Points lie in the gear frame: z along the axis, tooth 0 on the x axis in the middle of the face. A
-// modified flank has moved by c along −n, and its normal has turned with c's slopes.
+// Points are given in the gear frame: z is the axis, and tooth 0 is centred on the x axis in the middle
+// of the face. Points of a modified flank are displaced by c along −n, and the slopes of c incline the
+// normals.
 #pragma once
 
 #include <array>
@@ -18,19 +19,19 @@
 
 namespace gearwright {
 
-/// Seen from +z with the tooth pointing up.
+/// The sides of a tooth seen from +z, with the tooth pointing up.
 enum class FlankSide { right, left };
 
 struct NominalPoint {
   Vec3 point;       ///< mm
-  Vec3 normal;      ///< unit, out of the material
+  Vec3 normal;      ///< unit vector, out of the material
   double diameter;  ///< d_y  mm, of the unmodified point
   double height;    ///< z    mm
 };
 
 struct PointGrid {
-  int profile = 9;  ///< from root to tip, equal steps of roll
-  int helix = 5;    ///< along the face, equal steps
+  int profile = 9;  ///< number of points from root to tip, in equal steps of roll length
+  int helix = 5;    ///< number of points along the face, in equal steps
 };
 
 /// The point of the flank of tooth 0 at a roll angle and a height.
@@ -41,21 +42,21 @@ struct PointGrid {
 NominalPoint nominal_point(const Gear& gear, const RemovalField& removal, FlankSide side,
                            double roll, double height);
 
-/// The grid over the evaluation ranges, tooth by rows of growing height.
+/// The points of the grid over the evaluation ranges, in rows of ascending height.
 ///
 /// Domain    both numbers of the grid ≥ 2 (contract)
 std::vector<NominalPoint> nominal_points(const Gear& gear, const RemovalField& removal,
                                          FlankSide side, const EvaluationRanges& ranges,
                                          const PointGrid& grid);
 
-/// The root fillet next to a flank of tooth 0, as cut (modifications apply to the flank only), from
-/// the root land to d_Ff, in rows of growing height over the same part of the face.
+/// Points of the root fillet next to a flank of tooth 0, from the root land to d_Ff, in rows of ascending
+/// height over the same part of the face. Modifications do not change the fillet.
 ///
-/// Formula   P = R(2π z/p_z) p + z k with p on the outline's fillet and e its normal there,
+/// Formula   P = R(2π z/p_z) p + z k with a point p of the fillet in the section z = 0 and its normal e,
 ///           n ∝ e − (2π/p_z)(e · k × p) k; [T10.29]
-/// Accuracy  points lie on the outline of the tooth as generated, equally spaced along the fillet to
-///           1e-3 of their distance
-/// None      the outline has no fillet, or the gear no outline
+/// Accuracy  points lie on the generated outline and are equally spaced along the fillet, to 1e-3 of
+///           their distance
+/// None      if the outline has no fillet, or the gear has no outline
 /// Domain    both numbers of the grid ≥ 2 (contract)
 std::vector<NominalPoint> fillet_points(const Gear& gear, FlankSide side,
                                         const EvaluationRanges& ranges, const PointGrid& grid);

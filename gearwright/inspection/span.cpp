@@ -18,12 +18,12 @@ double contact_diameter(const ReferenceGeometry<double>& g, double length) {
   return std::hypot(g.base_diameter, length * std::cos(g.base_helix_angle));
 }
 
-// The span whose contacts are at that diameter. [T10.3]
+// The length of the span whose contacts are at this diameter. [T10.3]
 double length_to(const ReferenceGeometry<double>& g, double diameter) {
   return leaf::curvature_at(diameter, g.base_diameter) / std::cos(g.base_helix_angle);
 }
 
-// The real number k for a W_k of this length.
+// The real number k at which W_k has this length.
 double teeth_of(const Gear& gear, double length) {
   const double pitch = gear.reference().base_pitch_normal;
   return 1.0 + (length - span_length(gear, 1)) / pitch;
@@ -42,7 +42,8 @@ struct Teeth {
   int least, most;
 };
 
-// The range of k whose contacts lie on the usable flank and within the face; empty if most < least.
+// The range of k for which the contacts lie on the usable flank and, if requested, within the face; empty
+// if most < least.
 Teeth touching_teeth(const Gear& gear, const UsableFlank& flank, bool within_face) {
   const ReferenceGeometry<double>& g = gear.reference();
   const double lo = teeth_of(gear, length_to(g, flank.least()));
@@ -95,7 +96,7 @@ Result<Span> span_over(const Gear& gear, int k) {
   const Span span = span_of(gear, *flank, k);
   if (!(span.length > 0.0))
     return no("the flanks face the other way there; " + range_text(gear, *flank));
-  // Numbers one above and one below the range still have a length, which warnings use.
+  // For the numbers of teeth next to the range, a span is returned, so that a warning can give its length.
   const Teeth on_flank = touching_teeth(gear, *flank, false);
   const bool near = k >= on_flank.least - 1 && k <= on_flank.most + 1;
   if (span.place == ContactPlace::beyond_tip && !near) {
@@ -119,7 +120,7 @@ std::vector<Span> usable_spans(const Gear& gear, int most) {
   if (!flank) return {};
   const Teeth k = touching_teeth(gear, *flank, true);
   if (k.most < k.least) return {};
-  // d_M grows with k, so the nearest is one of the two numbers around the k of the V circle.
+  // d_M increases with k, so the usual k is one of the two numbers next to the real k of the V circle.
   const ReferenceGeometry<double>& g = gear.reference();
   const double d_v = std::max(v_circle_diameter(gear), g.base_diameter);
   const double real = teeth_of(gear, length_to(g, d_v));

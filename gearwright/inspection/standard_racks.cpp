@@ -13,7 +13,7 @@ namespace gearwright::detail {
 
 namespace {
 
-// ISO 54, and below it the small modules of the same series.
+// Modules of ISO 54, extended to smaller modules.
 constexpr std::array kSeries1{0.3, 0.4, 0.5, 0.6, 0.8, 1.0,  1.25, 1.5,  2.0,  2.5,  3.0, 4.0,
                               5.0, 6.0, 8.0, 10., 12., 16.0, 20.0, 25.0, 32.0, 40.0, 50.0};
 constexpr std::array kSeries2{0.35, 0.45, 0.55, 0.7,  0.75, 0.9,  1.125, 1.375,
@@ -22,7 +22,7 @@ constexpr std::array kSeries2{0.35, 0.45, 0.55, 0.7,  0.75, 0.9,  1.125, 1.375,
 constexpr std::array kPitches{1.0,  1.25, 1.5,  1.75, 2.0,  2.25, 2.5,  3.0,  3.5,  4.0,  5.0,
                               6.0,  7.0,  8.0,  9.0,  10.0, 11.0, 12.0, 13.0, 14.0, 16.0, 18.0,
                               20.0, 22.0, 24.0, 26.0, 28.0, 30.0, 32.0, 36.0, 40.0, 48.0, 64.0};
-// Pressure angles in degrees, and the share of gears that have them.
+// Pressure angles in degrees, and the share of gears with these angles.
 using Share = std::pair<double, double>;
 constexpr std::array kMetricAngles{Share{20, 0.86},   Share{14.5, 0.02}, Share{15, 0.04},
                                    Share{17.5, 0.02}, Share{22.5, 0.02}, Share{25, 0.03},
@@ -62,7 +62,7 @@ GearNumbers numbers_of(const IdentifiedGear& g) {
           g.generating_shift};
 }
 
-// Possible next measurements: helix angle, and spans and balls that fit the likeliest gear.
+// Possible next measurements: the helix angle, and spans and balls that suit the likeliest gear.
 std::vector<Observation> menu(const IdentifyProblem& p, const IdentifiedGear& first) {
   using Kind = Observation::Kind;
   const double m = first.normal_module;
@@ -74,7 +74,7 @@ std::vector<Observation> menu(const IdentifyProblem& p, const IdentifiedGear& fi
   const bool plane = p.teeth > 0 || g.beta == 0.0;
   for (int k = 1; plane && k <= std::abs(p.teeth) / 2; ++k) {
     const Observation span{Kind::span, double(k), 0, p.span_uncertainty};
-    // Anvils whose contacts lie within a module of the reference cylinder.
+    // Only spans with contacts near the reference cylinder are suitable.
     const double off = *reading_of(g, span) / m - middle;
     const bool read = std::any_of(p.spans.begin(), p.spans.end(),
                                   [&](const SpanReading& s) { return s.teeth == k; });
@@ -99,7 +99,7 @@ std::optional<NextMeasurement> next_measurement(const IdentifyProblem& problem,
   const std::vector<Observation> choices = menu(problem, candidates.front());
   for (std::size_t i = 1; i < candidates.size(); ++i) {
     if (candidates[i].likelihood < kWorthDeciding) continue;
-    double best = 1.0;  // they differ by more than the uncertainty
+    double best = 1.0;  // the predicted readings must differ by more than the uncertainty
     std::optional<NextMeasurement> next;
     for (const Observation& o : choices) {
       const auto a = reading_of(numbers_of(candidates.front()), o);

@@ -18,11 +18,10 @@ struct StandardRack {
   double log_prior;                       ///< logarithm of its prior probability
 };
 
-/// Modules of ISO 54 and diametral pitches, each with its usual pressure angles.
+/// Modules of ISO 54 and diametral pitches, each with the usual pressure angles.
 const std::vector<StandardRack>& standard_racks();
-
-/// The reading that would decide best between the likeliest gear and another. None if one gear is
-/// left, or if no reading distinguishes them.
+/// The measurement that distinguishes best between the likeliest gear and another one. None if only one
+/// gear is left, or if no measurement distinguishes between the gears.
 std::optional<NextMeasurement> next_measurement(const IdentifyProblem& problem,
                                                 const std::vector<IdentifiedGear>& candidates);
 

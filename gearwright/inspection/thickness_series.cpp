@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// DIN 3967, table 1: upper limits of the reference diameter, mm, and −E_sns of the series, µm.
+// DIN 3967, table 1: names of the series, upper limits of the reference diameter, mm, and −E_sns, µm.
 constexpr std::array<std::string_view, 11> kSeries{"a", "ab", "b", "bc", "c", "cd",
                                                    "d", "e",  "f", "g",  "h"};
 constexpr std::array kDiameters{10.,   50.,   125.,  280.,  560.,  1000.,
@@ -76,13 +76,13 @@ constexpr std::array<std::array<double, 12>, 21> kGrades{{
 
 constexpr int kMaxGrade = 12;
 
-// ISO 286-1, table 3: fundamental deviation of P above IT7 by the first sizes, and of N above IT8 up
-// to 3 mm, µm below the nominal size.
+// Fundamental deviations below the nominal size, µm, of ISO 286-1, table 3. The deviation of P, for grades
+// above IT7, is listed for the first sizes. The deviation of N, for grades above IT8, differs from 0 only
+// up to 3 mm.
 constexpr std::array kDeviationP{6., 12., 15., 18., 22., 26., 32., 37.};
 constexpr double kDeviationN = 4.0;
 
-// The row of the first border that is not below the value, or the number of rows if all are below
-// it.
+// The index of the first border that is not less than the value; the number of borders if all are less.
 template <std::size_t n>
 std::size_t row_of(const std::array<double, n>& borders, double value) {
   return static_cast<std::size_t>(std::lower_bound(borders.begin(), borders.end(), value) -
@@ -96,7 +96,7 @@ std::optional<int> whole(std::string_view text) {
   return value;
 }
 
-// mm; none beyond the table.
+// The standard tolerance of a grade, mm; none beyond the table.
 std::optional<double> tolerance_grade(int grade, double size) {
   const std::size_t row = row_of(kSizes, size);
   if (row == kSizes.size()) return std::nullopt;

@@ -5,7 +5,7 @@
 //   Gear1, Gear2   z along the gear's axis, x the centre line of tooth 0 in the section z = 0
 //                                                          theory: docs/theory/01-frames.md
 //
-// Adjacent letters cancel: X_2f * X_f1 * r_1 compiles, and X_f1 * X_2f does not.
+// Adjacent letters of a product must be equal, so X_2f * X_f1 * r_1 compiles and X_f1 * X_2f does not.
 #pragma once
 
 #include <Eigen/Geometry>

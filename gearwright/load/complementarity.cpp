@@ -17,12 +17,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMost = 200;
-constexpr int kOneByOne = 30;        // steps before positions change singly, to stop cycles
-constexpr double kStill = 1e-11;     // relative to the greatest load: a step below this is the last
-constexpr double kRounding = 1e-14;  // relative to cancelling terms: rounding of a step
-constexpr double kRough = 1e-3;  // relative to the greatest load: largest accepted rounding error
-constexpr double kOverlap = 1e-12;   // relative to the greatest displacement: least overlap
-constexpr double kLeastLoad = 1e-9;  // relative to the mean, the least argument of the logarithm
+constexpr int kOneByOne =
+    30;  // after so many steps, one position changes per step, which stops cycles
+constexpr double kStill = 1e-11;     // last step, relative to the greatest load
+constexpr double kRounding = 1e-14;  // rounding error of a step, relative to the cancelling terms
+constexpr double kRough = 1e-3;  // largest accepted rounding error, relative to the greatest load
+constexpr double kOverlap = 1e-12;   // least overlap, relative to the greatest displacement
+constexpr double kLeastLoad = 1e-9;  // least load in the logarithm, relative to the mean load
 
 }  // namespace
 
@@ -52,7 +53,7 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
       const Index k = at[i];
       for (Index j = 0; j < m; ++j) a(i, j) = q.yield(k, at[j]);
       const double p = std::max(x.line_load[k], kLeastLoad * mean);
-      // λ ln(a0/a) p and its slope: linear about p, the constant is λ p/2.
+      // The local term λ ln(a0/a) p is linearised about p; the constant part is λ p/2.
       if (q.local > 0.0) {
         const double wide = hertz_half_width(p, q.radius[k], q.reduced_modulus);
         a(i, i) += q.local * (std::log(q.half_width / wide) - 0.5);
@@ -62,7 +63,7 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
       }
       arm[i] = q.arm[k];
     }
-    if (!a.allFinite()) return x;  // its decomposition would not detect this
+    if (!a.allFinite()) return x;  // the decomposition of A would not detect this
     const Eigen::LLT<MatrixXd> llt(a);
     if (llt.info() != Eigen::Success) {
       x.stop = ContactSolution::Stop::indefinite;
@@ -105,7 +106,7 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     x.line_load = next;
     x.approach_per_gap = VectorXd::Zero(n);
     for (Index i = 0; i < m; ++i) x.approach_per_gap[at[i]] = q.length * turned[i] / stiffness;
-    // Under a very small load, only rounding remains of cancelling gaps.
+    // Under a very small load, the gaps cancel up to their rounding errors.
     const double cancelling =
         free.cwiseAbs().maxCoeff() + std::abs(x.approach) * turned.cwiseAbs().maxCoeff();
     const double still =

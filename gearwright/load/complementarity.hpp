@@ -1,12 +1,12 @@
-// Contact of elastic bodies at possible contact positions: each position has either a pressure and
-// no gap, or a gap and no pressure.
+// Computes the loads of elastic bodies at their possible contact positions. Each position has either
+// a load and no gap, or a gap and no load.
 //
 //   w_i(p) + g_i − Θ arm_i = s_i,   p_i ≥ 0,  s_i ≥ 0,  p_i s_i = 0,   Σ p_i Δ arm_i = M2  [T12.2], [T12.3]
 //   w_i = Σ_j A_ij p_j + λ ln(a0/a_i) p_i,    a_i = √(4 p_i R_i/(π E*))                       [T12.12]
 //
 // An active set method with Newton steps [T12.14] removes positions with tension and adds positions
-// that overlap. A is symmetric and positive definite and the local term is monotone, so the
-// solution is unique.
+// at which the bodies overlap. The solution is unique, because A is symmetric and positive definite
+// and the local term is monotone.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ struct ContactProblem {
   Eigen::VectorXd gap;           ///< g  mm
   Eigen::VectorXd arm;           ///< mm
   Eigen::VectorXd radius;        ///< R  mm
-  double length = 1.0;           ///< Δ  mm, of the contact line in a slice
+  double length = 1.0;           ///< Δ  mm, length of the contact line in a slice
   double moment = 0.0;           ///< M2  N mm
   double local = 0.0;            ///< λ1/E1 + λ2/E2  mm²/N; 0 without a local term
   double half_width = 1.0;       ///< a0  mm
@@ -28,11 +28,11 @@ struct ContactProblem {
 
 struct ContactSolution {
   enum class Stop {
-    /// True if no position changed and the last step was below 1e-11 of the greatest load, or
-    /// within the rounding of gaps that cancel to less than a thousandth of it.
+    /// No position changed, and the last step was below 1e-11 of the greatest load or below the rounding
+    /// error of the cancelling gaps (at most a thousandth of the greatest load).
     converged,
-    indefinite,  ///< true if the slices are too fine for the contact width, so that the local term makes A indefinite
-    too_long
+    indefinite,  ///< A is indefinite, because the slices are too fine for the contact width
+    too_long     ///< the limit of steps was reached
   };
   Stop stop = Stop::too_long;
   Eigen::VectorXd line_load;      ///< p  N/mm
@@ -44,10 +44,10 @@ struct ContactSolution {
   bool found() const { return stop == Stop::converged; }
 };
 
-/// `start`: loads to start from, such as those of a similar problem, N/mm; all positions with the
-/// same load if empty. It has no influence on the solution except for rounding.
+/// The iteration starts from the loads `start`, N/mm, such as the solution of a similar problem. If
+/// `start` is empty, all positions start with the same load. The start changes the solution by rounding only.
 ///
-/// Domain    at least one place; moment > 0; as many loads as places, none negative (contract)
+/// Domain    at least one position; moment > 0; one start load ≥ 0 for each position (contract)
 ContactSolution solve_contact(const ContactProblem& problem, const Eigen::VectorXd& start = {});
 
 /// Half width of a Hertz strip. [T12.12]

@@ -12,9 +12,12 @@ namespace {
 
 using End = FlankPatch::End;
 
-constexpr double kBorderRounding = 1e-15;  // of a place, relative to the length of the flank
-constexpr double kSameGap = 1e-13;         // rad: two patches meet there
-constexpr double kFarFromMesh = 0.6;       // rad: farther points of gear 1 do not meet a flank
+constexpr double kBorderRounding =
+    1e-15;  // rounding error of a place, relative to the length of the flank
+constexpr double kSameGap =
+    1e-13;  // rad: two patches with a smaller difference of T have the same gap
+constexpr double kFarFromMesh =
+    0.6;  // rad from the line of centres, beyond which no flanks face each other
 
 double row_of(const FlankPatch& a, int i) {
   return a.s_lo + (a.s_hi - a.s_lo) * i / (GapSearch::kRows - 1);
@@ -39,9 +42,9 @@ double curvature(const GapJet& j) {
   return mean + std::sqrt(std::max(0.0, mean * mean - product));
 }
 
-// True if the gap of `a` is less than that of `b`. At the start of a relief both patches have the same
-// gap there, up to rounding; the edge between them is sharper than either, so the greater curvature
-// counts.
+// True if the gap at `a` is less than the gap at `b`. At the start of a relief, both patches have the
+// same gap up to rounding. The edge between the two patches is sharper than each patch, so the place
+// with the greater curvature is used.
 bool nearer(const GapPlace& a, const GapPlace& b) {
   if (std::abs(a.te - b.te) > kSameGap) return a.te > b.te;
   return a.curvature > b.curvature;
@@ -57,7 +60,8 @@ TouchKind edge_of_one(End end) {
   return end == End::tip ? TouchKind::tip1 : end == End::form ? TouchKind::form1 : TouchKind::line;
 }
 
-// How far a point lies inside the other flank, ≥ 0 inside, by its nearest border, and the slope by s.
+// The distance of a point from the nearest border of the other flank, ≥ 0 inside the flank, and the
+// derivative of this distance with respect to s.
 struct Margin {
   double v, s;
 };
@@ -68,8 +72,8 @@ Margin margin(const FlankPatch& b, const GapJet& j) {
                            [](const Margin& x, const Margin& y) { return x.v < y.v; });
 }
 
-// The border of the other flank between `good` inside and `bad` outside: the last point inside, to
-// rounding.
+// The last point inside the other flank, up to rounding, between `good`, which is inside, and `bad`,
+// which is outside.
 template <class At>
 double last_inside(const FlankPatch& b, const At& at, double good, double bad, double rounding) {
   const double border = newton_in_bracket<double>(
@@ -139,7 +143,8 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
     highest = te;
   }
   if (best < 0) return std::nullopt;
-  // The gap is least between the best row and the end of the interior range towards which it falls.
+  // The gap is least between the best row and the next row in the direction in which T increases, or
+  // the border of flank 2 before that row.
   const double s = row(best);
   GapJet j = at(s);
   double reached = s;

@@ -13,8 +13,8 @@ namespace {
 
 using Solved = std::vector<const LoadedPosition*>;
 
-// Load per approach over the positions, N/(mm µm) of a line load, N/µm of a force; the mean value
-// is the load over the mean approach.
+// Load divided by approach over the positions: N/(mm µm) for a line load, N/µm for a force. The mean
+// value is the load divided by the mean approach.
 template <class Yield>
 LoadedTorque::Stiffness stiffness(const Solved& positions, double load, Yield yield) {
   double sum = 0.0;
@@ -45,7 +45,7 @@ void summarise_lines(LoadedTorque& t, const Solved& solved, const SummaryBasis& 
 void summarise_points(LoadedTorque& t, const Solved& solved) {
   for (LoadedPosition& p : t.positions)
     if (p.approach > 0.0) p.stiffness = p.force / (p.approach / kMmPerUm);
-  // Weighted by the force of each position: the approach per N.
+  // The force differs between positions, so the approach per N is used.
   t.stiffness = stiffness(solved, 1.0, [](const auto& p) { return p.approach / p.force; });
   t.tangent = stiffness(solved, 1.0, [](const auto& p) { return p.tangent; });
 }

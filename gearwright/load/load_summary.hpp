@@ -1,4 +1,4 @@
-// Summary of the positions under one torque: peak to peak, harmonics, stiffness, extremes.
+// Summarises the positions under one torque: peak to peak, harmonics, stiffness, extremes.
 //                                    theory: docs/theory/12-loaded-contact.md
 #pragma once
 
@@ -14,13 +14,13 @@ struct LoadStandard {
   double stiffness = 0.0;  ///< c_γα  N/(mm µm)
   /// σ_F0 of each gear, MPa: F_t/(b m_n) Y_F Y_S Y_β; none if a gear has no critical section.
   std::optional<std::array<double, 2>> root_stress{};
-  double low_load = 1.0;  ///< ratio of c_γα at 100 N/mm to this one; more than 1 below that load
+  double low_load = 1.0;  ///< c_γα at 100 N/mm divided by `stiffness`, but at least 1
 };
 
 struct SummaryBasis {
-  double face;         ///< b  mm, common
+  double face;         ///< b  mm, common face width
   double base_radius;  ///< r_b1  mm
-  double body_twist;   ///< of both bodies, mm per N/mm
+  double body_twist;   ///< mm per N/mm, sum of both bodies
   bool whole_pitch;    ///< true if the positions are evenly spaced over one pitch
   LoadRegime regime;   ///< for point contact, only `whole_pitch` is used
 };
@@ -28,7 +28,7 @@ struct SummaryBasis {
 /// Computes all members that follow from `torque` and `positions`.
 void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 
-/// Amplitudes of orders 1, 2, … of the mesh frequency, at most 20, of the loaded TE.
+/// Amplitudes of the loaded TE at the orders 1, 2, …, at most 20, of the mesh frequency.
 ///
 /// Domain    solved positions, evenly spaced over one pitch
 std::vector<Angle> harmonics(const std::vector<LoadedPosition>& positions);
@@ -37,7 +37,7 @@ std::vector<Angle> harmonics(const std::vector<LoadedPosition>& positions);
 double share_of(const LoadedPosition& position, int pair);
 
 /// The torque with the least peak-to-peak loaded transmission error among those with harmonics;
-/// nullptr if fewer than two have them.
+/// nullptr if there are fewer than two torques or no torque has harmonics.
 const LoadedTorque* quietest(const LoadedContact& contact);
 
 }  // namespace gearwright

@@ -1,11 +1,13 @@
-// Loaded tooth contact: a mounted pair of cylindrical gears under torque, turned through a pitch.
+// Computes the loaded tooth contact of a mounted pair of cylindrical gears, which rotates through one
+// pitch under torque.
 //
 //   Θ    rad, additional rotation of gear 2 due to the deflection of the teeth
 //   approach   Θ r_b2, along the line of action in the transverse section
 //   loaded TE = TE − Θ (gear 2 lags)        theory: docs/theory/12-loaded-contact.md
 //
-// Room contact computes the gap of every position, and the section modes of both gears give the
-// compliance. Each rotation is then a linear complementarity problem with the logarithm of Hertz.
+// The folder contact/ computes the gap of every position, and the section modes of both gears give
+// the compliance. At each rotation, the loads follow from a complementarity problem that is linear
+// except for the logarithm of the Hertz contact.
 #pragma once
 
 #include <array>
@@ -20,111 +22,112 @@
 
 namespace gearwright {
 
-/// The ellipse of Hertz of a tooth pair with point contact.
+/// The Hertz contact ellipse of a tooth pair with point contact.
 struct LoadedPoint {
-  double force = 0.0;                          ///< N, normal
-  double pressure = 0.0;                       ///< MPa, greatest
+  double force = 0.0;                          ///< N, normal force
+  double pressure = 0.0;                       ///< MPa, greatest pressure
   double semi_major = 0.0, semi_minor = 0.0;   ///< mm
-  std::array<double, 2> diameter{}, height{};  ///< mm on each gear, of its middle
-  /// Both half axes on each gear's flank, as steps along the face and in radius, mm.
+  std::array<double, 2> diameter{}, height{};  ///< mm, position of the middle on each gear
+  /// Both semi-axes on the flank of each gear, as steps along the face and in radius, mm.
   std::array<std::array<Eigen::Vector2d, 2>, 2> half_axis{};
   TouchKind kind = TouchKind::interior;
-  int track = 0;        ///< number of contact patches; double arcs have two on a tooth
+  int track = 0;        ///< number of the contact path; a tooth with double circular arcs has two
   bool beyond = false;  ///< true if the ellipse extends beyond an end of the flank or the face
 };
 
-/// One tooth pair in contact at one position; for point contact, one of its places.
+/// One tooth pair in contact at one position; for point contact, one contact point of the pair.
 struct LoadedPair {
-  int pair = 0;                ///< k in N
-  double share = 0.0;          ///< of the whole load
-  LoadedPoint point{};         ///< for point contact; the members below are for line contact
-  Eigen::VectorXd line_load;   ///< N/mm, per length of the contact line, slices from −z on
-  Eigen::VectorXd pressure;    ///< MPa, Hertz [T12.13]; 0 without contact
-  Eigen::VectorXd half_width;  ///< mm
-  std::vector<std::array<double, 2>> radius;  ///< mm of each place on both gears
+  int pair = 0;               ///< k in N
+  double share = 0.0;         ///< part of the whole load
+  LoadedPoint point{};        ///< for point contact; the members below are for line contact
+  Eigen::VectorXd line_load;  ///< N/mm, force per length of the contact line, by slice from −z on
+  Eigen::VectorXd pressure;   ///< MPa, Hertz [T12.13]; 0 without contact
+  Eigen::VectorXd half_width;                 ///< mm
+  std::vector<std::array<double, 2>> radius;  ///< mm, on both gears, by slice
 };
-
-/// NaN if no teeth touch or the forces do not converge.
+/// Values are NaN if no teeth touch or the forces do not converge.
 struct LoadedPosition {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
   Angle rotation1{};
-  Angle te = Angle::radians(kNone);           ///< loaded
-  Angle unloaded_te = Angle::radians(kNone);  ///< of the first touch, deflections included
-  double approach = kNone;                    ///< Θ r_b2  mm; of points Θ M2/ΣF
-  double force = kNone;                       ///< ΣF  N, normal; of points
-  double tangent = kNone;                     ///< d(Θ r_b2)/dF_bt  mm/N; of points by the same arm
-  /// Line load over approach, N/(mm µm); for point contact, force over approach, N/µm.
+  Angle te = Angle::radians(kNone);           ///< loaded TE
+  Angle unloaded_te = Angle::radians(kNone);  ///< TE at the first touch, including deflections
+  double approach = kNone;                    ///< Θ r_b2  mm; for point contact Θ M2/ΣF
+  double force = kNone;                       ///< ΣF  N, normal force, for point contact only
+  double tangent = kNone;  ///< d(Θ r_b2)/dF_bt  mm/N; for point contact, M2/ΣF replaces r_b2
+  /// Line load divided by approach, N/(mm µm); for point contact, force divided by approach, N/µm.
   double stiffness = kNone;
-  std::vector<LoadedPair> pairs{};  ///< loaded pairs or points; the nearest to its exit last
-  double max_pressure = kNone;      ///< MPa
-  double max_width_ratio = kNone;   ///< greatest half width of contact over its radius
+  std::vector<LoadedPair>
+      pairs{};                  ///< loaded pairs or points, from the start to the end of contact
+  double max_pressure = kNone;  ///< MPa
+  double max_width_ratio =
+      kNone;  ///< greatest half width of contact divided by the radius R of the gap
   TouchKind kind =
-      TouchKind::none;      ///< line, interior, or the edge with most load; none without a result
+      TouchKind::none;      ///< kind of contact at the greatest pressure; none without a result
   bool unfinished = false;  ///< true if teeth touch but the forces do not converge
   bool edge_carries = false;
-  std::array<double, 2> root_stress{kNone, kNone};  ///< MPa, greatest principal at each root
+  std::array<double, 2> root_stress{
+      kNone, kNone};  ///< MPa, greatest principal stress at the root of each gear
   int iterations = 0;
 
   bool solved() const { return kind != TouchKind::none; }
 };
 
-/// Values over the solved positions; NaN if there are none.
+/// Values over the solved positions; NaN if no position is solved.
 struct LoadedTorque {
   double torque = 0.0;  ///< N mm
   std::vector<LoadedPosition> positions;
   Angle peak_to_peak = Angle::radians(LoadedPosition::kNone);
-  /// Empty for given rotations, and if any position is not solved, because harmonics need the whole
-  /// pitch.
+  /// Harmonics need the whole pitch, so this is empty for given rotations and if any position is not solved.
   std::vector<Angle> harmonics{};
   struct Stiffness {
-    /// N/(mm µm), N/µm; `mean` is the value at the mean approach
+    /// N/(mm µm), for point contact N/µm; `mean` is the load divided by the mean approach
     double mean = LoadedPosition::kNone, min = LoadedPosition::kNone, max = LoadedPosition::kNone;
   };
   Stiffness stiffness, without_twist, tangent;
   double max_pressure = LoadedPosition::kNone;
-  double max_share = 0.0;  ///< of one tooth pair
-  /// K_Hα: the greatest share over that of the pair without errors, [T12.19]
+  double max_share = 0.0;  ///< greatest load share of one tooth pair
+  /// K_Hα: `max_share` divided by the greatest share of the pair without errors [T12.19]
   double transverse_load_factor = 1.0;
   std::array<double, 2> max_root_stress{LoadedPosition::kNone, LoadedPosition::kNone};
-  double face_load_factor = 1.0;  ///< K_Hβ: load over the face, mean of the positions
+  double face_load_factor = 1.0;  ///< K_Hβ: greatest value of `face_load` divided by its mean
   double max_width_ratio = 0.0;
   bool edge_carries = false;
   bool beyond_flank = false;  ///< true if an ellipse extends beyond an end of the flank
-  Eigen::VectorXd face_load;  ///< N/mm per slice from −z on, mean of the positions
-  /// The greatest principal stress over the positions, MPa, of each gear: a row per root point, a
+  Eigen::VectorXd face_load;  ///< N/mm, mean over the positions, by slice from −z on
+  /// The greatest principal stress of each gear over the positions, MPa: a row per root point, a
   /// column per slice from −z on; 0 without tension.
   std::array<Eigen::MatrixXd, 2> root_stress;
-  /// The least principal stress there, 0 without compression; a fillet is compressed while
-  /// neighbouring teeth carry load.
+  /// The least principal stress at the same points, MPa, 0 without compression. A fillet is compressed
+  /// while neighbouring teeth carry load.
   std::array<Eigen::MatrixXd, 2> least_root_stress;
-  /// The position of the greatest root_stress.
+  /// The value of `least_root_stress` at the point with the greatest `root_stress`, MPa.
   std::array<double, 2> least_at_max{LoadedPosition::kNone, LoadedPosition::kNone};
 };
 
 struct LoadedContact {
-  LoadedContact() = default;  ///< empty, and not an aggregate; loaded_contact() makes it
+  LoadedContact() = default;  ///< an empty result; loaded_contact() computes the values
   std::vector<LoadedTorque> torques;
   LoadRegime regime = LoadRegime::line;
-  std::array<FaceSlices, 2> slices;    ///< mm, on each gear; the same on both for line contact
-  std::array<double, 2> body_twist{};  ///< mm per N/mm at the base radius
-  /// Positions of each gear along the fillet in tension, starting at the root: mm in the section,
-  /// with the tooth's centre line as x axis and the loaded flank at y > 0.
+  std::array<FaceSlices, 2> slices;    ///< mm, on each gear; equal on both gears for line contact
+  std::array<double, 2> body_twist{};  ///< twist of each body, mm per N/mm at the base radius
+  /// Points of each gear along the fillet in tension, starting at the root: mm in the section, with
+  /// the centre line of the tooth as x axis and the loaded flank at y > 0.
   std::array<std::vector<std::complex<double>>, 2> root_points;
-  long unfinished = 0;  ///< positions, of all torques
+  long unfinished = 0;  ///< number of positions without convergence, over all torques
   bool slices_too_fine = false;
 };
 
-/// `perfect`: the same pair without mounting errors and deflections, to whose shares K_Hα refers;
-/// null if `pair` has no errors and there are no deflections.
+/// K_Hα refers to the load shares of `perfect`, which is the same pair without mounting errors and
+/// deflections. `perfect` is null if `pair` has no errors and there are no deflections.
 ///
-/// Domain    the pair of these gears; torques > 0 (contract)
+/// Domain    `pair` consists of `gear_1` and `gear_2`; torques > 0 (contract)
 LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
                              const PairCompliance& compliance, const LoadRequest& request,
                              const ContactPair* perfect = nullptr);
 
-/// The same computation in parts: ranges of positions, in any order and from several threads with
-/// one object each, and then the result. The inputs must outlive the object.
+/// Performs the computation of loaded_contact() in parts. solve() may be called for the ranges of
+/// positions in any order and from several threads, before result(). The inputs must outlive the object.
 class LoadedTurn {
  public:
   LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
@@ -140,12 +143,13 @@ class LoadedTurn {
   const PairCompliance& compliance_;
   const LoadRequest& request_;
   const ContactPair* perfect_;
-  LoadRequest undeflected_;  // of the perfect pair
+  LoadRequest undeflected_;  // for the perfect pair
   template <class Solver>
   void solve_with(std::size_t from, std::size_t to);
 
   std::vector<Angle> rotations_;
-  std::vector<std::vector<double>> perfect_share_;  // the greatest, [torque][position]
+  std::vector<std::vector<double>>
+      perfect_share_;  // greatest share of a tooth pair, [torque][position]
   LoadedContact found_;
   std::atomic<bool> too_fine_{false};
   std::mutex root_;  // guards the greatest root stress

@@ -1,8 +1,8 @@
-// A double-helical pair under torque, from the results of its halves.
+// Computes the loaded contact of a double-helical pair from the results of its two halves.
 //
 // The axial forces on a gear that floats along its axis cancel, so each half carries half of the
-// torque. With the deflection of its teeth, each half has a loaded transmission error of its own,
-// and the whole gears have the mean of both, as without load.
+// torque. The loaded transmission error of the whole gears is the mean of the loaded transmission
+// errors of both halves, as without load.
 //                                    theory: docs/theory/12-loaded-contact.md, [T12.26]
 #pragma once
 
@@ -12,17 +12,17 @@
 
 namespace gearwright {
 
-/// The half at z < 0, from the result of its mirror image in the plane z = 0: values along the face
-/// in the order of z, and the rotations of the gear, which are those of the half minus `behind`.
+/// The result of the half at z < 0, computed from the result of its mirror image in the plane z = 0.
+/// Values along the face are put into the order of z, and `behind` is subtracted from the rotations.
 /// `whole_pitch` is true if the positions are evenly spaced over one pitch.
 LoadedContact second_half(LoadedContact image, Angle behind, bool whole_pitch);
 
-/// The whole gears under twice the torque of a half. Values along the face, shares and stress fields
-/// are those of the halves and are left empty. Maxima are those of both halves.
+/// The result for the whole gears under twice the torque of a half. Maxima are taken over both halves.
+/// Values along the face, the shares of the tooth pairs and stress fields are left empty, because the
+/// results of the halves contain them. `base_radius` is r_b1, mm, and is used for line contact.
 ///
 /// Formula   [T12.26]
-/// Domain    the same torques and rotations in both halves; `base_radius` of gear 1, mm, for line
-///           contact (contract)
+/// Domain    the same torques and rotations in both halves (contract)
 LoadedContact whole_load(const std::array<const LoadedContact*, 2>& half, double base_radius,
                          bool whole_pitch);
 

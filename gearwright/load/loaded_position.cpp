@@ -9,7 +9,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// N is the inverted housing frame if gear 2 drives; its slices start at −z.
+// If gear 2 drives, the z axis of frame N is opposite to that of the housing frame, so the order of
+// the slices is reversed.
 void reverse(LoadedPair& pair) {
   pair.line_load.reverseInPlace();
   pair.pressure.reverseInPlace();
@@ -19,8 +20,8 @@ void reverse(LoadedPair& pair) {
 
 bool deflects(const LoadRequest& r) { return r.deflection_slope != 0.0 || r.deflection_bow != 0.0; }
 
-// The middles of the slices, mm. Under deflections their borders follow, because the first touch is
-// then searched among the heights.
+// The middles of the slices, mm. With deflections, the borders of the slices are appended, because the
+// first touch is then searched at these heights only.
 std::vector<double> heights_of(const FaceSlices& s, bool borders) {
   std::vector<double> heights;
   for (int j = 0; j < s.count; ++j) heights.push_back(s.middle(j));

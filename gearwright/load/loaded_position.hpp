@@ -1,5 +1,5 @@
-// One position of a loaded pair: its possible contact positions, their compliance, and their loads
-// under a torque.
+// Computes the loads of a pair at one rotation: the possible contact positions, the compliance
+// between them, and their loads under a torque.
 //
 // Internal to load/.                   theory: docs/theory/12-loaded-contact.md, [T12.1] to [T12.15]
 #pragma once
@@ -15,29 +15,28 @@
 
 namespace gearwright::detail {
 
-inline constexpr double kFarGap = 0.03;    // modules: teeth farther apart do not touch under load
-inline constexpr double kFlattest = 1e-6;  // 1/mm: a smaller curvature counts as 0
+inline constexpr double kFarGap = 0.03;  // modules: teeth with a wider gap do not touch under load
+inline constexpr double kFlattest = 1e-6;  // 1/mm: smaller curvatures are replaced by this value
 
 // (1 − ν²)/E  mm²/N
 inline double plane_softness(const ElasticBody& b) {
   return (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus;
 }
 
-// The places of all pairs at one position, in one row.
+// A possible contact position, which is a row of the contact problem.
 struct Row {
   int pair;  // index into pairs
   int slice;
 };
 
 struct Position {
-  std::vector<PairPlaces> pairs;  // the pairs that may touch, the nearest to its exit last
+  std::vector<PairPlaces> pairs;  // the pairs that may touch, from the start to the end of contact
   std::vector<Row> rows;
   ContactProblem problem;
-  double te = 0.0;                               // of the first touch, deflections included
+  double te = 0.0;                               // TE at the first touch, including deflections
   std::array<std::vector<LinePlaces>, 2> lines;  // [gear][pair]
 };
-
-// Values of each gear at its root points and slices, in N.
+// Stresses of each gear at the root points and slices, in frame N.
 using RootStress = std::array<RootSwing, 2>;
 
 class PositionSolver {
@@ -47,18 +46,18 @@ class PositionSolver {
 
   /// Gaps and compliance at a rotation in N.
   Position prepare(double rotation);
-  /// ∂te/∂e of the place of a slice, rad per unit.
+  /// ∂te/∂e at the place of a slice, rad per unit of the influence.
   double slope(const PairPlaces& pair, int slice, const Influence& influence) {
     return search_.slope(pair, static_cast<std::size_t>(slice), influence);
   }
-  /// Adds to `swing` the root stresses.
+  /// Solves the contact problem and adds the root stresses to `swing`. If the slices are too fine, sets `too_fine`.
   LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
                        RootStress& swing) const;
   /// The greatest share of a single tooth pair; NaN if the forces do not converge.
   double greatest_share(Position& at, double torque) const;
 
  private:
-  // Further approach of the flanks at a height in N, mm.
+  // The approach of the flanks due to the deflection of the shafts, mm, at a height z in N.
   double deflection(double z) const {
     const FaceSlices& s = compliance_.slices[0];
     const double x = pair_.turned() * z / (s.hi - s.lo);

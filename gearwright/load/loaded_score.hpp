@@ -1,4 +1,4 @@
-// A few numbers of teeth under a torque, for comparing pairs.
+// Extracts a few characteristic values from a loaded contact, to compare pairs.
 #pragma once
 
 #include <optional>
@@ -8,24 +8,24 @@
 
 namespace gearwright {
 
-/// NaN if there is no result.
+/// Values are NaN if there is no result.
 struct LoadedScore {
   Angle peak_to_peak;                        ///< of the loaded transmission error
   double max_pressure = 0.0;                 ///< MPa
-  std::optional<double> face_load_factor{};  ///< K_Hβ, of lines
+  std::optional<double> face_load_factor{};  ///< K_Hβ, for line contact only
   bool edge_carries = false;
 };
 
-/// One for each torque; none if no teeth touch at a position, a position does not converge, or the
-/// slices are too fine for the contact.
+/// One score for each torque. The list is empty if no teeth touch at some position, if a position does
+/// not converge, or if the slices are too fine for the contact.
 std::vector<LoadedScore> loaded_scores(const LoadedContact& contact);
 
 /// The score if there is no result.
 LoadedScore no_score();
-/// The worse of both for each number; NaN is kept.
+/// The worse value of `a` and `b` for each member. NaN is worse than any number.
 LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b);
 
-/// The effect of corrections under a torque: the worst of each number over all scenarios.
+/// The effect of corrections under a torque. Each member of a score is the worst value over all scenarios.
 struct AimedLoad {
   double torque;  ///< N mm
   LoadedScore before, after;

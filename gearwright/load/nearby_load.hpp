@@ -1,12 +1,12 @@
-// The loaded transmission error of a pair whose flanks change by microns, without another search of
-// the nearest places.
+// Computes the loaded transmission error of a pair whose flanks change by microns, without a new
+// search for the places of least gap.
 //
 //   T_i, arm_i   gap angle and arm of place i [T12.1]      e   amounts of influences
 //   g_i(e) = (TE − T_i − Σ ∂T_i/∂e δe) arm_i               theory: docs/theory/14-scatter.md, [T14.25]
 //
-// The search of the places and the compliance between them take nearly all of the time of a
-// position. The gap at a place that moves is right to first order; compliance and curvature remain
-// those of the places at e = 0, whose motion changes the result by a few percent of the effect.
+// Most of the computing time of a position is needed to find the places and the compliance between
+// them. The places move when the flanks change. The gap is corrected to first order, but compliance
+// and curvature are kept from e = 0, which causes an error of a few percent of the change.
 #pragma once
 
 #include <span>
@@ -20,10 +20,9 @@ namespace gearwright {
 
 class NearbyLoad {
  public:
-  /// Computes the positions of the request as loaded_contact() does, for e = 0.
+  /// Computes the positions of the request for e = 0, as loaded_contact() does.
   ///
-  /// Domain    LoadRegime::line; removed material on a gear whose modification is an influence
-  ///           (contract)
+  /// Domain    LoadRegime::line; a gear whose modification is an influence must have a removal field (contract)
   NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
              const PairCompliance& compliance, const LoadRequest& request,
              std::span<const Influence> influences);
@@ -32,19 +31,20 @@ class NearbyLoad {
     double value;               ///< rad; NaN if a position has no solution
     std::vector<double> slope;  ///< rad per unit of each influence; empty unless requested
   };
-  /// The greatest peak to peak over the torques of the request, with these changes of the influences.
+  /// The greatest peak to peak of the loaded TE over the torques of the request, after the changes `change`.
   ///
-  /// Domain    as many changes as influences (contract)
-  /// Accuracy  without a change, that of loaded_contact(); otherwise a few percent of the change
-  /// Laws      (1) without a change it is loaded_contact()'s number   (2) the slope is its derivative
+  /// Domain    one change for each influence (contract)
+  /// Accuracy  without a change as loaded_contact(); otherwise a few percent of the effect of the change
+  /// Laws      (1) without a change, `value` equals the result of loaded_contact()
+  ///           (2) `slope` is the derivative of `value`
   Span span(std::span<const double> change, bool slopes) const;
 
  private:
   struct Position {
     double te;                           // rad
-    ContactProblem problem;              // without its moment
-    Eigen::MatrixXd turn;                // ∂T_i/∂e, by place and influence
-    std::vector<Eigen::VectorXd> start;  // by torque, the loads at e = 0
+    ContactProblem problem;              // its moment is set for each torque
+    Eigen::MatrixXd turn;                // ∂T_i/∂e, a row per place, a column per influence
+    std::vector<Eigen::VectorXd> start;  // loads at e = 0, one vector for each torque
   };
   struct Loaded {
     double te;  // rad; NaN without a solution
@@ -53,7 +53,7 @@ class NearbyLoad {
   Loaded loaded(const Position& at, std::size_t torque, std::span<const double> change,
                 bool slopes) const;
 
-  std::vector<double> moments_;  // N mm, on gear 2
+  std::vector<double> moments_;  // N mm, torques on gear 2
   std::vector<Position> positions_;
   bool complete_ = true;  // false if no teeth touch at some position
 };

@@ -10,14 +10,13 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kHertzWidth = 0.05;  // modules: a0, without influence except for rounding
+constexpr double kHertzWidth = 0.05;  // a0 in modules; it changes results by rounding only
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;           // modules, width of a slice
-constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules
-constexpr double kFairWidth = 0.15;                              // modules, where R is one module
+constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules, width of a slice
+constexpr double kFairWidth = 0.15;  // modules, width of a slice if R is one module
 constexpr int kSlices = 32, kLeastSlices = 4;
 constexpr int kTableSteps = 80;  // approximate count of waves, section parts and positions
-
-// If tooth and face are equal to the last bit, the second gear needs no tables of its own.
+// If tooth and face of both gears are equal to the last bit, one table serves for both.
 bool same_tooth(const Gear& a, const Gear& b) {
   constexpr int kPoints = 9;
   const auto& x = a.tooth->outline.arcs;
@@ -33,7 +32,7 @@ bool same_tooth(const Gear& a, const Gear& b) {
   return true;
 }
 
-// The part of a gear's face on which places lie.
+// The width of the part of a gear's face that may be loaded, mm.
 double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadRegime regime) {
   if (regime == LoadRegime::point) return gears[which]->spec.face_width;
   return std::min(gears[0]->spec.face_width, gears[1]->spec.face_width);
@@ -80,8 +79,7 @@ int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
   const double m = gear_1.spec.normal_module;
   double fair = gear_1.spec.helix_angle.rad() == 0.0 ? kFairSpur : kFairHelical;
   if (gear_2.internal()) {
-    // R at the contact of the pinion's tip, the flattest point, for axes at the reference centre
-    // distance.
+    // R at the contact of the pinion's tip, where R is greatest, at the reference centre distance.
     const double between = (gear_2.base_radius() - gear_1.base_radius()) *
                            std::tan(gear_1.reference().transverse_pressure_angle);
     const double base = gear_1.base_radius() / gear_1.tip_form_radius();

@@ -12,13 +12,13 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kThinnest = 1e-9;  // b/a: for k1/k2 of 1e-17 and less the contact is a line
-
-// K and D = (K − E)/e² at the ratio of axes, by Carlson's forms: exact for thin and round ellipses.
+constexpr double kThinnest =
+    1e-9;  // least b/a; it corresponds to k1/k2 of 1e-17, which is a line contact
+// K and D = (K − E)/e² for κ = b/a by Carlson's integrals, which are accurate for thin and round ellipses.
 double elliptic_k(double axes) { return boost::math::ellint_rf(0.0, axes * axes, 1.0); }
 double elliptic_d(double axes) { return boost::math::ellint_rd(0.0, axes * axes, 1.0) / 3.0; }
 
-// k1/k2 of an ellipse with these axes. [T12.22]
+// k1/k2 of an ellipse with b/a = `axes`. [T12.22]
 double curvature_ratio(double axes) {
   const double d = elliptic_d(axes);
   return axes * axes * d / (elliptic_k(axes) - d);

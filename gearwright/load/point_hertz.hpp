@@ -1,4 +1,4 @@
-// Two elastic bodies that touch at a point: the ellipse of Hertz.
+// Computes the Hertz contact ellipse of two elastic bodies that touch at a point.
 //
 //   k1 ≤ k2   principal curvatures of the gap, 1/mm      E*   reduced modulus, N/mm²
 //   a ≥ b     semi-axes, mm: a along the direction of k1
@@ -12,11 +12,11 @@ namespace gearwright {
 
 struct HertzEllipse {
   double semi_major, semi_minor;  ///< a, b  mm  [T12.21]
-  double pressure;                ///< p0, greatest, N/mm²
+  double pressure;                ///< p0  N/mm², greatest pressure
   double approach;                ///< δ  mm  [T12.23]
 };
 
-/// Quantities that depend on the curvatures only [T12.22]: a, b ∝ F^(1/3) and δ ∝ F^(2/3).
+/// The factors of F^(1/3) in a and b and of F^(2/3) in δ, which depend on the curvatures only. [T12.22]
 class HertzPoint {
  public:
   /// Domain    0 < k1 ≤ k2, E* > 0 (contract)

@@ -19,19 +19,22 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostTurns = 120;   // iterations of footprints and forces
-constexpr double kStill = 1e-11;  // relative to force and approach: converged footprints
-constexpr int kWhole = 10;        // iterations after which the ellipses move by a part of the step
-constexpr double kLeastPart = 0.1, kMostPart = 5.0;
+constexpr int kMostTurns = 120;   // most iterations of footprints and forces
+constexpr double kStill = 1e-11;  // last change of forces and approach, relative to their values
+constexpr int kWhole = 10;        // iterations with full steps of the ellipses
+constexpr double kLeastPart = 0.1,
+                 kMostPart = 5.0;  // limits of the step length after these iterations
 constexpr int kHalvings = 40;
-constexpr double kNoLength = 1e-3;     // relative to the half axis: shorter parts are one position
-constexpr double kIdle = 1e-6;         // of the whole force
-constexpr double kStraightest = 0.25;  // relative to k1: limit of bending towards a line
+constexpr double kNoLength =
+    1e-3;  // relative to the semi-axis: a shorter footprint has a single node
+constexpr double kIdle =
+    1e-6;  // force for the footprint of an unloaded place, relative to the whole force
+constexpr double kStraightest = 0.25;  // least curvature of the bent bodies, relative to k1
 
 using Nodes = boost::math::quadrature::gauss<double, 9>;
 
-// Places in [−1, 1] and their weights, from the middle outwards. The load of half an ellipsoid of
-// pressure, projected onto its major axis, is ¾ (1 − x²) there.
+// Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. The pressure of an
+// ellipsoid, projected onto the major axis, is the load ¾ (1 − x²).
 template <class Visit>
 void along_axis(Visit visit) {
   const auto& x = Nodes::abscissa();
@@ -140,8 +143,8 @@ Laid PointSolver::lay(const PointPlace& place, double force, const Ellipse& bent
                               Eigen::Vector2d(turned * step[0], step[1]);
     }
   }
-  // The part on the flanks changes with the force. If nodes appeared and disappeared with it,
-  // forces and footprints would not converge.
+  // The part of the axis on the flanks changes with the force. The number of nodes on this part is
+  // constant, because forces and footprints would otherwise not converge.
   const double a = ellipse.semi_major;
   const double lo = reach(place, bent.middle, bent.middle - a);
   const double hi = reach(place, bent.middle, bent.middle + a);
@@ -192,8 +195,8 @@ MatrixXd PointSolver::yields(const PointPosition& at, const std::vector<Laid>& l
   return yield.selfadjointView<Eigen::Lower>();
 }
 
-// w ≈ c0 + c1 x + ½ c2 x² over the footprint, weighted by its shares. The gap is then least at x0 =
-// −c1/(k1 + c2), or at the end of the flank if that is nearer.
+// The displacement is fitted by w ≈ c0 + c1 x + ½ c2 x² over the footprint, weighted by the load
+// shares. The gap is then least at x0 = −c1/(k1 + c2), or at the end of the flank before x0.
 Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid,
                           const VectorXd& force, std::size_t i) {
   const Laid& here = laid[i];
@@ -202,9 +205,9 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double mean = 0.0;
-  // x is measured from the footprint's middle, which is the first node, in units of the distance to
-  // its end, which is the last node. A short footprint far from the touch is therefore fitted as
-  // well as any.
+  // x is measured from the middle of the footprint, which is the first node, and divided by the
+  // distance of the last node from the middle. The fit of a short footprint far from the touch is
+  // therefore as accurate as that of a long one.
   const double center = here.x.front();
   const double length = std::abs(here.x.back() - center);
   for (std::size_t m = 0; m < here.x.size(); ++m) {
@@ -229,7 +232,7 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   const double from = center / length;
   Ellipse e;
   e.curvature = std::clamp(k1 + c[2] / (length * length), kStraightest * k1, place.curvature[1]);
-  // At the touch, x = 0.
+  // The slope of w at the touch.
   const double tilt = (c[1] - c[2] * from) / length;
   e.middle = reach(place, 0.0, -tilt / e.curvature);
   e.relief = c[0] - (c[1] - 0.5 * c[2] * from) * from +
@@ -237,8 +240,8 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   return e;
 }
 
-// A larger force has a longer footprint and bends the bodies more, so forces and footprints are
-// computed alternately.
+// A larger force causes a longer footprint and more bending of the bodies, so forces and footprints
+// are computed alternately.
 PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   const auto n = static_cast<Index>(at.places.size());
   PointProblem q;
@@ -253,15 +256,15 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   all.laid.resize(at.places.size());
   VectorXd force = VectorXd::Constant(n, q.moment / q.arm.sum());
   double approach = 0.0;
-  // Full steps are used first. If they do not converge, the step length follows from the last two
-  // steps: more than 1 for slow convergence, less than 1 for oscillation.
+  // Full steps are used first. If they do not converge, the step length is computed from the last two
+  // steps. It is more than 1 for slow convergence and less than 1 for oscillation.
   double part = 1.0;
   VectorXd last;
   bool still = false;
   for (int turn = 0; turn < kMostTurns && !still; ++turn) {
     for (Index i = 0; i < n; ++i) {
       const PointPlace& p = at.places[i];
-      // An unloaded position has the footprint of a small force, so that its position is defined.
+      // An unloaded place has the footprint of a small force, so that its ellipse is defined.
       const double least = kIdle * q.moment / q.arm[i];
       all.laid[i] = lay(p, std::max(force[i], least), ellipse[i]);
       q.gap[i] = (at.te - p.te) * p.arm + ellipse[i].relief;

@@ -1,5 +1,6 @@
-// One position of a loaded pair whose teeth touch about points, as crossed and circular-arc teeth
-// do: the nearest point of each tooth pair, its compliance, and the loads under a torque.
+// Computes the loads of a pair with point contact at one rotation: the point of least gap of each
+// tooth pair, the compliance, and the loads under a torque. Crossed and circular-arc gears have
+// point contact.
 //
 // Internal to load/.                       theory: docs/theory/12-loaded-contact.md, 12.6
 #pragma once
@@ -15,8 +16,7 @@
 
 namespace gearwright::detail {
 
-// A place at which the gap of a tooth pair has a local minimum, and the growth of the gap around
-// it.
+// A place at which the gap of a tooth pair has a local minimum, with the curvatures of the gap.
 struct PointPlace {
   int pair;    // k in N
   double te;   // T  rad
@@ -24,37 +24,36 @@ struct PointPlace {
   TouchKind kind;
   std::array<double, 2> curvature;  // k1 ≤ k2  1/mm
   PairTouch touch;
-  Eigen::Vector2d along;  // (ds, dz) on flank 1 of a mm along the major axis
+  Eigen::Vector2d along;  // (ds, dz) on flank 1 per mm along the major axis
   // Steps along the face and in radius on each gear, per mm along the major and the minor axis.
   std::array<std::array<Eigen::Vector2d, 2>, 2> axis;
 };
 
-// The ellipse of a place under the current forces. The bodies bend under it, so the flanks conform
-// more closely than without load, and their nearest point moves slightly. [T12.25]
+// The ellipse of a place under the current forces. The bodies bend under the load, so the flanks
+// conform more closely than without load, and the point of least gap moves slightly. [T12.25]
 struct Ellipse {
-  double middle = 0.0;     // mm along the major axis from the touch
-  double curvature = 0.0;  // k1 minus the bending of the bodies  1/mm
-  double relief = 0.0;     // mm, deflection of the bodies relative to the mean over the footprint
+  double middle = 0.0;     // mm, distance from the touch along the major axis
+  double curvature = 0.0;  // 1/mm, k1 + c2
+  double relief = 0.0;     // mm, change of the gap g_i due to the bending
 };
-
 // A place on the major axis of an ellipse, on both gears.
 struct AxisPlace {
   std::array<double, 2> radius, z;  // mm
-  bool inside;  // true if on both flanks; otherwise the place is the nearest end of the flank
+  bool
+      inside;  // true if the place lies on both flanks; otherwise radius and z are limited to the flanks
 };
-
-// An ellipse on both gears: nodes along its major axis, as far as it lies on the flanks.
+// The nodes of an ellipse along the part of its major axis that lies on the flanks.
 struct Laid {
   LoadedPoint point;
-  double softness = 0.0;                             // c of [T12.24]  mm/N^(2/3)
-  std::vector<double> x, share;                      // mm from the touch, sum 1
-  std::array<std::vector<Eigen::MatrixXd>, 2> node;  // a force of 1 at each node, on the grids
-  std::array<Eigen::MatrixXd, 2> grid;               // all of them, weighted by their shares
+  double softness = 0.0;         // c of [T12.24]  mm/N^(2/3)
+  std::vector<double> x, share;  // per node: mm from the touch; load share, sum 1
+  std::array<std::vector<Eigen::MatrixXd>, 2>
+      node;                             // per node: a force of 1 on the grid of each gear
+  std::array<Eigen::MatrixXd, 2> grid;  // sum of `node`, weighted by `share`
 };
-
 struct PointPosition {
-  std::vector<PointPlace> places;  // places that may touch, the nearest to its exit last
-  double te = 0.0;                 // of the first touch
+  std::vector<PointPlace> places;  // places that may touch, from the start to the end of contact
+  double te = 0.0;                 // TE at the first touch
 };
 
 class PointSolver {
@@ -73,16 +72,16 @@ class PointSolver {
     std::vector<Laid> laid;
   };
   Shared share(const PointPosition& at, double torque);
-  // mm/N of a table's 1
+  // The compliance in mm/N that corresponds to the value 1 in the table of a gear.
   double unit(int gear) const {
     return 1 / (compliance_.bodies[gear].youngs_modulus * module_[gear]);
   }
   Eigen::MatrixXd yields(const PointPosition& at, const std::vector<Laid>& laid) const;
   AxisPlace on_axis(const PointPlace& place, double x);
-  // x, or the farthest position towards it that is still on the flanks, which contain `from`.
+  // The value x if it lies on both flanks; otherwise the last value between `from`, which lies on them, and x.
   double reach(const PointPlace& place, double from, double x);
   Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
-  // The bending of the bodies along the major axis of position i.
+  // The ellipse of place i after the bending of the bodies along its major axis.
   Ellipse bent(const PointPosition& at, const std::vector<Laid>& laid, const Eigen::VectorXd& force,
                std::size_t i);
 

@@ -16,9 +16,8 @@ using Eigen::VectorXd;
 
 constexpr int kMost = 100;
 constexpr int kHalvings = 40;
-constexpr double kStill = 1e-13;  // of the approach and of the moment
-
-// Unknowns: δ of every point, in units of the first approach, and Θ arm.
+constexpr double kStill = 1e-13;  // residual, relative to the approach and the moment
+// The unknowns are δ of every point and, as the last element, Θ.
 class Sharing {
  public:
   explicit Sharing(const PointProblem& q) : q_(q), n_(q.gap.size()) {}
@@ -35,7 +34,7 @@ class Sharing {
       d[i] = 1.5 * std::sqrt(std::max(x[i], 0.0) / q_.softness[i]) / q_.softness[i];
     return d;
   }
-  // Lengths, and last the moment as a share.
+  // The last element is the relative error of the moment; the other elements are lengths.
   VectorXd residual(const VectorXd& x) const {
     const VectorXd f = force(x);
     VectorXd r(n_ + 1);
@@ -100,10 +99,10 @@ PointSharing share_points(const PointProblem& q) {
     x = next;
     r = left;
   }
-  constexpr double kEnough = 1e-10;  // at which rounding prevents a further decrease
+  constexpr double kEnough = 1e-10;  // accepted residual if rounding prevents a further decrease
   out.found = size(r) <= kEnough;
   out.force = all.force(x);
-  // Scales the forces to the exact moment, because the residual of the last step is rounding.
+  // The remaining residual is rounding, so the forces are scaled to the exact moment.
   out.force *= q.moment / q.arm.dot(out.force);
   out.approach = x[n];
   VectorXd unit = VectorXd::Zero(n + 1);

@@ -11,8 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// w: distance along the centre line between the points of the two racks with one normal angle.
-// [T7.15]
+// w: distance along the centre line between the points of the two racks that have the same normal
+// angle. [T7.15]
 double height_gap(const ArcMeshInput& in, double theta) {
   return (in.convex.radius - in.concave.radius) * std::sin(theta) - (in.convex.b - in.concave.b);
 }
@@ -28,8 +28,8 @@ double axial(const WorkingArc& arc, double theta, double lambda) {
 
 // Curvature radius of the transverse profile, > 0 if its centre lies opposite to n.
 double transverse_radius(const Mat2& k, double theta, double lambda) {
-  // The tangent in the transverse section, u_z t − t_z u, whose length is that of the component of
-  // n there.
+  // The tangent u_z t − t_z u of the transverse section. It is as long as the component of n in that
+  // section.
   const Vec2 d(std::sin(lambda), std::sin(theta) * std::cos(lambda));
   const double n_t = d.norm();
   return -n_t * n_t * n_t / d.dot(k * d);
@@ -55,21 +55,22 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   const double change = in.center_distance - c0;
   const double difference = in.concave.radius - in.convex.radius;
   GW_EXPECTS(difference > 0.0);
-  // [T7.17]; without a change [T7.9].
+  // [T7.17]; if the change is 0, this is [T7.9].
   const double s = (in.concave.b - in.convex.b - change) / difference;
   if (!(s > 0.0 && s < 1.0)) return std::nullopt;
   const double first = std::asin(s);
   const double sin_lambda = std::sin(in.lead_angle.rad());
-  // [T7.16] times the sum of the bases of its roots, which avoids the cancellation of two squares.
+  // [T7.16], with the difference of two squares written as a product, so that no digits cancel.
   const auto excess = [&](double theta) {
     const double w = height_gap(in, theta);
     const double across = w / std::tan(theta) * sin_lambda;
     return (w - change) * (c0 + w + in.center_distance) + across * across;
   };
-  // If only the square remains at the first-order angle, that angle is the result. The exact angle
-  // is slightly greater.
+  // If the excess is not positive at the first-order angle, that angle is the result. Otherwise the
+  // exact angle is slightly greater.
   if (!(excess(first) > 0.0)) return Angle::radians(first);
-  // The bracket grows fourfold from a step that is short for the least change of distance.
+  // The bracket starts with this step, which is short even for a very small change of the centre
+  // distance, and grows fourfold.
   constexpr double kFirstStep = 1e-9;  // rad
   double hi = first;
   for (double step = kFirstStep; hi < kHalfPi; step *= 4) {
@@ -104,7 +105,7 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   const double mu = std::atan2(w * cot * s, c0 + w);
   at.mu = Angle::radians(mu);
 
-  // The point and the normal at the position of cutting, turned by μ.
+  // The point and the normal as cut, turned by μ.
   const double x = height(in.convex, theta);
   const double A = r_v + x, B = x * cot * s;
   const double cos_mu = std::cos(mu), sin_mu = std::sin(mu);
@@ -116,8 +117,8 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   at.radius_convex = std::hypot(A, B);
   const double x_c = height(in.concave, theta);
   at.radius_concave = std::hypot(r_c - x_c, x_c * cot * s);
-  // Both points at one z: r_c φ_c tan λ = r_v φ_v tan λ + difference, φ_c′ = φ_c + μ. [T7.18],
-  // [T8.23]
+  // Both points must have the same z, so r_c φ_c tan λ = r_v φ_v tan λ + difference, with
+  // φ_c′ = φ_c + μ. [T7.18], [T8.23]
   const double ahead = axial(in.convex, theta, lambda) - axial(in.concave, theta, lambda);
   at.rotation_offset = Angle::radians((r_v * mu + ahead * c / s) / r_c + mu);
 
@@ -125,7 +126,7 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   at.curvature_concave = cut_curvature(in.concave.radius, in.concave.b, theta, lambda, r_c, -1.0);
   const SymmetricEigen gap = symmetric_eigen(at.curvature_concave - at.curvature_convex);
   at.gap = {gap.values[0], gap.values[1]};
-  // The axis' projection on the tangent plane, in (t, u).
+  // The projection of the axis on the tangent plane, in (t, u).
   const Vec2 axis(-std::sin(theta) * c, s);
   const Vec2 e = gap.vectors.col(0);
   const double cross = axis.x() * e.y() - axis.y() * e.x();

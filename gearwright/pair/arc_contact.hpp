@@ -1,17 +1,17 @@
 // Contact of a convex and a concave circular-arc flank on parallel axes, in closed form.
 //
-//   F, P   the racks that cut the convex (v) and the concave (c) flank; ρ, a, b as in
-//          tool/arc_rack.hpp, mm
+//   F, P   the racks that cut the convex (v) and the concave (c) flank
+//   ρ, a, b   radius of a rack's arc and position of its centre, as in tool/arc_rack.hpp, mm
 //   λ      lead angle, 90° − |β|       r   pitch radius, mm
 //   θ      normal angle of both racks at the contact
-//   μ      rotation of the convex gear since that point was cut
+//   μ      rotation of the convex gear from the position at which the point was cut to the contact
 //   t, u   tangent plane: along the rack's profile, along its tooth
 //                                              theory: docs/theory/07-circular-arc.md, 7.5, 7.6
 //
-// Frame: z along the axis of the convex gear, x towards the other axis; the convex gear is right
-// handed and drives clockwise. At rotation 0, its tooth 0 and a space of the mating gear lie on the
-// x axis.
-// The surfaces' normal n points out of the convex flank; curvature  dn = −K dr.
+// Frame: z runs along the axis of the convex gear, and x points towards the other axis. The convex
+// gear is right handed and drives clockwise. At rotation 0, its tooth 0 and a space of the mating
+// gear lie on the x axis.
+// The surfaces' normal n points out of the convex flank. The curvature K is defined by dn = −K dr.
 #pragma once
 
 #include <array>
@@ -43,18 +43,18 @@ struct ArcContact {
   Vec3 point;   ///< at rotation 0, mm
   Vec3 normal;
   double advance;             ///< dz/dφ of the point while the convex gear turns, mm/rad
-  Angle rotation_offset;      ///< lead of the concave gear; < 0 if there is play
+  Angle rotation_offset;      ///< rotation by which the concave gear is ahead; < 0 if there is play
   double radius_convex;       ///< of the point from each axis, mm
   double radius_concave;      ///<
   Mat2 curvature_convex;      ///< K in (t, u), 1/mm
   Mat2 curvature_concave;     ///<
   std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; interference if ≤ 0
   Angle angle;                ///< of the direction of k1 to the projection of the axis
+  double transverse_radius_convex;  ///< of the transverse profile, mm; > 0 if its centre lies on
+                                    ///< the convex gear's side
   double
-      transverse_radius_convex;  ///< of the transverse profiles, mm; > 0 if centred on the convex
-  double transverse_radius_concave;  ///< gear's side
-  double line_contact_difference;    ///< required difference of the second and the first radius for
-                                     ///< line contact
+      transverse_radius_concave;   ///< the same for the concave gear, with the same sign convention
+  double line_contact_difference;  ///< second minus first radius that line contact requires, mm
 };
 
 /// K of the surface that a rack's circle (signed ρ, b) cuts, at θ. `turn` is +1 for gear 1 of the
@@ -65,18 +65,18 @@ struct ArcContact {
 Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double pitch_radius,
                    double turn);
 
-/// The normal angle of the contact at this centre distance; none if the arcs have no common normal
-/// there.
+/// The normal angle of the contact at the centre distance of `in`; none if the arcs have no common
+/// normal at that distance.
 ///
 /// Formula   exact, [T7.16]; solved in a bracket from the first-order angle [T7.17]
 std::optional<Angle> contact_angle(const ArcMeshInput& in);
 
-/// The radius difference ρ_2 − ρ_1 of transverse profiles in line contact, from ρ_1, l, the pitch
-/// radii and sin ψ, all of the transverse section. [T7.10]
+/// The difference ρ_2 − ρ_1 of the radii of two transverse profiles in line contact. ρ_1, l, the
+/// pitch radii and sin ψ refer to the transverse section. [T7.10]
 double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
                                       double sin_psi);
 
-/// Everything at the contact with the angle θ.
+/// All quantities of the contact at the normal angle θ.
 ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 
 }  // namespace gearwright

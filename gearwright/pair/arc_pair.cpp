@@ -20,7 +20,7 @@ std::vector<WorkingArc> working(const Gear& gear, double side) {
   std::vector<WorkingArc> list;
   for (const RackArc& arc : gear.arcs()->rack.arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
-    // [T7.1], [T7.2] read backward.
+    // [T7.1], [T7.2], solved for the working arc.
     const double middle = side > 0.0 ? 0.0 : kPi / 2;
     list.push_back({std::abs(arc.radius) * m,
                     -side * (arc.center_offset * m + thinner) + side * middle * m,
@@ -71,13 +71,13 @@ bool of_one_lead(const std::array<Gear, 2>& gears) {
 // Transforms the contact from the frame of arc_contact.hpp to the housing.
 void place(ArcContact& at, const Gear& convex, bool by_gear_2, double a) {
   if (by_gear_2) {
-    // That frame lies on axis 2 and looks back. A space of the convex gear is then on the centre
-    // line at rotation 0, half a pitch from its tooth. Contacts repeat with the axial pitch, and
-    // the one nearest to the middle of the face is chosen.
+    // The frame of arc_contact.hpp then lies on axis 2, and its x axis points towards axis 1. At
+    // rotation 0 a space of the convex gear is on the centre line, half a pitch from its tooth.
+    // Contacts repeat with the axial pitch, and the nearest to the middle of the face is chosen.
     const double half = at.advance * kPi / convex.spec.teeth;
     at.point.z() += at.point.z() > 0.0 ? -half : half;
     at.point = {a - at.point.x(), -at.point.y(), at.point.z()};
-    // out of gear 1: rotated and with the opposite sign
+    // The normal is rotated, and its sign is changed, so that it points out of gear 1.
     at.normal = {at.normal.x(), at.normal.y(), -at.normal.z()};
   }
   const double hand = convex.spec.helix_angle.rad() > 0.0 ? 1.0 : -1.0;
@@ -97,7 +97,7 @@ ArcMeshInput mesh_of(const Gear& convex, const Gear& concave, const WorkingArc& 
           a};
 }
 
-// True if an arc of the gear that was cut with these numbers contains the normal angle θ.
+// True if a working arc of the gear's rack contains the normal angle θ.
 bool has_angle(const Gear& gear, double side, Angle theta) {
   for (const RackArc& arc : gear.arcs()->rack.arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
@@ -158,8 +158,8 @@ std::optional<Error> find_contacts(ArcPair& pair) {
                "and P, or use the same double-arc rack for both"};
 }
 
-// The longest distance along z without a contact point, if the points of both flanks repeat with
-// the axial pitch.
+// The longest distance along z without a contact point. The contact points repeat with the axial
+// pitch.
 double longest_gap(const ArcPair& pair) {
   const CylindricalSpec& s = pair.gears[0].spec;
   const double p_x = kPi * s.normal_module / std::sin(std::abs(s.helix_angle.rad()));
@@ -176,7 +176,7 @@ double longest_gap(const ArcPair& pair) {
 void find_backlash(ArcPair& pair) {
   if (pair.contacts.empty()) return;
   const ArcPairContact& first = pair.first_contact();
-  const Angle play = -2 * first.at.rotation_offset;  // of the concave gear; both flanks are equal
+  const Angle play = -2 * first.at.rotation_offset;  // of the concave gear, for both equal flanks
   const double z_1 = pair.gears[0].spec.teeth, z_2 = pair.gears[1].spec.teeth;
   const Angle of_gear_2 = first.convex_gear == 1 ? play : z_1 * play / z_2;
   pair.backlash_rotation = std::array{z_2 * of_gear_2 / z_1, of_gear_2};
@@ -286,7 +286,7 @@ std::array<double, 2> ArcPair::working_pitch_diameter() const {
 
 const ArcPairContact& ArcPair::first_contact() const {
   GW_EXPECTS(!contacts.empty());
-  // The minimum angular backlash, counted as rotation of gear 2.
+  // The angular backlash is compared as rotation of gear 2.
   const auto ahead = [&](const ArcPairContact& c) {
     return c.convex_gear == 1 ? c.at.rotation_offset : c.at.rotation_offset / gear_ratio();
   };
@@ -313,7 +313,8 @@ Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> dista
                             pair.gears[1 - i].root_diameter / 2;
   }
   find_backlash(pair);
-  // The sections of gears of one lead are one outline that turns, so the whole body is examined.
+  // If the leads match, all transverse sections are the same outline, turned. A comparison of the
+  // outlines therefore covers the whole bodies.
   if (pair.backlash_rotation) {
     detail::find_collisions(pair, pair.backlash_rotation->at(1).rad() / 2, pair.backlash_normal);
     // Flanks that are too thick and tips in roots have their own warnings.

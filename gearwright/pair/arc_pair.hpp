@@ -1,8 +1,8 @@
 // A pair of gears with circular-arc teeth, mounted on parallel axes.
 //
-// A convex flank touches a concave one in a point that moves along the teeth, parallel to the axes.
-// There is no transverse path of contact, and contact is continuous by the overlap alone. Racks F
-// and P make one such point on each side of a tooth, double arcs two.
+// A convex flank touches a concave flank in a point that moves along the teeth, parallel to the axes.
+// There is no transverse path of contact, and contact is continuous by the overlap alone. Teeth cut
+// by the racks F and P have one such point on each side, and double-arc teeth have two.
 //                                              theory: docs/theory/07-circular-arc.md, 7.4 to 7.7
 #pragma once
 
@@ -18,16 +18,16 @@ namespace gearwright {
 /// A point in which the leading flanks touch, in the housing frame.
 struct ArcPairContact {
   int convex_gear;  ///< 1 or 2
-  ArcContact at;    ///< `point` and `normal` (out of gear 1) in the housing frame, at rotation 0;
-                    ///< rotation_offset of the concave gear
+  ArcContact at;    ///< `point` and `normal` are in the housing frame at rotation 0, and `normal`
+  ///< points out of gear 1; `rotation_offset` refers to the concave gear
   std::optional<Angle> nominal_theta;  ///< θ at the reference centre distance [T7.9]
 };
 
 struct ArcPair : MountedGears {
   ArcPair() = default;                   ///< empty, and not an aggregate; mount_arcs() makes it
-  double overlap_ratio;                  ///< ε_β  of the common face; of gear 1 for unequal racks
-  std::vector<ArcPairContact> contacts;  ///< empty if the gears do not have one lead
-  double face_for_contact;  ///< the least face width over which one point always touches, mm
+  double overlap_ratio;                  ///< ε_β  of the common face, with the pitch of gear 1
+  std::vector<ArcPairContact> contacts;  ///< empty if the leads of the gears do not match
+  double face_for_contact;  ///< the least face width that always contains a point of contact, mm
   std::optional<std::array<Angle, 2>>
       backlash_rotation;         ///< of each gear with the mating gear held; none without contacts
   double backlash_normal = 0.0;  ///< along the normal at the contact that touches first, mm
@@ -36,8 +36,7 @@ struct ArcPair : MountedGears {
   double contact_ratio_true() const { return contact_ratio(); }
   double normal_backlash() const { return backlash_normal; }
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
-  /// The contact that touches first, which has the minimum angular backlash.   Domain: there are
-  /// contacts
+  /// The contact with the least angular backlash, which touches first.   Domain: there are contacts
   const ArcPairContact& first_contact() const;
 };
 
@@ -45,20 +44,20 @@ struct ArcPair : MountedGears {
 std::vector<WorkingArc> convex_arcs(const Gear& gear);
 std::vector<WorkingArc> concave_arcs(const Gear& gear);
 
-/// Permitted differences of modules and helix angles, as of gears that were cut with another lead
-/// to compensate errors of the housing.
-constexpr double kNearModule = 0.005;                       ///< of the module
-constexpr Angle kNearHelix = Angle::degrees(0.5);           ///< of β_1 + β_2
-constexpr double kSameAsWritten = 1e-9;                     ///< smaller differences count as equal
-constexpr Angle kSamePressureAngle = Angle::degrees(0.05);  ///< ψ_c as written and as it is
+/// Permitted differences of modules and helix angles. Gears that were cut with another lead, to
+/// compensate errors of the housing, differ by less.
+constexpr double kNearModule = 0.005;              ///< of the module
+constexpr Angle kNearHelix = Angle::degrees(0.5);  ///< of β_1 + β_2
+constexpr double kSameAsWritten = 1e-9;            ///< smaller differences count as equal
+constexpr Angle kSamePressureAngle =
+    Angle::degrees(0.05);  ///< between ψ_c as given and as computed
 
 /// Mounts two gears. If `distance` is absent, the reference centre distance is used.
 ///
-/// Errors    `gearN.rack` when one of them is an involute gear or no convex arc meets a concave
-/// one;
+/// Errors    `gearN.rack` if a gear is an involute gear, or if no convex arc meets a concave arc;
 ///           `gear2.normal_module`, `gear2.helix_angle`, `gear1.helix_angle` (spur);
 ///           `gear2.rack.arc_radius`, `pair.center_distance` if no two arcs can touch, with the
-///           numbers at which they can. Contacts off the usable flanks and similar facts are
+///           values at which they can. Contacts off the usable flanks and similar faults are
 ///           warnings
 Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> distance);
 

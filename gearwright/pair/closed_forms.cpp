@@ -16,7 +16,8 @@ constexpr double kHalfTurn = std::numbers::pi;
 
 using namespace leaf;
 
-// As in the vector code of closed_forms_simd.cpp, which has shifts but no integer division.
+// Divides the bits of x by three with the same shifts as closed_forms_simd.cpp, because vector
+// instructions have no integer division.
 double third_of_bits(double x) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &x, sizeof bits);

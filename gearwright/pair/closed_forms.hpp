@@ -1,15 +1,16 @@
-// Closed forms over columns of numbers with the processor's vector instructions, for arrays of
-// Python.
+// Closed forms for columns of numbers, computed with the processor's vector instructions. The Python
+// binding calls them for arrays.
 //
-//   y    inv α of the wanted α     s_β  sin β of gear 1     e    thickness allowance, mm
+//   y    inv α of the required α     s_β  sin β of gear 1     e    thickness allowance, mm
 //                                              theory: docs/theory/02-involute-and-pair.md
 //
 // One text of formulas (pair/closed_forms.inc) is compiled for double and for every instruction
 // set. At run time the best available instruction set is used, as in design/candidate.hpp. Rows
 // outside a domain are NaN.
 //
-//   Laws  (1) inverse involutes in lanes are the scalar instance's to the bit, on any machine
-//         (2) backlashes in lanes agree with the scalar instance to 1e-12 modules
+//   Laws  (1) the vector and the scalar instance give the same inverse involutes, to the last bit, on
+//             any machine
+//         (2) the backlashes of both instances agree to 1e-12 modules
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The causes of a collision as documents list them, each with its word in results and a sentence.
+// The table of the causes of a collision: the name of each in results, and a sentence about it.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@ namespace gearwright {
 
 struct CauseMeaning {
   CollisionCause cause;
-  const char* text;      ///< its word in results
+  const char* text;      ///< its name in results
   const char* sentence;  ///< of docs/spec.md
 };
 

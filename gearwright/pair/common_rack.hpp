@@ -1,14 +1,14 @@
-// The imaginary rack between two involute gears: one plane flank that both of them touch.
+// The imaginary rack between two involute gears, whose plane flank touches both gears.
 //
-//   gears 1, 2 as themselves: z, r_b, s_bt, β_b (gear/basic.hpp); S = sin β_b
+//   z, r_b, s_bt, β_b   of each gear alone (gear/basic.hpp)     S = sin β_b
 //   α_n  pressure angle of the rack, the free parameter     u_i = cos α_n cos β_i
-//   β_i, α_ti, r_i, t_ni   helix, transverse pressure angle, pitch radius and normal tooth
-//        thickness of gear i in rolling with it
+//   β_i, α_ti, r_i, t_ni   helix angle, transverse pressure angle, radius and normal tooth thickness
+//        of gear i on the pitch cylinder that rolls with the rack
 //   τ_i  +1, −1 if internal       σ   +1 external pair, −1 internal
 //   X    distance of the two pitch planes, mm, X = σ (a − r_2 − σ r_1)
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// Spur, helical and crossed pairs differ only in their α_n: see pair/working_angles.hpp.
+// Spur, helical and crossed pairs differ only in their α_n, which pair/working_angles.hpp computes.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ T side_of(const BasePair<T>& gears) {
   return side_of(gears[1]);
 }
 
-/// β_b1 and σ β_b2, rad: the base helix angles as they add up to the shaft angle.
+/// β_b1 and σ β_b2, rad: the base helix angles with the signs with which they are added.
 template <class T>
 std::array<T, 2> adding_helix_angles(const BasePair<T>& gears) {
   return {gears[0].helix_angle, side_of(gears) * gears[1].helix_angle};
@@ -40,8 +40,7 @@ T base_radius_sum(const BasePair<T>& gears) {
   return gears[1].radius + side_of(gears) * gears[0].radius;
 }
 
-/// α_n with the resulting values of each gear. u contains the digits that cos β would lose near
-/// 90°.
+/// α_n of the rack and u of both gears. Near β = 90°, u keeps the digits that cos β would lose.
 template <class T>
 struct RackAngles {
   T sin_alpha;         ///< sin α_n
@@ -68,7 +67,7 @@ RackAngles<T> angles_at(const BasePair<T>& gears, const T& alpha_n) {
   return a;
 }
 
-/// One gear in rolling with the rack.
+/// One gear as it rolls with the rack.
 template <class T>
 struct RackSide {
   T helix_angle;             ///< β_i   rad, signed, on the pitch cylinder
@@ -101,7 +100,7 @@ T base_excess(const BasePair<T>& gears) {
          gears[1].tooth_thickness * cos(gears[1].helix_angle) - normal_base_pitch(gears[0]);
 }
 
-/// Both gears in rolling with the rack.
+/// The rack with both gears that roll with it.
 ///
 /// Formula   r = r_b cos β_b/u, tan α_t = sin α_n/u, tan β = S/u, [T4.5];
 ///           t_n = (s_bt − τ d_b inv α_t) cos β_b/cos α_n, [T4.6];  Q = K − Σ τ d_b cos β_b inv
@@ -139,8 +138,7 @@ CommonRack<T> common_rack(const BasePair<T>& gears, const RackAngles<T>& angles)
   return rack;
 }
 
-/// The centre distance at which the rack's two sides meet without backlash: a = r_2 + σ (r_1 + X),
-/// without the terms that cancel.
+/// The centre distance without backlash, a = r_2 + σ (r_1 + X), in a form in which no terms cancel.
 ///
 /// Formula   a = r_b2 α_t2/sin α_t2 + σ (r_b1 α_t1/sin α_t1 + K/(2 sin α_n)); [T4.9], [T4.11]
 /// Accuracy  ledger row `crossed.center_distance`
@@ -155,7 +153,8 @@ T conjugate_center_distance(const BasePair<T>& gears, const CommonRack<T>& rack)
          side_of(gears) * (share(0) + base_excess(gears) / (T(2) * rack.angles.sin_alpha));
 }
 
-/// da/dα_n of that distance, mm/rad: −σ X/tan α_n, which is 0 at its minimum. [T4.10]
+/// Derivative of conjugate_center_distance after α_n, −σ X/tan α_n, mm/rad. It is 0 at the least
+/// distance. [T4.10]
 template <class T>
 T conjugate_center_distance_slope(const BasePair<T>& gears, const CommonRack<T>& rack) {
   return -side_of(gears) * rack.tight_plane_distance() * rack.angles.cos_alpha /

@@ -9,7 +9,8 @@ namespace gearwright {
 
 std::vector<ContactZone> contact_zones(double begin, double end, double step) {
   GW_EXPECTS(begin <= end && step > 0.0);
-  // A pair leaves at end − k step of its follower's position, and enters at begin + k step.
+  // The k-th pair ahead leaves contact at end − k step, and the k-th pair behind enters at
+  // begin + k step.
   const double ratio = (end - begin) / step;
   const int whole = static_cast<int>(std::floor(ratio));
   std::vector<double> cuts{begin, end};
@@ -18,8 +19,9 @@ std::vector<ContactZone> contact_zones(double begin, double end, double step) {
     cuts.push_back(end - k * step);
   }
   std::sort(cuts.begin(), cuts.end());
-  constexpr double kSameCut =
-      1e-9;  // relative to the pitch: an integral contact ratio gives pairs of equal cuts
+  // Relative to the pitch. At an integral contact ratio, one tooth pair enters contact at the position
+  // at which another pair leaves contact.
+  constexpr double kSameCut = 1e-9;
   const double nothing = kSameCut * step;
   std::vector<ContactZone> zones;
   double from = begin;

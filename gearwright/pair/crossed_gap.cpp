@@ -23,7 +23,7 @@ struct Body {
   Eigen::Isometry3d place;  ///< gear to housing, at rest
   double twist;             ///< 2π/p_z
   double half_face;
-  double form_radius;  ///< where the fillet ends, in the reach of the mating gear
+  double form_radius;  ///< at which the fillet ends
   int teeth;
 };
 
@@ -54,8 +54,8 @@ struct TipGap {
   ArcName arc = ArcName::root_fillet;
 };
 
-/// The tip of A against B, over the places of A's cylinder at which it reaches B: the azimuth and
-/// the height there.
+/// A point of the tip of A that moves past B. Its places are given by azimuth and height on the
+/// cylinder about the axis of A.
 class TipMotion {
  public:
   TipMotion(const Body& a, const Body& b, const TipPoint& tip)
@@ -102,8 +102,8 @@ class TipMotion {
   double start_;
 };
 
-// The ψ between `deepest`, at which `beyond` is negative, and `away`, at which it is not, on the
-// negative side of the change.
+// The ψ at which `beyond` changes its sign, on the negative side of the change. `beyond` is negative at
+// `deepest` and not negative at `away`.
 template <class F>
 double crossing(const F& beyond, double deepest, double away, double z) {
   constexpr int kHalvings = 50;
@@ -115,11 +115,12 @@ double crossing(const F& beyond, double deepest, double away, double z) {
   return in;
 }
 
-/// The gap over the square [−1, 1]², to which the places are mapped; empty if there are none.
+/// The gap as a function on the square [−1, 1]², to which the places on the cylinder are mapped; empty
+/// if there is no such place.
 using GapOver = std::function<TipGap(double, double)>;
 
-/// External pairs: ψ from the direction of axis B, and v across the strip that lies within the
-/// form cylinder of B.
+/// External pairs: u maps to ψ, measured from the direction of axis B, and v to the position across
+/// the strip that lies within the form cylinder of B.
 GapOver outside(const TipMotion& motion, double distance) {
   const double form = motion.b().form_radius;
   const Vec3 axis = motion.axis();
@@ -137,18 +138,19 @@ GapOver outside(const TipMotion& motion, double distance) {
   };
 }
 
-/// Internal pairs: the height z of A's face, and ψ over the part of its section that lies beyond
-/// the radius `limit` of B, on the side of the teeth of B.
+/// Internal pairs: v maps to the height z on A's face, and u to ψ over the part of the section at z
+/// that lies beyond the radius `limit` of B, on the side of the teeth of B.
 GapOver inside(const TipMotion& motion, double limit) {
   const bool ring = side_of(motion.a().teeth) < 0.0;
   const double mesh = motion.start() + (ring ? 0.0 : kPi);
-  // Below 0 on the side of the teeth.
+  // The distance from the radius `limit`, negative on the side of the teeth of B.
   const auto beyond = [=, &motion](double psi, double z) {
     const Vec3 q = motion.in_b(mesh + psi, z);
     const double rho = std::hypot(q.x(), q.y());
     return ring ? rho - limit : limit - rho;
   };
-  // ψ deepest in the teeth of B, and where they end to both sides; none if they are not reached.
+  // The ψ that lies deepest in the teeth of B, and the ends of that region on both sides; none if the
+  // teeth are not reached.
   struct Window {
     double deepest, lo, hi;
   };
@@ -161,7 +163,7 @@ GapOver inside(const TipMotion& motion, double limit) {
     };
     return Window{deepest, end(-kPi), end(kPi)};
   };
-  // Many places have the same height.
+  // The windows are stored, because many places have the same height.
   const auto windows = std::make_shared<std::map<double, std::optional<Window>>>();
   return [=, &motion](double u, double v) {
     const double z = v * motion.a().half_face;
@@ -179,7 +181,7 @@ struct Node {
   TipGap gap;
 };
 
-// The gap at the places of a grid, row by row.
+// The gaps at the nodes of a grid, row by row.
 std::vector<Node> grid_of(const GapOver& gap_at, int columns, int rows) {
   std::vector<Node> nodes;
   for (int i = 0; i < columns; ++i) {
@@ -191,8 +193,8 @@ std::vector<Node> grid_of(const GapOver& gap_at, int columns, int rows) {
   return nodes;
 }
 
-// Steps from a node to the extreme of the quadratic through nine places around it, with decreasing
-// distances.
+// Searches for the minimum from a node. Each step goes to the minimum of the quadratic through nine
+// places around the current one, at decreasing distances.
 TipGap descend(const GapOver& gap_at, const Node& from, double h) {
   constexpr int kSteps = 14;
   constexpr double kCloser = 0.4;
@@ -227,7 +229,7 @@ TipGap descend(const GapOver& gap_at, const Node& from, double h) {
   return best;
 }
 
-// The least gap: from the best node of an even grid.
+// The least gap of an external pair, searched from the best node of an even grid.
 TipGap least_outside(const GapOver& gap_at) {
   constexpr int kGrid = 9;
   const std::vector<Node> nodes = grid_of(gap_at, kGrid, kGrid);
@@ -237,8 +239,8 @@ TipGap least_outside(const GapOver& gap_at) {
   return descend(gap_at, *best, 1.0 / (kGrid - 1));
 }
 
-// The least gap: from every node that is no greater than its neighbours, because the tip passes
-// several teeth of B.
+// The least gap of an internal pair. The search starts from every node that is no greater than its
+// neighbours, because the tip passes several teeth of B.
 TipGap least_inside(const GapOver& gap_at) {
   constexpr int kColumns = 49, kRows = 9;
   const std::vector<Node> nodes = grid_of(gap_at, kColumns, kRows);
@@ -297,8 +299,8 @@ std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair) {
       t.arm = i == 0 ? gap.arm : gap.arm / std::abs(ratio);
       if (least && least->gap <= t.gap) return;
       const double turn_b = gap.side * gap.value;
-      // For the tip of gear 2, gear 1 was turned, so both are turned back until only gear 2 has
-      // turned.
+      // For the tip of gear 2, the gap was computed as a turn of gear 1. Both gears are then turned
+      // back until only gear 2 has turned.
       const double turn_1 =
           i == 0 ? gap.turn_a : -gap.turn_a * bodies[1].teeth / bodies[0].teeth + turn_b;
       t.rotation_1 = -std::remainder(turn_1, 2 * kPi / bodies[0].teeth);

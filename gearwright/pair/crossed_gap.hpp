@@ -1,11 +1,11 @@
-// The least distance of the tips of two gears on crossed axes from the mating root fillets, and in an
-// internal gear from all of its teeth, in relation to the play of the flanks. Internal to pair/.
+// The least gaps between the tips of two gears on crossed axes and the mating root fillets. In an
+// internal gear, the gaps to all parts of its teeth are computed. Internal to pair/.
 //
-// Teeth are screws here, and all sections differ. The edge of a tip corner sweeps the tip cylinder
-// at every rotation. For a place of that cylinder within the mating gear's form cylinder, the
-// rotation at which the edge passes it follows in closed form, and from it the gap:
+// On crossed axes every section is different. The edge of a tip corner sweeps the whole tip cylinder
+// as its gear rotates. For a place of the tip cylinder that lies within the mating gear's form
+// cylinder, the rotation at which the edge passes and the gap have closed forms:
 //
-//   ψ, z   place on the cylinder of the moving gear A     ω_A = ψ − θ_c − 2π z/p_zA
+//   ψ, z   place on the tip cylinder of the moving gear A     ω_A = ψ − θ_c − 2π z/p_zA
 //   g = |ψ_B − 2π z_B/p_zB − κ ω_A| − θ_B(ρ_B),  κ = −z_A/z_B, reduced to one pitch of B    [T4.33]
 #pragma once
 
@@ -15,14 +15,14 @@
 
 namespace gearwright::detail {
 
-/// The least gaps between each tip (corner or rounded) and the mating gear's fillet, as turns of gear
-/// 2, and of internal pairs those to the whole tooth if they are less.
+/// The least gap between each tip (corner or rounded) and the mating gear's fillet, as a turn of gear
+/// 2. For internal pairs, the least gap to the whole tooth is added if it is less.
 ///
-/// Formula   [T4.33], least over the places of the cylinder, by a grid and quadratic steps
+/// Formula   [T4.33], minimised over the tip cylinder by a grid and quadratic steps
 /// Domain    crossed axes, both gears with a tooth, tips above the mating roots (contract: crossed)
-/// Accuracy  every gap is that of two points of the surfaces; a minimum is found to rounding, but
-///           one of two minima within a ninth of the places (internal pairs: a 49th around, a ninth
-///           along the face) may be missed. A rounded tip is evaluated at 17 places along its profile
+/// Accuracy  every gap is that of two points of the surfaces. A minimum is found to rounding, but if
+///           two minima lie within one grid step (a ninth of the range; internal pairs: a 49th around
+///           and a ninth along the face), one may be missed. A rounded tip is evaluated at 17 places
 std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair);
 
 }  // namespace gearwright::detail

@@ -23,7 +23,7 @@ double projected(const Linear& u, const Linear& w, double A, double k, double lo
   const double p0 = u.at.dot(w.at);
   const auto primitive = [&](double s) {
     const double root = std::hypot(s, k);
-    // With k = 0, u and therefore p0 vanish at the origin.
+    // If k = 0, u and therefore p0 are 0 at the origin.
     const double area = k > 0.0 ? (p0 - p2 * k * k / 2) * std::asinh(s / k) : 0.0;
     return area + p1 * root + p2 * s * root / 2;
   };

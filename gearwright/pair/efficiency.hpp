@@ -4,8 +4,8 @@
 //   v_n = r_b1 cos β_b1   speed along the common normal, per radian of gear 1
 //                                              theory: docs/theory/04-conjugate-action.md, 4.8
 //
-// Tooth pairs in contact at one time carry equal parts of a constant normal force. Losses of
-// bearings, oil and seals are not included.
+// The normal force is constant, and the tooth pairs in contact share it equally. Losses of bearings,
+// oil and seals are not included.
 #pragma once
 
 #include <optional>
@@ -19,13 +19,13 @@ struct Efficiency {
   std::optional<double> gear2_drives;
 };
 
-/// Means over the path of the sliding's share in either gear's motion, so that
+/// M_i: means over the path of the speed w_i in the direction of sliding, relative to v_n. They give
 ///   η_12 = (1 + μ M_2)/(1 + μ M_1),  η_21 = (1 − μ M_1)/(1 − μ M_2). [T4.27]
 struct SlidingShares {
   double first, second;  ///< M_1, M_2; M_1 − M_2 is the mean sliding speed over v_n
 };
 
-/// The integrals in closed form over each zone of the clipped path. [T4.26]
+/// M_1 and M_2, by integrals in closed form over each zone of the clipped path. [T4.26]
 ///
 /// Domain    the clipped path has a length (contract)
 SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& mesh);

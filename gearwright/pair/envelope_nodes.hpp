@@ -1,14 +1,15 @@
-// Monotone pieces of the envelope of a rolling arc: the places between which its radius about the
-// other gear's axis increases or decreases. Internal to pair/, for outline_gap. [T2.31]
+// Monotone pieces of the envelope of a rolling arc. Along a piece, the radius of the envelope about
+// the other gear's axis only increases or only decreases. Internal to pair/, for outline_gap. [T2.31]
 //
 //   u      parameter of the arc, 0 … 1
 //   |D|    radius of the touching point about the axis of the gear B
-//   r_w − |s|   the arm of the normal, within the pitch circle: below zero the normal does not pass
-//          through the pitch point and there is no envelope. At zero both its branches meet, and
-//          |D| varies with the square root of the distance.
+//   |s|    arm of the arc's normal about the axis of its own gear     r_w   pitch radius of that gear
 //
-//   Laws  (1) from a node to the next, unless that begins a piece, |D| grows or falls throughout
-//         (2) every piece ends where the arc does or where the envelope does
+// If |s| > r_w, the normal never passes through the pitch point, and there is no envelope. At
+// |s| = r_w both branches of the envelope meet, and |D| varies with the square root of the distance.
+//
+//   Laws  (1) |D| is monotone between two nodes, unless the second node begins a piece
+//         (2) every piece ends at an end of the arc or of the envelope
 //         provided that |s| and |D| have at most one extreme within an eighth of the arc
 #pragma once
 
@@ -20,8 +21,8 @@
 
 namespace gearwright::detail {
 
-/// The zero of f, which has different signs at lo and hi, to within `near`, at a place where f does
-/// not have the sign `against`. By false position with occasional halving; f need not be smooth.
+/// The zero of f to within `near`, by false position with occasional halving. f has different signs at
+/// lo and hi and need not be smooth. At the returned place f does not have the sign `against`.
 template <class F>
 double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, double near,
                     double against) {
@@ -44,15 +45,15 @@ double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, 
   return lo_is_against ? hi : lo;
 }
 
-/// The envelope at a parameter; slopes along u need no scale.
+/// The envelope at a parameter. Only the signs of the slopes along u are used.
 struct EnvelopePlace {
   double inside, inside_slope;  ///< r_w − |s|, mm; < 0 if there is no envelope
-  double radius, radius_slope;  ///< |D|, mm; where there is no envelope, that of r_w = |s|
+  double radius, radius_slope;  ///< |D|, mm; computed with |s| = r_w where there is no envelope
 };
 
 struct EnvelopeNode {
   double u, radius;
-  bool begins;  ///< begins a piece: nothing joins it to the node before
+  bool begins;  ///< true if the node begins a piece and is not connected to the preceding node
 };
 
 class EnvelopeNodes {
@@ -89,7 +90,7 @@ class EnvelopeNodes {
 
   static bool turn(double one, double two) { return (one < 0.0) != (two < 0.0); }
 
-  // True if |s| is monotone.
+  // Adds the nodes of a part of the arc along which |s| is monotone.
   template <class At>
   void reach(const At& at, double u_1, const EnvelopePlace& one, double u_2,
              const EnvelopePlace& two) {
@@ -106,7 +107,7 @@ class EnvelopeNodes {
     joined_ = is_2;
   }
 
-  // True if there is an envelope throughout.
+  // Adds the nodes of a part along which there is an envelope throughout.
   template <class At>
   void run(const At& at, double u_1, const EnvelopePlace& one, double u_2,
            const EnvelopePlace& two) {
@@ -125,7 +126,7 @@ class EnvelopeNodes {
     nodes_[count_++] = node;
   }
 
-  std::array<EnvelopeNode, 6 * kSteps> nodes_;  // a step has two parts of three nodes at most
+  std::array<EnvelopeNode, 6 * kSteps> nodes_;  // at most two parts a step, of three nodes each
   std::size_t count_ = 0;
   bool joined_ = false;
 };

@@ -1,14 +1,15 @@
 // The path of a tip corner through the mating gear's root, and its least distance from the fillet.
 //
 //   ρ_c, θ_c   radius and half angle of the corner on its own tooth     u = z_gear/z_mate
-//   η          half the backlash as a rotation of the mating gear: the flanks of this side touch
-//   w          orbit parameter: 0 where the corner crosses the centre line, its deepest place
+//   η          half the backlash as a rotation of the mating gear, after which the flanks touch
+//   w          orbit parameter, 0 where the corner crosses the centre line, at its deepest place
 //
-// In the frame of the gear, the mating gear's axis orbits. The corner is at [T2.26]
+// In the frame of the gear, the mating gear's axis orbits about the gear's axis. The corner is at
+// [T2.26]
 //   P(w) = e^{iφ} (a − ρ_c e^{iw}),  w = uφ − (θ_c + η)      external pair
 //   P(w) = e^{iφ} (ρ_c e^{iw} − a),  w = (θ_c + η) − uφ      pinion in its internal gear
 //   P(w) = e^{iφ} (ρ_c e^{iw} + a),  w = (θ_c + η) − uφ      internal gear about its pinion
-// with the space's centre line on the x axis; the fillet beside it is that of the tooth at π/z.
+// The centre line of the space is the x axis, and the fillet belongs to the tooth centred at π/z.
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -30,8 +31,7 @@ struct Corner {
   double half_angle;
 };
 
-// The corners at which a tooth ends: the end of the flank, and the end of the land if a fillet lies
-// between them.
+// The corners at the tip of a tooth. If a tip fillet follows the flank, both of its ends are corners.
 std::vector<Corner> tip_corners(const Gear& mate) {
   if (!mate.tooth) {
     const double r = mate.tip_diameter / 2;
@@ -61,7 +61,7 @@ struct Orbit {
   enum Kind { external, in_ring, ring } kind;
   double half_space;  // π/z
 
-  // The corner in the frame of the tooth beside the space, mirrored to its side y > 0.
+  // The corner in the frame of the tooth beside the space, mirrored to the side y > 0 of that tooth.
   Vec2 place(const Corner& c, double w) const {
     const double kappa = c.half_angle + play;
     const double phi = (kind == external ? kappa + w : kappa - w) / u;
@@ -97,8 +97,8 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   const Vec2 along(std::cos(foot.tangent_angle), std::sin(foot.tangent_angle));
   const double beside = along.dot(away);
   const double above = along.x() * away.y() - along.y() * away.x();
-  // At a foot the distance vector of p is perpendicular to the arc, so its length is exact although
-  // u has half the digits only. The space lies to the left, or to the right on a tooth of an
+  // At a foot, the vector to p is perpendicular to the arc. Its length is therefore exact, although u
+  // has only half the digits. The space lies to the left of the arc, or to the right on a tooth of an
   // internal gear.
   if (std::abs(beside) <= kFoot * (arc.end_point - arc.begin_point).norm())
     return arc.begin_point.norm() < arc.end_point.norm() ? above : -above;
@@ -116,7 +116,7 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   return angle >= theta ? least : -least;
 }
 
-constexpr double kFarAway = 1e9;  // mm: the corner never gets as deep as the fillet
+constexpr double kFarAway = 1e9;  // mm, value if the corner does not reach the depth of the fillet
 
 // The least of f on [0, 1].
 std::optional<double> min_on(const std::function<double(double)>& f) {
@@ -156,13 +156,14 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
     std::optional<double> least;
     for (const Arc& arc : gear.tooth->outline.arcs) {
       if (arc.name != ArcName::root_fillet) continue;
-      // The corner is below the arc's upper end while cos w is above this.
+      // The corner is below the arc's upper end while cos w is greater than c.
       const double r = arc.end_point.norm();
       const double deep = a * a + corner.radius * corner.radius - r * r;
       const double c = (kind == Orbit::ring ? -deep : deep) / (2 * a * corner.radius);
       if (c >= 1.0) continue;  // the corner never gets that deep
       const double w_end = std::acos(std::max(-1.0, c));
-      // The side of the path towards this fillet; for an internal gear, its pinion uses both sides.
+      // Only the half of the path towards this fillet is examined. In an internal gear, the pinion's
+      // corner can reach the fillet on both halves.
       const double from = kind == Orbit::ring ? -w_end : 0.0;
       const auto gap = [&](double s) {
         const double w = from + s * (w_end - from);
@@ -192,7 +193,7 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
   };
   for (const Corner& corner : tip_corners(mate)) take(clearance_of(corner));
   if (!mate.tooth) return least;
-  // The middle of a curved tip may touch.
+  // A rounded tip may come closest at a point between its ends.
   for (const Arc& arc : mate.tooth->outline.arcs) {
     if (arc.name != ArcName::tip_fillet) continue;
     const auto at = [&](double u) {

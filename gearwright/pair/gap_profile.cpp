@@ -73,8 +73,8 @@ ProfileArc::Found ProfileArc::find(double rho) const {
   const ProfilePlace& above = guesses[static_cast<std::size_t>(cell) + 1];
   double lo = static_cast<double>(cell) / kGuesses;
   double hi = static_cast<double>(cell + 1) / kGuesses;
-  // Near the root, the squares of the radii grow with the square of the distance, so the first
-  // guess uses both.
+  // Near a place with s = 0, the radius grows with the square of the distance along the arc, so the
+  // first guess uses a square root there.
   const double part = std::clamp((rho - below.rho) / (above.rho - below.rho), 0.0, 1.0);
   const double slow = std::abs(below.s) < 0.5 * std::abs(above.s) ? std::sqrt(part) : part;
   double u = lo + (hi - lo) * slow;
@@ -124,8 +124,8 @@ GapProfile::GapProfile(const Outline& outline)
   }
   // Smaller angles are rounding errors, or so blunt that the adjacent arcs touch equally well.
   constexpr double kSmooth = 1e-7;  // rad
-  // A concave corner is out of the mating gear's reach. An angle near half a turn may be a cusp,
-  // where the direction has no sign. It is included, because an additional corner does no harm.
+  // The mating gear cannot reach a concave corner. An angle near half a turn may be a cusp, where the
+  // sign of the turn is undetermined. A cusp is included, because an additional corner does no harm.
   constexpr double kCusp = 2.5;  // rad
   const double inward = ring_ ? 1.0 : -1.0;
   for (std::size_t i = 0; i + 1 < outline.arcs.size(); ++i) {

@@ -1,10 +1,10 @@
-// Half a tooth for contact with another gear: its outline as a function of the radius, and its
-// corners. Internal to pair/, for the outlines of outline_gap.
+// The outline of half a tooth as a function of the radius, and its corners, for contact with another
+// gear. Internal to pair/, for the outlines of outline_gap.
 //
-//   ρ, θ   radius and polar angle of a point W of the half tooth, θ from its centre line
-//   τ, k   direction and curvature of the walk from root to tip
-//   s, q   the point along that walk and along its left-hand normal: W e^{−iτ} = s + iq, mm; |s| is
-//          the arm of the outline's normal about the axis, −q/s the slope dθ/d ln ρ
+//   ρ, θ   radius and polar angle of a point W of the half tooth, θ from the tooth's centre line
+//   τ, k   direction of the outline's tangent and its curvature, from root to tip
+//   s, q   components of W along the tangent and the left-hand normal, W e^{−iτ} = s + iq, mm; |s| is
+//          the arm of the outline's normal about the axis, and −q/s is the slope dθ/d ln ρ
 #pragma once
 
 #include <optional>
@@ -20,13 +20,14 @@ struct ProfilePlace {
   double tau, curvature;
 };
 
-/// A convex point in which an arc ends. The mating gear's outline may touch it.
+/// A convex corner of the outline, which the mating gear's outline may touch.
 struct ProfileCorner {
   double rho, theta;
-  ArcName name;  ///< the arc that ends the tooth there; the neighbour of a land gives its name
+  ArcName
+      name;  ///< the arc that begins at the corner; if this arc is a land, the arc before the corner
 };
 
-/// An arc that is not a land, so its radius changes along it.
+/// An arc that is not a land. The distance from the gear's axis changes along it.
 struct ProfileArc {
   const Arc* arc;
   double rho_root, rho_tip;  ///< of its two ends
@@ -36,10 +37,10 @@ struct ProfileArc {
   mutable std::vector<ProfilePlace> guesses = {};
 
   ProfilePlace at(double u) const;
-  /// The place at a radius between the two ends, moved there if it lies beyond them.
+  /// The place at a radius. A radius beyond an end of the arc gives that end.
   ///
-  /// Accuracy  as the curve's own points: the last step is along the circle of curvature and
-  ///           shorter than 2e-6 of its radius
+  /// Accuracy  as accurate as the points of the curve, because the last step runs along the circle of
+  ///           curvature and is shorter than 2e-6 of the radius of this circle
   ProfilePlace at_radius(double rho) const;
   double u_at_radius(double rho) const;
 
@@ -53,7 +54,7 @@ struct ProfileArc {
 
 class GapProfile {
  public:
-  /// `outline` outlives this.   Domain: a tooth with arcs (contract)
+  /// `outline` must outlive this object.   Domain: a tooth with arcs (contract)
   explicit GapProfile(const Outline& outline);
 
   int teeth() const { return teeth_; }  ///< |z|

@@ -13,14 +13,15 @@ namespace gearwright::detail {
 
 namespace {
 
-// A gear touches the mating gear that cut it without clearance, and rounding errors are not
+// A gear meshes without clearance with a mating gear that has cut it. Rounding errors are then not
 // interference.
 constexpr double kNoise = 1e-11;  // of the base pitch
 double noise(const InvolutePair& p) { return kNoise * p.gears[0].reference().base_pitch_normal; }
 
 double diameter_of(double base_radius, double rho) { return 2 * std::hypot(base_radius, rho); }
 
-// Beyond the flank that undercut removed, contact is lost. Elsewhere this is interference.
+// Reports a tip that reaches beyond the mating flank. If undercut has removed that flank, contact is
+// lost there; otherwise this is interference.
 void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
                     const std::string& where) {
   const int mate = 3 - gear;
@@ -41,8 +42,8 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
            -amount, where, gear)});
 }
 
-// How much nearer than on the centre line the tip cylinder of a gear is to the roots of its mating
-// gear, in a crossed internal pair: at an end of the part of both faces that overlaps. [T4.37]
+// Amount by which the tip cylinder of a gear is nearer to the mating roots than on the centre line, in
+// a crossed internal pair. It is nearest at an end of the part in which both faces overlap. [T4.37]
 double nearer_at_ends(const InvolutePair& p, int tip) {
   if (!p.crossed_inside()) return 0.0;
   const bool ring = tip == 2;
@@ -54,12 +55,13 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
   const double cosine = std::cos(p.shaft_angle.rad());
   const double sine = std::abs(std::sin(p.shaft_angle.rad()));
   // Distance from the mating axis at the angle ψ from the mesh, < 0 for the tip of the pinion, which
-  // reaches outwards. The sign of y does not matter, because a half turn exchanges both.
+  // reaches outwards. The sign of y does not matter, because the pair is symmetric about the centre
+  // line.
   const auto distance = [&](double psi) {
     const double y = r * std::sin(psi);
     const double lo = std::max(-half, (-half_mate + y * sine) / cosine);
     const double hi = std::min(half, (half_mate + y * sine) / cosine);
-    if (lo > hi) return kInfinity;  // no part of both faces is there
+    if (lo > hi) return kInfinity;  // the faces do not overlap at this angle
     const auto at = [&](double z) {
       return std::hypot(apart + r * std::cos(psi), y * cosine + z * sine);
     };
@@ -71,8 +73,8 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
 
 }  // namespace
 
-// The diameter at which the mating gear's tip touches each gear deepest, and its distance from the
-// start of the usable flank. [T2.25]
+// The deepest diameter of each gear that the mating gear's tip touches, and the distance of this
+// circle from the start of the usable flank. [T2.25]
 void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   for (int i : {0, 1}) {
@@ -147,7 +149,7 @@ void find_internal_margins(ParallelPair& p) {
     margins.involute = p.mesh.rho1_A - roll(*form, g1.base_radius()) * g1.base_radius();
   }
   const auto clamp = [](double v) { return std::clamp(v, -1.0, 1.0); };
-  // If the tip circles do not meet, no tip passes another.
+  // If the tip circles do not intersect, no tip can collide with another.
   if (r_a2 < a + r_a1) {
     const double theta_1 =
         std::acos(clamp((r_a2 * r_a2 - r_a1 * r_a1 - a * a) / (2 * a * r_a1))) + inv_a1 - inv_w;

@@ -1,29 +1,30 @@
-// Interference of two mounted gears. Internal to pair/: completes a pair whose gears, mesh,
-// distances and tip clearances are set.
+// Interference of two mounted gears. The functions complete a pair whose gears, mesh and distances
+// are set. Internal to pair/.
 #pragma once
 
 #include "gearwright/pair/involute_pair.hpp"
 
 namespace gearwright::detail {
 
-/// Contact root diameters and form clearances; base_tangent, form_circle, or contact_lost.
+/// Contact root diameters and form clearances. Findings: `base_tangent`, `form_circle` or
+/// `contact_lost_to_undercut`.
 void find_form_clearance(InvolutePair& pair);
-/// Clearances of tips and roots, [T2.23]; `root`. On crossed axes with an internal gear, they are
-/// least at an end of a face. [T4.37]
+/// Clearances of tips and roots, [T2.23]. Findings: `no_tip_clearance` or `root`. On crossed axes with
+/// an internal gear, the clearances are least at an end of a face. [T4.37]
 void find_tip_clearance(InvolutePair& pair);
 /// Internal pairs: involute, trochoid and trimming interference. [T2.27], [T2.28]
 void find_internal_margins(ParallelPair& pair);
-/// Tip corners to fillets; `tip_to_fillet`. [T2.26]
+/// Clearances between tip corners and fillets. Finding: `tip_to_fillet`. [T2.26]
 void find_fillet_clearance(ParallelPair& pair);
-/// Overlap of the outlines, strikes beyond the flanks and the free play of two gears whose flanks
-/// have this play: half of it as a turn of gear 2, all of it along the normal, mm. [T2.29]…[T2.33]
-/// `saddle`, mm, is the depth to which flanks overlap beside their line of action.
+/// Overlap of the outlines, contact beyond the flanks, and the free play of two gears. [T2.29]…[T2.33]
+/// `half_play` is half the play of the flanks as a turn of gear 2, and `normal_play` the whole play
+/// along the normal, mm. `saddle`, mm, is the depth to which flanks overlap beside their line of action.
 ///
-/// Domain    both gears with a tooth. On crossed axes, tips are compared with roots [T4.33] and, in
-///           an internal gear, with flanks
+/// Domain    both gears with a tooth. On crossed axes, only tips are compared with the mating gear:
+///           with its fillets [T4.33] and, in an internal gear, also with its flanks
 void find_collisions(MountedGears& pair, double half_play, double normal_play, double saddle = 0.0);
-/// find_collisions() for an involute pair. Leaves in `interference` the findings that explain an
-/// overlap, and must be called last.
+/// find_collisions() for an involute pair. Only the findings that explain an overlap remain in
+/// `interference`, so this function must be called last.
 void find_overlap(InvolutePair& pair, double saddle);
 
 }  // namespace gearwright::detail

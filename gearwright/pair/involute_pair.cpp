@@ -19,7 +19,7 @@ void warn(InvolutePair& p, WarningCode code, std::string message, int gear = 0) 
   p.warnings.push_back({code, std::move(message), gear});
 }
 
-// Axes this close were most likely meant to be parallel.
+// Below this shaft angle, the user most likely intended parallel axes.
 constexpr double kNearlyParallel = 1.0;  // degrees
 
 void warn_about_axes(CrossedPair& p) {
@@ -107,12 +107,12 @@ void warn_about_collisions(InvolutePair& p) {
   for (const Collision& s : p.beyond_flank) warn(p, WarningCode::beyond_flank, s.message, s.gear);
 }
 
-// Backlash-free pairs have a centre distance above the sum of their base radii. Half of that sum is
-// implausible.
+// Least plausible centre distance, relative to the sum of the base radii. A backlash-free pair has a
+// centre distance above this sum.
 constexpr double kMinCrossedDistance = 0.5;
 
-// The pinion lies inside the internal gear, and L > 0: its flanks are more curved than the concave
-// ones. [T4.34]
+// Checks that the pinion lies inside the internal gear and that its flanks are more curved than those
+// of the internal gear, L > 0. [T4.34]
 std::optional<Error> check_place_inside(const CrossedPair& p, const CommonRack<double>& rack) {
   const BasePair<double>& gears = p.input.gears;
   const auto& sides = rack.sides;
@@ -183,9 +183,10 @@ void find_own(CrossedPair& p) {
   p.face_widths = face_widths(p.mesh);
 }
 
-// Depth to which the flanks overlap beside the line of action, mm. Up to the second order it grows
-// with the square of the distance from the contact, which lies up to f'/2 off the middle of the face,
-// and it is the needed lead crowning at b/2. Higher orders add less than half of it (tested).
+// Depth to which the flanks overlap beside the line of action, mm. Up to the second order, the depth
+// grows with the square of the distance from the contact and equals the needed lead crowning at b/2.
+// The contact lies up to f'/2 off the middle of the face. Higher orders add less than half of the
+// second-order depth (tested).
 double saddle_depth(const ParallelPair&) { return 0.0; }
 double saddle_depth(const CrossedPair& p) {
   constexpr double kHigherOrders = 1.5;
@@ -197,7 +198,7 @@ double saddle_depth(const CrossedPair& p) {
   return kHigherOrders * depth;
 }
 
-// Positions of the axes that follow from the gears as drawn.
+// Reference and extended centre distance, and the tip shortening.
 void find_distances(InvolutePair& p) {
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
@@ -298,8 +299,8 @@ Point<Housing> InvolutePair::on_line_of_action(double rho1) const {
     return {Vec3(mesh.sigma * (side.pitch_radius + lambda * mesh.rack.angles.sin_alpha),
                  -mesh.sigma * lambda * mesh.rack.angles.u[0], axial_place(mesh, rho1)[0])};
   }
-  // Pitch point at +r_w1 (external) or −r_w1 (internal); gear 1 turns clockwise, so the leading
-  // flanks' normal there is (sin α, −cos α), turned half a turn for internal pairs.
+  // The pitch point is at x = +r_w1 (external) or −r_w1 (internal). Gear 1 turns clockwise, so the
+  // normal of the leading flanks there is (sin α, −cos α), or the opposite for internal pairs.
   const double alpha = side.transverse_angle;
   return {mesh.sigma * Vec3(side.pitch_radius + from_pitch_point * std::sin(alpha),
                             -from_pitch_point * std::cos(alpha), 0.0)};

@@ -1,5 +1,5 @@
-// Two involute gears in their places: the members common to pairs on any axes, and the two kinds of
-// pair, on parallel and on crossed axes. Symbols: pair/mesh.hpp.
+// A mounted pair of involute gears: the members common to all axes, and the two kinds of pair, on
+// parallel and on crossed axes. The symbols are those of pair/mesh.hpp.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@
 
 namespace gearwright {
 
-/// The reason why parts of the pair collide.
+/// A reason why parts of the pair collide.
 struct Interference {
   WarningCode code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` if
                      ///< the cause has no code of its own. A tip that reaches an undercut does not
-                     ///< collide; that case is the warning `contact_lost_to_undercut`.
+                     ///< collide; the pair then has the warning `contact_lost_to_undercut`.
   int gear;          ///< the gear whose root or tip is affected
   std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; if < 0, depth of the
                                        ///< interference
@@ -34,15 +34,15 @@ struct CrossedPlace {
   Angle normal_pressure_angle;  ///< α_wn
 };
 
-/// The positions from lo to hi, by growing α_wn.
+/// The positions from lo to hi, in ascending order of α_wn.
 struct CrossedPlaces {
   CrossedPlace lo, hi;
-  bool limit;  ///< true if hi is a limit at which a helix angle reaches 90° and there is no gear
+  bool limit;  ///< true if a helix angle reaches 90° at hi, where no gear exists
 };
 
 /// The members that involute pairs on any axes have.
 struct InvolutePair : MountedGears {
-  InvolutePair() = default;  ///< empty, and no aggregate: mount() makes it
+  InvolutePair() = default;  ///< empty, and not an aggregate; mount() makes it
   MeshInput<double> input;
   Mesh<double> mesh;
   std::optional<double>
@@ -52,14 +52,13 @@ struct InvolutePair : MountedGears {
   std::array<std::optional<double>, 2>
       contact_root_diameter;  ///< d_Nf  mm; none beyond the base tangent
   SpecificSliding<double> sliding_A, sliding_E;
-  double tip_shortening;  ///< k m_n  mm, ≤ 0, restores the clearance of the racks at this distance
+  double tip_shortening;  ///< k m_n  mm, ≤ 0, restores the clearance of the basic racks
   std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given
                                          ///< and contact is continuous
   std::vector<Interference>
-      interference;  ///< the findings that explain the overlap; all findings, if no overlap was
-                     ///< computed
-
-  bool flanks_meet() const;           ///< the path has a length, and both gears have a flank on it
+      interference;  ///< the findings that explain the overlap, or all findings if no overlap was
+  ///< computed
+  bool flanks_meet() const;           ///< true if the path has a length and both gears have a flank
   double path_length() const;         ///< g_α, crossed AE  mm; 0 without contact
   double contact_ratio() const;       ///< ε_α + ε_β, crossed AE/p_bn; 0 without contact
   double contact_ratio_true() const;  ///< the same with the clipped path
@@ -67,14 +66,15 @@ struct InvolutePair : MountedGears {
   std::array<double, 2> working_pitch_diameter() const {           ///< d_w  mm
     return {2 * mesh.rack.sides[0].pitch_radius, 2 * mesh.rack.sides[1].pitch_radius};
   }
-  /// The point of the leading line of action with curvature radius ρ_1; on parallel axes in the
-  /// section z = 0. [T1.6], [T4.20]
+  /// The point of the line of action of the leading flanks at which flank 1 has the curvature radius
+  /// ρ_1; on parallel axes in the section z = 0. [T1.6], [T4.20]
   Point<Housing> on_line_of_action(double rho1) const;
-  /// Its image under the half turn about the centre line: the trailing line. [T1.7]
+  /// The same for the trailing flanks: a half turn about the centre line moves the leading line of
+  /// action to the trailing one. [T1.7]
   Point<Housing> on_trailing_line(double rho1) const;
 };
 
-/// Margins of an internal pair to three kinds of interference; none if there is no such limit.
+/// Margins of an internal pair against three kinds of interference; none if there is no such limit.
 struct InternalMargins {
   std::optional<double> involute;  ///< ρ_1A − ρ_F1  mm
   std::optional<Angle> trochoid;
@@ -82,11 +82,10 @@ struct InternalMargins {
 };
 
 struct ParallelPair : InvolutePair {
-  ParallelPair() = default;  ///< empty, and no aggregate, like InvolutePair and CrossedPair
+  ParallelPair() = default;  ///< empty, and not an aggregate, like InvolutePair and CrossedPair
   std::array<std::optional<double>, 2> fillet_clearance;  ///< mm: mating tip corner to root fillet
   std::optional<InternalMargins> margins;                 ///< of internal pairs
-
-  /// ε_α, tip form circle to tip form circle; 0 without contact.
+  /// ε_α of the path from one tip form circle to the other; 0 without contact.
   double transverse_contact_ratio() const { return flanks_meet() ? mesh.path_ratio : 0.0; }
 };
 
@@ -95,7 +94,7 @@ struct CrossedPair : InvolutePair {
   FaceWidths<double> face_widths{};
   std::optional<CrossedPlace> min_distance;          ///< of the teeth as cut
   std::optional<CrossedPlaces> contact_ratio_range;  ///< where AE ≥ p_bn, of external pairs
-  /// mm: of each gear alone, needed_crowning() of pair/saddle_gap.hpp; none on external pairs
+  /// needed_crowning() of pair/saddle_gap.hpp for each gear alone, mm; none for external pairs
   std::array<std::optional<double>, 2> needed_crowning{};
 };
 
@@ -105,29 +104,30 @@ MeshInput<double> mesh_input(const Gear& gear_1, const Gear& gear_2, const PairP
 /// The backlash-free position at the transverse angle α of the limiting gear. [T4.14]
 CrossedPlace crossed_place(const BasePair<double>& gears, double alpha);
 
-/// The positions at which a crossed pair's contact ratio is at least 1; none if there are none, and
-/// of internal pairs, whose L is not convex. [T4.23]
+/// The positions at which the contact ratio of a crossed external pair is at least 1, if there are
+/// any. None for internal pairs, because their L is not a convex function. [T4.23]
 std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input);
 
-/// The position of two involute gears that the caller requests.
+/// The position of two involute gears, with absent values of `spec` completed.
 ///
 /// Domain    both are involute gears (contract)
-/// Errors    as check_partners and complete_place; gears that do not exist (severed, through the
-///           axis): `gearN.profile_shift`
+/// Errors    as check_partners and complete_place; `gearN.profile_shift` if a gear does not exist,
+///           because the cutter severs its teeth or passes through its axis
 Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const PairSpec& spec);
 
-/// Mounts two involute gears at their place. Faults of a mesh are results, not errors.
+/// Mounts two involute gears. Faults of the mesh are results, not errors.
 ///
-/// Domain    a place of involute_place, without and with a shaft angle
-/// Errors    `pair.center_distance` where there is no working angle
+/// Domain    a place of involute_place, without a shaft angle for mount_parallel and with one for
+///           mount_crossed (contract)
+/// Errors    `pair.center_distance` if there is no working pressure angle
 Result<ParallelPair> mount_parallel(Gear gear_1, Gear gear_2, const PairPlace& place,
                                     std::optional<double> friction = {});
 Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& place,
                                   std::optional<double> friction = {});
 
 /// Least distance between the path of the mating gear's tip corner and the root fillet of gear
-/// `which` (1, 2), mm; if < 0, the corner cuts into the fillet by this depth. The flanks of that
-/// side are in contact.
+/// `which` (1, 2), mm. If it is < 0, the corner cuts into the fillet by that depth. The flanks on the
+/// side of the fillet are in contact.
 ///
 /// Formula   [T2.26]; the path is exact, the foot point solved to rounding
 /// Domain    none for the fillet of an internal gear

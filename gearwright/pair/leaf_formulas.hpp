@@ -1,4 +1,4 @@
-// Formulas of two gears in mesh for numbers of any kind: the text of pair/leaf_formulas.inc.
+// Formulas of two gears in mesh for any scalar type. Their text is in pair/leaf_formulas.inc.
 #pragma once
 
 #include <cmath>

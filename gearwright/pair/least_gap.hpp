@@ -1,12 +1,12 @@
 // The least value of a smooth function between two parameters, if it is less than the least known
 // value. Internal to pair/, for one family of touches of outline_gap.
 //
-//   g      the gap at a parameter t, and H, whose zeros are its stationary places
+//   g   gap at the parameter t        H   function that is zero where g is stationary
 //
-// The gaps at even steps are known; between two neighbours g is assumed to lie below their chord by
-// no more than half of the second difference about them, which is four times the depth of a
-// parabola. Cells that could contain a lesser value are halved, or divided at H = 0 if H changes
-// its sign.
+// g is evaluated at even steps. Between two neighbours, g is assumed to lie below their chord by no
+// more than half of the second difference about them, which is four times the depth of a parabola.
+// A cell that could contain a value below the least known one is halved, or divided at H = 0 if H
+// changes its sign.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,12 @@ namespace gearwright::detail {
 
 struct GapSample {
   double gap = 0.0;
-  double slope = 0.0;  ///< H: its sign counts, and it is zero where g is stationary
+  double slope = 0.0;  ///< H, zero where g is stationary; only its sign matters
   double noise = 0.0;  ///< rounding of the gap, rad
 };
 
-/// Sampler: GapSample sample(double t), which records the least value; double known(), above which
-/// a value is not needed.
+/// A Sampler has two members. GapSample sample(double t) evaluates the gap and records the least
+/// value. double known() returns the value above which gaps are not needed.
 template <class Sampler>
 class LeastGap {
  public:
@@ -43,10 +43,10 @@ class LeastGap {
 
  private:
   static constexpr int kCells = 8;
-  static constexpr int kDeepest = 40;           // halvings: the remaining length is rounding error
+  static constexpr int kDeepest = 40;           // halvings, after which only rounding error remains
   static constexpr double kResolution = 1e-12;  // rad: a smaller improvement is not needed
-  static constexpr double kNoises = 8;  // multiple of the noise that rounding errors do not exceed
-  static constexpr int kMost = 400;  // upper limit of evaluated places; a smooth gap needs thirty
+  static constexpr double kNoises = 8;  // in units of the noise; rounding errors do not exceed it
+  static constexpr int kMost = 400;     // greatest number of evaluations; a smooth gap needs thirty
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   bool worth(double least) const {
@@ -84,7 +84,7 @@ class LeastGap {
     return {t, ask(t)};
   }
 
-  // The second difference for a place in the middle.
+  // The second difference, scaled to a place in the middle of the cell.
   static double bend_of(double t_1, const GapSample& one, double t, const GapSample& middle,
                         double t_2, const GapSample& two) {
     const double part = (t - t_1) / (t_2 - t_1);
@@ -93,8 +93,9 @@ class LeastGap {
     return weight > 0.0 ? 2 * std::abs(over) / weight : 0.0;
   }
 
-  // H = 0 by the false position of Illinois, with halving if that is slow. g is stationary there,
-  // so half of the digits of t are sufficient. At a jump of H the search ends at the jump.
+  // Solves H = 0 by the Illinois method of false position, with halving if convergence is slow. g is
+  // stationary at the solution, so half of the digits of t are sufficient. If H jumps, the search
+  // ends at the jump.
   Asked solved(double t_1, const GapSample& one, double t_2, const GapSample& two) {
     constexpr double kEnough = 1e-8;  // relative to the whole cell
     constexpr int kSteps = 60;

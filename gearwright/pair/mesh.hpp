@@ -1,16 +1,16 @@
 // Two involute gears in mesh at any shaft angle: all quantities with a closed form.
 //
-//   n    common normal of the leading flanks, which the contact follows; a point of the line of
-//        action is given by ρ_1, the curvature radius of flank 1 in its transverse section there
+//   n    common normal of the leading flanks, along which the contact moves
+//   ρ_1  curvature radius of flank 1 in its transverse section, the parameter of the line of action
 //   N    distance of the base tangent points in terms of ρ_1
 //   c_i = cos β_bi     ρ_2 = (N − σ ρ_1) c_2/c_1 (parallel axes: c_2 = c_1)
 //   X    distance of the pitch planes      z_L   offset of the line along the rack's teeth, mm
 //   s_i  axial place of the contact on gear i, mm, 0 on the common perpendicular
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// One law covers all pairs: the rack's α_n and X. Crossed axes take α_n from Σ and X from a;
-// parallel axes take α_n from a, and X = 0. Templates over the scalar: double in production, 50
-// digits in the accuracy ledger.
+// The rack's α_n and X describe every pair. On crossed axes, α_n follows from Σ, and X from a. On
+// parallel axes, α_n follows from a, and X = 0. The functions are templates over the scalar: double in
+// production, 50 digits in the accuracy ledger.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace gearwright {
 
-/// Inputs of a mesh; lengths mm, angles rad. Internal gear: z2 < 0, radii positive.
+/// Inputs of a mesh; lengths in mm, angles in rad. An internal gear has z2 < 0 and positive radii.
 template <class T>
 struct MeshInput {
   BasePair<T> gears;
@@ -36,10 +36,10 @@ struct MeshInput {
 
 template <class T>
 struct Backlash {
-  T normal_base;                     ///< j_bn  along the common normal; < 0 the teeth overlap
+  T normal_base;                     ///< j_bn  along the common normal; < 0 if the teeth overlap
   T normal;                          ///< j_n = j_bn/cos α_wn
   std::array<T, 2> circumferential;  ///< j_wt  at the working pitch circles
-  std::array<T, 2> rotation;         ///< rad, the mating gear held
+  std::array<T, 2> rotation;         ///< rad, with the mating gear held
 };
 
 template <class T>
@@ -53,14 +53,14 @@ struct Mesh {
   T line_cosine;            ///< c_1 on crossed axes, whose line of action leaves the transverse
                             ///< section; 1 on parallel axes
   T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< tip 2, E − step, pitch point 1, A + step, tip 1;
-                                             ///< negative beyond the base tangent
+                                             ///< negative beyond the base tangent point
   T path_length;  ///< ρ_1E − ρ_1A: g_α of parallel axes, AE cos β_b1 of crossed
   T step;         ///< increase of ρ_1 per pitch: p_bt of parallel axes, p_bn cos β_b1 of crossed
   T path_ratio;   ///< path_length/step: ε_α of parallel axes, AE/p_bn of crossed
   T overlap_ratio;                   ///< ε_β; 0 on crossed axes
   T rho1_true_begin, rho1_true_end;  ///< the path clipped to the usable flanks and, on crossed
                                      ///< axes, to the faces; no contact if begin ≥ end
-  T true_ratio;                      ///< of the clipped path, ≥ 0; without overlap
+  T true_ratio;                      ///< contact ratio of the clipped path, ≥ 0, without ε_β
   Backlash<T> backlash;
 
   T sigma;                                 ///< σ
@@ -88,8 +88,8 @@ std::array<T, 2> axial_place(const Mesh<T>& mesh, const T& rho1) {
 
 namespace detail {
 
-// Clips the path to the usable flanks: ρ_1 above gear 1's form point and ρ_2 above gear 2's (an
-// internal gear's form point limits from outside). [T2.19]
+// Clips the path to the usable flanks. The flank of each gear begins at its form point. On an internal
+// gear, the form point has the greatest radius of the flank. [T2.19]
 template <class T>
 void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   const auto start = [&](int i) {
@@ -134,8 +134,9 @@ template <class T>
 Backlash<T> backlash_of(const MeshInput<T>& in, const Mesh<T>& m) {
   using std::cos;
   Backlash<T> j;
-  // 2 X sin α_n − Q, computed as the distance from the backlash-free position. Near β_w = 90° the
-  // pitch radii in X grow without bound and cancel, but a does not. [T4.17], parallel axes [T2.24]
+  // 2 X sin α_n − Q, computed from the difference to the backlash-free centre distance. Near
+  // β_w = 90° the pitch radii in X grow without bound and cancel, but a remains finite. [T4.17], on
+  // parallel axes [T2.24]
   const T more = m.sigma * (in.center_distance - conjugate_center_distance(in.gears, m.rack));
   j.normal_base = T(2) * more * m.rack.angles.sin_alpha;
   j.normal = j.normal_base / m.rack.angles.cos_alpha;
@@ -148,7 +149,7 @@ Backlash<T> backlash_of(const MeshInput<T>& in, const Mesh<T>& m) {
 
 }  // namespace detail
 
-/// The angles of the rack at this mounting.
+/// The angles of the rack between the gears as mounted.
 template <class T>
 RackAngles<T> working_angles(const MeshInput<T>& in) {
   return in.shaft_angle ? angles_at_shaft_angle(in.gears, *in.shaft_angle)
@@ -216,10 +217,10 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
   return m;
 }
 
-/// Face widths required by the line of action, mm: for one flank, and for both with a common
-/// middle.
+/// Face widths required by the line of action on crossed axes, mm: for one flank, and for both flanks
+/// about the middle of the face.
 ///
-/// Formula   f_i = AE |sin β_bi|, f'_i = 2 max |s_i|; [T4.21]; crossed axes
+/// Formula   f_i = AE |sin β_bi|, f'_i = 2 max |s_i|; [T4.21]
 template <class T>
 struct FaceWidths {
   std::array<T, 2> one_flank, both_flanks;
@@ -240,8 +241,8 @@ FaceWidths<T> face_widths(const Mesh<T>& mesh) {
   return f;
 }
 
-/// Speed of the contact over each flank, mm per radian of gear 1: across the teeth and along them.
-/// On parallel axes the contact is followed in the transverse section.
+/// Speed of the contact over each flank, across the teeth and along them, in mm per radian of gear 1.
+/// On parallel axes it is the speed in the transverse section.
 ///
 /// Formula   crossed: ω_i (cos β_i (r_i sin α_n + λ_i), ± sin β_i (r_i + λ_i sin α_n)), + on gear 1,
 ///           −σ on gear 2; [T4.24]
@@ -276,12 +277,12 @@ FlankSpeeds<T> flank_speeds(const MeshInput<T>& in, const Mesh<T>& mesh, const T
 }
 
 /// Specific sliding (ζ_1, ζ_2) at ρ_1: sliding distance of the flanks per mm of the contact's
-/// movement over the flank. On parallel axes it has a sign, < 0 where the flank is dragged, and
-/// none at or beyond a base tangent point. Crossed axes: sliding and path have directions, and ζ ≥
-/// 0.
+/// movement over the flank. On parallel axes it is < 0 on the flank that slides backward relative to
+/// the contact, and none at and beyond a base tangent point. On crossed axes it is the ratio of the
+/// magnitudes, ζ ≥ 0.
 ///
-/// Formula   parallel: ζ_1 = 1 − w_2/w_1, ζ_2 = 1 − w_1/w_2, [T2.22]; crossed: ζ_i = |w_1 −
-///           w_2|/|w_i|, [T4.25]
+/// Formula   parallel: ζ_1 = 1 − w_2/w_1, ζ_2 = 1 − w_1/w_2, [T2.22];
+///           crossed: ζ_i = |w_1 − w_2|/|w_i|, [T4.25]
 template <class T>
 struct SpecificSliding {
   std::optional<T> zeta_1, zeta_2;

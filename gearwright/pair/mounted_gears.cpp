@@ -15,15 +15,15 @@ double MountedGears::gear_ratio() const {
 }
 
 Pose<Housing, Gear1> MountedGears::pose_1() const {
-  // Tooth 0 points to the mesh: +x for external pairs, −x for internal ones.
+  // Tooth 0 points to the mesh, which is at +x for external pairs and at −x for internal pairs.
   Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
   x.linear().diagonal() << side(), side(), 1.0;
   return Pose<Housing, Gear1>(x);
 }
 
 Pose<Housing, Gear2> MountedGears::pose_2() const {
-  // Space 0, half a pitch from tooth 0, points to the mesh at −x; axis 2 along (0, sin σΣ,
-  // cos σΣ).
+  // Space 0, half a pitch from tooth 0, points to −x, where the mesh is. Axis 2 has the direction
+  // (0, sin σΣ, cos σΣ).
   const int z2 = std::abs(gears[1].spec.teeth);
   const SinCos t = sincos_turn(z2 - 1, 2LL * z2);
   const double s = std::sin(axis_angle().rad());

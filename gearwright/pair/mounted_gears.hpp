@@ -1,7 +1,7 @@
-// Two mounted gears: the data of every pair, for all kinds of teeth.
+// Two mounted gears: the data that pairs of all kinds of teeth have in common.
 //
-// Gear 1 drives, turning clockwise seen from +z; at rest tooth 0 of gear 1 and space 0 of gear 2
-// lie on the centre line at the mesh. Housing frame: kinematics/pose.hpp.
+// Gear 1 drives and turns clockwise seen from +z. At rotation 0, tooth 0 of gear 1 and space 0 of gear
+// 2 lie on the centre line, at the mesh. The housing frame is described in kinematics/pose.hpp.
 #pragma once
 
 #include <array>
@@ -23,27 +23,28 @@ struct MountedGears {
   std::array<double, 2> tip_clearance{};   ///< c    mm: tip 1 to root 2, tip 2 to root 1
   std::optional<double> speed_rpm{};       ///< n_1  1/min, if given
   /// Places at which the bodies would overlap in the middle of the play, deepest first. None if not
-  /// computed (unequal leads, an internal gear with unknown cutter). On crossed axes: tips in roots
+  /// computed (unequal leads, or an internal gear with an unknown cutter). On crossed axes, only tips
+  /// are compared with the mating gear
   std::optional<std::vector<Collision>> overlap{};
-  /// Contact off the flanks without overlap, at which the ratio is not constant.
+  /// Contacts outside the flanks without overlap. During these contacts, the ratio is not constant.
   std::vector<Collision> beyond_flank{};
-  /// The play of gear 2 without collision, which is that of the flanks or less; < 0 if there is no
-  /// position without overlap. None if not computed, or if a tip lies in a root
+  /// The play of gear 2 without collision, which does not exceed the play of the flanks; < 0 if there
+  /// is no position without overlap. None if not computed, or if a tip lies in a root
   std::optional<Angle> free_play{};
   std::vector<Warning> warnings;
 
   bool crossed() const { return shaft_angle.rad() != 0.0; }
-  /// True for a pinion in an internal gear on crossed axes, whose flanks overlap beside the line of
-  /// action and whose tips are closest at the ends of the faces. [T4.35], [T4.37]
+  /// True for an internal pair on crossed axes. The flanks of such a pair overlap beside the line of
+  /// action, and its tips are closest to the roots at the ends of the faces. [T4.35], [T4.37]
   bool crossed_inside() const { return side() < 0.0 && shaft_angle != Angle(); }
   double side() const { return gears[1].side(); }  ///< σ  +1 external pair, −1 internal
-  /// The face width, mm, of gears whose teeth are `face` mm wide: that, or of double-helical gears
-  /// both halves and the wider gap.
+  /// The whole face width, mm, of gears whose teeth are `face` mm wide. For double-helical gears, it
+  /// includes both halves and the wider gap of the two gears.
   double whole_face(double face) const;
-  /// σ Σ: axis 2 lies along (0, sin σΣ, cos σΣ). [T1.8]
+  /// σ Σ. Axis 2 has the direction (0, sin σΣ, cos σΣ). [T1.8]
   Angle axis_angle() const { return side() * shaft_angle + Angle(); }  // without −0
   double gear_ratio() const;  ///< z2/z1, negative for internal pairs
-  /// Gear frames in the housing at rotation 0. [T1.5]
+  /// Poses of the gear frames in the housing at rotation 0. [T1.5]
   Pose<Housing, Gear1> pose_1() const;
   Pose<Housing, Gear2> pose_2() const;
 };

@@ -1,12 +1,12 @@
-// All touches of two outlines as families of one parameter. [T2.29]…[T2.33]
+// All touches of two outlines, as families with one parameter. [T2.29]…[T2.33]
 //
-//   A, B   the gear that moves and the gear in whose frame it moves; either may be gear 1
-//   D      the moving point relative to the axis of B: e^{iφ} W turned into the frame of the mesh
-//   ψ      its angle in the space of B, from the middle of the space
-//   g = π/z_B − θ_B(|D|) − |ψ|,  in turns of B; of gear 2 if B is gear 2, else times z_1/z_2
+//   A, B   the moving gear, and the gear in whose frame A moves; either may be gear 1
+//   D      position of the moving point W of A relative to the axis of B, in the frame of the mesh
+//   ψ      angle of this point in the space of B, from the middle of the space
+//   g = π/z_B − θ_B(|D|) − |ψ|   gap as a turn of B; multiplied by z_1/z_2 if B is gear 1
 //
 // The mesh lies at +x of the axis of A. A tooth of A is in the middle of a space of B at φ = 0, and
-// B turns by −κφ:  D = k a + ε e^{iφ} W,  ψ = arg D + κφ, reduced to one pitch.
+// B turns by −κφ. So D = k a + ε e^{iφ} W and ψ = arg D + κφ, reduced to one pitch.
 #include "gearwright/pair/outline_gap.hpp"
 
 #include <algorithm>
@@ -56,8 +56,8 @@ struct Motion {
   double k, epsilon, kappa;
   double pitch_radius;  ///< of A
   double half_pitch;    ///< π/z_B
-  double unit;          ///< turn of gear 2 for a turn of B
-  double to_arm;        ///< arm about axis 2 for an arm about the axis of B
+  double unit;          ///< factor from a turn of B to a turn of gear 2
+  double to_arm;        ///< factor from an arm about the axis of B to an arm about axis 2
 
   Motion(const GapProfile& m, const GapProfile& b, Table& t, double distance, bool first)
       : mover(m), asked(b), table(t), a(distance), first_moves(first) {
@@ -76,11 +76,11 @@ struct Motion {
   struct Gap {
     double value;  ///< of B
     double side;   ///< sign of ψ
-    double lost;   ///< possible rounding error of the value
+    double lost;   ///< greatest possible rounding error of the value
   };
-  // Where the outline runs along a circle about the axis, the angle is undetermined, because an
-  // error in the last digits of the radius changes it by more than the gap. Such a touch is
-  // recorded with its greatest possible value.
+  // Where the outline of B runs along a circle about its axis, an error in the last digit of the
+  // radius can change the angle by more than the gap. Such a touch is recorded with its greatest
+  // possible value.
   Gap gap_of(const ProfilePlace& b, double psi) const {
     constexpr double kRounding = std::numeric_limits<double>::epsilon();
     const double reduced = std::remainder(psi, 2 * half_pitch);
@@ -127,8 +127,8 @@ struct Motion {
   }
 };
 
-/// [T2.31]: the points of an arc of A, each at the position where its normal passes through the
-/// pitch point, ahead or behind, against an arc of B.
+/// The gap between the points of an arc of A and an arc of B. Each point is examined at the position in
+/// which its normal passes through the pitch point. There are two such positions, one per branch. [T2.31]
 class ArcFamily {
  public:
   ArcFamily(const Motion& motion, const ProfileArc& arc, double branch)
@@ -143,8 +143,8 @@ class ArcFamily {
   EnvelopePlace envelope(double u) const {
     const ProfilePlace p = arc_.at(u);
     const Position at = position(p);
-    // In terms of arc length s′ = 1 + k q and τ′ = k; the envelope's e^{−i(τ + φ)} dw times |sin|
-    // of its angle, which is 0 where both branches meet, and times `scale`, because k is infinite
+    // In terms of arc length, s′ = 1 + k q and τ′ = k. The slope of the envelope is multiplied by the
+    // sine of its angle, which is 0 where both branches meet, and by `scale`, because k is infinite
     // where an involute begins. Along an involute s′ is 0 within rounding.
     const double scale = 1.0 / (1.0 + std::abs(p.curvature) * m_.pitch_radius);
     const double bend =
@@ -166,7 +166,7 @@ class ArcFamily {
     const ProfilePlace b = asked_->at_radius(at.d.norm());
     const double phi = std::atan2(at.across, at.along) - p.tau;
     const auto gap = m_.gap_of(b, std::atan2(at.d.y(), at.d.x()) + m_.kappa * phi);
-    // The envelope is parallel to the tangent of A.
+    // The envelope is parallel to the tangent of A's outline.
     const double radial = m_.epsilon * (at.along * at.d.x() + at.across * at.d.y());
     const double around = m_.epsilon * (at.across * at.d.x() - at.along * at.d.y());
     m_.keep(entry_, gap, std::abs(b.s), phi, at.w, {arc_.arc->name, false},
@@ -193,7 +193,8 @@ class ArcFamily {
   int entry_ = 0;
 };
 
-/// [T2.32]: a corner of A against an arc of B, by the arc's parameter u = u_0 + (1 − u_0) t².
+/// The gap between a corner of A and an arc of B. The parameter t gives the parameter of the arc,
+/// u = u_0 + (1 − u_0) t². [T2.32]
 class CornerFamily {
  public:
   CornerFamily(const Motion& motion, const ProfileCorner& corner, const ProfileArc& arc)
@@ -267,7 +268,7 @@ void collide_with_corners(const Motion& motion) {
   }
 }
 
-// The parts of an arc of A that each meet one arc of B.
+// Divides an arc of A into the parts that meet each arc of B, and searches the least gap of each part.
 void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch) {
   ArcFamily family(motion, arc, branch);
   const EnvelopeNodes nodes([&](double u) { return family.envelope(u); });
@@ -275,7 +276,7 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
     const double lo = std::min(b.rho_root, b.rho_tip);
     const double hi = std::max(b.rho_root, b.rho_tip);
     const auto meets = [&](double rho) { return rho >= lo && rho <= hi; };
-    // The mating gear's next arc continues there, so a small deviation does not matter.
+    // The next arc of B continues where this one ends, so a small deviation does not matter.
     constexpr double kNear = 1e-7;  // of the arc
     const auto crossing = [&](const EnvelopeNode& one, const EnvelopeNode& two, double limit) {
       return zero_between([&](double u) { return family.envelope(u).radius - limit; }, one.u,
@@ -299,7 +300,7 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
         if (last) end_at(last->u);
         if (meets(two.radius)) begin_at(two.u);
       } else if (const EnvelopeNode& one = *last; !meets(one.radius) || !meets(two.radius)) {
-        // The point enters at one end or passes the whole arc.
+        // The point enters the arc's range of radii at one end, or passes through the whole range.
         if (!meets(one.radius) && (meets(two.radius) || (one.radius < lo) == (two.radius > hi)))
           begin_at(crossing(one, two, one.radius < lo ? lo : hi));
         if (!meets(two.radius) && inside) end_at(crossing(one, two, two.radius < lo ? lo : hi));

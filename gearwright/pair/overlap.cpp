@@ -1,9 +1,10 @@
 // Overlap and collisions beyond the flanks, from the gap of the two finished outlines.
 //
-//   g_f    gap of the flanks, half their play as a turn of gear 2     g  gap of two other arcs
-//   early  (g_f − g) h: how much nearer a part is than the flanks, mm along the common normal; > 0:
-//          at the end of the play the gears touch there first
-//   g < 0  they overlap even in the middle of the play, by −g h  [T2.34]
+//   g_f    gap of the flanks: half their play, as a turn of gear 2     g  gap of two other arcs
+//   early  (g_f − g) h, mm along the common normal: distance by which these arcs are nearer than the
+//          flanks. If it is > 0, they touch before the flanks do
+//
+// If g < 0, the arcs overlap by −g h even in the middle of the play. [T2.34]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace gearwright {
 
 namespace {
 
-// In the order of the documents.
+// The causes are in the same order as in the documents.
 constexpr std::array kCauses{
     CauseMeaning{CollisionCause::tip_bulge, "tip_bulge", "a tip that projects beyond its involute"},
     CauseMeaning{CollisionCause::tip_to_fillet, "tip_to_fillet",
@@ -60,7 +61,7 @@ namespace gearwright::detail {
 
 namespace {
 
-// Outlines that were generated to touch do so within rounding.
+// Rounding error of the gap of outlines that were generated to touch.
 constexpr double kTouching = 6e-10;  // of the module
 double touching(const MountedGears& p) { return kTouching * p.gears[0].spec.normal_module; }
 
@@ -96,7 +97,7 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   if (const int gear = gear_with(touch, ArcName::tip_fillet);
       gear > 0 && p.gears[static_cast<std::size_t>(gear - 1)].tip_bulge)
     return {CollisionCause::tip_bulge, gear};
-  // A pinion's tip corner passes into an internal gear's flank on the way in or out.
+  // The tip corner of a pinion can cut into an internal gear's tooth as it enters or leaves the space.
   if (touch.places[0].corner)
     return p.gears[1].internal() ? Cause{CollisionCause::trochoid, 2}
                                  : Cause{CollisionCause::tip_corner, 2};
@@ -104,7 +105,7 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   return {CollisionCause::outline, 0};
 }
 
-// The fact that a tip projects beyond its involute, which the outlines alone do not show.
+// A sentence for a tip that projects beyond its involute, which the outlines alone do not show.
 std::string bulge(const MountedGears& p, const Cause& cause) {
   if (cause.what != CollisionCause::tip_bulge) return "";
   const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
@@ -133,8 +134,8 @@ Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early)
                       part(touch, 1), part(touch, 2), early, at(touch), bulge(p, cause))};
 }
 
-// A tip below the mating gear's root circle: on the centre line, but on crossed axes with an internal
-// gear at an end of a face.
+// The collision of a tip that reaches below the mating gear's root circle. The place is on the centre
+// line. In a crossed internal pair it is at an end of a face and is not given.
 Collision in_root(const MountedGears& p, int tip) {
   const auto i = static_cast<std::size_t>(tip - 1);
   const double depth = -p.tip_clearance[i];
@@ -168,7 +169,7 @@ void deepest_first(std::vector<Collision>& collisions) {
                    [](const Collision& a, const Collision& b) { return a.depth > b.depth; });
 }
 
-// True if the collisions confirm a named finding.
+// True if one of the collisions confirms the named finding.
 bool borne_out(const Interference& named, const std::vector<Collision>& collisions) {
   return std::any_of(collisions.begin(), collisions.end(), [&](const Collision& s) {
     if (named.code == WarningCode::trochoid) return s.cause == CollisionCause::trochoid;
@@ -181,8 +182,8 @@ bool is_of_a_circle(const Interference& named) {
   return named.code == WarningCode::form_circle || named.code == WarningCode::base_tangent;
 }
 
-// Every overlap gets a name. A named finding without overlap is contact beyond the flank, or
-// nothing.
+// Relates overlaps and named findings. Every overlap gets a finding. A finding without overlap is
+// moved to the contacts beyond the flank if it refers to a circle, and is dropped otherwise.
 void explain(InvolutePair& p) {
   std::vector<Interference> named = std::exchange(p.interference, {});
   const auto explained = [&](const Collision& s, const std::vector<Interference>& by) {
@@ -203,7 +204,8 @@ void explain(InvolutePair& p) {
                                                                : WarningCode::overlap;
     p.interference.push_back({code, s.gear, -s.depth, s.message});
   }
-  // One line states one fact: the circle gives the diameter, and the outlines give the depth.
+  // If a finding from a circle and a collision of the outlines have the same cause, only the collision
+  // is reported.
   std::vector<Collision>& collisions = p.beyond_flank;
   for (Interference& i : only_beyond) {
     if (borne_out(i, collisions)) continue;
@@ -214,7 +216,8 @@ void explain(InvolutePair& p) {
   deepest_first(collisions);
 }
 
-// The touches that are nearer than the flanks, and on parallel axes those of the flanks.
+// The touches that may have a smaller gap than the flanks. On parallel axes, the touches of the flanks
+// are included.
 std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
   if (p.crossed()) return crossed_gaps(p);
   std::vector<OutlineTouch> touches;
@@ -245,7 +248,8 @@ void find_collisions(MountedGears& p, double half_play, double normal_play, doub
     p.overlap->push_back(too_thick(normal_play, std::nullopt));
   for (const OutlineTouch& touch : touches_of(p, half_play)) {
     const double early = (half_play - touch.gap) * touch.arm;
-    // Where a tip corner leaves the flank of the mating gear, the saddle of the gap explains this.
+    // On crossed internal pairs, a tip may overlap the flank by the depth of the saddle. Crowning
+    // removes this overlap, so it is no collision.
     const bool of_fillet = gear_with(touch, ArcName::root_fillet) > 0;
     if (early <= (of_fillet ? close : close + saddle)) {
       if (flanks_compared && flank_on_flank(touch) && too_thick_teeth)
@@ -269,7 +273,7 @@ void find_overlap(InvolutePair& p, double saddle) {
   find_collisions(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base, saddle);
   // If a tip lies in a root, the outlines are not compared and all named findings remain.
   if (p.free_play) explain(p);
-  if (saddle > 0.0) p.free_play.reset();  // the flanks themselves leave less play
+  if (saddle > 0.0) p.free_play.reset();  // flanks that overlap beside the line leave less play
 }
 
 }  // namespace gearwright::detail

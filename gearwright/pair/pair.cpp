@@ -23,7 +23,8 @@ const char* to_string(PairKind kind) {
   return "";
 }
 
-// Not inlined: otherwise g++ 12 warns about uninitialised members of the other kinds.
+// These constructors are not inlined, because g++ 12 would warn about uninitialised members of the
+// other kinds.
 [[gnu::noinline]] Pair::Pair(ParallelPair pair) : of_(std::move(pair)) {}
 [[gnu::noinline]] Pair::Pair(CrossedPair pair) : of_(std::move(pair)) {}
 [[gnu::noinline]] Pair::Pair(ArcPair pair) : of_(std::move(pair)) {}

@@ -17,15 +17,14 @@ namespace gearwright {
 enum class PairKind { parallel_external, parallel_internal, crossed };
 const char* to_string(PairKind kind);
 
-/// A sum type: members common to all kinds are here, others in the kinds.
+/// A pair of any kind. Members that all kinds have are here, and the others are in the kinds.
 class Pair {
  public:
   Pair(ParallelPair pair);
   Pair(CrossedPair pair);
   Pair(ArcPair pair);
 
-  /// The pair as one of the kinds, or as what several of them have (InvolutePair); null if it is
-  /// another kind.
+  /// The pair as one of the kinds, or as their common base InvolutePair; null if it is another kind.
   template <class Kind>
   const Kind* as() const {
     return visit([](const auto& pair) -> const Kind* {
@@ -53,7 +52,7 @@ class Pair {
   Angle shaft_angle() const { return mounted().shaft_angle; }           ///< Σ
   double contact_ratio() const;                                         ///< over the whole face
   double contact_ratio_true() const;  ///< the same on the usable flanks
-  double normal_backlash() const;     ///< mm; of circular arcs along the normal at the contact
+  double normal_backlash() const;     ///< mm; for circular arcs, along the normal at the contact
   const std::vector<Warning>& warnings() const { return mounted().warnings; }
   Pose<Housing, Gear1> pose_1() const { return mounted().pose_1(); }
   Pose<Housing, Gear2> pose_2() const { return mounted().pose_2(); }
@@ -64,12 +63,12 @@ class Pair {
 
 /// Mounts any two gears.
 ///
-/// Errors    as involute_place, mount_parallel, mount_crossed and mount_arcs; `gearN.rack` where one
-///           gear has involute teeth and the other circular arcs, `pair.shaft_angle` of crossed axes
-///           with arcs
+/// Errors    as involute_place, mount_parallel, mount_crossed and mount_arcs; `gearN.rack` if one
+///           gear has involute teeth and the other has circular arcs; `pair.shaft_angle` if gears
+///           with circular arcs have crossed axes
 Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec = {});
 
-/// Mounts two gears whose pair is of this kind.   Domain: the pair is of that kind (contract)
+/// Mounts two gears and returns the pair as this kind.   Domain: the pair is of that kind (contract)
 template <class Kind>
 Result<Kind> mount_as(Gear gear_1, Gear gear_2, const PairSpec& spec = {}) {
   const Result<Pair> pair = mount(std::move(gear_1), std::move(gear_2), spec);

@@ -14,19 +14,20 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// Base pitches and helices count as equal within 1e-9, so that input in degrees and in rounded
-// millimetres passes but another helix does not.
+// Base pitches and base helix angles count as equal within 1e-9. Input in degrees or in rounded
+// millimetres deviates by less, and a different helix angle by more.
 constexpr double kSamePitch = 1e-9;
 
-// Above this, a pitch cylinder is hundreds of times the base cylinder, and no tooth reaches it.
+// Above this angle, the pitch cylinder has hundreds of times the radius of the base cylinder, and no
+// tooth reaches it.
 constexpr double kMaxWorkingHelix = 89.9;  // degrees
 
 constexpr const char* kReach = "these gears need a shaft angle greater than {}° and less than {}°";
 
-// The rules for hands of helices, in words.
+// Parts of messages about the hands of the helices.
 struct Hands {
-  const char* parallel;     ///< of parallel axes
-  const char* shaft_angle;  ///< of crossed axes, and what would help
+  const char* parallel;     ///< the relation of the hands on parallel axes
+  const char* shaft_angle;  ///< the sign rule of the shaft angle, and a remedy
 };
 constexpr Hands kExternal{"opposite",
                           "right hand > 0, two left hands cross at a negative angle); more helix "
@@ -35,7 +36,7 @@ constexpr Hands kInternal{"of the same hand",
                           "helix angle of gear 1 minus that of the internal gear, right hand > 0); "
                           "another helix angle on either gear moves that"};
 
-// `rule` is kReach.
+// `rule` ends with kReach, or with kReach and more text, and takes the two ends of the range.
 Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {
   return refused("pair.shaft_angle", deg(sigma),
                  {deg(std::min(range.from, range.to)), deg(std::max(range.from, range.to))}, rule);
@@ -126,7 +127,8 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
   }
   const bool crossing = shaft_angle && shaft_angle->rad() != 0.0;
   if (z2 < 0 && !crossing && !axes_are_parallel(gears)) {
-    // The flanks clear each other only with crowned leads, so the axes cross only if the user says.
+    // The flanks clear each other only with crowned leads. The axes of an internal pair therefore cross
+    // only if the user gives a shaft angle.
     return refused(
         gear_field(2, "helix_angle"), g2.helix_angle.deg(),
         fmt::format("the axes of this internal pair would cross ({:.6g}°); parallel axes need {}° "

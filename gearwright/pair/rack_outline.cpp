@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNoArc = 1e-6;  // modules: a shorter arc is below what any machine resolves
+constexpr double kNoArc = 1e-6;  // modules: a shorter arc is below the resolution of any machine
 
 // Appends arcs that begin where the preceding one ends.
 class OutlineOfArcs {
@@ -57,7 +57,7 @@ Result<Outline> rack_outline(const RackGeometry& rack) {
   const double n_c = half + (rho - x_c * std::sin(alpha)) / std::cos(alpha);
   const double tip = half - rack.addendum * tan_n;
   OutlineOfArcs arcs(rack.bar.teeth.value_or(1), {-rack.dedendum, k * middle});
-  // With a full radius there is no root land, and in a pointed tooth no tip land.
+  // A full radius leaves no root land, and a pointed tooth has no tip land.
   if (middle - n_c > none) arcs.line(ArcName::root_land, {-rack.dedendum, k * n_c});
   if (rho > none)
     arcs.curve(ArcName::root_fillet, std::make_shared<StretchedCircle>(Vec2(x_c, k * n_c), rho, k),

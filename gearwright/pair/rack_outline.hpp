@@ -1,17 +1,19 @@
-// The teeth of a rack in its transverse section, as an outline of the same kind as that of a gear.
+// The teeth of a rack in its transverse section, as an outline of the same kind as the outline of a gear.
 //
 //   x     height above the datum line, mm       y   along the travel, mm
-//   s_n   thickness at the datum line, ρ_f the radius of the root fillet, in the normal section, mm
-//   n     y cos β, the normal section's y, mm   theory: docs/theory/02-involute-and-pair.md, [T2.45]
+//   s_n   thickness at the datum line, in the normal section, mm
+//   ρ_f   radius of the root fillet, in the normal section, mm
+//   n     y cos β, the coordinate y of the normal section, mm
+//                                     theory: docs/theory/02-involute-and-pair.md, [T2.45]
 //
-// Frame of a rack: the origin is on the datum line in the middle of length and face, x points out of
-// the back towards the teeth, z along the face. Tooth k of n is centred at y = (k − (n − 1)/2) p_t
-// in the section z = 0, and z tan β further at the height z.
+// Frame of a rack: the origin is on the datum line, in the middle of length and face. x points from
+// the back towards the teeth, and z along the face. In the section z = 0, tooth k of N is centred at
+// y = (k − (N − 1)/2) p_t, and in the section z it is displaced by z tan β.
 //
 //   Laws  (1) the first point is the middle of the space, y = p_t/2, and the last the middle of the
 //             tooth, y = 0
-//         (2) the normal section, (x, y cos β), is that of the spur rack with the same m_n
-//         (3) the flank is straight, and the pinion's flank is the envelope of it
+//         (2) the normal section, (x, y cos β), is the section of the spur rack with the same m_n
+//         (3) the flank is straight, and the pinion's flank is its envelope
 #pragma once
 
 #include "gearwright/generation/outline.hpp"
@@ -19,10 +21,11 @@
 
 namespace gearwright {
 
-/// Half a tooth, root to tip, about the x axis. `teeth` is that of the rack, or 1 if it is endless.
+/// Half a tooth from root to tip, with the x axis as its centre line. `teeth` of the outline is the
+/// number of teeth of the rack, or 1 if no number is given.
 ///
-/// Formula   [T2.45]: land at −h_f, circle of radius ρ_f (in the transverse section an ellipse),
-///           line n = s_n/2 − x tan α_n, land at h_a
+/// Formula   [T2.45]: land at x = −h_f, circle of radius ρ_f (in the transverse section an ellipse),
+///           line n = s_n/2 − x tan α_n, land at x = h_a
 /// Units     mm
 /// Accuracy  closed form
 /// Errors    `gear2.thickness_allowance` if it makes the tooth pointed or closes the space

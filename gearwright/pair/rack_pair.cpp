@@ -13,14 +13,15 @@ namespace gearwright {
 namespace {
 
 constexpr double kNoLength = 1e-9;  // modules: smaller values are rounding errors
-// Modules. The fillet radii of ISO 53 are rounded to two digits (0.38 for 0.37993), so a fillet
-// that should begin at the depth of the mating tip may deviate by this much.
+// Permitted deviation of the start of a fillet from the depth of the mating tip, modules. The fillet
+// radii of ISO 53 are rounded to two digits (0.38 for 0.37993).
 constexpr double kRoundedFillet = 1e-4;
 
 double alpha_t(const Gear& g) { return g.reference().transverse_pressure_angle; }
 double alpha_n(const Gear& g) { return g.spec.normal_pressure_angle.rad(); }
 
-// The radius of the profile, or the greatest that fits into the space of these teeth. [T2.45]
+// The fillet radius of the basic rack, or the greatest radius that fits into the space of the rack if
+// that is smaller. [T2.45]
 double fillet_that_fits(const Gear& pinion, const RackGeometry& r) {
   const double space = (r.normal_pitch - r.thickness) / 2 - r.dedendum * std::tan(alpha_n(pinion));
   const double full = space * std::cos(alpha_n(pinion)) / (1 - std::sin(alpha_n(pinion)));
@@ -122,7 +123,8 @@ Pose<Housing, Gear1> RackPair::pose_1() const {
 }
 
 Pose<Housing, Gear2> RackPair::pose_2() const {
-  // The rack faces axis 1, half a turn about z. The middle of an odd number of teeth is a tooth.
+  // A half turn about z makes the rack face axis 1. If the number of teeth is odd, the middle of the
+  // rack is a tooth, so the rack is displaced by half a pitch.
   Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
   x.linear().diagonal() << -1.0, -1.0, 1.0;
   const bool odd = rack.bar.teeth.value_or(1) % 2 == 1;
@@ -179,7 +181,7 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
                                     bar.thickness_allowance / (2 * std::tan(alpha_n(g)));
   p.travel_per_turn = g.spec.teeth * p.rack.transverse_pitch;
   p.base_pitch = reference.base_pitch_transverse;
-  const double shifted = p.center_distance - r;  // pitch line to datum line
+  const double shifted = p.center_distance - r;  // from the pitch line to the datum line
   const double r_a = g.tip_form_radius(), r_b = g.base_radius();
   p.recess = std::sqrt(std::max(0.0, r_a * r_a - r_b * r_b)) - r * sin_t;
   p.approach = (p.rack.addendum - shifted) / sin_t;

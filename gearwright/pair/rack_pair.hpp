@@ -1,13 +1,14 @@
 // A pinion and a rack: the exact limit of a parallel pair for z2 → ∞.
 //
-//   H, H_0    pinion axis to the rack's datum line, as mounted and free of backlash   mm
+//   H, H_0    distance from the pinion axis to the rack's datum line, as mounted and free of
+//             backlash   mm
 //   r, r_b    reference and base radius of the pinion   mm      α_n, α_t   pressure angles
-//   g         along the line of action from the pitch point, > 0 in recess   mm
+//   g         position along the line of action from the pitch point, > 0 in recess   mm
 //   g_a, g_f  lengths of approach and recess   mm       p_t, p_bt   transverse pitches   mm
 //   ζ         specific sliding                      theory: docs/theory/02-involute-and-pair.md, 2.10
 //
-// The pitch point stays on the reference circle at every H, so the working pressure angle is α_t.
-// The pinion drives.
+// The pitch point is on the reference circle at every H, so the working pressure angle is α_t. The
+// pinion drives.
 #pragma once
 
 #include <array>
@@ -21,13 +22,13 @@ namespace gearwright {
 
 /// A rack as a part. Its teeth have the profile of the basic rack of its pinion.
 struct RackBar {
-  std::optional<int> teeth{};          ///< n; by default as many as required
+  std::optional<int> teeth{};          ///< n; by default not limited
   std::optional<double> face_width{};  ///< b    mm; by default that of the pinion
-  std::optional<double> height{};      ///< mm, from its back to the datum line
+  std::optional<double> height{};      ///< mm, from the back of the rack to the datum line
   double thickness_allowance = 0.0;    ///< E_sn mm at the datum line, < 0 thins the teeth
 };
 
-/// The geometry of a rack that mates with its pinion.
+/// The geometry of a rack, from its pinion and its RackBar.
 struct RackGeometry {
   RackBar bar;
   double normal_module;         ///< m_n  mm
@@ -37,7 +38,7 @@ struct RackGeometry {
   double normal_pitch;          ///< p_n  mm
   double transverse_pitch;      ///< p_t  mm, along the travel
   double addendum;              ///< h_a  mm, above the datum line
-  double dedendum;              ///< h_f  mm, below it
+  double dedendum;              ///< h_f  mm, below the datum line
   double thickness;             ///< s_n  mm, normal, at the datum line
   double fillet_radius;         ///< ρ_f  mm, in the normal section; at most the full radius
   std::optional<double> length() const;  ///< n p_t  mm, with half a space at both ends
@@ -50,21 +51,22 @@ struct RackPair {
   double center_distance;                ///< H    mm
   double backlash_free_center_distance;  ///< H_0  mm, of the teeth as cut
   double travel_per_turn;                ///< π m_t z  mm
-  double approach, recess;  ///< g_a, g_f  mm, to the tips; < 0 if the tips are not reached
+  double approach,
+      recess;  ///< g_a, g_f  mm, up to the tips; < 0 if a tip ends before the pitch point
   double true_approach, true_recess;  ///< the same, clipped to the usable flanks
   double overlap_ratio;               ///< ε_β over the common face
   double base_pitch;                  ///< p_bt  mm
   std::array<double, 2>
       tip_clearance;  ///< c    mm: pinion tip to rack root, rack tip to pinion root
   std::optional<double>
-      contact_root_diameter;             ///< d_Nf of the pinion  mm; none past the base circle
+      contact_root_diameter;  ///< d_Nf of the pinion  mm; none past the base tangent point
   std::optional<double> form_clearance;  ///< (d_Nf − d_Ff)/2  mm
   std::optional<double> speed_rpm;       ///< n_1  1/min
   std::vector<Warning> warnings;
 
   std::optional<double> mounting_distance() const;  ///< H + height  mm
-  /// Frames of pinion and rack (pair/rack_outline.hpp) in the housing at rotation 0: tooth 0 of the
-  /// pinion points into a space of the rack, the one nearest to the middle of its length.
+  /// Poses of pinion and rack (frame: pair/rack_outline.hpp) in the housing at rotation 0. Tooth 0 of
+  /// the pinion points into the space of the rack that is nearest to the middle of its length.
   Pose<Housing, Gear1> pose_1() const;
   Pose<Housing, Gear2> pose_2() const;
   double transverse_contact_ratio() const;  ///< ε_α, 0 without contact
@@ -72,8 +74,8 @@ struct RackPair {
   double normal_backlash() const;           ///< j_n  mm
   double base_backlash() const;             ///< j_bn mm
   double circumferential_backlash() const;  ///< j_t  mm, along the rack
-  /// ζ of pinion and rack with the contact at g; none for the pinion at and beyond its base tangent
-  /// point.
+  /// ζ of pinion and rack for a contact at g. The value of the pinion is empty at the base tangent point
+  /// and beyond.
   std::array<std::optional<double>, 2> specific_sliding(double g) const;
 };
 
@@ -81,8 +83,8 @@ struct RackPair {
 ///
 /// Formula   theory page 2, [T2.36]…[T2.41]
 /// Domain    an external involute gear that exists; H > 0 and the widths > 0
-/// Errors    `gear1.teeth` of an internal gear, `gear1.rack` of circular arcs,
-///           `gear1` without a tooth
+/// Errors    `gear1.teeth` for an internal gear, `gear1.rack` for circular arcs, `gear1` if the pinion
+///           has no tooth
 Result<RackPair> mount_rack(Gear pinion, const RackBar& bar,
                             std::optional<double> center_distance = {},
                             std::optional<double> speed_rpm = {});

@@ -1,10 +1,11 @@
-// The flanks of an internal pair on crossed axes beside their line of action: both touch there, but
-// the gap is a saddle, so that they overlap on two sides until a lead is crowned.
+// The gap beside the line of action of an internal pair on crossed axes. The flanks touch on the line
+// of action, but the gap around a point of contact is a saddle. The flanks overlap on two sides unless
+// a lead is crowned.
 //
-//   η     angle between the straight lines of the two flanks, in their common tangent plane
-//   λ_i   distance of the contact from base tangent point i along the line, λ_2 = λ_1 + L; the
-//         curvature of flank i is 1/λ_i across its straight line, and 0 along it
-//   K_i   = 8 C_βi cos² β_bi/b_i²  1/mm: curvature of the lead crowning C_βi along that line
+//   η     angle between the generators (straight lines) of the two flanks, in the tangent plane
+//   λ_i   distance of the contact from base tangent point i along the line of action,
+//         λ_2 = λ_1 + L; flank i has the curvature 1/λ_i across its generator, and 0 along it
+//   K_i   = 8 C_βi cos² β_bi/b_i²  1/mm: curvature of the lead crowning C_βi along the generator
 //                                              theory: docs/theory/04-conjugate-action.md, 4.11
 #pragma once
 
@@ -15,10 +16,10 @@
 
 namespace gearwright {
 
-/// Lead crowning of each gear alone above which the flanks clear each other beside every point of
-/// their path, mm; none if the crowning of that gear alone is not sufficient.
+/// Least lead crowning, mm, with which the flanks clear each other beside every point of their path,
+/// if only this gear is crowned. None if the crowning of one gear alone is not sufficient.
 ///
-/// Formula   [T4.36], at the end of the path at which it is greatest
+/// Formula   [T4.36], at the end of the path where the result is greatest
 /// Domain    a crossed internal pair with L > 0 (contract)
 std::array<std::optional<double>, 2> needed_crowning(const MeshInput<double>& in,
                                                      const Mesh<double>& mesh);

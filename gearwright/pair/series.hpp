@@ -1,18 +1,20 @@
-// The least centre distance of two gears by approximations for manual calculation: power series in
-// the sum of shifts, and virtual spur gears instead of helical ones. The program itself solves the
-// involute equation (pair/working_angles.hpp).
+// Approximations of the least centre distance of two gears, for manual calculation: power series in
+// the sum of the shifts, and virtual spur gears in place of helical gears. Elsewhere the program
+// solves the involute equation (pair/working_angles.hpp).
 //
 //   α        pressure angle of the rack that describes both gears, normal section, rad
-//   β_i, x_i helix angle there, and shift with the allowance in it      σ  +1, −1 internal pair
+//   β_i, x_i helix angle on the reference cylinder, and shift including the allowance
+//   σ        +1 external pair, −1 internal pair
 //   z_i′     virtual number of teeth z_i/cos³ β_i, negative if internal  w_i  z_i′/(z_1′ + z_2′)
 //   L        2 (x_1 + x_2)/((z_1′ + z_2′) tan α), the variable of the series
 //   M_2, M_4 Σ w_i tan² β_i, Σ w_i tan⁴ β_i
-//   Δ        α_n − α, α_n the pressure angle of the common rack at the least distance
-//   a_0, Σ_0 centre distance and shaft angle of the gears on one rack of the angle α, X = m_n Σx
+//   Δ        α_n − α, where α_n is the pressure angle of the common rack at the least distance
+//   a_0, Σ_0 centre distance and shaft angle of gears that roll with a rack of the angle α, at
+//            X = m_n Σx
 //                                              theory: docs/theory/05-approximations.md
 //
-// With signed tooth numbers, internal pairs (parallel axes) need no separate formula. Templates
-// over the scalar.
+// With signed tooth numbers, internal pairs (parallel axes) need no separate formula. Classes and
+// functions are templates over the scalar.
 #pragma once
 
 #include <array>
@@ -25,8 +27,8 @@
 
 namespace gearwright {
 
-/// Two gears described by one rack, with equal module and pressure angle. An internal gear is the
-/// second.
+/// Two gears described by one rack, with equal module and pressure angle. An internal gear is always
+/// the second gear.
 template <class T>
 using ReferencePair = std::array<ReferenceInput<T>, 2>;
 
@@ -38,7 +40,7 @@ T virtual_teeth(int teeth, const T& beta) {
   return T(teeth) / (c * c * c);
 }
 
-/// Least centre distance of a pair, approximately. All angles rad, lengths mm.
+/// The approximations for one pair. Angles are in rad, lengths in mm.
 template <class T>
 struct MinDistanceSeries {
   T alpha;                         ///< α
@@ -47,12 +49,12 @@ struct MinDistanceSeries {
   std::array<T, 2> helix;          ///< β_i
   std::array<T, 2> virtual_teeth;  ///< z_i′
   std::array<T, 2> weight;         ///< w_i
-  T L, M2, M4;                     ///< as above
+  T L, M2, M4;                     ///< L, M_2, M_4
   T rack_center_distance;          ///< a_0
   T rack_shaft_angle;              ///< Σ_0
 
-  /// α_n of the least distance by 1, 2 or 3 terms of the series; the error is O(L²), O(L³), O(L⁴).
-  /// [T5.20]…[T5.22]
+  /// α_n of the least distance by 1, 2 or 3 terms of the series, with an error of O(L²), O(L³) or
+  /// O(L⁴). [T5.20]…[T5.22]
   T pressure_angle(int terms) const {
     using std::sin;
     using std::tan;
@@ -69,8 +71,8 @@ struct MinDistanceSeries {
     return alpha + delta;
   }
 
-  /// The least distance: a_0 minus m_n |z_1′ + z_2′| L²/4, with one factor or two; the error is
-  /// O(L³), O(L⁴). [T5.24]…[T5.26]
+  /// The least distance, a_0 − m_n |z_1′ + z_2′| L²/4, without (1) or with (2) a second factor at the
+  /// correction. The error is O(L³) or O(L⁴). [T5.24]…[T5.26]
   T center_distance(int factors) const {
     using std::tan;
     GW_EXPECTS(factors == 1 || factors == 2);
@@ -80,7 +82,8 @@ struct MinDistanceSeries {
     return rack_center_distance + change;
   }
 
-  /// Helix angle of gear 0 or 1 on a rack of the angle α + Δ, by 1, 2 or 3 terms in Δ. [T5.27]
+  /// Helix angle at which gear 0 or 1 rolls with a rack of the angle α + Δ, by 1, 2 or 3 terms in Δ.
+  /// [T5.27]
   T helix_angle(int gear, const T& delta, int terms) const {
     using std::sin;
     using std::tan;
@@ -97,15 +100,15 @@ struct MinDistanceSeries {
     return helix[static_cast<unsigned>(gear)] + tan_b * sum;
   }
 
-  /// Shaft angle on that rack, to first order in Δ. With Δ = L it is that of the least distance
-  /// with an error O(L²). [T5.28]
+  /// Shaft angle of the gears on a rack of the angle α + Δ, to first order in Δ. Δ = L gives the shaft
+  /// angle of the least distance, with an error of O(L²). [T5.28]
   T shaft_angle(const T& delta) const {
     using std::tan;
     return rack_shaft_angle + tan(alpha) * (tan(helix[0]) + side * tan(helix[1])) * delta;
   }
 
-  /// α_n of the virtual spur pair, in closed form; none if that has no backlash-free position.
-  /// The error is O(L²). [T5.29]
+  /// α_n of the virtual spur pair, in closed form, with an error of O(L²); none if the virtual pair
+  /// has no backlash-free position. [T5.29]
   std::optional<T> virtual_pressure_angle() const {
     using std::tan;
     const T t = tan(alpha);
@@ -114,7 +117,8 @@ struct MinDistanceSeries {
     return inverse_involute(inv);
   }
 
-  /// The same, with its error corrected to second order; the remaining error is O(L³). [T5.30]
+  /// α_n of the virtual spur pair with a correction of second order. The remaining error is O(L³).
+  /// [T5.30]
   std::optional<T> corrected_virtual_pressure_angle() const {
     using std::tan;
     const auto plain = virtual_pressure_angle();
@@ -156,7 +160,7 @@ MinDistanceSeries<T> min_distance_series(const ReferencePair<T>& pair) {
     s.M4 += s.weight[i] * P * P;
   }
   s.L = T(2) * shifts / (total * t);
-  // r_2 + σ r_1 with an internal gear's z negative is σ times the sum of m_n z/(2 cos β).
+  // Because z of an internal gear is negative, r_2 + σ r_1 is σ times the sum of m_n z/(2 cos β).
   const T radii = T(g1.teeth) / cos(g1.helix_angle) + T(g2.teeth) / cos(g2.helix_angle);
   s.rack_center_distance = s.side * s.module * (radii / T(2) + shifts);
   s.rack_shaft_angle = g1.helix_angle + s.side * g2.helix_angle;

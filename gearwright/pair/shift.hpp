@@ -1,6 +1,6 @@
-// Profile shifts and centre distance: absent values follow from the others.
+// Computes profile shifts and centre distance from each other.
 //
-//   Σx = x1 + x2   σ = +1 external, −1 internal      a, a_d   centre distance, reference one, mm
+//   Σx = x1 + x2   σ = +1 external, −1 internal      a, a_d   actual and reference centre distance, mm
 //   parallel axes: inv α_wt = inv α_t + 2 tan α_n Σx/(z1 + z2)
 //                  theory: docs/theory/02-involute-and-pair.md, [T2.15]…[T2.18]
 //   crossed axes:  theory: docs/theory/04-conjugate-action.md, [T4.28]
@@ -23,8 +23,8 @@ namespace gearwright {
 
 enum class Mounting { tight, extended };
 
-/// Greatest centre distance, relative to the sum (internal: difference) of the base radii. It means
-/// a working angle of 89.4°, at which no tooth reaches the other gear.
+/// Greatest centre distance, relative to the sum (internal: difference) of the base radii. Its working
+/// pressure angle is 89.4°, at which no tooth reaches the other gear.
 inline constexpr double kMaxDistance = 100.0;
 
 struct ShiftProblem {
@@ -36,12 +36,12 @@ struct ShiftProblem {
   std::optional<double> x1, x2;           ///< computed if absent
   std::optional<double> center_distance;  ///< a    mm
   Mounting mounting = Mounting::tight;
-  double lambda = 0.625;  ///< λ of [T2.18a] when both shifts are wanted (external)
+  double lambda = 0.625;  ///< λ of [T2.18a], used if both shifts are absent (external pairs)
 };
 
 struct ShiftSolution {
   double x1, x2;
-  double center_distance;  ///< a  mm: given, or that of the mounting
+  double center_distance;  ///< a  mm, as given or as determined by the `mounting`
 };
 
 /// Reference centre distance a_d = m_n |z1 + z2| / (2 cos β), mm. [T2.15]
@@ -57,8 +57,7 @@ T nominal_working_involute(int z1, int z2, const T& alpha_n, const T& alpha_t, c
   return leaf::working_involute(T(involute(alpha_t)), T(tan(alpha_n)), sum_x, T(z1 + z2));
 }
 
-/// Backlash-free centre distance of nominal teeth, mm.   Domain: nominal_working_involute ≥ 0
-/// [T2.17]
+/// Backlash-free centre distance of nominal teeth, mm. [T2.17]   Domain: nominal_working_involute ≥ 0
 template <class T>
 T tight_center_distance(int z1, int z2, const T& normal_module, const T& alpha_n, const T& alpha_t,
                         const T& cos_beta, const T& sum_x) {
@@ -69,7 +68,7 @@ T tight_center_distance(int z1, int z2, const T& normal_module, const T& alpha_n
          cos(inverse_involute(nominal_working_involute(z1, z2, alpha_n, alpha_t, sum_x)));
 }
 
-/// Extended centre distance a_d + σ m_n Σx, mm (both pitch circles shifted by their x). [T2.18]
+/// Extended centre distance a_d + σ m_n Σx, mm. [T2.18]
 template <class T>
 T extended_center_distance(int z1, int z2, const T& normal_module, const T& cos_beta,
                            const T& sum_x) {
@@ -77,7 +76,9 @@ T extended_center_distance(int z1, int z2, const T& normal_module, const T& cos_
   return z1 + z2 > 0 ? T(a_d + normal_module * sum_x) : T(a_d - normal_module * sum_x);
 }
 
-/// The Σx that is free of backlash at the centre distance a.   Domain: a ≥ a_d cos α_t (contract)
+/// The Σx with which there is no backlash at the centre distance a, on parallel axes.
+///
+/// Domain    a ≥ a_d cos α_t (contract)
 template <class T>
 T tight_shift_sum(int z1, int z2, const T& normal_module, const T& alpha_n, const T& alpha_t,
                   const T& cos_beta, const T& a) {
@@ -93,17 +94,16 @@ T tight_shift_sum(int z1, int z2, const T& normal_module, const T& alpha_n, cons
   return (involute(alpha_wt) - involute(alpha_t)) * T(z1 + z2) / (T(2) * tan(alpha_n));
 }
 
-/// The Σx that is free of backlash on crossed axes.
+/// The Σx with which there is no backlash at the centre distance a, on crossed axes.
 ///
 /// Formula   Σx = (2 X sin α_wn − Q_0) π/(2 p_bn tan α_n), Q_0 the excess at Σx = 0; [T4.28]
 /// Domain    as angles_at_shaft_angle (contract)
 double crossed_shift_sum(const ShiftProblem& problem, double a);
 
-/// Divides a sum of two wanted shifts: external pairs by the λ line; in an internal pair the pinion
-/// gets the whole sum. [T2.18a]
+/// Divides a sum of shifts into x1 and x2: by the λ line for an external pair, and the whole sum to
+/// the pinion for an internal pair. [T2.18a]
 std::array<double, 2> divided_shift_sum(int z1, int z2, double sum, double lambda = 0.625);
-
-/// Computes absent values (docs/spec.md, Shift and centre distance).
+/// Computes the absent values of the problem (docs/spec.md, Shift and centre distance).
 ///
 /// Errors    `pair.center_distance` too small for a working angle; `profile_shift` if the shifts
 ///           have no backlash-free distance

@@ -1,16 +1,16 @@
 // The common rack of a pair of gears: one unknown, α_n, and the condition that determines it.
 //
 //   Σ given (crossed axes)     closed form                                             [T4.13]
-//   a given (parallel axes)    closed form: Σ is 0 for every α_n [T4.12]
-//   no backlash, least a       X = 0: one involute equation                            [T4.15]
+//   a given (parallel axes)    closed form, because Σ is 0 for every α_n               [T4.12]
+//   no backlash, least a       one involute equation, with X = 0                       [T4.15]
 //   a given (crossed axes)     none or two α_n, on either side of the least a          [T4.16]
 //   contact ratio ≥ 1          an interval of α_n                                      [T4.23]
 //
 //   g    the gear with the greater |β_b|     α = α_tg, its transverse pressure angle
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// Everything is smooth in α over 0 < α ≤ π/2, also where β_g reaches 90°; α_n is not such a
-// parameter.
+// The unknown is α, because all quantities are smooth functions of α over 0 < α ≤ π/2, even where β_g
+// reaches 90°. They are not smooth functions of α_n there.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ RackAngles<T> angles_at_transverse(const BasePair<T>& gears, const T& sin_alpha,
   a.sin_alpha = c_g * sin_alpha;
   a.u[g] = c_g * cos_alpha;
   a.cos_alpha = sqrt(a.u[g] * a.u[g] + s_g * s_g);
-  // Equal |β_b| give equal u, so no root of a square is computed.
+  // If |β_b| of both gears are equal, so are their u, and no square root is needed.
   const T rest = (s_g - s_o) * (s_g + s_o);
   a.u[1 - g] = rest == T(0) ? a.u[g] : T(sqrt(a.u[g] * a.u[g] + rest));
   return a;
@@ -60,9 +60,10 @@ RackAngles<T> angles_at_transverse(const BasePair<T>& gears, const T& alpha) {
   return angles_at_transverse(gears, T(sin(alpha)), T(cos(alpha)));
 }
 
-/// Parallel axes a apart:  cos α_t = (r_b2 + σ r_b1)/a. [T4.12], [T2.14]
+/// The rack between gears on parallel axes at the distance a:  cos α_t = (r_b2 + σ r_b1)/a.
+/// [T4.12], [T2.14]
 ///
-/// Domain    a > base_radius_sum > 0, |β_b1| = |β_b2| to rounding (contract for the former)
+/// Domain    a > base_radius_sum > 0 (contract); |β_b1| = |β_b2| to rounding
 template <class T>
 RackAngles<T> angles_at_parallel_distance(const BasePair<T>& gears, const T& a) {
   using std::sqrt;
@@ -71,18 +72,20 @@ RackAngles<T> angles_at_parallel_distance(const BasePair<T>& gears, const T& a) 
   return angles_at_transverse(gears, T(sqrt((a - sum) * (a + sum)) / a), T(sum / a));
 }
 
-/// The shaft angles that a crossed pair can have, rad: both of one sign, ends excluded.
+/// The range of shaft angles that a crossed pair can have, rad. Both ends have the same sign and are
+/// excluded.
 template <class T>
 struct ShaftAngleRange {
-  T from;  ///< β_b1 + σ β_b2, as α_n → 0
-  T to;    ///< where β_g reaches 90°
+  T from;  ///< β_b1 + σ β_b2, the limit for α_n → 0
+  T to;    ///< at which β_g reaches 90°
   bool contains(const T& sigma) const {
     return from < to ? from < sigma && sigma < to : to < sigma && sigma < from;
   }
 };
 
+/// The range of shaft angles of two gears. If it is empty (from = to), the axes can only be parallel.
+///
 /// Formula   cos Σ_max = −σ S_o/S_g; [T4.13]
-/// Domain    if least = greatest, the axes can only be parallel
 template <class T>
 ShaftAngleRange<T> shaft_angle_range(const BasePair<T>& gears) {
   using std::acos;
@@ -95,12 +98,13 @@ ShaftAngleRange<T> shaft_angle_range(const BasePair<T>& gears) {
   return {least, least > T(0) ? greatest : T(-greatest)};
 }
 
-/// Crossed axes: the one rack that both gears fit under the shaft angle Σ.
+/// The only rack with which both gears roll on crossed axes at the shaft angle Σ.
 ///
-/// Formula   u_1 = (S_2 + S_1 cos Σ)/sin Σ, u_2 likewise, cos² α_n = (S_1² + S_2² + 2 S_1 S_2 cos
-/// Σ)/sin² Σ,
-///           sin² α_n = (cos(β_b1 + β_b2) − cos Σ)(cos Σ + cos(β_b1 − β_b2))/sin² Σ, all with σ S_2
-///           and σ β_b2, and written so that near-parallel axes do not cancel; [T4.13]
+/// Formula   u_1 = (S_2 + S_1 cos Σ)/sin Σ, u_2 likewise,
+///           cos² α_n = (S_1² + S_2² + 2 S_1 S_2 cos Σ)/sin² Σ,
+///           sin² α_n = (cos(β_b1 + β_b2) − cos Σ)(cos Σ + cos(β_b1 − β_b2))/sin² Σ,
+///           with σ S_2 in place of S_2 and σ β_b2 in place of β_b2; [T4.13]. The code uses products,
+///           so that no digits cancel on nearly parallel axes
 /// Domain    shaft_angle_range contains Σ (contract)
 template <class T>
 RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
@@ -127,8 +131,10 @@ RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
 
 namespace detail {
 
-/// An internal pair whose pinion has the greater |β_b|: α at which both gears have the same number
-/// of teeth in the normal section, z/u³. Beyond it, Q falls and L at X = 0 is negative. [T4.38]
+/// α at which both gears of an internal pair have the same number of virtual teeth in the normal
+/// section, z/u³. Beyond this α, Q decreases and L at X = 0 is negative. [T4.38]
+///
+/// Domain    the pinion has the greater |β_b|
 template <class T>
 T transverse_angle_of_equal_virtual_teeth(const BasePair<T>& gears) {
   using std::acos;
@@ -146,11 +152,11 @@ T transverse_angle_of_equal_virtual_teeth(const BasePair<T>& gears) {
 
 }  // namespace detail
 
-/// The rack at X = 0: of the least centre distance on crossed axes, free of backlash on parallel
-/// ones. None if the teeth are too thin (too thick on an internal gear).
+/// The α at which X = 0. On crossed axes, it belongs to the least centre distance, and on parallel axes
+/// to the backlash-free position. None if the teeth are too thin (internal pairs: too thick).
 ///
-/// Formula   Q(α) = 0; [T4.15], [T5.17]. Equal |β_b|: inv α = K/Σ τ d_b cos β_b, no iteration;
-///           [T2.20]. Internal pairs: the root at which Q rises; [T4.38]
+/// Formula   Q(α) = 0; [T4.15], [T5.17]. For equal |β_b|, inv α = K/Σ τ d_b cos β_b without
+///           iteration; [T2.20]. For internal pairs, the root at which Q increases; [T4.38]
 /// Accuracy  ledger rows `least_distance.*`
 template <class T>
 std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
@@ -184,7 +190,7 @@ std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
     hi = inverse_involute(T(excess / weight[g]));
     start = inverse_involute(T(excess / (weight[g] + weight[1 - g] * k * k * k)));
   } else if (g == 1) {
-    lo = inverse_involute(T(excess / weight[1]));  // with the internal gear alone
+    lo = inverse_involute(T(excess / weight[1]));  // the root for the internal gear alone
   } else {
     const auto turn = detail::transverse_angle_of_equal_virtual_teeth(gears);
     if (!(lo < turn) || !(f(turn).value > T(0))) return std::nullopt;
@@ -197,9 +203,9 @@ std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
   return root.x;
 }
 
-/// The rack at which the pitch cylinders of an external pair are a apart, X = 0: the pair whose
-/// least distance is a for any tooth thicknesses. None if a is below the sum of the base radii, or
-/// beyond the domain.
+/// The α at which the sum of the pitch radii of an external pair is a. If the teeth have no backlash
+/// there (X = 0), a is the least distance of the pair. None if a does not exceed the sum of the base
+/// radii or lies beyond the domain.
 ///
 /// Formula   Σ r_b cos β_b/u = a; [T4.29]
 template <class T>
@@ -219,7 +225,7 @@ std::optional<T> transverse_angle_at_pitch_sum(const BasePair<T>& gears, const T
     }
     return s;
   };
-  // Gear g alone reaches a here, and the other gear adds to it.
+  // At this α, the pitch radius of gear g is equal to a, so the sum of both pitch radii exceeds a.
   const T hi = acos(gears[g].radius / a);
   const auto root = newton_in_bracket<T>(f, T(0), hi, T(hi / T(2)), true);
   if (!root.found()) return std::nullopt;
@@ -228,7 +234,8 @@ std::optional<T> transverse_angle_at_pitch_sum(const BasePair<T>& gears, const T
 
 namespace detail {
 
-/// α/sin α and (α − sin α cos α)/sin² α: contributions of a gear to a and to the line of action.
+/// Contributions of a gear to the centre distance and to the length of the line of action, α/sin α and
+/// (α − sin α cos α)/sin² α.
 template <class T>
 struct ArcShares {
   T distance, line;
@@ -240,7 +247,7 @@ ArcShares<T> arc_shares(const T& sin_t, const T& cos_t) {
   return {alpha / sin_t, (alpha - sin_t * cos_t) / (sin_t * sin_t)};
 }
 
-/// a(α) and L(α) of the backlash-free pair, with derivatives after α. [T4.11], [T4.22]
+/// a(α) and L(α) of the backlash-free pair, with their derivatives after α. [T4.11], [T4.22]
 template <class T>
 struct DistanceAndLine {
   Slope<T> a;
@@ -279,17 +286,17 @@ DistanceAndLine<T> distance_and_line(const BasePair<T>& gears, const T& alpha) {
 
 }  // namespace detail
 
-/// An end of an interval of α, or none. `limit` is true if the domain ends here, at α = π/2.
+/// An interval of α. `limit` is true if `hi` is the end of the domain, α = π/2.
 template <class T>
 struct AngleInterval {
   T lo, hi;
   bool limit = false;
 };
 
-/// Crossed axes: α of the racks whose backlash-free distance is a, ascending: two above the least
-/// distance (of which the upper one may leave the domain), and none below.
+/// The α at which the backlash-free distance of a crossed pair is a, in ascending order. There are two
+/// above the least distance (the upper one may lie beyond the domain) and none below.
 ///
-/// Domain    external pair with K > 0 (otherwise a(α) has no minimum, and one solution is returned)
+/// Domain    external pair with K > 0 (otherwise a(α) has no minimum, and at most one α is returned)
 template <class T>
 std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& a) {
   using std::asin;
@@ -308,7 +315,7 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
   if (least) {
     from = *least;
     if (!(f(from).value < T(0))) return found;
-    // K/(2 sin α_n) alone reaches a at the lower end, and the gears add to it.
+    // At this lower end, the term K/(2 sin α_n) is equal to a, so the sum of all terms exceeds a.
     const T c_g = cos(gears[limiting_gear(gears)].helix_angle);
     T lo = asin(base_excess(gears) / (T(2) * c_g * a));
     if (lo > from) lo = from;
@@ -320,9 +327,9 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
   return found;
 }
 
-/// The interval in which the backlash-free pair has 0 ≤ L ≤ `longest`. The contact ratio is at
-/// least 1 if `longest` is the length reached by the tips minus one base pitch. L is convex in α_n,
-/// so there is one interval.
+/// The interval of α in which the backlash-free pair has 0 ≤ L ≤ `longest`. If `longest` is the length
+/// that the tips reach minus one base pitch, the contact ratio is at least 1 in this interval. L is
+/// convex in α_n, so there is only one interval.
 ///
 /// Formula   L = Σ r_b/cos β_b · (α_t − sin α_t cos α_t)/sin² α_t + K/(2 sin² α_n); [T4.22]
 /// Domain    external pairs
@@ -343,16 +350,15 @@ std::optional<AngleInterval<T>> transverse_angles_with_line_within(const BasePai
   AngleInterval<T> found{tiny, half_pi, false};
   T bottom(0);
   if (base_excess(gears) > T(0)) {
-    // The least L is found by halving on the sign of its slope, and the ends on both sides by
-    // Newton's method.
+    // The least L is found by bisection of its slope, and the ends on both sides by Newton's method.
     T lo = tiny;
     T hi = half_pi;
-    const T narrow(1e-12);  // rad: the slope is small there, so any point near the minimum is
-                            // sufficient
+    const T narrow(
+        1e-12);  // rad; L hardly changes near its minimum, so any near point is sufficient
     for (int i = 0; i < 60 && hi - lo > narrow; ++i) {
       const T middle = (lo + hi) / T(2);
       const auto s = f(middle);
-      if (s.value < T(0)) {  // any point below is sufficient
+      if (s.value < T(0)) {  // any point with L < longest is sufficient
         lo = hi = middle;
       } else {
         (s.derivative < T(0) ? lo : hi) = middle;

@@ -10,7 +10,7 @@ FlankTolerances tolerance_edition(RatingEdition edition) {
 
 Tolerances tolerances(RatingEdition edition, int grade, const RatedGear& gear, double normal_module,
                       double alpha_t) {
-  // No value depends on the helix angle.
+  // None of these tolerances depends on the helix angle, so it is 0 here.
   const ToleranceSubject subject{gear.reference_diameter, normal_module, gear.face_width,
                                  std::abs(gear.teeth),    0.0,           alpha_t};
   const FlankToleranceValues t = flank_tolerances(tolerance_edition(edition), grade, subject);

@@ -1,7 +1,7 @@
-// Tolerances of ISO 1328-1 that a rating needs, from the accuracy grade.
+// Tolerances of ISO 1328-1 that a rating requires, from the accuracy grade.
 //
-//   f_pt, f_pb    single pitch deviation, and on the base circle f_pb = f_pt cos α_t
-//   f_fα, f_Hβ    profile form and helix slope deviation        all in µm
+//   f_pt, f_pb    single pitch deviation, µm; on the base circle f_pb = f_pt cos α_t
+//   f_fα, f_Hβ    profile form and helix slope deviation, µm
 //
 // ISO 6336 of 2006 is used with ISO 1328-1:1995, and ISO 6336 of 2019 with ISO 1328-1:2013.
 #pragma once
@@ -21,7 +21,9 @@ struct Tolerances {
 /// The edition of ISO 1328-1 that an edition of ISO 6336 uses.
 FlankTolerances tolerance_edition(RatingEdition edition);
 
-/// Formula   flank_tolerances() of that edition
+/// The tolerances of a gear.
+///
+/// Formula   flank_tolerances() for tolerance_edition()
 /// Domain    has_class() (contract)
 Tolerances tolerances(RatingEdition edition, int grade, const RatedGear& gear, double normal_module,
                       double alpha_t);

@@ -10,8 +10,8 @@ namespace gearwright {
 
 namespace {
 
-// The fraction of a misalignment that running-in removes, with its maximum at 5…10 and above 10
-// m/s.
+// The reduction of a misalignment by running-in, for one material, µm. It is a fraction of the
+// misalignment, with one maximum at 5 … 10 m/s and another one above 10 m/s.
 double helix_running_in(const Material& m, double f, double v) {
   using K = MaterialKind;
   if (m.surface_hardened()) return std::min(0.15 * f, 6.0);
@@ -26,8 +26,7 @@ double helix_running_in(const Material& m, double f, double v) {
   return std::min({share * f, v > 10.0 ? fast : v > 5.0 ? medium : kInfinity, f});
 }
 
-// K' of the five arrangements of a pinion and its bearings, with and without stiffening, and the
-// greatest s/l of the figure.
+// K' of the five arrangements with and without stiffening, and the greatest s/l of the figure.
 struct Arrangement {
   double stiff, loose, most;
 };

@@ -11,9 +11,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSlow = 5.0, kFast = 10.0;  // m/s, where a limit begins and where it tightens
-
-// Fraction of a deviation that running-in removes, with its maximum by speed.
+constexpr double kSlow = 5.0,
+                 kFast = 10.0;  // m/s, above which the first and the second limit apply
+// Fraction of a deviation that running-in removes, and the greatest removal in two ranges of speed, µm.
 struct RunningIn {
   double share, most_medium, most_fast;
 };
@@ -38,7 +38,7 @@ RunningIn running_in_of(const Material& m) {
 
 double running_in_of(const Material& m, double f, double v) {
   const RunningIn r = running_in_of(m);
-  // Running-in removes 3 µm of hardened flanks at any speed.
+  // On hardened flanks, running-in removes at most 3 µm at any speed.
   const double most = v > kFast              ? r.most_fast
                       : v > kSlow            ? r.most_medium
                       : m.surface_hardened() ? r.most_medium
@@ -46,7 +46,7 @@ double running_in_of(const Material& m, double f, double v) {
   return std::min({r.share * f, most, f});
 }
 
-// Constants of the four ranges. [ISO 6336-1, table 4]
+// Constants C_v1 … C_v7 of the dynamic factor. [ISO 6336-1, table 4]
 struct Constants {
   double v1 = 0.32, v2, v3, v4, v5 = 0.47, v6, v7;
 };

@@ -1,9 +1,9 @@
-// Correction for the material in formulas that ISO 6336-1 gives for steel on steel.
+// Material correction of formulas that ISO 6336-1 gives for two steel gears.
 #pragma once
 
 namespace gearwright {
 
-/// E/E_St of two gears, MPa: the mean of their elasticities over that of steel.
+/// E/E_St of two gears with the moduli of elasticity e1 and e2, MPa.
 ///
 /// Formula   ISO 6336-1, clause 9: E = 2 E_1 E_2/(E_1 + E_2), E_St = 206 000 N/mm²
 inline double relative_elasticity(double e1, double e2) {

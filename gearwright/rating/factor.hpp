@@ -1,8 +1,8 @@
 // A number of a strength rating with its clause in the standard and the branch of its formula, so
 // that users can compare it with another report.
 //
-// Both texts are string literals, so a factor costs no more than its number, and the search can use
-// the same functions.
+// Both texts are string literals, so they take no time to make, and the design search can use the same
+// functions.
 #pragma once
 
 #include <array>
@@ -26,14 +26,14 @@ inline std::string_view name(RatingEdition edition) {
 struct Factor {
   double value = 1.0;
   const char* formula = "";  ///< "ISO 6336-3, clause 8"
-  const char* branch = "";   ///< "helical, ε_β ≥ 1"; empty if the formula has one form
+  const char* branch = "";   ///< "helical, ε_β ≥ 1"; empty if the formula has only one form
 };
 
-/// A factor that the standard requires and that is missing.
+/// A factor without a value.
 inline constexpr Factor kNoFactor{std::numeric_limits<double>::quiet_NaN(), "", ""};
 inline bool is_there(const Factor& f) { return !std::isnan(f.value); }
 
-/// Pinion and wheel, or gear 1 and gear 2.
+/// A factor of pinion and wheel, or of gear 1 and gear 2.
 using FactorPair = std::array<Factor, 2>;
 
 inline constexpr const char* kGivenFactor = "given by the user";

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-// C_ZL between its ends at 850 and 1200 N/mm².
+// C_ZL, which is constant below 850 and above 1200 N/mm².
 double film_constant(double sigma_Hlim) {
   return 0.83 + 0.08 * (std::clamp(sigma_Hlim, 850.0, 1200.0) - 850.0) / 350.0;
 }
@@ -40,7 +40,7 @@ FactorPair single_contact_factors(const RatedPair& pair) {
     const Factor one{1.0, formula, "helical, ε_β ≥ 1"};
     return {one, one};
   }
-  // Roll angles at the tip, and one pitch; those of an internal gear have the opposite sign.
+  // Roll angles at the tip, and the pitch angle, which is negative for an internal gear.
   std::array<double, 2> roll{}, step{};
   for (std::size_t i = 0; i < 2; ++i) {
     const RatedGear& g = pair.gears[i];

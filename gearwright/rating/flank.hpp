@@ -1,9 +1,9 @@
-// The flank's factors: ISO 6336-2, surface durability.
+// Factors of surface durability (pitting) by ISO 6336-2.
 //
 //   σ_H0 = Z_H Z_E Z_ε Z_β √(F_t (u + 1)/(d_1 b u))      σ_H = Z_B,D σ_H0 √(K_A K_γ K_v K_Hβ K_Hα)
 //   σ_HG = σ_Hlim Z_NT Z_L Z_v Z_R Z_W Z_X               S_H = σ_HG/σ_H
 //
-// Each factor is a function of its own inputs only. theory: docs/theory/11-rating.md
+//                                              theory: docs/theory/11-rating.md
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 namespace gearwright {
 
 Factor zone_factor(const RatedPair& pair);  ///< Z_H [T11.17]
-/// Z_B of the pinion, Z_D of the wheel (1 of an internal gear). [T11.18]
+/// Z_B of the pinion and Z_D of the wheel, which is 1 for an internal gear. [T11.18]
 FactorPair single_contact_factors(const RatedPair& pair);
 Factor elasticity_factor(const std::array<Material, 2>& materials);  ///< Z_E  √(N/mm²) [T11.19]
 Factor contact_ratio_factor(const RatedPair& pair);                  ///< Z_ε [T11.20]
@@ -34,15 +34,17 @@ struct Film {
   std::optional<std::array<double, 2>> Rz;  ///< of the flanks, µm, pinion and wheel
 };
 
-// Values at the reference number of cycles; for a limited life their exponent is Life::reference.
+// The following three functions return values at the reference number of cycles. For a limited life,
+// the values are raised to the power Life::reference.
 Factor lubricant_factor(const Film& film);                         ///< Z_L [T11.23]
 Factor velocity_factor(const Film& film);                          ///< Z_v [T11.24]
 Factor roughness_factor(const RatedPair& pair, const Film& film);  ///< Z_R [T11.25]
-/// Z_W of each gear; above 1 only for the softer one. [T11.26]
+/// Z_W of each gear; greater than 1 only for the softer gear. [T11.26]
 FactorPair work_hardening_factors(const RatedPair& pair, const std::array<Material, 2>& materials,
                                   const Film& film);
 
-/// Nominal contact stress σ_H0, N/mm² [T11.16], of the tangential force F_t in N.
+/// Nominal contact stress σ_H0, N/mm² [T11.16], due to the tangential force F_t in N. `Z` is the product
+/// of the Z factors.
 double nominal_contact_stress(const RatedPair& pair, double tangential_force, double Z);
 
 }  // namespace gearwright

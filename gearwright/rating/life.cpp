@@ -14,7 +14,7 @@ struct Knot {
 
 constexpr double kLast = 1e10;
 
-// The life on the lines through the knots, in log-log scale. The last knot is the reference number.
+// The life on the lines through the knots, in log-log scale. The last knot is at the reference number.
 Life on_lines(std::span<const Knot> knots, std::optional<double> cycles, double at_last,
               const char* formula) {
   const Knot& first = knots.front();

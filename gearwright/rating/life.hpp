@@ -2,8 +2,8 @@
 //
 //   N_L   load cycles           Z_NT, Y_NT   life factors of flank and root, for test conditions
 //
-// The factors are straight lines in log N and log σ between a static and a reference number of
-// cycles. Beyond the reference number the limit decreases further, to 0.85 at 10¹⁰, unless
+// Between the number of cycles for static stress and the reference number, the factors are straight
+// lines in log N and log σ. Beyond the reference number they decrease to 0.85 at 10¹⁰ cycles, unless
 // experience permits 1.
 #pragma once
 
@@ -16,8 +16,8 @@ namespace gearwright {
 
 struct Life {
   Factor factor;     ///< Z_NT or Y_NT
-  double reference;  ///< exponent of the other factors: 0 at static stress, 1 from the reference
-                     ///< number on, linear in log N between
+  double reference;  ///< exponent of the other factors: 0 at static stress, 1 above the reference
+                     ///< number of cycles, and linear in log N between them
 };
 
 /// The user's choices for long lives.
@@ -26,12 +26,14 @@ struct LifeChoice {
   double at_10_10 = 0.85;        ///< Z_NT, Y_NT at 10¹⁰ cycles, 0.85 … 1
 };
 
-/// If `cycles` is absent, the reference number applies.
+/// The life of the flank. By default, `cycles` is the reference number.
 ///
-/// Formula   [T11.41]; ISO 6336-2, clause 10; at 10⁹ and 10¹⁰ confirmed by printed reports
-/// Law       continuous and falling in N
+/// Formula   [T11.41]; ISO 6336-2, clause 10; confirmed at 10⁹ and 10¹⁰ by printed reports
+/// Law       the factor is continuous and does not increase with N
 Life flank_life(MaterialKind kind, std::optional<double> cycles, const LifeChoice& choice = {});
 
+/// The life of the root. By default, `cycles` is the reference number.
+///
 /// Formula   [T11.41]; ISO 6336-3, clause 12
 Life root_life(MaterialKind kind, std::optional<double> cycles, const LifeChoice& choice = {});
 

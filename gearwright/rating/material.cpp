@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 11> kLetters{"Eh",
                                                     "GTS (perl.)",
                                                     "plastic"};
 
-// σ = A x + B of quality MQ, x the hardness in HV, or in HB where `brinell`.
+// The line σ = A x + B for quality MQ. x is the hardness in HB if `brinell`, otherwise in HV.
 struct Line {
   MaterialKind kind;
   double flank_a, flank_b, root_a, root_b;
@@ -73,7 +73,7 @@ constexpr std::array<NamedMaterial, 21> kTable{{
 
 constexpr double kBrinellOfVickers = 0.95;
 
-// Values of the kinds whose stiffness differs from steel.
+// Sets modulus of elasticity and density of cast iron. For other kinds the values of steel remain.
 void set_elastic(Material& m) {
   if (m.kind == K::cast) {
     m.youngs_modulus = 126000.0;

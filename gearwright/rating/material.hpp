@@ -1,11 +1,11 @@
-// Gear materials by the kinds of ISO 6336-5, and a table of common steels.
+// Gear materials, classified as in ISO 6336-5, and a table of common materials.
 //
 //   σ_Hlim, σ_Flim   allowable stress numbers of the reference test gears, N/mm²
 //   HV, HB           hardness of the surface, Vickers and Brinell; HB ≈ 0.95 HV
 //   R_e              yield strength or 0.2 % proof stress, N/mm²
 //
-// The table is intended for a first result. Its values are those of quality MQ at a usual hardness.
-// For a final design they must be checked against the standard and the supplier's data.
+// The table is intended for a first result. Its values are those of quality MQ at a usual hardness. For
+// a final design, the user must check them against the standard and the supplier's data.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace gearwright {
 
-/// The kinds of ISO 6336-5, with its letters. The order is that of kMaterialKinds.
+/// The kinds of material of ISO 6336-5, with their letters in the standard.
 enum class MaterialKind {
   case_hardened,       ///< Eh
   through_hardened,    ///< V
@@ -32,14 +32,13 @@ enum class MaterialKind {
   plastic              ///< rated by VDI 2736 only
 };
 
-/// Words of the kinds in a file, in their order, and their letters in the standard.
+/// The names of the kinds in a spec, in the order of the enumerators.
 std::span<const std::string_view> material_kind_words();
 std::string_view material_letters(MaterialKind kind);
 
-/// Values by temperature: °C, N/mm²; rising temperatures.
+/// Pairs of temperature, °C, and value, N/mm², by ascending temperature.
 using ByTemperature = std::vector<std::array<double, 2>>;
-
-/// Linear interpolation between two temperatures; none outside the list.
+/// The value at a temperature, by linear interpolation; none outside the list.
 std::optional<double> at_temperature(const ByTemperature& list, double celsius);
 
 struct Material {
@@ -52,8 +51,8 @@ struct Material {
   double density = 7.83e-6;                ///< ρ  kg/mm³
   std::optional<double> hardness_HV{};     ///< of the surface
   std::optional<double> yield_strength{};  ///< R_e  N/mm²
-  bool from_table = false;                 ///< limits of the shipped table
-  /// Values of a plastic, which replace the numbers above if they are not empty.
+  bool from_table = false;                 ///< true if the limits are those of the built-in table
+  /// Values of a plastic by temperature. If a list is not empty, it replaces the number above.
   ByTemperature sigma_Hlim_by{}, sigma_Flim_by{}, youngs_modulus_by{};
 
   bool surface_hardened() const {
@@ -69,28 +68,28 @@ struct Material {
 struct NamedMaterial {
   std::string_view name;
   MaterialKind kind;
-  double hardness_HV;  ///< usual, of the surface
+  double hardness_HV;  ///< usual hardness of the surface
   std::optional<double> yield_strength;
   std::string_view note;
 };
 
 std::span<const NamedMaterial> named_materials();
 
-/// The line of ISO 6336-5 for quality MQ: limits that grow with the hardness between the ends of
-/// the line; none outside them.
+/// The allowable stress numbers for quality MQ at a hardness, on the line of ISO 6336-5; none if the
+/// hardness is outside the range of the line.
 ///
-/// Formula   ISO 6336-5, clause 5, σ = A·x + B, x in HV or HB by kind
-/// Source    confirmed by printed reports for case-hardened steel (1500, 430) and for 34CrNiMo6 at
-///           240 HB (700, 290; the line gives 704, 294); for the other kinds, compare
+/// Formula   ISO 6336-5, clause 5, σ = A·x + B, with x in HV or HB depending on the kind
+/// Source    Printed reports confirm the values for case-hardened steel (1500, 430) and for 34CrNiMo6
+///           at 240 HB (700, 290; the line gives 704, 294). For the other kinds, compare
 ///           docs/theory/11-rating.md with the tables of the standard
 struct Limits {
   double sigma_Hlim, sigma_Flim;  ///< N/mm²
 };
 std::optional<Limits> limits_of(MaterialKind kind, double hardness_HV);
 
-/// A row of the table with its limits, at another hardness if one is given.
+/// The material of the table with this name, at the given or at its usual hardness.
 ///
-/// None      for a name that is not in the table, or a hardness off the kind's line
+/// None      if the name is not in the table, or if the hardness is outside the line of the kind
 std::optional<Material> material_named(std::string_view name,
                                        std::optional<double> hardness_HV = std::nullopt);
 

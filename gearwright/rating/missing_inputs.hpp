@@ -1,4 +1,4 @@
-// The missing inputs of a rating as a list, to which interfaces add missing loads and materials.
+// The missing inputs of a rating, as a list. User interfaces add missing loads and materials to it.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace gearwright {
 
-/// The parts of missing_input(). `halves` is 2 for double-helical gears, whose face load factor does
-/// not follow from a mounting.
+/// The errors that missing_input() joins into one. `halves` is 2 for double-helical gears, for which a
+/// mounting does not give the face load factor.
 std::vector<Error> missing_inputs(const RatingInput& input, int halves = 1);
 
 }  // namespace gearwright

@@ -33,10 +33,9 @@ HeatTransfer heat_transfer(const std::array<Material, 2>& materials) {
                                                         : HeatTransfer{6300, 895};
 }
 
-// The gear of the spec at a position of the pair.
+// The number in the spec of the gear at a place in RatedPair::gears.
 int gear_at(const RatedPair& pair, std::size_t place) { return pair.place(1) == place ? 1 : 2; }
-
-// A value of a material at its temperature, or the single given number.
+// The value of a material at a temperature. If the list is empty, it is the single given number.
 Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemperature& list,
                         double number, double celsius, const char* what) {
   if (list.empty()) return number;
@@ -53,7 +52,7 @@ Factor given_or_one(const std::optional<double>& factor) {
                          "not given: 1; the guideline gives 1 … 1.25 for the product"};
 }
 
-// The factors of ISO 6336 that the guideline does not contain.
+// Marks the factors of ISO 6336 that the guideline does not contain as absent.
 void leave_out(Rating& r) {
   Stiffness& s = r.stiffness;
   for (Factor* f : {&s.c_th, &s.c_prime, &s.c_gamma_alpha, &s.c_gamma_beta, &r.Z_L, &r.Z_v, &r.Z_R})
@@ -165,7 +164,7 @@ Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
       in.transverse_load_factor_root ? given_or_one(in.transverse_load_factor_root) : r.K_Halpha;
   r.temperature = tooth_temperatures(pair, in.plastic, materials, power, velocity);
 
-  // The flank, with the stiffness of the warm material.
+  // The flank is rated with the modulus of elasticity at its temperature.
   std::array<Material, 2> warm = materials;
   for (std::size_t i = 0; i < 2; ++i) {
     const auto E = value_at(pair, i, materials[i].youngs_modulus_by, materials[i].youngs_modulus,

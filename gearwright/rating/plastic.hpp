@@ -1,6 +1,6 @@
-// Plastics by VDI 2736, part 2: root and flank at the temperatures of the teeth.
+// Rating of plastic gears by VDI 2736, part 2: root and flank at the temperatures of the teeth.
 //
-//   ϑ_Fla, ϑ_Fu   temperatures of flank and root, °C       ϑ_0   of the air around
+//   ϑ_Fla, ϑ_Fu   temperatures of flank and root, °C       ϑ_0   ambient temperature, °C
 //   H_V           degree of tooth loss                     μ     coefficient of friction
 //   k_ϑ           heat transfer of the teeth, K (m/s)^0.75 mm^1.75/W
 //   R_λG, A_G     thermal resistance of the housing, K m²/W, and its surface, m²
@@ -19,7 +19,7 @@
 
 namespace gearwright {
 
-/// Temperatures of the teeth: given, or computed from ambient temperature and friction.
+/// Temperatures of the teeth, or the data from which they are computed.
 struct PlasticInput {
   std::optional<std::array<double, 2>> flank_temperature, root_temperature;  ///< °C
   std::optional<double> ambient_temperature;                                 ///< ϑ_0  °C
@@ -31,11 +31,12 @@ struct PlasticInput {
   std::optional<double> root_heat_transfer;   ///< k_ϑ of the root
 };
 
-/// Temperatures of both gears' flanks and roots, °C; none is computed for a metal gear.
+/// Temperatures of flank and root of both gears, °C. For a metal gear none are computed.
 struct ToothTemperatures {
   FactorPair flank, root;
 };
-
+/// The temperatures of the teeth, as given or computed.
+///
 /// Formula   [T11.43]; power in W, pitch line velocity in m/s
 /// Domain    temperatures given, or ambient temperature and friction (contract)
 ToothTemperatures tooth_temperatures(const RatedPair& pair, const PlasticInput& input,
@@ -50,10 +51,9 @@ double tooth_loss(const RatedPair& pair);
 struct RatingInput;
 struct Rating;
 
-/// Inputs that VDI 2736 needs and that are missing.
+/// Errors for the missing inputs that VDI 2736 requires.
 std::vector<Error> missing_plastic_inputs(const RatingInput& input);
-
-/// Ordered as pinion and wheel; called by rate().
+/// The rating by VDI 2736, which rate() calls. The result is in the order pinion, wheel.
 ///
 /// Formula   [T11.45]…[T11.47]
 Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& input);

@@ -11,10 +11,9 @@ namespace gearwright {
 
 namespace {
 
-// For an internal gear without a given cutter, gear/ring_cutter.hpp has chosen one without shift,
-// rounded like the rack of the gear. A given cutter has the shift of its own reference data and the
-// rounding of its tip corners. The rack that cut the cutter does not determine the root of the
-// gear.
+// The tool that determines the root of a gear. For an internal gear without a given cutter,
+// gear/ring_cutter.hpp has chosen a cutter without profile shift, rounded like the rack of the gear. A
+// given cutter has the profile shift of its reference data and the rounding of its tip corners.
 RootTool root_tool(const Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   RootTool tool;
@@ -24,16 +23,15 @@ RootTool root_tool(const Gear& gear) {
       std::min(rack.root_fillet_radius, full_radius(rack, gear.spec.normal_pressure_angle));
   tool.protuberance = rack.protuberance;
   if (!gear.cut_by) return tool;
-  // The root diameter gives the depth of a pinion cutter, and the generating centre distance gives
-  // its shift:
-  // inv α_0 = inv α_t + 2 (x + x_0) tan α_n/(z + z_0).
+  // The dedendum follows from the root diameter, and the shift of the cutter from the generating centre
+  // distance:  inv α_0 = inv α_t + 2 (x + x_0) tan α_n/(z + z_0).
   const ReferenceGeometry<double>& r = gear.reference();
   const double m = gear.spec.normal_module;
   tool.dedendum = gear.side() * (r.reference_diameter - gear.root_diameter) / (2 * m) +
                   r.generating_profile_shift;
   tool.cutter_teeth = gear.cut_by->cutter_teeth;
   if (gear.cut_by->by_default) return tool;
-  StraightRack reach;  // relative to the greatest rounding that fits
+  StraightRack reach;  // a rack of this dedendum, which limits the rounding to the full radius
   reach.dedendum = tool.dedendum;
   tool.fillet = std::min(gear.cut_by->tip_rounding / m,
                          std::max(0.0, full_radius(reach, gear.spec.normal_pressure_angle)));

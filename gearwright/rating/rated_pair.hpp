@@ -1,10 +1,12 @@
-// The inputs of ISO 6336 from a pair of involute gears on parallel axes, the pinion first.
+// The inputs of ISO 6336 from a pair of involute gears on parallel axes. The pinion is the first gear.
 //
-//   z, m_n, α_n, β     as on the drawing; z < 0 internal, β without its hand
-//   α_t, α_wt, β_b     transverse, working and base angles, rad
-//   d, d_b, d_a, d_f   diameters, positive, mm          x, x_E   shift, and as it was cut
+//   z, m_n, α_n, β     as on the drawing; z < 0 for an internal gear, β ≥ 0 for both hands
+//   α_t, α_wt, β_b     transverse and working pressure angle, base helix angle, rad
+//   d, d_b, d_a, d_f   diameters, positive, mm
+//   x, x_E             profile shift and generating profile shift
 //   ε_α, ε_β           transverse contact ratio and overlap ratio       u = z2/z1, |u| ≥ 1
-//   ε_αn, z_n          of the virtual spur gear in the normal section   theory: docs/theory/11-rating.md
+//   ε_αn, z_n          contact ratio and tooth number of the virtual spur gear in the normal section
+//                                              theory: docs/theory/11-rating.md
 #pragma once
 
 #include <array>
@@ -17,10 +19,10 @@ namespace gearwright {
 
 /// The dimensions of the tool that determine the root, in normal modules.
 struct RootTool {
-  double addendum = 1.0;      ///< h_aP*   of the gear
+  double addendum = 1.0;      ///< h_aP*   addendum of the gear
   double dedendum = 1.25;     ///< h_fP*
   double fillet = 0.38;       ///< ρ_fP*
-  double protuberance = 0.0;  ///< s_pr*   its residual undercut at the root
+  double protuberance = 0.0;  ///< s_pr*   residual undercut at the root due to protuberance
   int cutter_teeth = 0;       ///< z_0     of a pinion cutter; 0 for a rack
   double cutter_shift = 0.0;  ///< x_0
 };
@@ -29,14 +31,14 @@ struct RatedGear {
   int teeth = 0;                    ///< z, negative if internal
   double reference_diameter = 0.0;  ///< d    mm
   double base_diameter = 0.0;       ///< d_b  mm
-  double tip_diameter = 0.0;        ///< d_Na mm, the end of the flank
+  double tip_diameter = 0.0;        ///< d_Na mm, where the flank ends
   double root_diameter = 0.0;       ///< d_f  mm
-  double tooth_height = 0.0;        ///< h    mm, root to tip
+  double tooth_height = 0.0;        ///< h    mm, from root to tip
   double profile_shift = 0.0;       ///< x
   double generating_shift = 0.0;    ///< x_E
   double virtual_teeth = 0.0;       ///< z_n, signed
   double face_width = 0.0;          ///< b    mm
-  double bore = 0.0;                ///< d_i  mm, the outside diameter if internal; 0 if none
+  double bore = 0.0;                ///< d_i  mm; outside diameter of an internal gear; 0 if none
   RootTool tool;
 
   bool internal() const { return teeth < 0; }
@@ -46,16 +48,16 @@ struct RatedGear {
 struct RatedPair {
   RatedPair() = default;           ///< empty, and not an aggregate; rated_pair() makes it
   std::array<RatedGear, 2> gears;  ///< pinion, wheel
-  bool exchanged = false;          ///< the pinion is gear 2 of the spec
+  bool exchanged = false;          ///< true if the pinion is gear 2 of the spec
   double normal_module = 0.0;      ///< m_n   mm
-  double alpha_n = 0.0;            ///< rad, as all angles here
+  double alpha_n = 0.0;            ///< rad, like all angles of this struct
   double beta = 0.0;               ///< ≥ 0
   double alpha_t = 0.0;
   double alpha_wt = 0.0;
   double beta_b = 0.0;
   double center_distance = 0.0;  ///< a     mm
   double u = 0.0;                ///< z2/z1, negative for an internal pair
-  double face_width = 0.0;       ///< b     mm, the lesser; b_B of double-helical gears
+  double face_width = 0.0;       ///< b     mm, the lesser one; b_B for double-helical gears
   int halves = 1;  ///< 2 for double-helical gears, whose halves share the load equally
   double epsilon_alpha = 0.0;
   double epsilon_beta = 0.0;
@@ -63,31 +65,29 @@ struct RatedPair {
   bool internal() const { return gears[1].internal(); }
   bool spur() const { return beta == 0.0; }
   double epsilon_gamma() const { return epsilon_alpha + epsilon_beta; }
-  /// The width that carries the load: b = 2 b_B for double-helical gears.   ISO 6336-1, 4.2
+  /// The width that carries the load, 2 b_B for double-helical gears. [ISO 6336-1, 4.2]
   double carrying_width() const { return halves * face_width; }
   double epsilon_alpha_n() const;
   /// The place in `gears` of gear 1 or 2 of the spec.
   std::size_t place(int which) const { return static_cast<std::size_t>((which == 1) == exchanged); }
 };
 
-/// Reorders a list by gears of the spec into pinion and wheel; the same call reverses it.
+/// Converts a list in the order gear 1, gear 2 to the order pinion, wheel, or back.
 template <class T>
 std::array<T, 2> turned(const RatedPair& pair, const std::array<T, 2>& list) {
   return pair.exchanged ? std::array<T, 2>{list[1], list[0]} : list;
 }
 
-/// z_n = z/(cos² β_b cos β), of either edition.
+/// Virtual number of teeth z_n = z/(cos² β_b cos β), in both editions.
 ///
 /// Formula   ISO 6336-3, 6.2; confirmed to six digits by ISO/TR 6336-30, example 1
 double virtual_teeth(int teeth, double beta, double beta_b);
-
-/// The numbers of a mounted pair, with the bores of its gears.
+/// The inputs of a mounted pair, with the bores of its gears.
 ///
-/// Errors    `pair.shaft_angle` on crossed axes, `pair.center_distance` where the flanks do not meet,
-///           `gear1.rack` of circular arcs
+/// Errors    `pair.shaft_angle` on crossed axes, `pair.center_distance` if the flanks do not meet,
+///           `gear1.rack` for circular arcs
 Result<RatedPair> rated_pair(const Pair& pair);
-
-/// The same with the given bores of gear 1 and gear 2, mm (0 for a solid disc).
+/// The inputs of a mounted pair, with these bores of gear 1 and gear 2, mm (0 for a solid disc).
 Result<RatedPair> rated_pair(const Pair& pair, std::array<double, 2> bore);
 
 }  // namespace gearwright

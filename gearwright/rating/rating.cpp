@@ -18,13 +18,13 @@ constexpr double kReversed = 0.7;  // relative root strength for bending in both
 
 Factor given(double value) { return {value, "", kGivenFactor}; }
 
-// A factor of the reference number of cycles at this life.
+// Converts a factor at the reference number of cycles to the factor at this life.
 Factor at_life(Factor f, const Life& life) {
   if (life.reference != 1.0) f.value = std::pow(f.value, life.reference);
   return f;
 }
 
-// All values are ordered as pinion and wheel.
+// Computes the rating. All values are in the order pinion, wheel.
 struct Rater {
   const RatedPair& pair;
   const RatingInput& in;
@@ -33,7 +33,7 @@ struct Rater {
   Rating r{};
   double pinion_speed = 0.0, velocity = 0.0;
   std::array<std::optional<double>, 2> cycles{};
-  std::array<Tolerances, 2> tolerance{};  // where the quality is given
+  std::array<Tolerances, 2> tolerance{};  // valid if the quality is given
 
   Rater(const RatedPair& p, const RatingInput& i)
       : pair(p),

@@ -1,12 +1,12 @@
-// Strength of a pair by ISO 6336, method B: every factor, stresses, safeties.
+// Strength of a pair by ISO 6336, method B: all factors, stresses and safety factors.
 //
 //   const auto pair = rated_pair(mounted);
 //   const auto r = rate(*pair, {.torque = 40953, .speed = 1165.9, .materials = {steel, steel}});
 //   if (r) use(r->S_F[0].value, r->S_F[0].formula);
 //
-// Lists of two are gear 1 and gear 2 of the spec, whichever is the pinion. A factor that is not
-// given counts as 1, and its branch states this. Scuffing and micropitting (ISO/TS 6336-20, -21,
-// -22) are not covered. For plastics, rating/plastic.hpp computes the same numbers by VDI 2736 at
+// Lists of two values are in the order gear 1, gear 2 of the spec, whichever is the pinion. A factor
+// whose input is not given is 1, and its branch states this. Scuffing and micropitting (ISO/TS 6336-20,
+// -21, -22) are not covered. For plastics, rating/plastic.hpp computes the same numbers by VDI 2736 at
 // the temperatures of the teeth, without the factors that this guideline does not contain.
 //                                              theory: docs/theory/11-rating.md
 #pragma once
@@ -31,26 +31,27 @@ struct RatingInput {
   double torque = 0.0;                        ///< T_1  N m, on gear 1
   std::optional<double> speed;                ///< n_1  1/min, of gear 1
   double application_factor = 1.0;            ///< K_A
-  double mesh_load_factor = 1.0;              ///< K_γ  of power that is shared between meshes
+  double mesh_load_factor = 1.0;              ///< K_γ  if several meshes share the power
   std::optional<double> life_h;               ///< L_h  h
   bool reversed = false;                      ///< true for bending in both directions (idler)
   std::optional<double> viscosity;            ///< ν_40 mm²/s
   std::optional<std::array<int, 2>> quality;  ///< Q of ISO 1328-1
   std::optional<std::array<double, 2>> flank_roughness, root_roughness;  ///< Rz  µm
   std::optional<double> tip_relief;                                      ///< C_a  µm
-  // Factors that the user gives.
+  // Factors given by the user.
   std::optional<double> dynamic_factor;               ///< K_v
   std::optional<double> face_load_factor;             ///< K_Hβ
   std::optional<double> face_load_factor_root;        ///< K_Fβ
   std::optional<double> transverse_load_factor;       ///< K_Hα
   std::optional<double> transverse_load_factor_root;  ///< K_Fα
   std::optional<PinionMounting> mounting;
-  std::optional<MeshShafts> shafts;    ///< for K_Hβ without it or a mounting
-  std::optional<double> misalignment;  ///< f_ma  µm, with `shafts`; none: as for a mounting
+  std::optional<MeshShafts> shafts;    ///< from which K_Hβ follows if neither K_Hβ nor a mounting
+                                       ///< is given
+  std::optional<double> misalignment;  ///< f_ma  µm, with `shafts`; default as for a mounting
   std::optional<RatedBody> body;
   std::array<std::optional<double>, 2> rim{};  ///< s_R  mm
   LifeChoice life;
-  PlasticInput plastic;  ///< of VDI 2736
+  PlasticInput plastic;  ///< for VDI 2736
   std::array<Material, 2> materials;
 };
 
@@ -60,35 +61,39 @@ struct Rating {
   Factor F_t;               ///< N
   std::optional<Factor> v;  ///< m/s
   std::array<std::optional<Factor>, 2> N_L;
-  std::optional<std::array<Tolerances, 2>> tolerance;  ///< µm, where the quality is given
+  std::optional<std::array<Tolerances, 2>> tolerance;  ///< µm, if the quality is given
   Factor K_A, K_gamma, K_v;
   std::optional<Factor> m_red, n_E1, N;
   FaceLoad face;
   Factor K_Fbeta, K_Halpha, K_Falpha;
   Stiffness stiffness;
   Factor Z_H, Z_E, Z_epsilon, Z_beta, Z_L, Z_v, Z_R;
-  FactorPair Z_B, Z_NT, Z_L_at_N, Z_v_at_N, Z_R_at_N, Z_W, Z_X;  ///< Z_B of one, Z_D of the other
+  FactorPair Z_B, Z_NT, Z_L_at_N, Z_v_at_N, Z_R_at_N, Z_W, Z_X;  ///< Z_B is Z_D for the wheel
   Factor sigma_H0;
   FactorPair sigma_H, sigma_HG, S_H;
   std::array<CriticalSection, 2> section;
   FactorPair Y_F, Y_S, Y_beta, Y_B, Y_DT, Y_ST, Y_M, Y_NT, Y_delta_relT, Y_R_relT, Y_X;
   FactorPair sigma_F0, sigma_F, sigma_FG, S_F;
-  std::optional<Factor> Y_epsilon;               ///< of VDI 2736
-  std::optional<ToothTemperatures> temperature;  ///< °C, the same
+  std::optional<Factor> Y_epsilon;               ///< only by VDI 2736
+  std::optional<ToothTemperatures> temperature;  ///< °C, only by VDI 2736
   std::vector<Warning> limits;                   ///< limits of the standard that this pair exceeds
 };
 
-/// Inputs that the standard needs and that are missing, and a grade that its edition of ISO 1328-1
-/// does not have, independent of the pair, as the errors of rate().
+/// The error of rate() for missing inputs and for a grade that the edition of ISO 1328-1 does not have.
+/// It does not depend on the pair.
 std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
-
+/// The rating of a pair.
+///
 /// Formula   [T11.1], [T11.22], [T11.40]
-/// Errors    `rating.speed` where K_v or the lives need it, `rating.quality`, `rating.face_load_factor`
-///           where neither it nor a mounting nor a shaft is given, `rating.mounting` or `gearN.shaft`
-///           of double-helical gears without a face load factor, `gearN.rack` where no tangent touches the root
-/// Laws      (1) σ_F0 ∝ T, σ_H0 ∝ √T    (2) lengths times k and torque times k³: the same stresses
-///           (3) gear 1 and gear 2 exchanged, with torque and speed of the other: the same numbers
-///           by VDI 2736 `rating.plastic…`, `gearN.material…` where it has no value at the temperature
+/// Errors    `rating.speed` if K_v requires it; `rating.quality`; `rating.face_load_factor` if neither
+///           this factor nor a mounting nor a shaft is given; `rating.mounting` or `gearN.shaft` for
+///           double-helical gears without a face load factor; `gearN.rack` if no tangent touches the
+///           root; by VDI 2736 `rating.plastic…`, and `gearN.material…` if there is no value at the
+///           temperature
+/// Laws      (1) σ_F0 ∝ T, σ_H0 ∝ √T
+///           (2) if lengths are multiplied by k and the torque by k³, the stresses do not change
+///           (3) if gear 1 and gear 2 are exchanged, with the torque and speed of the other gear, the
+///               numbers do not change
 /// Domain    torque > 0 (contract)
 Result<Rating> rate(const RatedPair& pair, const RatingInput& input);
 

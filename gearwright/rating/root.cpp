@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// ρ_fPv*: the rounding of the rack that is equivalent to a pinion cutter. [ISO 6336-3, 6.2]
+// ρ_fPv*, the tip rounding of the rack that is equivalent to a pinion cutter. [ISO 6336-3, 6.2]
 double virtual_fillet(const RootTool& tool) {
   if (tool.cutter_teeth == 0) return tool.fillet;
   const double reach = tool.cutter_shift + tool.dedendum - tool.fillet;
@@ -21,7 +21,7 @@ double virtual_fillet(const RootTool& tool) {
          std::pow(std::max(0.0, reach), 1.95) / (3.156 * std::pow(1.036, tool.cutter_teeth));
 }
 
-// θ = 2 G tan θ/z_n − H, by Newton's method.
+// Solves θ = 2 G tan θ/z_n − H by Newton's method.
 std::optional<double> tangent_angle(double G, double z_n, double H, double start) {
   constexpr int kMost = 60;
   constexpr double kSame = 1e-14;
@@ -63,7 +63,8 @@ std::optional<CriticalSection> critical_section(const RatedPair& pair, const Rat
   s.theta = *theta;
   s.s_Fn = m * (z_n * std::sin(T - *theta) + (internal ? 1.0 : std::numbers::sqrt3) * arm);
   s.rho_F = m * (fillet + 2 * G * G / (c * (std::abs(z_n) * c * c - 2 * G)));
-  // The outer point of single pair contact, one pitch from where contact begins; or the tip.
+  // The point of load application: the tip, or the outer point of single pair contact, which is one
+  // pitch from the start of contact.
   const double side = gear.side();
   const double d_n = m * z_n;
   const double d_bn = d_n * cos_a;

@@ -1,11 +1,11 @@
-// The root's factors: ISO 6336-3, tooth bending strength.
+// Factors of tooth bending strength by ISO 6336-3.
 //
 //   σ_F0 = F_t/(b m_n) Y_F Y_S Y_β Y_B Y_DT             σ_F = σ_F0 K_A K_γ K_v K_Fβ K_Fα
 //   σ_FG = σ_Flim Y_ST Y_NT Y_δrelT Y_RrelT Y_X, Y_ST = 2     S_F = σ_FG/σ_F
 //
-// The critical section lies where a line at 30° to the tooth's centre line (60° for an internal
-// gear) is tangent to the fillet, which has the radius ρ_F there. The load acts at the outer point
-// of single pair contact (d_en, α_Fen), h_F above the section's chord s_Fn.
+// The critical section lies where a line at 30° to the tooth's centre line (60° for an internal gear) is
+// tangent to the fillet. The fillet has the radius ρ_F there, and the chord of the section is s_Fn. The
+// load acts at the outer point of single pair contact (d_en, α_Fen), with the lever arm h_F.
 //                                              theory: docs/theory/11-rating.md
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace gearwright {
 
-/// The point of load application: method B, method C.
+/// The point of load application, in method B and in method C.
 enum class LoadPoint { single_contact, tip };
 
 struct CriticalSection {
@@ -26,27 +26,27 @@ struct CriticalSection {
   double rho_F;      ///< mm
   double h_F;        ///< mm
   double alpha_Fen;  ///< rad
-  double d_en;       ///< mm, negative of an internal gear
+  double d_en;       ///< mm, negative for an internal gear
   double q_s;        ///< s_Fn/(2 ρ_F)
 };
 
-/// The section of a gear in the normal plane, exactly as its rack cut it (x_E, ρ_fP*, h_fP*, s_pr*);
-/// for an internal gear with ρ_fPv, which represents its pinion cutter.
+/// The critical section of a gear in the normal plane, from the rack that cut it (x_E, ρ_fP*, h_fP*,
+/// s_pr*). For an internal gear, the equivalent radius ρ_fPv represents its pinion cutter.
 ///
 /// Formula   [T11.27]…[T11.31]; ISO 6336-3, 6.2
-/// None      where no tangent at 30° (60°) touches the fillet
+/// None      if no tangent at 30° (60°) touches the fillet
 std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear,
                                                 LoadPoint at = LoadPoint::single_contact);
 
-/// The effective face width of a root, mm: a wider gear has at most one module more at each end
-/// than the common face.
+/// The effective face width of a root, mm. If the gear is wider than the common face, at most one module
+/// more at each end counts.
 double root_face_width(const RatedPair& pair, const RatedGear& gear);
 
-/// Y_F [T11.32]; in the edition of 2019 it includes the share of the load, f_ε.
+/// Y_F [T11.32]. In the edition of 2019 it includes the load distribution factor f_ε.
 Factor form_factor(RatingEdition edition, const RatedPair& pair, const CriticalSection& section);
 Factor stress_correction_factor(const CriticalSection& section);         ///< Y_S [T11.33]
 Factor root_helix_factor(RatingEdition edition, const RatedPair& pair);  ///< Y_β [T11.34]
-/// Y_B [T11.35], of a rim `rim` mm thick; a rim that is not given counts as thick enough.
+/// Y_B [T11.35] for a rim thickness `rim` in mm. By default the rim is thick enough.
 Factor rim_factor(const RatedGear& gear, double normal_module, std::optional<double> rim);
 Factor deep_tooth_factor(const RatedPair& pair, std::optional<int> grade);  ///< Y_DT [T11.36]
 

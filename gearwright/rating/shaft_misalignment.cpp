@@ -18,7 +18,8 @@ std::vector<double> shaft_deviation(const RatedPair& pair, const MeshShafts& sha
   // Gear 1 turns clockwise seen from +z, so it pushes gear 2 towards −y if it drives.
   const double push = shafts.gear2_drives ? 1.0 : -1.0;
   const double F_bt = F_t * pair.gears[0].reference_diameter / pair.gears[0].base_diameter;
-  // T_i tan β_w sin α_wt = F_bt r_bi tan β_b tan α_wt, because tan β_w = tan β_b / cos α_wt.
+  // The tilting moment is T_i tan β_w sin α_wt = F_bt r_bi tan β_b tan α_wt, because
+  // tan β_w = tan β_b/cos α_wt.
   const double tilt = std::tan(pair.beta_b) * std::tan(pair.alpha_wt);
   std::vector<double> f(z.size(), 0.0);
   for (const int which : {1, 2}) {
@@ -27,7 +28,8 @@ std::vector<double> shaft_deviation(const RatedPair& pair, const MeshShafts& sha
     const RatedGear& gear = pair.gears[pair.place(which)];
     GW_EXPECTS(!gear.internal());
     const double r_b = gear.base_diameter / 2;
-    // Gear 2 has the other hand, or in an internal pair it turns in the same sense.
+    // Gear 2 has the opposite hand. In an internal pair it has the same hand but turns in the same
+    // sense, with the same result.
     const double hand = which == 1 ? shafts.hand1 : -shafts.hand1;
     const ShaftLoad load{F_bt, push * hand * F_bt * r_b * tilt, -b / 2, b / 2};
     const std::vector<double> w = shaft_deflection(*shaft, load, z);

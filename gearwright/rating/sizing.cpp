@@ -72,13 +72,13 @@ RatedPair with_face_width(RatedPair pair, double face_width) {
 std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted, double most) {
   const auto holds_at = [&](double b) { return safe(with_face_width(pair, b), input, wanted); };
-  // Safety factors grow with the width but decrease where a tolerance reaches its next step, so
-  // sufficient widths may lie below a gap and be few. A safety of s times the required one at b is
-  // sufficient at b s^(−1/kPower) at the earliest, so no step except the least one skips a
-  // sufficient width.
-  constexpr double kPower = 4.0;       // 1 from the load, the rest from overlap and load factors
-  constexpr double kLeastStep = 1e-4;  // relative; narrower ranges of widths are ignored
-  constexpr double kBlind = 1.001;     // if there is no rating
+  // Safety factors grow with the width, but decrease where a tolerance reaches its next step, so the
+  // sufficient widths may form several ranges. If the safety factor at the width b is s times the
+  // required one, a sufficient width is at least b s^(−1/kPower). Only the least step may therefore skip
+  // a sufficient width.
+  constexpr double kPower = 4.0;       // 1 for the load, the rest for overlap and load factors
+  constexpr double kLeastStep = 1e-4;  // relative; narrower ranges of widths may be missed
+  constexpr double kBlind = 1.001;     // relative step if there is no rating at this width
   double lo = std::min(most, pair.normal_module);
   double hi = lo;
   for (;;) {
@@ -98,7 +98,7 @@ std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingIn
 
 std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted) {
-  // a steel cannot replace a plastic
+  // A steel is no alternative to a plastic.
   if (input.edition == RatingEdition::vdi_2736) return std::nullopt;
   const auto rated = rate(pair, input);
   if (!rated) return std::nullopt;

@@ -17,14 +17,14 @@ constexpr int kHalvings = 60;
 struct Strength {
   MaterialKind kind;
   bool flank;
-  double basic;      // σ_Hlim, or 2 σ_Flim Y_M
-  double reference;  // at the reference number of cycles
+  double basic;      // σ_0: σ_Hlim for the flank, σ_Flim Y_ST Y_M for the root
+  double reference;  // σ_ref, the strength at the reference number of cycles
 
   double at(double cycles, const LifeChoice& choice) const {
     const Life life = flank ? flank_life(kind, cycles, choice) : root_life(kind, cycles, choice);
     return basic * life.factor.value * std::pow(reference / basic, life.reference);
   }
-  // N(σ) is infinite below the end of the line and 0 above the static strength.
+  // N(σ), which is infinite below the strength at 10¹⁰ cycles and 0 above the static strength.
   double cycles(double stress, const LifeChoice& choice) const {
     if (stress <= at(kLastCycles, choice)) return kInfinity;
     double lo = 0.0, hi = std::log10(kLastCycles);

@@ -3,10 +3,10 @@
 //   n_i   cycles of step i        N_i(σ)  permissible cycles at the stress σ
 //   U     damage Σ n_i/N_i, 1 at failure (Miner)
 //
-// ISO 6336-6: every step is rated with its own load factors and K_A = 1, because the spectrum
-// replaces K_A. The safety is the factor on all stresses at which the damage is 1. A stress below
-// the material's line at 10¹⁰ cycles causes no damage, and one above the static strength causes
-// failure.
+// As in ISO 6336-6, every step is rated with its own load factors and with K_A = 1, because the spectrum
+// replaces K_A. The safety factor is the factor by which all stresses must be multiplied for a damage of
+// 1. A stress below the strength at 10¹⁰ cycles causes no damage. A stress above the static strength
+// causes failure.
 #pragma once
 
 #include <vector>
@@ -22,16 +22,20 @@ struct LoadBin {
 };
 
 struct SpectrumRating {
-  std::array<double, 2> damage_flank, damage_root;  ///< U of gear 1 and gear 2; infinite if it
-                                                    ///< breaks
+  std::array<double, 2> damage_flank,
+      damage_root;  ///< U of gear 1 and gear 2; infinite if a stress
+                    ///< exceeds the static strength
   std::array<double, 2> S_H, S_F;
 };
 
+/// The rating of a pair under a load spectrum.
+///
 /// Formula   [T11.42]; ISO 6336-6, Miner's rule
 /// Errors    as rate
-/// Domain    at least one step, torques, speeds and hours > 0 (contract)
-/// Laws      (1) one step of the whole life: the safety of the plain rating with K_A = 1
-///           (2) steps cut in two change nothing   (3) U ≤ 1 where S ≥ 1
+/// Domain    at least one step; torques, speeds and hours > 0 (contract)
+/// Laws      (1) a spectrum of one step has the safety factors of rate() with K_A = 1
+///           (2) a step can be divided in two without a change of the result
+///           (3) U ≤ 1 if S ≥ 1
 Result<SpectrumRating> rate_spectrum(const RatedPair& pair, const RatingInput& input,
                                      const std::vector<LoadBin>& spectrum);
 

@@ -1,9 +1,10 @@
 // Mesh stiffness: ISO 6336-1, clause 9, method B.
 //
 //   q'       flexibility of a pair of teeth per face width, (mm µm)/N        c'_th = 1/q'
-//   c'       the same with gear bodies and rack      c_γα, c_γβ   of the mesh, N/(mm µm)
-//   C_M      correction of theory by measurement: 0.8
-//   C_R      gear body      C_B   basic rack          E/E_St   material
+//   c'       stiffness of a pair of teeth, including gear bodies and basic rack, N/(mm µm)
+//   c_γα, c_γβ   mesh stiffness, N/(mm µm)
+//   C_M      correction by measurements, 0.8
+//   C_R, C_B, E/E_St   corrections for gear body, basic rack and material
 #pragma once
 
 #include <optional>
@@ -13,7 +14,7 @@
 
 namespace gearwright {
 
-/// A rim on a web instead of a solid disc.
+/// A gear body with web and rim. Without it, the body is a solid disc.
 struct RatedBody {
   double web_share = 1.0;    ///< b_s/b, 0.2 … 1.2
   double rim_modules = 5.0;  ///< s_R/m_n, ≥ 1
@@ -25,18 +26,18 @@ struct Stiffness {
   Factor c_gamma_alpha;  ///< c_γα
   Factor c_gamma_beta;   ///< c_γβ
   double C_R, C_B;
-  bool in_range;  ///< x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2, the range of the standard's q'
+  bool in_range;  ///< true if x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2, the range of the formula for q'
 };
-
-/// Dimensions of web and rim from the drawing, mm.
+/// The body with the dimensions of web and rim from the drawing, mm.
 inline RatedBody rated_body(const RatedPair& pair, double web, double rim) {
   return {web / pair.face_width, rim / pair.normal_module};
 }
 
-/// `specific_load` is F_t K_A/b in N/mm: below 100 the stiffness decreases; `elasticity` is E/E_St.
+/// The stiffness of a mesh. `specific_load` is F_t K_A/b in N/mm; below 100 N/mm the stiffness
+/// decreases. `elasticity` is E/E_St.
 ///
-/// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), 1/z_n2 = 0
-///           for an internal gear
+/// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), and with
+///           1/z_n2 = 0 for an internal gear
 Stiffness mesh_stiffness(const RatedPair& pair, double specific_load, double elasticity,
                          const std::optional<RatedBody>& body);
 

@@ -12,12 +12,13 @@ namespace gearwright {
 
 namespace {
 
-// The arc of P rises until its tangent is upright, τ = 0; it ends slightly before that.
+// The normal angle at the end of the arc of P. At τ = 0, the tangent would be perpendicular to the
+// datum line.
 constexpr Angle kLastOfP = Angle::degrees(1);
 
 bool is_F(const ArcRack& rack) { return rack.cutter == ArcRack::Cutter::F; }
 
-// The flank's circle in the frame of the edge. [T7.1], [T7.2]
+// The circle of the flank in the frame of the edge. [T7.1], [T7.2]
 RackArc flank_of(const ArcRack& rack) {
   RackArc arc;
   arc.center_height = is_F(rack) ? -rack.center_b : rack.center_b;
@@ -26,7 +27,7 @@ RackArc flank_of(const ArcRack& rack) {
   return arc;
 }
 
-// sin τ of the joint of the flank with a rounding of radius rho. [T7.4]
+// sin τ of the point where the flank joins a rounding of radius rho. [T7.4]
 double joint_sine(const ArcRack& rack, double rho) {
   const RackArc flank = flank_of(rack);
   return (rho - rack.dedendum - flank.center_height) / (rho + flank.radius);
@@ -50,7 +51,7 @@ std::optional<Error> check_numbers(const ArcRack& rack) {
   return std::nullopt;
 }
 
-// The joint must lie on the circle of the flank, above its foot and below its end.
+// The joint of flank and rounding must lie on the arc of the flank.
 std::optional<Error> check_joint(const ArcRack& rack) {
   const double rho = rack.root_fillet_radius;
   if (!is_F(rack) && !(rho < rack.arc_radius)) {
@@ -93,10 +94,12 @@ ArcRack default_arc_rack(ArcRack::Cutter cutter) {
 }
 
 double full_radius(const ArcRack& rack) {
-  // The rounding's centre, (q + ρ) n(τ_j) from the flank's, in the middle of the cutter's tip.
+  // The distance between the centres of rounding and flank is q + ρ. The centre of a full radius lies in
+  // the middle of the cutter's tip.
   const RackArc flank = flank_of(rack);
   const double q = flank.radius;
-  const double c = flank.center_height + rack.dedendum;  // from the tip up to the flank's centre
+  const double c =
+      flank.center_height + rack.dedendum;  // height of the flank's centre above the tip
   const double w = kHalfPi - flank.center_offset;
   return (w * w + c * c - q * q) / (2 * (q + c));
 }
@@ -105,7 +108,8 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   if (auto error = check_numbers(rack)) return *error;
   if (auto error = check_joint(rack)) return *error;
   RackArc flank = flank_of(rack);
-  // The end above the tip, where both sides meet, or where the arc is flat (F) or upright (P).
+  // cos τ at the end of the arc, where both sides meet. It is limited to 0 and 1, where the tangent of
+  // the arc is parallel (0) or perpendicular (1) to the datum line.
   const double meeting = std::min(1.0, std::max(0.0, -flank.center_offset / flank.radius));
   if (is_F(rack)) {
     if (!(meeting < 1.0)) {
@@ -141,7 +145,7 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   const double y_c = flank.center_offset + (flank.radius + rho) * std::cos(flank.begin.rad());
   if (y_c > kHalfPi) {
     const double greatest = full_radius(rack);
-    // A larger rounding moves outward for F and inward for P.
+    // With a larger radius, the rounding of F moves outward and the rounding of P moves inward.
     const bool smaller_fits = greatest >= 0.0 && greatest < rho;
     return smaller_fits
                ? refused("rack.root_fillet_radius", rho, {greatest},

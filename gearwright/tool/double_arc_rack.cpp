@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// Checks each number on its own.
+// Checks the range of each number.
 std::optional<Error> check_numbers(const DoubleArcRack& r) {
   const double alpha = r.pressure_angle.deg();
   if (!(alpha > 0.0 && alpha < 90.0))
@@ -77,7 +77,8 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
   d.contact_thickness = 2 * (r.convex_radius * c - r.convex_offset);
   d.concave_offset = r.concave_radius * c - r.space_width / 2;
 
-  // The step: tangent to the convex arc at its foot, and through the concave arc's upper end.
+  // The arc of the step is tangent to the convex arc at the lower end of the convex arc, and it passes
+  // through the upper end of the concave arc.
   const double sin_1 = (r.step_height - r.convex_height) / r.convex_radius;
   if (!(sin_1 > 0.0 && sin_1 < 1.0)) {
     return refused("rack.step_height", r.step_height,
@@ -103,8 +104,8 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
                     (r.convex_radius * cos_1 - r.convex_offset);
   const double across = dx * sin_1 + dy * cos_1;
   d.step_radius = (dx * dx + dy * dy) / (2 * across);
-  // The normal of the step starts at the corner with at most 90° and must turn down to that of the
-  // convex arc.
+  // The normal angle of the step is at most 90° at the end of the concave arc and must decrease to the
+  // normal angle of the convex arc.
   if (!(across > 0.0 && d.step_radius <= kMaxModules && dy <= d.step_radius * cos_1 &&
         r.step_height + d.step_radius * sin_1 + r.step_depth < d.step_radius)) {
     return refused("rack.space_width", r.space_width,

@@ -1,16 +1,16 @@
-// The basic rack of double circular-arc gears: a convex arc in the addendum, a concave one in the
-// dedendum, a step between them. Two gears of the same rack mesh.
+// The basic rack of double circular-arc gears. It has a convex arc in the addendum, a concave arc in
+// the dedendum and a step between the two arcs. Two gears cut by the same rack mesh with each other.
 //
-//   α            pressure angle where the arcs touch the mating gear's
-//   ρ_a, ρ_f     radii of the two arcs
-//   x_a, x_f     heights of their centres over the datum line
+//   α            pressure angle at the contact with the mating gear
+//   ρ_a, ρ_f     radii of the convex arc in the addendum and of the concave arc in the dedendum
+//   x_a, x_f     heights of the centres of these arcs above the datum line
 //   l_a          distance of the convex arc's centre beyond the middle of the tooth
-//   e_f          width of the space where the concave arc is touched
-//   h_ja, h_jf   height and depth at which the step begins and ends       all in normal modules
+//   e_f          width of the space at the contact point of the concave arc
+//   h_ja, h_jf   height and depth at which the step begins and ends; all lengths in normal modules
 //                                              theory: docs/theory/07-circular-arc.md, 7.3
 //
-// The table of the standard has more numbers than are independent. The others follow from tangency,
-// and the tests compare them with the table.
+// Some of the numbers in the table of the standard follow from the others by tangency. These numbers
+// are computed here, and the tests compare them with the table.
 #pragma once
 
 #include <optional>
@@ -31,30 +31,31 @@ struct DoubleArcRack {
   double space_width = 1.1773;                ///< e_f*
   double step_height = 0.16;                  ///< h_ja*
   double step_depth = 0.2;                    ///< h_jf*
-  bool named = false;                         ///< true if taken from the standard by its module
+  bool named = false;                         ///< true if the numbers are those of the standard
 };
 
-/// GB/T 12759-1991 for this module: 1.5 to 3, over 3 to 6, over 10 to 16 and over 32 to 50 mm.
+/// The rack of GB/T 12759-1991 for a module from 1.5 to 3, over 3 to 6, over 10 to 16 or over 32 to 50 mm.
 ///
-/// Errors    `rack` for a module outside these ranges, with the table to write instead
+/// Errors    `rack` for a module outside these ranges
 Result<DoubleArcRack> gbt12759_rack(double normal_module);
 
 /// Derived values, in modules. [T7.6]…[T7.9]
 struct DoubleArcDerived {
-  double convex_contact_height;  ///< h_k of the convex arc, over the datum line
-  double concave_contact_depth;  ///< h_k of the concave one, under it
-  double contact_thickness;      ///< S_a*  of the tooth at the convex contact
-  double concave_offset;         ///< l_f*
-  double root_radius;            ///< r_g*  full radius of the cutter's tip
-  double step_radius;            ///< r_j*
-  Angle convex_begin;            ///< δ_1
-  Angle concave_end;             ///< δ_2
+  double convex_contact_height;  ///< h_k  contact point of the convex arc, above the datum line
+  double concave_contact_depth;  ///< h_k  contact point of the concave arc, below the datum line
+  double
+      contact_thickness;  ///< S_a*  thickness of the tooth at the contact point of the convex arc
+  double concave_offset;  ///< l_f*
+  double root_radius;     ///< r_g*  full radius of the cutter's tip
+  double step_radius;     ///< r_j*
+  Angle convex_begin;     ///< δ_1
+  Angle concave_end;      ///< δ_2
 };
 
-/// Errors    `rack.step_depth` and so on, naming the number that makes the rack impossible
+/// Errors    the member of `rack` that makes the rack impossible, such as `rack.step_depth`
 Result<DoubleArcDerived> derived(const DoubleArcRack& rack);
 
-/// Full-radius tip, concave arc, step, and convex arc up to the point where both sides meet.
+/// The chain of full-radius tip, concave arc, step, and convex arc up to the point where both sides meet.
 ///
 /// Errors    as derived; `rack.addendum`, `rack.dedendum`
 Result<RackOfArcs> arcs_of(const DoubleArcRack& rack);

@@ -1,4 +1,4 @@
-// The rack that cuts a gear: straight-sided, of involute teeth, or of arcs.
+// The rack that cuts a gear, with straight sides (involute teeth) or with circular arcs.
 #pragma once
 
 #include <variant>
@@ -10,14 +10,14 @@
 
 namespace gearwright {
 
-/// All except the first cut circular-arc teeth; `arcs_of` returns their arcs.
+/// A StraightRack cuts involute teeth. The other racks cut circular-arc teeth; `arcs_of` returns their arcs.
 using Rack = std::variant<StraightRack, ArcRack, DoubleArcRack, RackOfArcs>;
 
 inline bool is_straight(const Rack& rack) { return std::holds_alternative<StraightRack>(rack); }
 
 inline Result<RackOfArcs> arcs_of(const RackOfArcs& rack) { return rack; }
 
-/// Addendum of the gear's tooth above the datum line, in normal modules.
+/// Addendum of the gear tooth above the datum line, in normal modules.
 inline double addendum_of(const Rack& rack) {
   return std::visit([](const auto& r) { return r.addendum; }, rack);
 }

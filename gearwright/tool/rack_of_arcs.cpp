@@ -12,12 +12,11 @@ namespace gearwright {
 
 namespace {
 
-// Normals this close are equal, which means a tangent joint.
+// Difference of the normals of two arcs within which their joint is tangent.
 constexpr double kSameNormal = 1e-6;  // rad
-constexpr double kAbove90 = 1e-15;    // relative to 90°, for degrees converted from radians
-constexpr double kOverlap = 1e-12;    // relative to half the pitch, for rounding
-
-// Arcs are counted from 1.
+constexpr double kAbove90 = 1e-15;    // rounding error of 90°, relative to 90°
+constexpr double kOverlap = 1e-12;    // rounding error, relative to half of the pitch
+// The message counts arcs from 1.
 Error bad_arc(std::size_t i, std::string rule) {
   return {fmt::format("rack.arcs[{}]", i + 1), "", std::move(rule)};
 }
@@ -45,7 +44,7 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
   return std::nullopt;
 }
 
-// The chain that is cut, with ends joined to the last bit and corners inserted.
+// The chain of arcs with corners inserted and with ends that are equal to the last bit.
 Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
   std::vector<RackArc> chain;
   for (std::size_t i = 0; i < rack.arcs.size(); ++i) {
@@ -84,7 +83,7 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
   return chain;
 }
 
-// Ends the last arc where the two sides meet, if a shift by `thinner` (modules) made them cross.
+// If a shift by `thinner` (modules) makes the two sides cross, ends the last arc where they meet.
 void end_in_the_middle(RackArc& arc, double thinner) {
   const double c = -(arc.center_offset + thinner) / arc.radius;
   const bool crossed = point_at(arc, arc.end).y() + thinner < 0.0;

@@ -1,12 +1,13 @@
-// A rack whose edge is a chain of circular arcs, given by its numbers in normal modules.
+// A rack whose edge is a chain of circular arcs. All lengths are in normal modules.
 //
 //   x, y   height above the datum line and distance from the middle of the gear's tooth, as in
 //          tool/cutter_edge.hpp                           theory: docs/theory/07-circular-arc.md
-//   q      signed radius: > 0 cuts a convex part of the tooth, < 0 a concave one, 0 is a corner
-//   τ      normal angle; an arc is  centre + q (sin τ, cos τ)
+//   q      signed radius: q > 0 cuts a convex part of the tooth, q < 0 a concave part; q = 0 is a corner
+//   τ      normal angle; the points of an arc are  centre + q (sin τ, cos τ)
 //
-// The arcs follow each other from the cutter's tip, dedendum below the datum line, to the end of
-// its edge, where a land ends the tooth. All circular-arc gears are reduced to this form.
+// The arcs follow each other from the cutter's tip, which lies one dedendum below the datum line, to
+// the end of the edge, where a land ends the tooth. All racks of circular-arc gears are converted to
+// this form.
 #pragma once
 
 #include <optional>
@@ -28,30 +29,29 @@ struct RackArc {
 };
 
 struct RackOfArcs {
-  double addendum = 1.0;  ///< of the gear tooth above the datum line, modules
-  double dedendum = 1.0;  ///< depth of the cutter, modules
+  double addendum = 1.0;  ///< addendum of the gear tooth above the datum line, modules
+  double dedendum = 1.0;  ///< depth of the cutter below the datum line, modules
   std::vector<RackArc> arcs;
 };
 
-/// Ends of neighbouring arcs this close, in modules, are one point: the later arc is moved there.
+/// Largest gap between neighbouring arcs, modules. The later arc is moved to close the gap.
 constexpr double kSameRackPoint = 1e-6;
 
 /// The point of an arc at τ, modules.
 Vec2 point_at(const RackArc& arc, Angle tau);
 
-/// Height of the edge above the datum line, modules.
+/// Height of the end of the edge above the datum line, modules.
 double reach(const RackOfArcs& rack);
 
-/// Half the gear tooth's thickness of the rack on the datum line, modules; none if no arc crosses
-/// it.
+/// Half of the gear tooth's thickness on the datum line, modules; empty if no arc crosses that line.
 std::optional<double> half_thickness_on_datum(const RackOfArcs& rack);
 
-/// The edge in mm, thinned by the allowance: E_sn < 0 moves every arc towards the middle of the
-/// tooth by half of it. If the normal angle decreases from one arc to the next, the corner between
-/// them cuts too and is an arc of radius 0. [T7.3]
+/// The edge in mm, for a gear tooth with a thickness allowance. An allowance E_sn < 0 moves every arc
+/// by |E_sn|/2 towards the middle of the gear tooth. If the normal angle decreases from one arc to the
+/// next, the corner between the two arcs also cuts and becomes an arc of radius 0. [T7.3]
 ///
 /// Units     mm
-/// Errors    `rack.arcs`, `rack.addendum`, `rack.dedendum` that violates a law of an edge
+/// Errors    `rack.arcs`, `rack.addendum` or `rack.dedendum` if it violates a law of CutterEdge
 Result<CutterEdge> make_edge(const RackOfArcs& rack, double normal_module,
                              double thickness_allowance);
 

@@ -13,13 +13,12 @@ namespace gearwright {
 namespace {
 
 constexpr Angle kRightAngle = Angle::radians(kHalfPi);
-// An upper limit for cutters in modules, within which nothing overflows.
 
 EdgeArc line(ArcName cuts, const EdgeLine& piece, bool smooth) { return {cuts, piece, smooth}; }
 
 EdgeArc circle(ArcName cuts, const EdgeCircle& piece, bool smooth) { return {cuts, piece, smooth}; }
 
-// Checks each number on its own.
+// Checks the range of each number.
 std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
   const double alpha_deg = Angle::radians(alpha).deg();
   if (!(rack.addendum >= 0.0 && rack.addendum <= kMaxModules)) {
@@ -74,7 +73,7 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
   return std::nullopt;
 }
 
-// Half width of the cutter's space at height x, mm, up to the flank. [T3.1]
+// Half width of the cutter's space between the straight flanks at the height x, mm. [T3.1]
 double flank_y(double m, double alpha, double x) {
   return std::numbers::pi * m / 4 - x * std::tan(alpha);
 }
@@ -102,8 +101,8 @@ std::optional<StraightRack> iso53_rack(std::string_view name) {
 }
 
 double full_radius(const StraightRack& rack, Angle normal_pressure_angle) {
-  // The rounding touches the tip land and, at τ = α_n, the line that is offset from the flank by
-  // pr_P*. It is a full radius if its centre lies in the middle of the cutter's tooth.
+  // The rounding touches the tip land and, at τ = α_n, a line that is offset from the flank by pr_P*.
+  // With the full radius, the centre of the rounding lies in the middle of the cutter's tooth.
   const double s = std::sin(normal_pressure_angle.rad());
   const double c = std::cos(normal_pressure_angle.rad());
   return (std::numbers::pi / 4 * c - rack.dedendum * s + rack.protuberance) / (1 - s);
@@ -143,13 +142,14 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   edge.tip_depth = rack.dedendum * m;
   const double pr = rack.protuberance * m;
   const double x_c = -edge.tip_depth + rho;
-  // The centre of a full radius lies in the middle, to the last bit. [T3.3]
+  // The centre of a full radius lies exactly in the middle of the cutter's tooth. [T3.3]
   const double y_c =
       full ? std::numbers::pi * m / 2 : std::numbers::pi * m / 4 + (rho - pr - x_c * s) / c;
   edge.tip_land_end = y_c;
 
-  // A small protuberance consists of the rounding only: the circle, offset from the flank by pr at
-  // τ = α, intersects it at ρ cos(α − τ) = ρ − pr before it reaches α_pr. [T3.4a]
+  // A small protuberance consists of the rounding only. At τ = α, the circle of the rounding has the
+  // distance pr from the flank. If it intersects the flank, at ρ cos(α − τ) = ρ − pr, before τ reaches
+  // α_pr, there is no straight line of the protuberance. [T3.4a]
   double round_end = alpha;
   bool proud_line = pr > 0.0;
   if (pr > 0.0) {
@@ -213,8 +213,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   if (rho_1 > 0.0) {
     const Vec2 center(edge.flank_end_height - rho_1 * s, y_end - rho_1 * c);
     if (center.y() < 0.0) {
-      // If the end of the flank is given, its half width decides; otherwise the end rises with
-      // ρ_1*.
+      // If the end of the flank is given, the limit is the half width at this end. Otherwise the
+      // height of the end depends on ρ_1*.
       const double rho_max_1 = rack.tool_addendum ? y_end / (m * c)
                                                   : (std::numbers::pi / 4 - rack.addendum * s / c) /
                                                         (c - (1 - s) * s / c);

@@ -1,7 +1,7 @@
-// The straight-sided rack of ISO 53 and its relatives, given by numbers.
+// The straight-sided rack of ISO 53 and similar racks with other numbers.
 //
 //   m_n     normal module, mm                 α_n     normal pressure angle, rad
-//   h_aP*   addendum, h_fP* dedendum, ρ_fP* tip rounding: all in modules (ISO 53, ISO 21771)
+//   h_aP*   addendum, h_fP* dedendum, ρ_fP* tip rounding, all in modules (ISO 53, ISO 21771)
 //                              theory: docs/theory/03-rack-and-generation.md, [T3.1]…[T3.6]
 #pragma once
 
@@ -16,31 +16,35 @@
 namespace gearwright {
 
 struct StraightRack {
-  double addendum = 1.0;                  ///< h_aP*  of the gear tooth above the datum line
-  double dedendum = 1.25;                 ///< h_fP*  depth of the cutter
-  double root_fillet_radius = 0.38;       ///< ρ_fP*  the cutter's tip rounding
-  double tip_fillet_radius = 0.0;         ///< ρ_1*   the cutter's bottom rounding
+  double addendum = 1.0;             ///< h_aP*  addendum of the gear tooth above the datum line
+  double dedendum = 1.25;            ///< h_fP*  depth of the cutter below the datum line
+  double root_fillet_radius = 0.38;  ///< ρ_fP*  radius of the cutter's tip rounding
+  double tip_fillet_radius = 0.0;    ///< ρ_1*   radius of the cutter's bottom rounding
   std::optional<double> tool_addendum{};  ///< end of the straight flank above the datum line
   std::optional<Angle>
-      semi_topping_angle{};   ///< pressure angle of a ramp that replaces the rounding
+      semi_topping_angle{};   ///< pressure angle of a ramp that replaces the bottom rounding
   double protuberance = 0.0;  ///< pr_P*
   Angle protuberance_angle = Angle::degrees(10);  ///< α_pr
-  bool named = false;  ///< true for ISO 53: a radius that does not fit becomes the full one
+  bool named =
+      false;  ///< true for ISO 53; a tip rounding that does not fit is then replaced by the full radius
 };
 
-/// "ISO53-A" … "ISO53-D", or nothing.   Source: ISO 53:1998, table 2
+/// The rack with the name "ISO53-A" … "ISO53-D"; nothing for other names.   Source: ISO 53:1998, table 2
 std::optional<StraightRack> iso53_rack(std::string_view name);
 
-/// The greatest ρ_fP* that fits: the full radius, whose two sides meet in the middle of the tip.
-/// [T3.2]
+/// The full radius, which is the greatest ρ_fP* that fits: the roundings of both sides meet in the
+/// middle of the tip. [T3.2]
 double full_radius(const StraightRack& rack, Angle normal_pressure_angle);
 
 struct StraightRackEdge {
   CutterEdge edge;
-  bool became_full_radius = false;  ///< a named rack's radius did not fit at this pressure angle
+  bool became_full_radius =
+      false;  ///< true if the radius of a named rack did not fit and was replaced
 };
 
-/// The edge in mm. Errors name the member, `rack.dedendum`, its value and the allowed range.
+/// The edge in mm.
+///
+/// Errors    the member of `rack`, such as `rack.dedendum`, with its value and the allowed range
 Result<StraightRackEdge> make_edge(const StraightRack& rack, double normal_module,
                                    Angle normal_pressure_angle);
 
