@@ -7,9 +7,22 @@
 
 namespace gearwright {
 
+namespace {
+
+constexpr double kPerCubicMillimetre = 1e-9;
+
+}  // namespace
+
+std::optional<double> density_of(const MaterialInput& given) {
+  if (given.density) return *given.density * kPerCubicMillimetre;
+  if (const auto row = given.name ? material_named(*given.name) : std::nullopt) return row->density;
+  if (!given.kind || given.kind == MaterialKind::plastic) return std::nullopt;
+  return material_of_kind(*given.kind).density;
+}
+
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition) {
-  Material m;
+  Material m = given.kind ? material_of_kind(*given.kind) : Material{};
   if (given.name) {
     const auto row = material_named(*given.name, given.surface_hardness);
     const bool in_table = material_named(*given.name).has_value();
@@ -27,7 +40,6 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
   if (given.sigma_Flim) m.sigma_Flim = *given.sigma_Flim;
   if (given.youngs_modulus) m.youngs_modulus = *given.youngs_modulus;
   if (given.poisson_ratio) m.poisson_ratio = *given.poisson_ratio;
-  constexpr double kPerCubicMillimetre = 1e-9;
   if (given.density) m.density = *given.density * kPerCubicMillimetre;
   if (given.surface_hardness) m.hardness_HV = given.surface_hardness;
   if (given.yield_strength) m.yield_strength = given.yield_strength;

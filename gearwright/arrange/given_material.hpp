@@ -33,4 +33,8 @@ struct MaterialInput {
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 
+/// The density of the given material, kg/mm³. A mass needs no strength. None for a plastic without a given density, and
+/// if neither kind nor a name of the table is given.
+std::optional<double> density_of(const MaterialInput& given);
+
 }  // namespace gearwright

@@ -284,7 +284,9 @@ void say(Quantities<V>& q) {
   q.term("area", "modules²", [](const V& v) { return v.row->area; })
       .doors(kPage)
       .greater_first()
-      .digits(4);
+      .digits(4)
+      .shown(
+          [](const V& v) { return v.row->area > 0.0; });  // an exact centre distance leaves a line
   q.record<region_quantities>(
        "region", "profile shifts that satisfy every limit",
        [](const V& v) -> const auto& { return v; })

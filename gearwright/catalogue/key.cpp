@@ -160,9 +160,10 @@ std::string form_of(const Key& key) {
   if (!key.form.empty()) return key.form;
   const bool whole = key.kind == KeyKind::whole;
   if (key.list) {
-    const char* const what = key.kind == KeyKind::word ? "words"
-                             : whole                   ? "whole numbers"
-                                                       : "numbers";
+    const char* const what = key.kind == KeyKind::word    ? "words"
+                             : key.kind == KeyKind::table ? "tables"
+                             : whole                      ? "whole numbers"
+                                                          : "numbers";
     const std::string list =
         key.list->least == key.list->most
             ? fmt::format("a list of {} {}", key.list->most, what)

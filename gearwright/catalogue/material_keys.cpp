@@ -95,7 +95,8 @@ const KeyTable& material_keys() {
                      "0.3", "Poisson's ratio")
              .with_also({"nu", "poisson"}),
          Key::positive("density_kg_per_m3", "ρ", &MaterialInput::density,
-                       "7830, for cast iron 7300", "density, for the resonance of the mesh"),
+                       "7830, for cast iron 7300; plastics have no default",
+                       "density, for the mass and for the resonance of the mesh"),
          Key::positive("sigma_Hlim_MPa", "σ_Hlim", &MaterialInput::sigma_Hlim,
                        "value of the named row",
                        "allowable contact stress number of the reference test gears")

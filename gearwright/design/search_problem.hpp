@@ -152,7 +152,9 @@ struct SearchProblem {
   std::optional<double> shift_step;  ///< step of the grid of shifts, if its points are requested
   std::array<double, 2> density{kSteelDensity, kSteelDensity};  ///< ρ  kg/mm³
   std::optional<SearchRating> rating;                           ///< none if designs are not rated
-  SearchAllowances allowances;                                  ///< empty for nominal teeth
+  bool rating_unused =
+      false;  ///< true if a load is given, but neither limits nor objectives depend on it
+  SearchAllowances allowances;  ///< empty for nominal teeth
   DrawDesign draw;  ///< makes the drawing of a design and its verdict; empty if not required
 
   bool internal() const { return ratio[0] < 0.0; }

@@ -85,6 +85,7 @@ enum class WarningCode {
   rating_plastic,
   // Information only.
   not_read,
+  rating_crowning,
   tip_bulge,
   fillets_not_asked,
   transverse_contact_ratio,

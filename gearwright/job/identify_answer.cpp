@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/units.hpp"
@@ -52,6 +53,23 @@ std::string module_text(const IdentifiedGear& g) {
                                         : fmt::format("{:g}", g.normal_module);
 }
 
+// What the readings leave open about a candidate.
+std::vector<std::string> open_facts(const IdentifyProblem& problem, const IdentifiedGear& g) {
+  std::vector<std::string> facts;
+  if (g.helix_angle.rad() != 0.0 && !problem.helix_angle && !problem.lead.value &&
+      !problem.helix.value)
+    facts.push_back("The readings do not determine the hand of the helix; right hand is assumed.");
+  const double apart = g.shift_of_tip ? g.generating_shift - *g.shift_of_tip : 0.0;
+  if (problem.teeth > 0 && std::abs(apart) > g.shift_uncertainty) {
+    const double allowance = 2 * g.normal_module * std::tan(g.normal_pressure_angle.rad()) * apart;
+    facts.push_back(
+        fmt::format("If its tip is neither worn nor shortened, x = {:.4f} and the thickness "
+                    "allowance is {:.3f} mm.",
+                    *g.shift_of_tip, allowance));
+  }
+  return facts;
+}
+
 }  // namespace
 
 Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
@@ -64,9 +82,14 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
                         "[gear1.measured]");
   auto found = identify(*problem);
   if (!found) return of_gear(which, found.error());
-  IdentifyAnswer answer{which, std::move(found).take(), {}};
-  for (const IdentifiedGear& g : answer.found.candidates)
+  IdentifyAnswer answer{which, std::move(found).take(), {}, {}};
+  for (const IdentifiedGear& g : answer.found.candidates) {
     answer.specs.push_back(spec_of(spec, which, g));
+    answer.notes.push_back({fmt::format("Candidate {} of the readings, likelihood {:.2f} %.",
+                                        answer.notes.size() + 1, 100 * g.likelihood)});
+    for (std::string& fact : open_facts(*problem, g))
+      answer.notes.back().push_back(std::move(fact));
+  }
   return answer;
 }
 
@@ -96,6 +119,8 @@ std::string identify_listing(const IdentifyAnswer& answer) {
                         plus_minus(g.helix_angle.deg(), g.helix_uncertainty.deg(), 3),
                         plus_minus(g.generating_shift, g.shift_uncertainty, 4), g.tip_diameter);
   }
+  for (std::size_t i = 1; i < answer.notes.front().size(); ++i)
+    text += (i == 1 ? "\n" : "") + answer.notes.front()[i] + "\n";
   if (const auto& n = found.next) {
     const std::string unit = unit_of(n->reading);
     text += fmt::format("\nTo decide between 1 and {}, measure the {}: {:.3f}{} or {:.3f}{}.\n",

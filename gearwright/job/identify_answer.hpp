@@ -15,6 +15,8 @@ struct IdentifyAnswer {
   int gear;  ///< 1 or 2, the gear with the readings
   Identification found;
   std::vector<Json> specs;  ///< for each candidate, the spec as read with that gear
+  /// For each candidate: its number and likelihood, then facts that the readings leave open.
+  std::vector<std::vector<std::string>> notes;
 };
 
 /// Errors    `gear1.measured` if it is missing; the errors of identify, with the keys of the spec

@@ -7,6 +7,10 @@ namespace gearwright {
 
 namespace {
 
+bool lead_is_modified(const FlankModifications& m) {
+  return m.lead_crowning != 0.0 || m.lead_slope != 0.0 || m.end_relief.amount > 0.0 || m.topography;
+}
+
 void warn_of_limits(SolvedJob& job, const Rating& rating) {
   for (const int which : {1, 2}) {
     if (!job.gear(which).spec.root_fillet) continue;
@@ -14,6 +18,17 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
                             "The standard does not cover a circular root fillet; Y_F and Y_S are "
                             "computed for the root that the rack would cut.",
                             which});
+  }
+  for (const int which : {1, 2}) {
+    const auto& [right, left] = job.spec.gear(which).modifications;
+    if (job.spec.rating.input.face_load_factor ||
+        !(lead_is_modified(right) || lead_is_modified(left)))
+      continue;
+    job.warnings.push_back(
+        {WarningCode::rating_crowning,
+         "K_Hβ is computed without the crowning, helix slope and end relief of this gear. Give "
+         "`rating.face_load_factor`, for example the face load factor of `load`.",
+         which});
   }
   for (const Warning& limit : rating.limits) job.warnings.push_back(limit);
 }

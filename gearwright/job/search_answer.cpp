@@ -18,6 +18,10 @@ namespace gearwright {
 
 namespace {
 
+constexpr std::string_view kRatingUnused =
+    "[rating] has no effect on this search. Give safety_flank_min and safety_root_min in [search] "
+    "to rate its designs.";
+
 // Boundaries of regions, whose curves have 25 points, are omitted if there are more designs than this.
 constexpr std::size_t kMaxBoundaries = 10'000;
 
@@ -60,6 +64,7 @@ std::string safest_line(const DesignRow& row) {
 std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run) {
   std::vector<std::string> lines;
   if (problem.rating) lines.push_back("Designs are " + rating_line(problem) + ".");
+  if (problem.rating_unused) lines.emplace_back(kRatingUnused);
   if (problem.draw) lines.push_back("Designs are " + drawing_line(problem) + ".");
   if (run.answer.counts.feasible > 0) return lines;
   if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
@@ -207,11 +212,11 @@ std::vector<std::string> rejected_lines(const SearchCounts& counts) {
 std::string margin_line(const SearchLimits& limits) {
   std::string text =
       limits.avoid_interference
-          ? fmt::format("every design runs without interference, form clearance >= {:g} modules",
+          ? fmt::format("every design runs without interference, form clearance ≥ {:g} modules",
                         limits.form_clearance)
           : "designs with interference are listed too";
   if (limits.tip_clearance)
-    text += fmt::format(", tip clearance >= {:g} modules", *limits.tip_clearance);
+    text += fmt::format(", tip clearance ≥ {:g} modules", *limits.tip_clearance);
   return text;
 }
 
@@ -221,8 +226,8 @@ std::string rating_line(const SearchProblem& problem) {
   const SearchLimits& limits = problem.limits;
   std::string text = fmt::format("rated by {}, {:g} N m on gear 1, face width {}", name(in.edition),
                                  in.torque, face_words(problem));
-  if (limits.safety_flank) text += fmt::format(", S_H >= {:g}", *limits.safety_flank);
-  if (limits.safety_root) text += fmt::format(", S_F >= {:g}", *limits.safety_root);
+  if (limits.safety_flank) text += fmt::format(", S_H ≥ {:g}", *limits.safety_flank);
+  if (limits.safety_root) text += fmt::format(", S_F ≥ {:g}", *limits.safety_root);
   return text;
 }
 
@@ -260,6 +265,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
   for (const std::string& line : rejected_lines(a.counts)) text += "  ruled out by " + line + "\n";
   text += margin_line(p.limits) + "\n";
   if (p.rating) text += rating_line(p) + "\n";
+  if (p.rating_unused) text += std::string(kRatingUnused) + "\n";
   if (p.draw) text += drawing_line(p) + "\n";
   if (p.shift_step) {
     text += fmt::format("{} of {} points of the grid of shifts are feasible (step {})\n",

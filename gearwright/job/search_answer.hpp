@@ -25,11 +25,11 @@ Json unfinished_json(const SearchRun& run);
 std::string search_listing(const Search& search, const SearchRun& run,
                            std::size_t most = kListedDesigns);
 
-/// The conditions that all designs satisfy: "every design runs without interference, form clearance >=
+/// The conditions that all designs satisfy: "every design runs without interference, form clearance ≥
 /// 0.02 modules, …"
 std::string margin_line(const SearchLimits& limits);
 
-/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H >= 1.1"; empty if the designs
+/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H ≥ 1.1"; empty if the designs
 /// are not rated.
 std::string rating_line(const SearchProblem& problem);
 /// Describes the drawings of designs and their default limits. The text is empty if designs are not drawn.

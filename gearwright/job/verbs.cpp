@@ -209,7 +209,10 @@ Answer proposals(Found&& found, Json (*record)(const Found&),
 Result<Answer> run_identify(const JobSpec& spec, Progress*) {
   auto found = answer_identify(spec);
   if (!found) return found.error();
-  return proposals(std::move(found).take(), identify_json, identify_listing);
+  auto notes = found->notes;
+  Answer answer = proposals(std::move(found).take(), identify_json, identify_listing);
+  answer.notes = std::move(notes);
+  return answer;
 }
 
 Result<Answer> run_fit(const JobSpec& spec, Progress* progress) {

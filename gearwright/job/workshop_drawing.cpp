@@ -167,13 +167,10 @@ Group bore_group(const Gear& gear, const DrawingInput& words) {
   return group;
 }
 
-// The mass as text, or empty if no material is given.
+// The mass as text, or empty if the density is unknown.
 std::string mass_of(const SolvedJob& job, int which, const ToothedBody& body) {
-  const MaterialInput& given = job.spec.gear(which).material;
-  if (!given.name) return "";
-  const auto material = material_of(given, "", job.spec.rating.input.edition);
-  if (!material) return "";
-  return fmt::format("{:.3g} kg", metal_volume(body) * material->density);
+  const auto density = density_of(job.spec.gear(which).material);
+  return density ? fmt::format("{:.3g} kg", metal_volume(body) * *density) : "";
 }
 
 Group diameters(const Records& r) {

@@ -73,18 +73,20 @@ constexpr std::array<NamedMaterial, 21> kTable{{
 
 constexpr double kBrinellOfVickers = 0.95;
 
-// Sets modulus of elasticity and density of cast iron. For other kinds the values of steel remain.
-void set_elastic(Material& m) {
-  if (m.kind == K::cast) {
+}  // namespace
+
+Material material_of_kind(MaterialKind kind) {
+  Material m;
+  m.kind = kind;
+  if (kind == K::cast) {
     m.youngs_modulus = 126000.0;
     m.density = 7.3e-6;
-  } else if (m.kind == K::nodular || m.kind == K::nodular_ferritic) {
+  } else if (kind == K::nodular || kind == K::nodular_ferritic) {
     m.youngs_modulus = 173000.0;
     m.density = 7.3e-6;
   }
+  return m;
 }
-
-}  // namespace
 
 std::span<const std::string_view> material_kind_words() { return kWords; }
 
@@ -117,9 +119,8 @@ std::optional<Material> material_named(std::string_view name, std::optional<doub
   const auto row = std::find_if(kTable.begin(), kTable.end(),
                                 [&](const NamedMaterial& m) { return m.name == name; });
   if (row == kTable.end()) return std::nullopt;
-  Material m;
+  Material m = material_of_kind(row->kind);
   m.name = std::string(name);
-  m.kind = row->kind;
   m.hardness_HV = hardness_HV.value_or(row->hardness_HV);
   m.yield_strength = row->yield_strength;
   m.from_table = true;
@@ -127,7 +128,6 @@ std::optional<Material> material_named(std::string_view name, std::optional<doub
   if (!limits) return std::nullopt;
   m.sigma_Hlim = limits->sigma_Hlim;
   m.sigma_Flim = limits->sigma_Flim;
-  set_elastic(m);
   return m;
 }
 

@@ -64,6 +64,9 @@ struct Material {
   }
 };
 
+/// A material of this kind with the usual elasticity and density, without strength. Those of a plastic must be given.
+Material material_of_kind(MaterialKind kind);
+
 /// A row of the table.
 struct NamedMaterial {
   std::string_view name;

@@ -146,7 +146,8 @@ Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
   leave_out(r);
   r.edition = in.edition;
   r.F_t = {2000 * in.torque / driven_by.reference_diameter, kRootStress, ""};
-  r.K_A = {in.application_factor, kRootStress, kGivenFactor};
+  r.K_A = {in.application_factor, kRootStress,
+           in.application_factor == 1.0 ? kNotAsked : kGivenFactor};
   r.K_gamma = {in.mesh_load_factor, kRootStress,
                in.mesh_load_factor == 1.0 ? "one mesh" : kGivenFactor};
   double power = 0.0, velocity = 0.0;

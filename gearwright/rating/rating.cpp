@@ -55,7 +55,8 @@ void Rater::load() {
   const RatedGear& driven_by = pair.gears[pair.place(1)];
   r.edition = in.edition;
   r.F_t = {2000 * in.torque / driven_by.reference_diameter, "ISO 6336-1, 4.2, (1)", ""};
-  r.K_A = {in.application_factor, "ISO 6336-1, clause 5", kGivenFactor};
+  r.K_A = {in.application_factor, "ISO 6336-1, clause 5",
+           in.application_factor == 1.0 ? kNotAsked : kGivenFactor};
   r.K_gamma = {in.mesh_load_factor, "ISO 6336-1, 4.2",
                in.mesh_load_factor != 1.0 ? kGivenFactor
                : pair.halves == 2         ? "two halves that carry equally"

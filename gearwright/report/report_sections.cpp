@@ -150,6 +150,10 @@ std::string finding(const Rating& r) {
 
 std::string table(const RatingView& view) {
   TableBuilder t("Strength, as rated", {"Gear 1", "Gear 2", "Clause of the standard, branch"});
+  const auto both = [](const FactorPair& f) {
+    return fixed(f[0].value, 2) + " / " + fixed(f[1].value, 2);
+  };
+  t.decisive(fmt::format("S_F {}; S_H {}", both(view.rating.S_F), both(view.rating.S_H)));
   const auto& quantities = rating_quantities();
   for (const TextGroup& group : text_groups(quantities.table(), {quantities.of(view)}, kPage)) {
     t.group(group.title.empty() ? "Standard" : group.title);

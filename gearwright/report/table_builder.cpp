@@ -36,6 +36,7 @@ void TableBuilder::open_row(std::string_view words, std::string_view symbol,
   text_ += fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"symbol\">{}</td><td class=\"unit\">{}</td>",
       with_symbols(words), symbol_html(symbol), escaped(unit));
+  row_has_value_ = false;
   if (rows_++ < kFirst)
     first_ +=
         (rows_ > 1 ? "; " : ": ") + (symbol.empty() ? with_symbols(words) : symbol_html(symbol));
@@ -47,8 +48,12 @@ void TableBuilder::cell(const std::string& value, std::size_t columns) {
   text_ +=
       fmt::format("<td class=\"value{}\"{}>{}</td>", several ? " several" : "",
                   columns > 1 ? fmt::format(" colspan=\"{}\"", columns) : "", with_symbols(value));
-  if (rows_ <= kFirst) first_ += " " + with_symbols(value);
+  if (rows_ > kFirst || value.empty()) return;
+  first_ += (row_has_value_ ? " / " : " ") + with_symbols(value);
+  row_has_value_ = true;
 }
+
+void TableBuilder::decisive(std::string_view words) { decisive_ = ": " + with_symbols(words); }
 
 void TableBuilder::row(std::string_view words, std::string_view symbol, std::string_view unit,
                        const std::vector<std::string>& values) {
@@ -98,7 +103,7 @@ std::string TableBuilder::str() const {
   return fmt::format(
       "<details class=\"fold\"><summary>{}<span "
       "class=\"first\">{}</span></summary>\n{}</details>\n",
-      caption_, first_, table);
+      caption_, decisive_.empty() ? first_ : decisive_, table);
 }
 
 }  // namespace gearwright

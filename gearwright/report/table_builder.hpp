@@ -32,6 +32,9 @@ class TableBuilder {
   /// Adds the same rows under their headings.
   void groups(const std::vector<TextGroup>& groups);
 
+  /// Replaces the first values by these words, with symbols, next to the caption of a folded table.
+  void decisive(std::string_view words);
+
   /// Returns the table. On screen, a long table is folded behind its caption and its first values.
   /// On paper it is unfolded.
   std::string str() const;
@@ -44,7 +47,9 @@ class TableBuilder {
   static constexpr int kFirst = 3;  ///< values next to the caption of a folded table
 
   std::string caption_;
-  std::string first_;  ///< values, HTML
+  std::string first_;     ///< values, HTML
+  std::string decisive_;  ///< words that replace them, HTML; empty if they are used
+  bool row_has_value_ = false;
   int rows_ = 0;
   std::size_t columns_;
   bool in_group_ = false;

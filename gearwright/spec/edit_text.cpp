@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "gearwright/catalogue/material_keys.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
@@ -218,6 +220,22 @@ class Editor {
   std::vector<std::size_t> lines_;  // beginning of each line
 };
 
+// The path and the table of a material that is only a name, material = "16MnCr5", if `parts` lead into it.
+std::optional<std::pair<std::string, Json>> named_material_of(
+    const Json& tree, const std::vector<std::string>& parts) {
+  const Json* node = &tree;
+  std::string path;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    const auto next = node->is_object() ? node->find(parts[i]) : node->end();
+    if (!node->is_object() || next == node->end()) return std::nullopt;
+    path += (path.empty() ? "" : ".") + parts[i];
+    if (next->is_string() && parts[i] == "material")
+      return std::pair(path, Json{{material_keys().shorthand, *next}});
+    node = &*next;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<std::string> with_key(std::string_view toml, std::string_view path, std::string_view value) {
@@ -234,6 +252,10 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
   }
   if (wished.is_structured() && has_null(wished))
     return Error{std::string(path), "null", "is not a value of a spec; leave out the key"};
+  if (const auto named = named_material_of(*before, parts)) {
+    const auto whole = with_key(toml, named->first, json_text(named->second));
+    return whole ? with_key(*whole, path, value) : whole;
+  }
   Json wanted = *before;
   if (!set_in(wanted, parts, wished))
     return Error{std::string(path), "", "leads through a value that is not a table"};

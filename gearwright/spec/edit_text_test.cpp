@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
+#include "gearwright/spec/parse_spec.hpp"
+
 namespace gearwright {
 namespace {
 
@@ -28,6 +32,12 @@ std::string edited(const std::string& path, const std::string& value,
   return result ? *result : std::string();
 }
 
+Json read_json(const std::string& toml) {
+  const auto tree = parse_spec(toml, SpecFormat::toml);
+  EXPECT_TRUE(tree);
+  return tree ? *tree : Json();
+}
+
 std::string replaced(std::string text, const std::string& old, const std::string& by) {
   const std::size_t at = text.find(old);
   EXPECT_NE(at, std::string::npos) << old;
@@ -40,6 +50,14 @@ TEST(EditText, a_value_changes_in_its_place) {
   EXPECT_EQ(edited("title", "\"x\""), replaced(kText, "\"ä pair\"", "\"x\""));
   EXPECT_EQ(edited("gear1.rack.dedendum", "1.4"), replaced(kText, "1.25", "1.4"));
   EXPECT_EQ(edited("gear1.teeth", "17"), kText);
+}
+
+TEST(EditText, a_material_that_is_only_a_name_becomes_a_table) {
+  const std::string text = "[gear1]\nteeth = 17\nmaterial = \"16MnCr5\"  # case hardened\n";
+  const auto named = read_json(edited("gear1.material.name", "\"42CrMo4\"", text));
+  EXPECT_EQ(named["gear1"]["material"], (Json{{"name", "42CrMo4"}}));
+  const auto rough = read_json(edited("gear1.material.poisson_ratio", "0.29", text));
+  EXPECT_EQ(rough["gear1"]["material"], (Json{{"name", "16MnCr5"}, {"poisson_ratio", 0.29}}));
 }
 
 TEST(EditText, an_absent_key_stands_at_the_end_of_its_table) {

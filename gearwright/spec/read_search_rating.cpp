@@ -112,13 +112,17 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
     return;
   }
   SearchProblem& problem = *spec.search;
+  problem.rating_unused = rating.given && !wants_rating(problem, rating);
   if (!wants_rating(problem, rating) && !problem.weighs()) return;
   const std::array<MaterialInput, 2> given = read_materials(tree, rating);
-  constexpr double kPerCubicMillimetre = 1e-9;
   for (const std::size_t i : {0, 1}) {
-    const auto row = given[i].name ? material_named(*given[i].name) : std::nullopt;
-    if (row) problem.density[i] = row->density;
-    if (given[i].density) problem.density[i] = *given[i].density * kPerCubicMillimetre;
+    const auto density = density_of(given[i]);
+    if (density) problem.density[i] = *density;
+    if (!density && given[i].kind == MaterialKind::plastic && problem.weighs()) {
+      const Error error = absent_input(tables[i] + ".density_kg_per_m3",
+                                       "; the mass of a plastic gear needs its density");
+      throw SpecError{error, {error}};
+    }
   }
   if (!wants_rating(problem, rating)) return;
 
@@ -150,7 +154,6 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
   for (const std::size_t i : {0, 1}) {
     auto material = material_of(given[i], tables[i], rating.input.edition);
     if (!material) throw SpecError{spelled(material.error())};
-    problem.density[i] = material->density;
     wanted.input.materials[i] = std::move(material).take();
   }
   SearchLimits& limits = problem.limits;

@@ -304,15 +304,29 @@ void TableReader::refuse(const std::string& key, const std::string& why) {
 bool TableReader::given(std::string_view key) const { return node_.contains(std::string(key)); }
 
 void TableReader::refuse_unknown() const {
+  std::optional<Error> error;
+  std::vector<std::string> others;
   for (const auto& [key, value] : node_.items()) {
     if (keys_.find(key)) continue;
     const std::string where = path_.empty() ? "the file" : fmt::format("[{}]", path_);
     const std::string_view instead = not_supported(name(key));
     if (!instead.empty()) throw SpecError{{name(key), shown(value), std::string(instead)}};
     const std::string called = printable(key, 60);
-    throw SpecError{{name(called), shown(value),
-                     fmt::format("unknown key in {}; {}", where, key_hint(keys_, path_, key))}};
+    if (error) {
+      others.push_back(called);
+    } else {
+      error = Error{name(called), shown(value),
+                    fmt::format("unknown key in {}; {}", where, key_hint(keys_, path_, key))};
+    }
   }
+  if (!error) return;
+  constexpr std::size_t kNamed = 6;
+  const bool more = others.size() > kNamed;
+  if (more) others.resize(kNamed);
+  if (!others.empty())
+    error->rule +=
+        fmt::format("; also unknown here: {}{}", fmt::join(others, ", "), more ? ", …" : "");
+  throw SpecError{*error};
 }
 
 void TableReader::fail_missing() const {

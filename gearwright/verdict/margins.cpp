@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -77,14 +78,15 @@ std::vector<Finding> margin_findings(const Pair& pair) {
 std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& pair) {
   std::vector<Finding> findings;
   std::size_t touching = 0, edges = 0, points = 0;
-  double place = 0.0;
+  std::array<double, 2> places{};  // on each face, as a share of half its width
   for (const ContactPoint& p : contact.positions) {
     if (p.kind == TouchKind::none) continue;
     ++touching;
     if (is_edge(p.kind)) ++edges;
     if (p.kind == TouchKind::line) continue;
     ++points;
-    place += p.height[0] / (pair.gear(1).spec.face_width / 2);
+    for (const std::size_t i : {0u, 1u})
+      places[i] += p.height[i] / (pair.mounted().gears[i].spec.face_width / 2);
   }
   if (touching == 0) return findings;
   const double share = static_cast<double>(edges) / static_cast<double>(touching);
@@ -100,7 +102,9 @@ std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& 
          {{"share", share, false}}});
   }
   if (points > 0) {
-    place /= static_cast<double>(points);
+    // Of two faces of different width, the contact is nearer to an end of the narrower one.
+    const double place = (std::abs(places[1]) > std::abs(places[0]) ? places[1] : places[0]) /
+                         static_cast<double>(points);
     if (std::abs(place) > kCentralPlace && edges < touching) {
       findings.push_back(
           {WarningCode::contact_place,

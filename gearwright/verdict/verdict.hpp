@@ -91,7 +91,7 @@ struct Verdict {
 /// flank passes close to the fillet even in good pairs: the clearance of 20:40 without shift is
 /// 0.0009 modules. Few pairs exceed 0.01, so a margin of that size would not be informative.
 constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
-/// Greatest distance of a central pattern from the middle of the face, as a share of half the face width of gear 1.
+/// Greatest distance of a central pattern from the middle of either face, as a share of half its width.
 constexpr double kCentralPlace = 0.7;
 
 /// A rating and its inputs, which are needed because remedies are also rated.

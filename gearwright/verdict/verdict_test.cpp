@@ -168,6 +168,14 @@ TEST(Verdict, edges_and_places_under_errors) {
     p.height[0] = -0.8 * involutes.gears[0].spec.face_width / 2;
   }
   EXPECT_TRUE(finds(judged_with(none), WarningCode::contact_place, Level::amber));
+  // The same place relative to the narrower face of gear 2.
+  for (ContactPoint& p : contact.positions) {
+    p.height[0] = -0.6 * involutes.gears[0].spec.face_width / 2;
+    p.height[1] = 0.8 * involutes.gears[1].spec.face_width / 2;
+  }
+  EXPECT_TRUE(finds(judged_with(none), WarningCode::contact_place, Level::amber));
+  for (ContactPoint& p : contact.positions) p.height = {};
+  EXPECT_FALSE(finds(judged_with(none), WarningCode::contact_place, Level::amber));
   EXPECT_EQ(meaning_of(WarningCode::contact_lost).severity, Severity::problem);
 }
 

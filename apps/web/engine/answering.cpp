@@ -11,6 +11,7 @@
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/verbs.hpp"
+#include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
@@ -93,7 +94,7 @@ Result<std::string> to_toml(const std::string& json) {
 Result<std::string> to_json_text(const std::string& toml) {
   const auto tree = tree_of(toml, SpecFormat::toml);
   if (!tree) return tree.error();
-  return json_text(*tree, 2) + "\n";
+  return json_text(with_named_materials(*tree), 2) + "\n";
 }
 
 }  // namespace gearwright::web
