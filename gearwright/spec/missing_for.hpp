@@ -18,6 +18,7 @@ enum class SpecUse {
   pair,        ///< the mounted pair, its contact
   load,        ///< teeth under torque, or probes of one tooth
   compensate,  ///< corrections, which may aim at teeth under torque
+  propose,     ///< flank modifications for teeth under torque
   scatter,     ///< effect of tolerances on the pair
   rate,        ///< strength by the standard
   run,         ///< everything for which the spec has a table
