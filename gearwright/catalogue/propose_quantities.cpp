@@ -114,16 +114,14 @@ const Quantities<ProposeView>& propose_quantities() {
     q.term("torque_Nm", "the greatest of the torques, for the amounts", [](const V& v) {
        return newton_metres(v.torque);
      }).always();
-    q.number(
-         "tip_deflection_um", "deflection at the tip", "C_i",
-         "least short tip relief with which the tip carries no load, with the helix modifications "
-         "of "
-         "the spec [T12.27]",
-         [](const V& v) {
-           return std::array{v.short_deflection[0] * kUmPerMm, v.short_deflection[1] * kUmPerMm};
-         })
+    q.number("tip_deflection_um", "deflection at the tip", "C_i",
+             "least short tip relief with which the tip carries no load, with the helix "
+             "modifications of the spec [T12.27]; null without reliefs",
+             [](const V& v) {
+               const auto& c = v.short_deflection;
+               return c ? Value(std::array{(*c)[0] * kUmPerMm, (*c)[1] * kUmPerMm}) : Value();
+             })
         .per_gear()
-        .always()
         .digits(2);
     q.number("pitch_deviation_um", "base pitch deviation of both gears", "f_pb",
              "of their grades, normal to the flank [T12.28]; null without grades",

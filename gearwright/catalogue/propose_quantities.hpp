@@ -40,8 +40,8 @@ struct Proposal {
 };
 
 struct ProposeView {
-  double torque = 0.0;                         ///< N mm, on gear 1, of the amounts
-  std::array<double, 2> short_deflection{};    ///< C_i  mm
+  double torque = 0.0;                                      ///< N mm, on gear 1, of the amounts
+  std::optional<std::array<double, 2>> short_deflection{};  ///< C_i  mm
   std::optional<double> pitch_deviation{};     ///< mm, normal to the flank, of both gears together
   std::optional<double> helix_deviation{};     ///< mm, over the common face, of both gears together
   std::optional<FaceDeflection> deflection{};  ///< of the shafts, or as given

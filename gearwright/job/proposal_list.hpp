@@ -23,8 +23,9 @@ GradeDeviations grade_deviations(const SolvedJob& job);
 
 struct ProposalList {
   std::vector<Proposal> proposals;
-  std::array<double, 2> short_deflection{};  ///< C_i  mm, with the helix modifications of the spec
-  std::vector<std::string> remarks;          ///< sentences about reliefs that are missing or small
+  std::optional<std::array<double, 2>>
+      short_deflection{};            ///< C_i  mm, with the helix modifications of the spec
+  std::vector<std::string> remarks;  ///< sentences about reliefs that are missing or small
 };
 
 /// Reliefs for the load alone and, with a pitch deviation, for both. Helix modifications are added to

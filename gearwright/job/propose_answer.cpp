@@ -148,24 +148,44 @@ const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limit
 
 int edge_rank(const Proposal& p) { return p.worst.edge_carries ? 2 : pressed(p).edge_carries; }
 
+// The quietest proposal without a loaded edge; none if every one has a loaded edge.
+std::optional<std::size_t> quietest_without_edge(const std::vector<Proposal>& list) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const LoadedScore& s = list[i].worst;
+    if (s.edge_carries || !std::isfinite(s.peak_to_peak.rad())) continue;
+    if (!best || s.peak_to_peak.rad() < list[*best].worst.peak_to_peak.rad()) best = i;
+  }
+  return best;
+}
+
 std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
   const Proposal& given = list.front();
   const Proposal& p = list[best];
-  if (best == 0)
-    return "No proposal has less transmission error under load and less pressure together than the "
-           "spec as given.";
   std::string edges;
   if (given.worst.edge_carries && !p.worst.edge_carries)
     edges = "no edge of a tooth carries load, and ";
   if (p.at_limits && edge_rank(given) > 0 && edge_rank(p) == 0)
     edges = "no edge of a tooth carries load, not even at the limits of the helix slopes, and ";
-  return fmt::format(
-      "Among the proposals with at most the transmission error of the spec as given, {}the sum of "
-      "transmission error ({}″) and pressure ({} N/mm²{}), each relative to the spec as given, is "
-      "the least.",
-      edges, arrow(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
-      arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
-      p.at_limits ? " at the limits of the helix slopes" : "");
+  std::string text =
+      best == 0
+          ? std::string(
+                "No proposal with at most the transmission error of the spec as given is "
+                "better than it.")
+          : fmt::format(
+                "Among the proposals with at most the transmission error of the spec as given, "
+                "{}the sum of transmission error ({}″) and pressure ({} N/mm²{}), each relative to "
+                "the spec as given, is the least.",
+                edges, arrow(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
+                arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
+                p.at_limits ? " at the limits of the helix slopes" : "");
+  if (!p.worst.edge_carries) return text;
+  if (const auto other = quietest_without_edge(list))
+    text += fmt::format(
+        " An edge of a tooth carries load, so the pressure is a lower bound. Of the proposals "
+        "without a loaded edge, {} has the least transmission error, {}″.",
+        *other + 1, fixed_decimals(list[*other].worst.peak_to_peak.arcsec(), 2));
+  return text;
 }
 
 std::string origin(const ProposeAnswer& a, std::size_t i) {

@@ -211,6 +211,7 @@ TEST(Propose, StatesWhyThereAreNoReliefs) {
       "teeth = 31\ntip_diameter_mm = 105.5\n" +
       std::string(kDraft) + "torque_Nm = 50\n");
   EXPECT_EQ(low.proposals.size(), 1u);
+  EXPECT_FALSE(low.short_deflection);
   EXPECT_NE(low.reason.find("no short reliefs"), std::string::npos) << low.reason;
   const std::string rack = "rack = { addendum = 1.3, dedendum = 1.5, root_fillet_radius = 0.2 }\n";
   const ProposeAnswer high =
