@@ -22,7 +22,7 @@ import subprocess
 import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
-VERBS = "gear pair contact compensate load rate measure identify fit drive scatter".split()
+VERBS = "gear pair contact compensate propose load rate measure identify fit drive scatter".split()
 FORMATS = {"text": [], "json": ["--json"], "csv": ["--csv"]}
 SLOW = {("compensate", "loaded_pair")}  # takes minutes
 

@@ -44,10 +44,13 @@ Error missing_relief_start(const GivenPair& given) {
   });
 }
 
-std::optional<ReliefStarts> short_relief(const InvolutePair& pair, int which) {
+std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which, ReliefLength of) {
   const Mesh<double>& mesh = pair.mesh;
   if (mesh.crossed || !(mesh.true_ratio > 1.0)) return std::nullopt;
-  const double length = (mesh.rho1_true_end - mesh.rho1_true_begin - mesh.step) / 2;
+  const bool is_long = of == ReliefLength::long_relief;
+  if (is_long && !(mesh.true_ratio < 2.0)) return std::nullopt;
+  const double beyond = mesh.rho1_true_end - mesh.rho1_true_begin - mesh.step;
+  const double length = is_long ? beyond : beyond / 2;
   // The tip of gear 1 touches at the end of the path of contact, and the tip of gear 2 at its
   // start.
   const double near_end = mesh.rho1_true_end - length;
@@ -65,7 +68,7 @@ std::optional<Error> place_reliefs(GivenPair& given, const Pair& pair) {
   const auto place = [&](int which, bool tip, Relief& relief,
                          const std::string& field) -> std::optional<Error> {
     const InvolutePair* const involutes = pair.involute();
-    const auto starts = involutes ? short_relief(*involutes, which) : std::nullopt;
+    const auto starts = involutes ? relief_starts(*involutes, which) : std::nullopt;
     if (!starts) {
       return absent_input(field,
                           "; a default start needs involute gears on parallel axes with a "

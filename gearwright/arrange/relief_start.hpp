@@ -1,12 +1,13 @@
-// Computes the start of a relief that is given by its amount alone, which is then a short relief.
+// Computes the starts of short and long reliefs. A relief that is given by its amount alone is short.
 //
 //   ε_α   transverse contact ratio over the usable flanks       p_bt   transverse base pitch
 //   ρ     radius of curvature of a flank, which gives the position on the path of contact
 //
 // Short tip reliefs on both gears leave one base pitch of the path without relief, so that an
 // unrelieved tooth is always in contact. Each relief covers half of the rest, (ε_α − 1) p_bt/2.
-// Root reliefs divide the path in the same way from the other side.
-// Internal to arrange/.
+// A long relief covers (ε_α − 1) p_bt, up to the end of the part of the path in which one tooth
+// pair carries alone. Root reliefs divide the path in the same way from the other side.
+//                                       theory: docs/theory/12-loaded-contact.md
 #pragma once
 
 #include <optional>
@@ -15,12 +16,18 @@
 
 namespace gearwright {
 
-/// Start diameters of the tip reliefs and of the root reliefs of gear `which` that leave one base
-/// pitch of the path, mm; none if the flanks touch over at most one base pitch or the axes cross.
+enum class ReliefLength { short_relief, long_relief };
+
+/// Start diameters of the tip reliefs and of the root reliefs of gear `which`, mm; none if the
+/// flanks touch over at most one base pitch or the axes cross, and of long reliefs if they touch
+/// over two base pitches or more, so that no pair carries alone.
+///
+/// Formula   [T12.29]
 struct ReliefStarts {
   double tip, root;
 };
-std::optional<ReliefStarts> short_relief(const InvolutePair& pair, int which);
+std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which,
+                                          ReliefLength length = ReliefLength::short_relief);
 
 /// True if a tip or root relief has no start.
 bool lacks_relief_start(const GivenPair& given);

@@ -19,6 +19,7 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/propose_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
@@ -61,6 +62,7 @@ const std::map<std::string, const QuantityTable*>& blocks() {
       {"contact", &contact_quantities().table()},
       {"contact.positions", &position_quantities().table()},
       {"compensate", &compensate_quantities().table()},
+      {"propose", &propose_quantities().table()},
       {"scatter", &scatter_quantities().table()},
       {"load", &load_quantities().table()},
       {"load.torques", &load_torque_quantities().table()},

@@ -17,6 +17,7 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/propose_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
@@ -141,19 +142,19 @@ Json error_schema() {
 }  // namespace
 
 std::vector<const QuantityTable*> result_tables() {
-  return with_inner_tables(
-      {&gear_quantities().table(),         &measure_quantities().table(),
-       &as_rack_quantities().table(),      &double_helical_quantities().table(),
-       &outline_quantities().table(),      &pair_quantities().table(),
-       &rack_quantities().table(),         &rack_pair_quantities().table(),
-       &drive_quantities().table(),        &drive_body_quantities().table(),
-       &drive_mesh_quantities().table(),   &contact_quantities().table(),
-       &compensate_quantities().table(),   &scatter_quantities().table(),
-       &load_quantities().table(),         &rating_quantities().table(),
-       &fit_quantities().table(),          &identify_quantities().table(),
-       &drawing_quantities().table(),      &search_quantities().table(),
-       &drive_search_quantities().table(), &file_quantities().table(),
-       &warning_quantities().table(),      &verdict_quantities().table()});
+  return with_inner_tables({&gear_quantities().table(),       &measure_quantities().table(),
+                            &as_rack_quantities().table(),    &double_helical_quantities().table(),
+                            &outline_quantities().table(),    &pair_quantities().table(),
+                            &rack_quantities().table(),       &rack_pair_quantities().table(),
+                            &drive_quantities().table(),      &drive_body_quantities().table(),
+                            &drive_mesh_quantities().table(), &contact_quantities().table(),
+                            &compensate_quantities().table(), &propose_quantities().table(),
+                            &scatter_quantities().table(),    &load_quantities().table(),
+                            &rating_quantities().table(),     &fit_quantities().table(),
+                            &identify_quantities().table(),   &drawing_quantities().table(),
+                            &search_quantities().table(),     &drive_search_quantities().table(),
+                            &file_quantities().table(),       &warning_quantities().table(),
+                            &verdict_quantities().table()});
 }
 
 Json result_schema() {
@@ -186,6 +187,7 @@ Json result_schema() {
   properties["drive"] = schema.reference(drive_quantities().table());
   properties["contact"] = schema.reference(contact_quantities().table());
   properties["compensate"] = schema.reference(compensate_quantities().table());
+  properties["propose"] = schema.reference(propose_quantities().table());
   properties["scatter"] = schema.reference(scatter_quantities().table());
   properties["load"] = schema.reference(load_quantities().table());
   properties["rating"] = schema.reference(rating_quantities().table());

@@ -19,6 +19,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/load_text.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/rating_answer.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
@@ -39,6 +40,7 @@ struct Solving {
   std::string (*listing)(const SolvedJob&, const Found&);
   std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
   std::vector<Json> (*specs)(const Found&) = nullptr;
+  std::vector<std::vector<std::string>> (*notes)(const Found&) = nullptr;
   bool rack = false;  // true if the verb accepts a rack
 };
 
@@ -58,6 +60,7 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
   answer.warnings = job.warnings;
   answer.verdict = how.judge(job, *found);
   if (how.specs != nullptr) answer.specs = how.specs(*found);
+  if (how.notes != nullptr) answer.notes = how.notes(*found);
   const auto state = std::make_shared<const State>(State{std::move(job), std::move(found).take()});
   answer.listing = [state, form = how.listing] { return form(state->job, state->found); };
   if (how.csv != nullptr)
@@ -133,6 +136,19 @@ Result<Answer> run_compensate(const JobSpec& spec, Progress* progress) {
        .record = compensate_json,
        .listing = compensate_listing,
        .specs = [](const CompensateAnswer& a) { return std::vector{a.corrected->tables}; }},
+      spec, progress);
+}
+
+Result<Answer> run_propose(const JobSpec& spec, Progress* progress) {
+  return solved_answer<ProposeAnswer>(
+      {.scope = Scope::pair,
+       .find = answer_propose,
+       .judge = [](const SolvedJob&, const ProposeAnswer& a) { return a.verdict; },
+       .record = propose_json,
+       .listing = propose_listing,
+       .csv = [](const SolvedJob&, const ProposeAnswer& a) { return propose_csv(a); },
+       .specs = [](const ProposeAnswer& a) { return a.specs; },
+       .notes = [](const ProposeAnswer& a) { return a.notes; }},
       spec, progress);
 }
 
@@ -242,6 +258,11 @@ constexpr Verb kVerbs[] = {
     {"compensate", "Tool settings, leads and crowning that cancel the spec's [errors]",
      "gearwright compensate examples/misaligned_pair.toml --take", SpecUse::compensate, false, true,
      true, Take::flag, "Print the corrected spec and nothing else", run_compensate},
+    {"propose",
+     "Tip and root relief, helix crowning and slope for the load, and the effect of each proposal",
+     "gearwright propose examples/quiet_pair.toml", SpecUse::propose, true, true, true,
+     Take::number, "Print the spec of this proposal and nothing else; 1 is the spec as given",
+     run_propose},
     {"scatter",
      "Effect of tolerances on the pair: percentiles, probabilities, influence of each tolerance, "
      "worst case",

@@ -18,6 +18,7 @@ enum class SpecUse {
   pair,        ///< the mounted pair and its contact
   load,        ///< teeth under torque, or probes of one tooth
   compensate,  ///< corrections, which may be for teeth under torque
+  propose,     ///< flank modifications for teeth under torque
   scatter,     ///< effect of tolerances on the pair
   rate,        ///< strength according to a standard
   run,         ///< every computation for which the spec has a table

@@ -34,7 +34,7 @@ export interface Failed {
 }
 
 /** Every verb that returns JSON for a spec. */
-export type Verb = "gear" | "pair" | "measure" | "contact" | "compensate" | "scatter" | "load" | "rate" | "fit" | "identify" | "search";
+export type Verb = "gear" | "pair" | "measure" | "contact" | "compensate" | "propose" | "scatter" | "load" | "rate" | "fit" | "identify" | "search";
 
 /** Files that the engine makes. `report` and `json` cover everything in the spec. */
 export type FileKind = "stl" | "glb" | "3mf" | "dxf" | "svg" | "step" | "drawing" | "report" | "json";

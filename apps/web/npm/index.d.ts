@@ -24,6 +24,7 @@ export interface Result {
   pair?: Values;
   contact?: Values;
   compensate?: Values;
+  propose?: Values;
   scatter?: Values;
   load?: Values;
   rating?: Values;

@@ -1,0 +1,145 @@
+#include "gearwright/job/proposal_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/scatter/grades.hpp"
+
+namespace gearwright {
+
+namespace {
+
+Proposal tips_of(const ReliefProposal& r, double pitch) {
+  Proposal p;
+  p.profile = r.length == ReliefLength::long_relief ? ProposedProfile::long_tips
+                                                    : ProposedProfile::short_tips;
+  p.pitch = pitch > 0.0;
+  const auto amount = r.tip_amount(pitch);
+  for (const std::size_t g : {0, 1})
+    p.gears[g] = {.tip_relief = amount[g], .tip_start = r.tip_start[g]};
+  return p;
+}
+
+Proposal gear1_of(const ReliefProposal& r, double pitch) {
+  Proposal p = tips_of(r, pitch);
+  p.profile = r.length == ReliefLength::long_relief ? ProposedProfile::long_gear1
+                                                    : ProposedProfile::short_gear1;
+  p.gears[0].root_relief = r.root_amount(pitch);
+  p.gears[0].root_start = r.root_start;
+  p.gears[1] = {};
+  return p;
+}
+
+const char* words_of(ReliefLength length) {
+  return length == ReliefLength::long_relief ? "long" : "short";
+}
+
+// The reason why a pair has no reliefs of a length.
+std::string why_none(const SolvedJob& job, ReliefLength length) {
+  const double ratio = job.pair->involute()->mesh.true_ratio;
+  return ratio > 1.0
+             ? fmt::format(
+                   "There are no {} reliefs, because at a transverse contact ratio of {:.3f} no "
+                   "tooth pair carries alone.",
+                   words_of(length), ratio)
+             : fmt::format(
+                   "There are no {} reliefs, because the flanks touch over {:.3f} base pitches and "
+                   "a "
+                   "relief needs more than one.",
+                   words_of(length), ratio);
+}
+
+std::string still_loaded(ReliefLength length, int gear) {
+  return fmt::format(
+      "With the greatest {} relief that is tried, a fortieth of the module, the tips of gear {} "
+      "still "
+      "carry load.",
+      words_of(length), gear);
+}
+
+// Reliefs of all lengths, with the helix modifications of the spec or with proposed ones.
+std::vector<ReliefProposal> find_reliefs(const SolvedJob& job, const LoadTask& task,
+                                         const PairCompliance& compliance, const LeadProposal* lead,
+                                         std::vector<std::string>& remarks) {
+  std::vector<ReliefProposal> found;
+  for (const ReliefLength length : {ReliefLength::short_relief, ReliefLength::long_relief}) {
+    const auto relief = propose_relief(job, task, compliance, length, lead);
+    if (!relief) {
+      remarks.push_back(
+          fmt::format("There are no {} reliefs: {}.", words_of(length), relief.error().message()));
+      continue;
+    }
+    if (!*relief) {
+      remarks.push_back(why_none(job, length));
+      continue;
+    }
+    for (const int which : {1, 2})
+      if (!(*relief)->unloaded[static_cast<std::size_t>(which - 1)])
+        remarks.push_back(still_loaded(length, which));
+    found.push_back(**relief);
+  }
+  return found;
+}
+
+}  // namespace
+
+GradeDeviations grade_deviations(const SolvedJob& job) {
+  double pitch = 0.0;
+  double helix = 0.0;
+  bool any = false;
+  const double face = std::min(job.gear(1).spec.face_width, job.gear(2).spec.face_width);
+  for (const int which : {1, 2}) {
+    const auto i = static_cast<std::size_t>(which - 1);
+    const ToleranceInput& own = job.spec.gears[i]->tolerance;
+    const RatingInput& rating = job.spec.rating.input;
+    std::optional<int> grade = own.quality;
+    FlankTolerances edition = own.edition;
+    if (!grade && rating.quality) {
+      grade = (*rating.quality)[i];
+      edition = tolerance_edition(rating.edition);
+    }
+    if (!grade || !has_class(edition, *grade)) continue;
+    const auto flank = graded_flank(job.gear(which), edition, *grade);
+    if (!flank) continue;
+    any = true;
+    const double slope = flank->helix_slope * face / job.gear(which).spec.face_width;
+    pitch += flank->single_pitch * flank->single_pitch;
+    helix += slope * slope;
+  }
+  if (!any) return {};
+  const auto g = job.gear(1).reference();
+  const double normal = std::cos(g.base_helix_angle);
+  return {std::sqrt(pitch) * std::cos(g.transverse_pressure_angle) * normal,
+          std::sqrt(helix) * normal};
+}
+
+ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
+                            const PairCompliance& compliance, const LeadProposal& lead,
+                            double pitch_deviation) {
+  ProposalList list;
+  const auto add = [&](Proposal p) {
+    p.lead = lead.any();
+    if (p.lead) {
+      p.gears[0].lead_crowning = lead.crowning;
+      p.gears[0].lead_slope = lead.slope;
+    }
+    list.proposals.push_back(std::move(p));
+  };
+  auto reliefs = find_reliefs(job, task, compliance, nullptr, list.remarks);
+  if (!reliefs.empty()) list.short_deflection = reliefs.front().deflection;
+  if (lead.any()) {
+    for (const ReliefProposal& r : reliefs) list.proposals.push_back(tips_of(r, 0.0));
+    add({});
+    list.remarks.clear();  // the following ones are the same, or about what is left to carry
+    reliefs = find_reliefs(job, task, compliance, &lead, list.remarks);
+  }
+  for (const ReliefProposal& r : reliefs) add(tips_of(r, 0.0));
+  for (const ReliefProposal& r : reliefs) add(gear1_of(r, 0.0));
+  if (!(pitch_deviation > 0.0)) return list;
+  for (const ReliefProposal& r : reliefs) add(tips_of(r, pitch_deviation));
+  return list;
+}
+
+}  // namespace gearwright

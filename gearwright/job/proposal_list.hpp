@@ -1,0 +1,39 @@
+// The modifications that are proposed for a pair, without their effects. Internal to job/.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/catalogue/propose_quantities.hpp"
+#include "gearwright/job/solved_job.hpp"
+
+namespace gearwright {
+
+/// Deviations of both gears together, mm, normal to the flank; none without grades. Those of the two
+/// gears are independent, so their squares are added.
+///
+/// Formula   [T12.28], [T12.32]
+struct GradeDeviations {
+  std::optional<double> pitch;  ///< of the base pitch
+  std::optional<double> helix;  ///< of the helix slope, over the common face
+};
+GradeDeviations grade_deviations(const SolvedJob& job);
+
+struct ProposalList {
+  std::vector<Proposal> proposals;
+  std::optional<std::array<double, 2>>
+      short_deflection{};            ///< C_i  mm, with the helix modifications of the spec
+  std::vector<std::string> remarks;  ///< sentences about reliefs that are missing or small
+};
+
+/// Reliefs for the load alone and, with a pitch deviation, for both. Helix modifications are added to
+/// all of them but two, which show what they change.
+///
+/// Domain    involute gears on parallel axes (contract)
+ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
+                            const PairCompliance& compliance, const LeadProposal& lead,
+                            double pitch_deviation);
+
+}  // namespace gearwright

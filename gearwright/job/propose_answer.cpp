@@ -1,0 +1,294 @@
+#include "gearwright/job/propose_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/base/torque.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/job/judgement.hpp"
+#include "gearwright/job/load_answer.hpp"
+#include "gearwright/job/proposal_list.hpp"
+#include "gearwright/job/proposal_spec.hpp"
+#include "gearwright/job/value_json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr int kLimitPositions = 16;  // at the limits of the helix slopes
+
+std::optional<Error> not_made_for(const SolvedJob& job) {
+  if (auto error = one_helix_error(job)) return error;
+  Error error{"", "", "", FailureKind::not_under_load};
+  if (job.pair->arcs()) {
+    error.field = "gear1.rack";
+    error.rule =
+        "cuts circular arcs, which touch at points. Proposals are made for involute teeth on "
+        "parallel axes, whose reliefs and crownings follow from the load along the contact lines";
+    return error;
+  }
+  if (!job.pair->parallel()) {
+    error.field = "pair.shaft_angle";
+    error.value = format_number(job.pair->shaft_angle().deg());
+    error.rule =
+        "crosses the axes, so that the teeth touch at points. Proposals are made for involute "
+        "teeth "
+        "on parallel axes, whose reliefs and crownings follow from the load along the contact "
+        "lines";
+    return error;
+  }
+  return std::nullopt;
+}
+
+// A torque of [rating] if [load] has none.
+void complete_torque(JobSpec& spec, Json& tree) {
+  if (!spec.load.torques.empty() || !(spec.rating.input.torque > 0.0)) return;
+  constexpr double kSteps = 1e3;  // of 1 N m: a torque from power and speed has endless digits
+  const double torque = std::max(1.0, std::round(spec.rating.input.torque * kSteps)) / kSteps;
+  spec.load.torques = {torque};
+  spec.load.given = true;
+  tree["load"]["torque_Nm"] = torque;
+}
+
+bool deflection_given(const JobSpec& spec) {
+  return spec.given.contains("load.deflection_slope_um") ||
+         spec.given.contains("load.deflection_bow_um");
+}
+
+// The deflection of the shafts under the greatest torque, unless [load] has one.
+Result<std::optional<FaceDeflection>> complete_deflection(SolvedJob& job, Json& tree,
+                                                          double torque) {
+  LoadInput& load = job.spec.load;
+  if (deflection_given(job.spec))
+    return std::optional(
+        FaceDeflection{load.deflection_slope * kMmPerUm, load.deflection_bow * kMmPerUm});
+  auto shafts = job.spec.rating.input.shafts;
+  if (!shafts) return std::optional<FaceDeflection>();
+  const auto pair = rated_pair(*job.pair);
+  if (!pair) return pair.error();
+  shafts->hand1 = job.gear(1).spec.helix_angle.rad() < 0.0 ? -1.0 : 1.0;
+  const FaceDeflection found = face_deflection(*pair, *shafts, torque);
+  constexpr double kSteps = 1e5;  // of 1 mm: 0.01 µm
+  const auto um = [](double mm) { return std::round(mm * kSteps) / (kSteps / kUmPerMm); };
+  load.deflection_slope = um(found.slope);
+  load.deflection_bow = um(found.bow);
+  tree["load"]["deflection_slope_um"] = load.deflection_slope;
+  tree["load"]["deflection_bow_um"] = load.deflection_bow;
+  return std::optional(found);
+}
+
+LoadedScore worst_of(const std::vector<LoadedScore>& scores) {
+  LoadedScore worst = scores.front();
+  for (const LoadedScore& s : scores) worst = worse_of(worst, s);
+  return worst;
+}
+
+// The scores for each torque; without numbers if a position has no result.
+std::vector<LoadedScore> scores_of(const LoadedContact& contact) {
+  auto scores = loaded_scores(contact);
+  if (scores.empty()) scores.assign(contact.torques.size(), no_score());
+  return scores;
+}
+
+// The effects of the modifications of a task, as `load` computes them. Limits of the result are
+// added to `warnings`.
+std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
+                                  const PairCompliance& compliance,
+                                  const std::optional<double>& helix_deviation,
+                                  std::vector<Warning>& warnings) {
+  const ContactPair pair = task.pair();
+  const auto under = [&](const LoadRequest& request) {
+    return loaded_contact(pair, task.setup.gear(1), task.setup.gear(2), compliance, request);
+  };
+  const LoadedContact contact = under(task.request);
+  if (auto error = judge_load(task, contact, warnings)) return error;
+  const auto scores = scores_of(contact);
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    p.loads.push_back({task.request.torques[i], scores[i]});
+  p.worst = worst_of(scores);
+  if (!helix_deviation) return std::nullopt;
+  LoadRequest limit = task.request;
+  limit.positions = std::min(kLimitPositions, limit.positions);
+  std::vector<LoadedScore> both;
+  for (const double sign : {-1.0, 1.0}) {
+    limit.deflection_slope = task.request.deflection_slope + sign * *helix_deviation;
+    both.push_back(worst_of(scores_of(under(limit))));
+  }
+  p.at_limits = worst_of(both);
+  return std::nullopt;
+}
+
+// The load of a spec, without root stress.
+Result<LoadTask> quick_task(SolvedJob& job) {
+  auto made = load_task(job);
+  if (!made) return made.error();
+  LoadTask task = std::move(made).take();
+  task.request.root_stress = false;
+  return task;
+}
+
+Result<SolvedJob> job_of(const Json& tree) {
+  const auto spec = read_spec_tree(tree);
+  if (!spec) return spec.error();
+  return solve(*spec, Scope::pair);
+}
+
+std::string arrow(double from, double to, int decimals) {
+  return fmt::format("{} → {}", fixed_decimals(from, decimals), fixed_decimals(to, decimals));
+}
+
+// The score that decides about the pressure: with tolerances, that at their limits.
+const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limits : p.worst; }
+
+int edge_rank(const Proposal& p) { return p.worst.edge_carries ? 2 : pressed(p).edge_carries; }
+
+// The quietest proposal without a loaded edge; none if every one has a loaded edge.
+std::optional<std::size_t> quietest_without_edge(const std::vector<Proposal>& list) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const LoadedScore& s = list[i].worst;
+    if (s.edge_carries || !std::isfinite(s.peak_to_peak.rad())) continue;
+    if (!best || s.peak_to_peak.rad() < list[*best].worst.peak_to_peak.rad()) best = i;
+  }
+  return best;
+}
+
+std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
+  const Proposal& given = list.front();
+  const Proposal& p = list[best];
+  std::string edges;
+  if (given.worst.edge_carries && !p.worst.edge_carries)
+    edges = "no edge of a tooth carries load, and ";
+  if (p.at_limits && edge_rank(given) > 0 && edge_rank(p) == 0)
+    edges = "no edge of a tooth carries load, not even at the limits of the helix slopes, and ";
+  std::string text =
+      best == 0
+          ? std::string(
+                "No proposal with at most the transmission error of the spec as given is "
+                "better than it.")
+          : fmt::format(
+                "Among the proposals with at most the transmission error of the spec as given, "
+                "{}the sum of transmission error ({}″) and pressure ({} N/mm²{}), each relative to "
+                "the spec as given, is the least.",
+                edges, arrow(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
+                arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
+                p.at_limits ? " at the limits of the helix slopes" : "");
+  if (!p.worst.edge_carries) return text;
+  if (const auto other = quietest_without_edge(list))
+    text += fmt::format(
+        " An edge of a tooth carries load, so the pressure is a lower bound. Of the proposals "
+        "without a loaded edge, {} has the least transmission error, {}″.",
+        *other + 1, fixed_decimals(list[*other].worst.peak_to_peak.arcsec(), 2));
+  return text;
+}
+
+std::string origin(const ProposeAnswer& a, std::size_t i) {
+  if (i == 0 && !a.deflection) return "This is the spec as given.";
+  if (i == 0)
+    return "This is the spec as given. Its deflections of the shafts are those at the greatest "
+           "torque.";
+  return fmt::format("Proposal {} of the verb propose: {}.", i + 1, words_of(a.proposals[i]));
+}
+
+}  // namespace
+
+std::size_t recommended(const std::vector<Proposal>& list) {
+  GW_EXPECTS(!list.empty());
+  constexpr double kWorth = 0.99;  // a proposal with more changes must be better by a hundredth
+  const Proposal& given = list.front();
+  const auto relative = [](double x, double to) { return std::isfinite(to) ? x / to : 1.0; };
+  const auto merit = [&](const Proposal& p) {
+    return relative(p.worst.peak_to_peak.rad(), given.worst.peak_to_peak.rad()) +
+           relative(pressed(p).max_pressure, pressed(given).max_pressure);
+  };
+  const auto possible = [&](const Proposal& p) {
+    const double te = p.worst.peak_to_peak.rad();
+    const double before = given.worst.peak_to_peak.rad();
+    return std::isfinite(te) && std::isfinite(pressed(p).max_pressure) &&
+           (!std::isfinite(before) || te <= before);
+  };
+  std::size_t best = 0;
+  double best_merit = merit(given);
+  bool found = possible(given);
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    if (!possible(list[i])) continue;
+    const int rank = edge_rank(list[i]);
+    const int least = edge_rank(list[best]);
+    const double m = merit(list[i]);
+    if (found && (rank > least || (rank == least && !(m < kWorth * best_merit)))) continue;
+    best = i;
+    best_merit = m;
+    found = true;
+  }
+  return best;
+}
+
+Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
+  if (auto error = missing_error(SpecUse::propose, job.spec)) return *error;
+  if (auto error = not_made_for(job)) return *error;
+  ProposeAnswer a;
+  SolvedJob given = job;
+  Json tree = job.spec.tree->tables;
+  complete_torque(given.spec, tree);
+  a.torque = from_newton_metres(
+      *std::max_element(given.spec.load.torques.begin(), given.spec.load.torques.end()));
+  auto deflection = complete_deflection(given, tree, a.torque);
+  if (!deflection) return deflection.error();
+  a.deflection = *deflection;
+  const GradeDeviations grades = grade_deviations(given);
+  a.pitch_deviation = grades.pitch;
+  a.helix_deviation = grades.helix;
+
+  std::vector<SolvedJob> jobs{given};
+  auto made = quick_task(jobs.front());
+  if (!made) return made.error();
+  LoadTask task = std::move(made).take();
+  task.request.progress = progress;
+  const auto compliance = task.compliance();
+  if (!compliance) return compliance.error();
+  task.request.progress = nullptr;  // progress counts proposals, not their positions
+  Proposal first;
+  if (auto error = find_effects(first, task, *compliance, grades.helix, jobs.front().warnings))
+    return *error;
+  a.proposals.push_back(std::move(first));
+  a.specs.push_back(tree);
+
+  const double face_1 = given.gear(1).spec.face_width;
+  const LeadProposal lead =
+      propose_lead(a.deflection.value_or(FaceDeflection()), grades.helix.value_or(0.0), face_1,
+                   std::min(face_1, given.gear(2).spec.face_width));
+  const ProposalList wanted =
+      list_proposals(given, task, *compliance, lead, grades.pitch.value_or(0.0));
+  a.short_deflection = wanted.short_deflection;
+  begin_stage(progress, "proposals under load", static_cast<std::int64_t>(wanted.proposals.size()));
+  for (Proposal p : wanted.proposals) {
+    count_step(progress);
+    Json spec = with_proposal(tree, p, given.spec.load.driver == 2);
+    auto own = job_of(spec);
+    if (!own) continue;  // teeth that cannot have these modifications
+    jobs.push_back(std::move(own).take());
+    const auto its = quick_task(jobs.back());
+    if (!its || find_effects(p, *its, *compliance, grades.helix, jobs.back().warnings)) {
+      jobs.pop_back();
+      continue;
+    }
+    a.proposals.push_back(std::move(p));
+    a.specs.push_back(std::move(spec));
+  }
+  for (std::size_t i = 0; i < a.specs.size(); ++i) a.proposals[i].spec = to_value(a.specs[i]);
+  a.recommended = recommended(a.proposals);
+  a.reason = reason_of(a.proposals, a.recommended);
+  for (const std::string& remark : wanted.remarks) a.reason += " " + remark;
+  for (std::size_t i = 0; i < a.proposals.size(); ++i) a.notes.push_back({origin(a, i)});
+  job.warnings = jobs[a.recommended].warnings;
+  a.verdict = judge(jobs[a.recommended], {.load = true});
+  return a;
+}
+
+}  // namespace gearwright

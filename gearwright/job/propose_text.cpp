@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/base/torque.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/job/listing.hpp"
+#include "gearwright/job/propose_answer.hpp"
+#include "gearwright/job/result_json.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::string amount(const char* words, const std::optional<double>& mm,
+                   const std::optional<double>& start = {}) {
+  if (mm.value_or(0.0) == 0.0) return "";
+  return fmt::format(", {} {:.0f} µm", words, *mm * kUmPerMm) +
+         (start ? fmt::format(" from {} mm", fixed_decimals(*start, 3)) : "");
+}
+
+// "gear 1: tip 12 µm from 79.123 mm, crowning 8 µm"
+std::string amounts_of(const Proposal& p, std::size_t i) {
+  const ProposedGear& g = p.gears[i];
+  const std::string list = amount("tip relief", g.tip_relief, g.tip_start) +
+                           amount("root relief", g.root_relief, g.root_start) +
+                           amount("helix crowning", g.lead_crowning) +
+                           amount("helix slope", g.lead_slope);
+  return list.empty() ? "" : fmt::format("gear {}: {}", i + 1, list.substr(2));
+}
+
+std::string score_columns(const LoadedScore& s) {
+  if (!std::isfinite(s.max_pressure))
+    return fmt::format("{:>10}{:>11}{:>8}{:>6}", "–", "–", "–", "–");
+  return fmt::format("{:>10}{:>11}{:>8}{:>6}", fixed_decimals(s.peak_to_peak.arcsec(), 3),
+                     fixed_decimals(s.max_pressure, 1),
+                     s.face_load_factor ? fixed_decimals(*s.face_load_factor, 3) : "",
+                     s.edge_carries ? "yes" : "no");
+}
+
+std::string effects(const ProposeAnswer& a) {
+  const bool limits = a.proposals.front().at_limits.has_value();
+  const std::size_t torques = a.proposals.front().loads.size();
+  std::string out = fmt::format(
+      "\nEffects{}{}\n", torques > 1 ? ", the worst of the torques" : "",
+      limits ? "; on the right with the helix slope deviations in the less favourable sense" : "");
+  const std::string heads =
+      fmt::format("{:>10}{:>11}{:>8}{:>6}", "TE p-p", "pressure", "K_Hβ", "edge");
+  out += fmt::format("     {:<52}{}{}\n", "", heads, limits ? "   " + heads : "");
+  const std::string again = limits ? fmt::format("{:>14}{:>13}{:>11}", "", "arcsec", "N/mm²") : "";
+  out += fmt::format("     {:<52}{:>10}{:>11}{}\n", "", "arcsec", "N/mm²", again);
+  for (std::size_t i = 0; i < a.proposals.size(); ++i) {
+    const Proposal& p = a.proposals[i];
+    out +=
+        fmt::format("{} {:>2}  {:<52}{}{}\n", i == a.recommended ? "*" : " ", i + 1, words_of(p),
+                    score_columns(p.worst), p.at_limits ? "   " + score_columns(*p.at_limits) : "");
+  }
+  return out;
+}
+
+std::string amounts(const ProposeAnswer& a) {
+  std::string out = "\nAmounts in whole µm, reliefs rounded upwards\n";
+  for (std::size_t i = 1; i < a.proposals.size(); ++i) {
+    int line = 0;
+    for (const std::size_t gear : {0, 1}) {
+      const std::string text = amounts_of(a.proposals[i], gear);
+      if (text.empty()) continue;
+      out +=
+          line++ == 0 ? fmt::format("  {:>2}  {}\n", i + 1, text) : fmt::format("      {}\n", text);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Json propose_json(const SolvedJob& job, const ProposeAnswer& a) {
+  return titled_record(job.spec, "propose", propose_quantities().of(a));
+}
+
+std::string propose_listing(const SolvedJob& job, const ProposeAnswer& a) {
+  return title_listing(job.spec) +
+         quantity_listing(propose_quantities().table(), {propose_quantities().of(a)}, {}) +
+         amounts(a) + effects(a) +
+         fmt::format("\n* Recommended: {}, {}. {}\n", a.recommended + 1,
+                     words_of(a.proposals[a.recommended]), a.reason) +
+         "To print the spec of a proposal: --take NUMBER > modified.toml\n";
+}
+
+std::string propose_csv(const ProposeAnswer& a) {
+  std::string out =
+      "proposal,torque_Nm,peak_to_peak_arcsec,max_pressure_MPa,face_load_factor,edge_carries\n";
+  for (std::size_t i = 0; i < a.proposals.size(); ++i)
+    for (const ProposedLoad& l : a.proposals[i].loads)
+      out += fmt::format("{},{},{},{},{},{}\n", i + 1, format_number(newton_metres(l.torque)),
+                         format_number(l.score.peak_to_peak.arcsec()),
+                         format_number(l.score.max_pressure),
+                         l.score.face_load_factor ? format_number(*l.score.face_load_factor) : "",
+                         l.score.edge_carries ? "true" : "false");
+  return out;
+}
+
+}  // namespace gearwright

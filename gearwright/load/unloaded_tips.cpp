@@ -1,0 +1,178 @@
+#include "gearwright/load/unloaded_tips.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/parallel.hpp"
+#include "gearwright/load/loaded_position.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using detail::Position;
+using detail::PositionSolver;
+
+constexpr int kHeights = 8;      // places along the face at which a tip is followed
+constexpr int kMostTurns = 30;   // with a factor of at least a half, far below kClose
+constexpr double kClose = 5e-6;  // mm: reliefs are made in whole µm
+constexpr double kGreatest =
+    1.0 / 40;  // modules, less than kFarGap, beyond which teeth are not seen
+
+// ρ_1 = a + r_b1 φ + c z of a contact at the height z of pair 0 at the rotation φ in N.
+struct PathPlace {
+  double a = 0.0, c = 0.0, base_radius = 0.0;
+
+  double rotation(double rho1, double z) const { return (rho1 - a - c * z) / base_radius; }
+};
+
+// By least squares from the contacts of a position; the flanks are involutes, so the law is exact.
+PathPlace path_place(const Position& at, const FaceSlices& slices, double base_radius) {
+  double n = 0.0;
+  double z1 = 0.0;
+  double zz = 0.0;
+  double y1 = 0.0;
+  double zy = 0.0;
+  for (const PairPlaces& p : at.pairs) {
+    for (int j = 0; j < slices.count; ++j) {
+      const auto& place = p.at[static_cast<std::size_t>(j)];
+      if (!place || place->kind != TouchKind::line) continue;
+      const double z = slices.middle(j);
+      const double y = std::sqrt(place->radius[0] * place->radius[0] - base_radius * base_radius) -
+                       base_radius * p.turn;
+      n += 1.0;
+      z1 += z;
+      zz += z * z;
+      y1 += y;
+      zy += z * y;
+    }
+  }
+  GW_EXPECTS(n > 0.0);
+  const double spread = n * zz - z1 * z1;
+  const double c = spread > 1e-9 * n * zz ? (n * zy - z1 * y1) / spread : 0.0;
+  return {(y1 - c * z1) / n, c, base_radius};
+}
+
+// A place at which the tip of a gear begins or ends contact.
+struct TipPlace {
+  std::size_t gear;
+  int slice;
+  double rotation;
+};
+
+std::vector<TipPlace> tip_places(const PathPlace& path, const TipPath& ends,
+                                 const FaceSlices& slices, bool alike) {
+  std::vector<TipPlace> list;
+  const int count = alike ? 1 : std::min(kHeights, slices.count);
+  for (int k = 0; k < count; ++k) {
+    const int j = count == 1 ? slices.count / 2 : k * (slices.count - 1) / (count - 1);
+    list.push_back({1, j, path.rotation(ends.begin, slices.middle(j))});
+    list.push_back({0, j, path.rotation(ends.end, slices.middle(j))});
+  }
+  return list;
+}
+
+// s at a place; 0 if it carries load, NaN if the forces do not converge there.
+double distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
+  Position at = solver.prepare(tip.rotation);
+  if (at.rows.empty()) return std::numeric_limits<double>::infinity();
+  at.problem.moment = moment;
+  const ContactSolution x = solve_contact(at.problem);
+  if (!x.found()) return std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < at.rows.size(); ++i) {
+    const auto [pair, slice] = at.rows[i];
+    if (at.pairs[static_cast<std::size_t>(pair)].pair != 0 || slice != tip.slice) continue;
+    const auto k = static_cast<Eigen::Index>(i);
+    if (x.line_load[k] > 0.0) return 0.0;
+    return at.problem.yield.row(k).dot(x.line_load) + at.problem.gap[k] -
+           x.approach * at.problem.arm[k];
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+// The helix modifications of the flanks, with these reliefs.
+PairModifications with_reliefs(const PairModifications& all, const std::array<double, 2>& amount,
+                               const TipPath& path) {
+  PairModifications made;
+  for (std::size_t g = 0; g < 2; ++g) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      FlankModifications& flank = made[g][side];
+      flank.tip_relief = {amount[g], path.start_diameter[g], ReliefShape::linear};
+      flank.lead_crowning = all[g][side].lead_crowning;
+      flank.lead_slope = all[g][side].lead_slope;
+      flank.end_relief = all[g][side].end_relief;
+    }
+  }
+  return made;
+}
+
+// True if every section of the face has the same contact, so that one of them is sufficient.
+bool alike_sections(const ContactSetup& setup, const LoadRequest& request) {
+  const auto plain = [](const FlankModifications& m) {
+    return m.lead_crowning == 0.0 && m.lead_slope == 0.0 && m.end_relief.amount == 0.0;
+  };
+  bool alike = setup.gear(1).spec.helix_angle.rad() == 0.0 &&
+               setup.place().errors == ContactErrors() && request.deflection_slope == 0.0 &&
+               request.deflection_bow == 0.0;
+  for (const auto& gear : setup.modifications())
+    alike = alike && std::all_of(gear.begin(), gear.end(), plain);
+  return alike;
+}
+
+}  // namespace
+
+Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& path,
+                                   const PairCompliance& compliance, const LoadRequest& request,
+                                   bool gear2_drives) {
+  GW_EXPECTS(request.regime == LoadRegime::line && !request.torques.empty());
+  const Gear& one = setup.gear(1);
+  const Gear& two = setup.gear(2);
+  const double torque = *std::max_element(request.torques.begin(), request.torques.end());
+  const double moment = torque * std::abs(double(two.spec.teeth) / one.spec.teeth);
+  const auto plain = setup.with_modifications({});
+  if (!plain) return plain.error();
+  std::vector<TipPlace> tips;
+  {
+    const ContactPair pair = plain->pair(ContactErrors(), gear2_drives);
+    LoadRequest aligned = request;
+    aligned.deflection_slope = aligned.deflection_bow = aligned.deflection_offset = 0.0;
+    PositionSolver solver(pair, one, two, compliance, aligned);
+    tips = tip_places(path_place(solver.prepare(0.0), compliance.slices[0], one.base_radius()),
+                      path, compliance.slices[0], alike_sections(setup, request));
+  }
+  // The first reliefs are so great that no tip carries load. Each turn then removes what the
+  // nearest place still has as distance. Less relief spreads the load over more teeth, so that the
+  // distance shrinks by less than the relief, and the reliefs fall towards the least ones.
+  const double greatest = kGreatest * one.spec.normal_module;
+  UnloadedTips found;
+  found.amount = {greatest, greatest};
+  for (found.turns = 1; found.turns <= kMostTurns; ++found.turns) {
+    const auto relieved =
+        setup.with_modifications(with_reliefs(setup.modifications(), found.amount, path));
+    if (!relieved) return relieved.error();
+    const ContactPair pair = relieved->pair(gear2_drives);
+    std::vector<double> distance(tips.size());
+    parallel_for(tips.size(), [&](std::size_t i) {
+      PositionSolver solver(pair, one, two, compliance, request);
+      distance[i] = distance_at(solver, tips[i], moment);
+    });
+    std::array<double, 2> least{std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i < tips.size(); ++i)
+      if (!(distance[i] >= least[tips[i].gear])) least[tips[i].gear] = distance[i];
+    bool still = true;
+    for (std::size_t g = 0; g < 2; ++g) {
+      if (found.turns == 1) found.unloaded[g] = least[g] > 0.0;
+      if (!found.unloaded[g] || !(least[g] > kClose) || !std::isfinite(least[g])) continue;
+      found.amount[g] = std::max(0.0, found.amount[g] - least[g]);
+      still = false;
+    }
+    if (still) break;
+  }
+  return found;
+}
+
+}  // namespace gearwright
