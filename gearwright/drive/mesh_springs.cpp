@@ -32,11 +32,13 @@ Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, L
   LoadedTurn turn(pair, setup.gear(1), setup.gear(2), *compliance, request);
   parallel_for(rotations.size(), [&](std::size_t i) { turn.solve(i, i + 1); });
   const LoadedContact contact = turn.result();
-  if (contact.slices_too_fine)
-    return Error{"load.slices", std::to_string(request.slices),
-                 fmt::format("are narrower than the contact under {} times an equal share of the "
-                             "load; reduce the torque or the number of slices",
-                             format_number(levels.back()))};
+  // Greater forces than an equal share may be missing; the tangent then replaces them.
+  for (std::size_t k = 0; k < levels.size() && contact.slices_too_fine; ++k)
+    for (const LoadedPosition& p : contact.torques[k].positions)
+      if (levels[k] <= 1.0 && p.unfinished)
+        return Error{"load.slices", std::to_string(request.slices),
+                     "are narrower than the contact under an equal share of the load; reduce the "
+                     "torque or the number of slices"};
   MeshSprings made;
   const double lead = setup.gear(2).base_radius() * pair.turned();
   for (std::size_t i = 0; i < rotations.size(); ++i) {

@@ -2,6 +2,7 @@
 // error of the output, each over one period of the meshes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
@@ -70,7 +71,9 @@ Figure planet_share_figure(const Drive& drive, std::size_t set) {
   f.line({{0.0, 1 / count}, {period, 1 / count}}, "before", "equal share");
   f.note = fmt::format("K_γ = {:.3f}", shares.mesh_load_factor);
   constexpr double kLeast = 0.05;
-  return fitted(std::move(f), kLeast);
+  f = fitted(std::move(f), kLeast);
+  f.y.lo = std::max(f.y.lo, 0.0);
+  return f;
 }
 
 std::optional<Figure> displacement_figure(const Drive& drive, std::size_t set) {

@@ -45,12 +45,15 @@ class Shares(unittest.TestCase):
         self.assertGreater(of_set["displacement_um"], 5)
 
     def test_a_mesh_has_the_curve_of_the_verb_load(self):
+        """Without shifts and allowances, the loaded flanks touch at the pitch point a quarter of a period from the centre line, so both
+        verbs compute the same positions."""
         fine = '[load]\npositions = 128\naccuracy = "draft"\n'
-        drive = Run("drive", STAGE + fine, "--json").json["drive"]["load"]
-        take = Run("drive", STAGE + fine, "--take", "1")
+        text = STAGE.replace("thickness_allowance_mm = -0.05\n", "") + fine
+        drive = Run("drive", text, "--json").json["drive"]["load"]
+        take = Run("drive", text, "--take", "1")
         (at,) = Run("load", take.out, "--json").json["load"]["torques"]
         self.assertIsNone(drive["mesh_load_factor"])
-        self.assertAlmostEqual(drive["output_arcsec_peak_to_peak"] / at["peak_to_peak_arcsec"], 1, 1)
+        self.assertAlmostEqual(drive["output_arcsec_peak_to_peak"] / at["peak_to_peak_arcsec"], 1, 9)
 
     def test_the_spec_of_a_mesh_has_its_driver_and_resolution(self):
         """With the carrier driving, the planet drives the sun, which is gear 1."""
