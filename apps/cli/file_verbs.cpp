@@ -90,7 +90,7 @@ int end_run(const Options& o, const RunFiles& made, const std::string& listing) 
 
 int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs::path& out,
               const FileOptions& options) {
-  const auto job = spec.rating.given ? solve_rated_drive(spec) : solve_drive(spec);
+  const auto job = solve_whole_drive(spec);
   if (!job) return door.fail(job.error());
   const auto made = write_drive_files(*job, out, options);
   if (!made) return door.fail(made.error());

@@ -1,8 +1,10 @@
-// The load of a pair: torques, deflections of the shafts, probes of single teeth.
+// The load of a pair or of a drive: torques, deflections of the shafts, probes of single teeth,
+// planets.
 #pragma once
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gearwright/base/angle.hpp"
@@ -19,10 +21,10 @@ struct LoadProbeInput {
   std::vector<double> read_z{};              ///< mm
 };
 
-/// The load of a pair, and the resolution of the computation.
+/// The load of a pair or of a drive, and the resolution of the computation.
 struct LoadInput {
   bool given = false;             ///< true if there is a load or a probe
-  std::vector<double> torques{};  ///< N m, on gear 1
+  std::vector<double> torques{};  ///< N m, on gear 1; of a drive on its input
   int driver = 1;
   int positions = 64;              ///< per pitch
   std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of positions
@@ -33,6 +35,9 @@ struct LoadInput {
   double deflection_offset =
       0.0;  ///< µm, constant over the face; used for a half of a double-helical gear
   std::vector<LoadProbeInput> probes{};
+  // Of drives only:
+  std::string floating{};            ///< body that is free to move radially; empty: none
+  std::vector<double> pin_errors{};  ///< µm, of each planet, tangential; one number: of the first
 };
 
 constexpr int kMostTorques = 100, kMostProbes = 100, kMostReadings = 1000;

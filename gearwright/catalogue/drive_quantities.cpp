@@ -77,20 +77,6 @@ const Quantities<DriveBacklash>& drive_backlash_quantities() {
   return kAll;
 }
 
-const Quantities<DriveError::Line>& error_line_quantities() {
-  using L = DriveError::Line;
-  static const Quantities<L> kAll("drive.transmission_error.line", [](Quantities<L>& q) {
-    q.number("frequency_ratio", "waves per turn of the input", "", "", [](const L& l) {
-       return Value(l.frequency_ratio);
-     }).always();
-    q.number("arcsec", "amplitude", "", "amplitude of the rotation of the output",
-             [](const L& l) { return Value(Angle::radians(l.amplitude).arcsec()); })
-        .unit(Unit::arcsec)
-        .always();
-  });
-  return kAll;
-}
-
 const Quantities<DriveError>& drive_error_quantities() {
   using E = DriveError;
   static const Quantities<E> kAll("drive.transmission_error", [](Quantities<E>& q) {
@@ -99,9 +85,9 @@ const Quantities<DriveError>& drive_error_quantities() {
              [](const E& e) { return Value(Angle::radians(e.peak_to_peak).arcsec()); })
         .unit(Unit::arcsec)
         .always();
-    q.record<error_line_quantities>(
+    q.record<drive_error_line_quantities>(
          "lines", "harmonics of the mesh frequencies [T13.22]",
-         [](const E& e) { return Value(error_line_quantities().each(e.lines)); })
+         [](const E& e) { return Value(drive_error_line_quantities().each(e.lines)); })
         .always()
         .list({0})
         .doors(kJson);
@@ -234,6 +220,11 @@ void say(Quantities<Drive>& q) {
       "modifications and no [errors]; null with several inputs, without geometry, and if contact "
       "is lost",
       &Drive::error);
+  q.record<drive_load_quantities>(
+       "load", "the drive under load; only with `[load]`",
+       [](const Drive& d) { return Value(drive_load_quantities().of(d)); })
+      .when([](const Drive& d) { return d.loaded.has_value(); })
+      .doors(kJson);
   q.record<drive_quantities>(
        "stages", "the stages of a train, each as a drive of its own; null for other drives",
        [](const Drive& d) {
@@ -244,6 +235,20 @@ void say(Quantities<Drive>& q) {
 }
 
 }  // namespace
+
+const Quantities<DriveError::Line>& drive_error_line_quantities() {
+  using L = DriveError::Line;
+  static const Quantities<L> kAll("drive.transmission_error.line", [](Quantities<L>& q) {
+    q.number("frequency_ratio", "waves per turn of the input", "", "", [](const L& l) {
+       return Value(l.frequency_ratio);
+     }).always();
+    q.number("arcsec", "amplitude", "", "amplitude of the rotation of the output",
+             [](const L& l) { return Value(Angle::radians(l.amplitude).arcsec()); })
+        .unit(Unit::arcsec)
+        .always();
+  });
+  return kAll;
+}
 
 const Quantities<DriveBodyView>& drive_body_quantities() {
   using V = DriveBodyView;

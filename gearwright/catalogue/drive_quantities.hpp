@@ -21,6 +21,26 @@ struct DriveMeshView {
 };
 const Quantities<DriveBodyView>& drive_body_quantities();
 const Quantities<DriveMeshView>& drive_mesh_quantities();
+/// A harmonic of the transmission error.
+const Quantities<DriveError::Line>& drive_error_line_quantities();
+
+/// A drive under load: `drive.load` of a result.
+///
+/// Domain    with Drive::loaded (contract)
+const Quantities<Drive>& drive_load_quantities();
+
+/// The shares of the planets of a set of a drive.
+struct PlanetSharesView {
+  const Drive* drive;
+  const PlanetShares* shares;
+};
+const Quantities<PlanetSharesView>& planet_share_quantities();
+
+/// The greatest K_γ that the planets have under load; none without planets and a load.
+std::optional<double> mesh_load_factor(const Drive& drive);
+/// The K_γ with which the meshes of planets are rated; none without a rating.
+std::optional<double> rated_mesh_load_factor(const Drive& drive);
+
 /// The rating of a mesh, with the same quantities as for a pair. An idle mesh has none.
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh);
 const Quantities<PlanetSet>& assembly_quantities();

@@ -17,9 +17,11 @@ const KeyTable& load_keys() {
   using Range = KeyRange;
   static const KeyTable table{
       "load",
-      "Teeth under torque: the verb `load`",
-      {Key::number("torque_Nm", "T_1", Range::above(0, kMaxInput), &LoadInput::torques, "",
-                   "torque on gear 1; a list of torques gives the Harris map")
+      "Teeth under torque: the verb `load`, and for drives the verbs `drive`, `rate` and `run`",
+      {Key::number(
+           "torque_Nm", "T_1", Range::above(0, kMaxInput), &LoadInput::torques, "",
+           "torque on gear 1; a list of torques gives the Harris map; for a drive one torque "
+           "on its input, by default that of the drive")
            .with_list(KeyList{1, kMostTorques, true})
            .with_fields({"torques"})
            .with_also({"torque", "moment", "t1"}),
@@ -46,6 +48,14 @@ const KeyTable& load_keys() {
        Key::number(
            "deflection_bow_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_bow, "0",
            "additional parabolic approach of the flanks along the face: its value in the middle"),
+       Key::text("floating", &LoadInput::floating, "all bodies are centred",
+                 "only for drives: body that is free to move radially, the sun, the ring or the "
+                 "carrier of a planetary set"),
+       Key::number("pin_error_um", "", Range::between(-1e5, 1e5), &LoadInput::pin_errors, "0",
+                   "only for drives: error of position of each planet's pin, tangential, > 0 "
+                   "counter-clockwise; a single number is that of the first planet")
+           .with_list(KeyList{1, 1000, true})
+           .with_fields({"pin_errors"}),
        {.key = "probe",
         .kind = KeyKind::table,
         .list = KeyList{.most = kMostProbes,

@@ -44,6 +44,35 @@ struct DriveError {
   std::vector<Line> lines;  ///< by frequency
 };
 
+/// The shares of the planets of a set under load over one period of its meshes, in the frame of the
+/// carrier.
+struct PlanetShares {
+  std::size_t set = 0;                     ///< index in Drive::sets
+  std::vector<std::vector<double>> share;  ///< of the load of all planets, [planet][position]
+  double mesh_load_factor = 1.0;        ///< K_γ = N max share, of all meshes of the set [T13.26]
+  std::optional<std::size_t> floating;  ///< body that is free to move radially
+  std::vector<Vec2> displacement;       ///< of that body, mm, at each position
+
+  double mean(std::size_t planet) const;
+  double greatest(std::size_t planet) const;
+  double least(std::size_t planet) const;
+  /// mm; none if no body floats.
+  std::optional<double> greatest_displacement() const;
+};
+
+/// The drive under load, drive/loaded_drive.hpp.
+struct LoadedDrive {
+  /// Rotation of the output over one period of a mesh frequency, from its mean, rad.
+  struct Curve {
+    double frequency_ratio = 0.0;       ///< teeth per turn of the input
+    std::vector<double> loaded, rigid;  ///< at each position
+  };
+  double torque = 0.0;  ///< N m, on the input
+  DriveError error;     ///< under load
+  std::vector<Curve> curves;
+  std::vector<PlanetShares> sets;
+};
+
 /// The rotation of the input or output while the other one is held, rad.
 struct DriveBacklash {
   double input, output;
@@ -69,6 +98,7 @@ struct Drive {
                                           ///< without geometry
   std::optional<DriveError> error;        ///< none as above, or if contact is lost in a mesh
   std::vector<std::optional<MeshRating>> ratings;  ///< of each mesh; empty if they are not rated
+  std::optional<LoadedDrive> loaded;               ///< none if no load was requested
   std::vector<Warning> findings;
   std::vector<Drive> stages;  ///< of a train, each as a separate drive
 

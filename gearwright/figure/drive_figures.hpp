@@ -1,4 +1,4 @@
-// Pictures of a whole drive: its kinematic scheme and its power flow.
+// Pictures of a whole drive: its kinematic scheme, its power flow, and its curves under load.
 //
 // Each body has a colour of its own, the same in every picture of one drive.
 #pragma once
@@ -22,5 +22,17 @@ Figure scheme_figure(const Drive& drive, const DrivePlaces& places);
 /// Diagram of the power flow from the inputs through bodies and meshes to the output. There is none
 /// if no power flows or if the drive is self-locking.
 std::optional<Figure> power_figure(const Drive& drive);
+
+/// The share of each planet of a set under load over one period, and the displacement of its
+/// floating body, if it has one. Curves are over the rotation of the input.
+///
+/// Domain    a drive under load, index of one of its loaded sets (contract)
+Figure planet_share_figure(const Drive& drive, std::size_t set);
+std::optional<Figure> displacement_figure(const Drive& drive, std::size_t set);
+
+/// The rotation error of the output under load and of rigid teeth over one period.
+///
+/// Domain    a drive under load, index of one of its curves (contract)
+Figure loaded_output_figure(const Drive& drive, std::size_t curve);
 
 }  // namespace gearwright

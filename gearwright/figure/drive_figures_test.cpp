@@ -1,6 +1,7 @@
 // Laws: (1) everything that is drawn lies within the axes; (2) the scheme contains the name of
 // every gear and the symbol of every fixed body; (3) each band has a label with its power, and the
-// sum of the losses of all meshes is the difference between input and output.
+// sum of the losses of all meshes is the difference between input and output; (4) the curves under load
+// cover one period.
 #include "gearwright/figure/drive_figures.hpp"
 
 #include <gtest/gtest.h>
@@ -94,6 +95,32 @@ TEST(DriveFigures, LossesAreWhatTheOutputLacks) {
     EXPECT_NEAR(out, drive.flow->efficiency, 1e-3);
     EXPECT_NEAR(in - out, lost, 2e-3);
   }
+}
+
+TEST(DriveFigures, CurvesUnderLoadLieWithinTheAxes) {
+  Drive drive = drives().front();
+  for (const double varies : {0.0, 0.2}) {
+    LoadedDrive loaded;
+    loaded.curves.push_back({70.0 / 4.5, {1e-5, -1e-5 * varies, 0.0}, {0.0, 0.0, 0.0}});
+    PlanetShares shares;
+    shares.share = {{0.3, 0.3 + varies, 0.3}, {0.3, 0.3, 0.3}, {0.4, 0.4 - varies, 0.4}};
+    shares.mesh_load_factor = 1.5;
+    shares.floating = 0;
+    shares.displacement = {Vec2(0.0, 0.09), Vec2(varies, 0.0), Vec2(0.0, -varies)};
+    loaded.sets.push_back(shares);
+    drive.loaded = loaded;
+    const Figure share = planet_share_figure(drive, 0);
+    expect_inside(share);
+    EXPECT_EQ(share.keys.size(), 3u);
+    EXPECT_EQ(share.note, "K_γ = 1.500");
+    EXPECT_NEAR(share.x.hi, 360 * 4.5 / 70, 1e-9);
+    const auto displacement = displacement_figure(drive, 0);
+    ASSERT_TRUE(displacement);
+    expect_inside(*displacement);
+    expect_inside(loaded_output_figure(drive, 0));
+  }
+  drive.loaded->sets.front().floating.reset();
+  EXPECT_FALSE(displacement_figure(drive, 0));
 }
 
 }  // namespace

@@ -123,6 +123,24 @@ std::string drive_csv(const Drive& drive) {
   return out;
 }
 
+// The K_γ of the rating and of the planets, which are different inputs.
+std::string load_factor_sentence(const Drive& drive) {
+  const auto computed = mesh_load_factor(drive), rated = rated_mesh_load_factor(drive);
+  if (!computed || !rated) return "";
+  return fmt::format("  The rating uses the given K_γ = {}; the planets under this load have {}.\n",
+                     fixed_decimals(*rated, 3), fixed_decimals(*computed, 3));
+}
+
+std::string load_listing(const Drive& drive) {
+  if (!drive.loaded) return "";
+  std::string out = "\nUnder load\n" + quantity_listing(drive_load_quantities().table(),
+                                                        {drive_load_quantities().of(drive)}, {});
+  for (const PlanetShares& shares : drive.loaded->sets)
+    out += quantity_listing(planet_share_quantities().table(),
+                            {planet_share_quantities().of({&drive, &shares})}, {});
+  return out + load_factor_sentence(drive);
+}
+
 std::string safety_listing(const Drive& drive) {
   std::string out =
       fmt::format("\nStrength by ISO 6336\n  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "",
@@ -168,13 +186,14 @@ std::string drive_listing(const Drive& drive) {
   if (drive.motion.ratio && !drive.motion.ratio->whole())
     out += "  exact ratio " + fraction(*drive.motion.ratio) + "\n";
   if (!drive.ratings.empty()) out += safety_listing(drive);
+  out += load_listing(drive);
   out += body_listing(drive) + mesh_listing(drive) + shift_listing(drive);
   for (const PlanetSet& set : drive.sets) out += set_listing(set);
   return out;
 }
 
-Result<Answer> answer_drive(const JobSpec& spec) {
-  const auto solved = solve_drive(spec);
+Result<Answer> answer_drive(const JobSpec& spec, Progress* progress) {
+  const auto solved = with_load(solve_drive(spec), progress);
   auto answer = answer_of(spec, solved, drive_listing);
   if (!answer) return answer.error();
   Answer whole = std::move(answer).take();
@@ -188,9 +207,9 @@ Result<Answer> answer_drive(const JobSpec& spec) {
   return whole;
 }
 
-Result<Answer> answer_drive_rating(const JobSpec& spec) {
-  return answer_of(spec, solve_rated_drive(spec), [](const Drive& drive) {
-    return safety_listing(drive) + body_listing(drive) + mesh_listing(drive);
+Result<Answer> answer_drive_rating(const JobSpec& spec, Progress* progress) {
+  return answer_of(spec, with_load(solve_rated_drive(spec), progress), [](const Drive& drive) {
+    return safety_listing(drive) + load_listing(drive) + body_listing(drive) + mesh_listing(drive);
   });
 }
 

@@ -94,6 +94,17 @@ double reach(const ToothedBody& body) {
 
 }  // namespace
 
+MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive) {
+  return [&](std::size_t mesh) {
+    ContactErrors errors;
+    const auto& pair = *drive.geometry.pairs[mesh];
+    const std::array<const Gear*, 2> gears{&pair.gear(1), &pair.gear(2)};
+    for (std::size_t i = 0; i < kErrorCount; ++i)
+      error_entries()[i].set(errors, gears, spec.errors.value[i]);
+    return errors;
+  };
+}
+
 Result<DriveJob> solve_drive(const JobSpec& spec) {
   if (!spec.drive) {
     return absent_input(
@@ -106,14 +117,8 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}};
   if (auto error = find_halves(job.drive)) return of_drive_table(*error, spec.tree->tables);
   if (spec.errors.any()) {
-    job.drive.error = transmission_error(job.drive, spec.drive->harmonics, [&](std::size_t mesh) {
-      ContactErrors errors;
-      const auto& pair = *job.drive.geometry.pairs[mesh];
-      const std::array<const Gear*, 2> gears{&pair.gear(1), &pair.gear(2)};
-      for (std::size_t i = 0; i < kErrorCount; ++i)
-        error_entries()[i].set(errors, gears, spec.errors.value[i]);
-      return errors;
-    });
+    job.drive.error =
+        transmission_error(job.drive, spec.drive->harmonics, mesh_errors(spec, job.drive));
   }
   if (auto places = drive_places(job.drive)) job.places = std::move(places).take();
   if (auto layout = drive_layout(job.drive)) {
@@ -167,6 +172,18 @@ std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive) {
   if (!ratings) return of_drive_table(ratings.error(), spec.tree->tables);
   drive.ratings = std::move(ratings).take();
   return std::nullopt;
+}
+
+Result<DriveJob> with_load(Result<DriveJob> solved, Progress* progress) {
+  if (!solved || !solved->spec.given.contains("load")) return solved;
+  DriveJob job = std::move(solved).take();
+  if (auto error = load_drive(job, progress)) return *error;
+  job.verdict = judge(job);
+  return job;
+}
+
+Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress) {
+  return with_load(spec.rating.given ? solve_rated_drive(spec) : solve_drive(spec), progress);
 }
 
 Result<DriveJob> solve_rated_drive(const JobSpec& spec) {

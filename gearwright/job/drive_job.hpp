@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/base/progress.hpp"
+#include "gearwright/drive/drive_error.hpp"
 #include "gearwright/drive/drive_layout.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/files.hpp"
@@ -27,6 +29,9 @@ struct DriveJob {
 /// Errors    a spec without a drive; the errors of make_drive(), with the keys of the spec
 Result<DriveJob> solve_drive(const JobSpec& spec);
 
+/// The [errors] of a spec, as those of each mesh. Both must outlive the function.
+MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
+
 /// The load of a rating, which is given in [rating] or by the drive.
 ///
 /// Errors    `rating.…` for a load that is missing, 0 or contradictory
@@ -41,6 +46,22 @@ std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive);
 ///
 /// Errors    the errors of solve_drive() and rate_drive()
 Result<DriveJob> solve_rated_drive(const JobSpec& spec);
+
+/// Computes the drive under its [load].
+///
+/// Errors    `load.…` for keys that do not apply to a drive, and for a torque that is missing or
+///           contradictory; as mesh_spec() for a pair under load, with the mesh in the rule; as
+///           loaded_drive()
+std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
+
+/// The same drive under load if its spec has [load], with the verdict. If `solved` is an error, it is returned.
+Result<DriveJob> with_load(Result<DriveJob> solved, Progress* progress = nullptr);
+
+/// The drive of a spec with all that it contains: its meshes rated if it has [rating], under load
+/// if it has [load], and the verdict.
+///
+/// Errors    as solve_drive(), rate_drive() and load_drive()
+Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress = nullptr);
 
 /// The required safeties of [rating]; 1 if they are absent.
 WantedSafety wanted_safety(const JobSpec& spec);

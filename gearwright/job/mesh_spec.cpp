@@ -80,12 +80,17 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
   const bool halves = drive.graph.gear(m, 0).double_helical.has_value();
   const bool locks = drive.flow && drive.flow->self_locking();
   const bool carries = drive.flow && !locks && drive.flow->driver[mesh] >= 0 && !rack;
-  if (carries && drive.graph.torque_Nm.value_or(0.0) != 0.0) {
+  std::optional<double> torque = drive.graph.torque_Nm;
+  if (!torque && job.spec.load.torques.size() == 1) torque = job.spec.load.torques.front();
+  if (carries && torque.value_or(0.0) != 0.0) {
     const RatingInput load = mesh_load(
-        drive, mesh,
-        {std::abs(*drive.graph.torque_Nm), drive.speed_rpm(drive.graph.inputs.front()), {}});
+        drive, mesh, {std::abs(*torque), drive.speed_rpm(drive.graph.inputs.front()), {}});
     if (load.speed) pair["speed_rpm"] = *load.speed;
     spec["load"]["torque_Nm"] = load.torque;
+    if (drive.flow->driver[mesh] == 1) spec["load"]["driver"] = 2;
+    for (const char* key : {"positions", "slices", "accuracy"})
+      if (expanded.contains("load") && expanded["load"].contains(key))
+        spec["load"][key] = expanded["load"][key];
   }
   for (const std::string name : kShared)
     if (expanded.contains(name) && !(halves && name == "scatter")) spec[name] = expanded[name];

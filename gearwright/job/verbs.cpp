@@ -198,7 +198,7 @@ std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
 }
 
 Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
-  if (spec.drive) return answer_drive_rating(spec);
+  if (spec.drive) return answer_drive_rating(spec, progress);
   return solved_answer<RatingAnswer>(
       {.scope = Scope::pair,
        .find = answer_rating,
@@ -240,7 +240,9 @@ Result<Answer> run_fit(const JobSpec& spec, Progress* progress) {
   return answer;
 }
 
-Result<Answer> run_drive(const JobSpec& spec, Progress*) { return answer_drive(spec); }
+Result<Answer> run_drive(const JobSpec& spec, Progress* progress) {
+  return answer_drive(spec, progress);
+}
 
 using Take = Verb::Take;
 

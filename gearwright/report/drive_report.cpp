@@ -6,6 +6,7 @@
 #include <array>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/figure/drive_figures.hpp"
@@ -101,6 +102,39 @@ std::string strength_part(const Drive& drive) {
     text += table.str();
   }
   return text + "</section>\n";
+}
+
+// The planets and the output under load.
+std::string load_part(const Drive& drive) {
+  if (!drive.loaded) return "";
+  const LoadedDrive& loaded = *drive.loaded;
+  std::string text = fmt::format(
+      "<section>\n<h2>Under load</h2>\n<p>Every mesh yields as its own teeth do under a torque of "
+      "{} "
+      "N m on the input, at the positions of all planets. The planets turn freely on rigid pins.",
+      format_number(loaded.torque));
+  if (const auto computed = mesh_load_factor(drive)) {
+    text += fmt::format(" The most loaded planet carries {} times an equal share.",
+                        fixed_decimals(*computed, 3));
+    if (const auto rated = rated_mesh_load_factor(drive))
+      text += fmt::format(" The rating uses the given K_γ = {}.", fixed_decimals(*rated, 3));
+  }
+  text += "</p>\n";
+  std::string figures;
+  for (std::size_t s = 0; s < loaded.sets.size(); ++s) {
+    if (loaded.sets[s].share.size() < 2) continue;
+    figures += html_of(planet_share_figure(drive, s)) + html_of(displacement_figure(drive, s));
+  }
+  for (std::size_t c = 0; c < loaded.curves.size(); ++c)
+    figures += html_of(loaded_output_figure(drive, c));
+  text += side_by_side(figures);
+  TableBuilder table("Under load", {"Value"});
+  table.groups(
+      text_groups(drive_load_quantities().table(), {drive_load_quantities().of(drive)}, kPage));
+  for (const PlanetShares& shares : loaded.sets)
+    table.groups(text_groups(planet_share_quantities().table(),
+                             {planet_share_quantities().of({&drive, &shares})}, kPage));
+  return text + table.str() + "</section>\n";
 }
 
 std::string planets_part(const Drive& drive) {
@@ -200,8 +234,8 @@ std::string drive_report_html(const DriveReportInput& input) {
       key_boxes(drive_quantities().table(), {drive_quantities().of(drive)}, kKeyFigures),
       finding_list(input.verdict, ""), picture_hint());
   const std::string sections = drive_overview(input) + section_part(input) + power_part(drive) +
-                               strength_part(drive) + planets_part(drive) + mesh_parts(drive) +
-                               gears_part(drive) + file_section(input.files) +
+                               strength_part(drive) + load_part(drive) + planets_part(drive) +
+                               mesh_parts(drive) + gears_part(drive) + file_section(input.files) +
                                spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + drive_foot(input);
   return page + page_end(turn_script());

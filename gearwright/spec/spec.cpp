@@ -145,6 +145,17 @@ void share_shafts(const Json& tree, JobSpec& spec) {
   if (shafts.any()) spec.rating.input.shafts = shafts;
 }
 
+// Rejects the keys of [load] that describe planets if the spec has no drive.
+void refuse_planets(const Json& tree) {
+  const auto load = tree.find("load");
+  if (is_drive(tree) || load == tree.end() || !load->is_object()) return;
+  for (const char* key : {"floating", "pin_error_um"})
+    if (load->contains(key))
+      throw SpecError{{std::string("load.") + key, shown((*load)[key]),
+                       "applies to the planets of a drive, and the spec has none of [planetary], "
+                       "[[stage]] and [drive]"}};
+}
+
 // Reads a rack as gear 2. In this case [pair] may contain only the keys of the rack's position.
 RackBar read_rack_bar(const Json& rack, const Json& tree) {
   TableReader t(rack_bar_keys(), rack, "gear2");
@@ -233,6 +244,7 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
     lacks.of([&] { spec.scatter = read_scatter(*scatter); });
   for (const Key& key : spec_keys().keys)
     if (key.place) lacks.of([&] { t.read(key, static_cast<SpecTables&>(spec)); });
+  refuse_planets(tree);
   share_with_rating(tree, spec);
   share_shafts(tree, spec);
   if (search && !drives) lacks.of([&] { read_search_rating(tree, spec); });

@@ -1,0 +1,192 @@
+// The quantities of a drive under load: `drive.load` of a result.
+#include <algorithm>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
+
+namespace gearwright {
+
+namespace {
+
+Value micrometres(const std::optional<double>& mm) { return mm ? Value(*mm * kUmPerMm) : Value(); }
+
+template <class Of>
+Value of_planets(const PlanetShares& shares, const Of& of) {
+  ValueList list;
+  for (std::size_t i = 0; i < shares.share.size(); ++i) list.emplace_back(of(i));
+  return list;
+}
+
+}  // namespace
+
+const Quantities<PlanetSharesView>& planet_share_quantities() {
+  using V = PlanetSharesView;
+  static const Quantities<V> kAll("drive.load.set", [](Quantities<V>& q) {
+    q.text("carrier", "name of the carrier", [](const V& v) {
+       return v.drive->graph.bodies[v.drive->sets[v.shares->set].group.carrier].name;
+     }).always();
+    q.number("mesh_load_factor", "mesh load factor", "K_γ",
+             "number of planets times the greatest share [T13.26]",
+             [](const V& v) { return v.shares->mesh_load_factor; })
+        .always();
+    q.number("share_mean", "mean share of each planet", "",
+             "load of a planet over that of all planets, mean over a period",
+             [](const V& v) {
+               return of_planets(*v.shares, [&](std::size_t i) { return v.shares->mean(i); });
+             })
+        .always()
+        .list({0});
+    q.number("share_max", "greatest share of each planet", "", "over a period",
+             [](const V& v) {
+               return of_planets(*v.shares, [&](std::size_t i) { return v.shares->greatest(i); });
+             })
+        .always()
+        .list({0});
+    q.number("share_min", "least share of each planet", "",
+             "over a period; 0 if the planet loses contact",
+             [](const V& v) {
+               return of_planets(*v.shares, [&](std::size_t i) { return v.shares->least(i); });
+             })
+        .always()
+        .list({0});
+    q.number("shares", "shares of the planets", "", "of each planet at each position of the period",
+             [](const V& v) {
+               return of_planets(*v.shares, [&](std::size_t i) {
+                 return ValueList(v.shares->share[i].begin(), v.shares->share[i].end());
+               });
+             })
+        .always()
+        .list({0, 0})
+        .doors(kJson);
+    q.text("floating", "name of the body that floats; null if there is none",
+           [](const V& v) -> Value {
+             if (!v.shares->floating) return {};
+             return v.drive->graph.bodies[*v.shares->floating].name;
+           });
+    q.number("displacement_um", "greatest displacement of the floating body", "",
+             "from the axis of the carrier; null if no body floats",
+             [](const V& v) { return micrometres(v.shares->greatest_displacement()); });
+    q.number("displacement_x_um", "displacement of the floating body", "",
+             "at each position, in the frame of the carrier, towards the first planet",
+             [](const V& v) -> Value {
+               if (!v.shares->floating) return {};
+               ValueList list;
+               for (const Vec2& d : v.shares->displacement) list.emplace_back(d.x() * kUmPerMm);
+               return list;
+             })
+        .list({0})
+        .doors(kJson);
+    q.number("displacement_y_um", "displacement of the floating body", "",
+             "likewise, counter-clockwise from x",
+             [](const V& v) -> Value {
+               if (!v.shares->floating) return {};
+               ValueList list;
+               for (const Vec2& d : v.shares->displacement) list.emplace_back(d.y() * kUmPerMm);
+               return list;
+             })
+        .list({0})
+        .doors(kJson);
+  });
+  return kAll;
+}
+
+namespace {
+
+const Quantities<LoadedDrive::Curve>& loaded_curve_quantities() {
+  using C = LoadedDrive::Curve;
+  static const Quantities<C> kAll("drive.load.curve", [](Quantities<C>& q) {
+    q.number("frequency_ratio", "teeth per turn of the input", "", "", [](const C& c) {
+       return c.frequency_ratio;
+     }).always();
+    const auto seconds = [](const std::vector<double>& radians) {
+      ValueList list;
+      for (const double r : radians) list.emplace_back(Angle::radians(r).arcsec());
+      return Value(list);
+    };
+    q.number("loaded_arcsec", "rotation error under load", "",
+             "of the output at each position of the period, from its mean",
+             [seconds](const C& c) { return seconds(c.loaded); })
+        .unit(Unit::arcsec)
+        .always()
+        .list({0});
+    q.number("rigid_arcsec", "rotation error of rigid teeth", "", "likewise, for equal shares",
+             [seconds](const C& c) { return seconds(c.rigid); })
+        .unit(Unit::arcsec)
+        .always()
+        .list({0});
+  });
+  return kAll;
+}
+
+}  // namespace
+
+const Quantities<Drive>& drive_load_quantities() {
+  static const Quantities<Drive> kAll("drive.load", [](Quantities<Drive>& q) {
+    q.number("torque_Nm", "torque on the input", "T", "", [](const Drive& d) {
+       return d.loaded->torque;
+     }).always();
+    q.number("output_arcsec_peak_to_peak", "transmission error of the output under load", "",
+             "greatest value minus least value; for several mesh frequencies their sum",
+             [](const Drive& d) {
+               return Value(Angle::radians(d.loaded->error.peak_to_peak).arcsec());
+             })
+        .unit(Unit::arcsec)
+        .always();
+    q.number("rigid_arcsec_peak_to_peak", "transmission error of the output, rigid teeth", "",
+             "of `transmission_error`",
+             [](const Drive& d) -> Value {
+               if (!d.error) return {};
+               return Angle::radians(d.error->peak_to_peak).arcsec();
+             })
+        .unit(Unit::arcsec);
+    q.record<drive_error_line_quantities>(
+         "lines", "harmonics of the mesh frequencies under load",
+         [](const Drive& d) {
+           return Value(drive_error_line_quantities().each(d.loaded->error.lines));
+         })
+        .always()
+        .list({0})
+        .doors(kJson);
+    q.number("mesh_load_factor", "greatest mesh load factor", "K_γ",
+             "of all sets [T13.26]; null without planets",
+             [](const Drive& d) { return mesh_load_factor(d); })
+        .doors(kJson);
+    q.number("rated_mesh_load_factor", "mesh load factor of the rating", "K_γ",
+             "`rating.mesh_load_factor`, which the rating uses; null without a rating",
+             [](const Drive& d) { return rated_mesh_load_factor(d); });
+    q.record<planet_share_quantities>("sets", "shares of the planets of each set",
+                                      [](const Drive& d) {
+                                        std::vector<PlanetSharesView> list;
+                                        for (const PlanetShares& s : d.loaded->sets)
+                                          list.push_back({&d, &s});
+                                        return Value(planet_share_quantities().each(list));
+                                      })
+        .always()
+        .list({0})
+        .doors(kJson);
+    q.record<loaded_curve_quantities>(
+         "curves", "rotation error over a period of each mesh frequency",
+         [](const Drive& d) { return Value(loaded_curve_quantities().each(d.loaded->curves)); })
+        .always()
+        .list({0})
+        .doors(kJson);
+  });
+  return kAll;
+}
+
+std::optional<double> mesh_load_factor(const Drive& drive) {
+  if (!drive.loaded || drive.loaded->sets.empty()) return std::nullopt;
+  double greatest = 1.0;
+  for (const PlanetShares& s : drive.loaded->sets)
+    greatest = std::max(greatest, s.mesh_load_factor);
+  return greatest;
+}
+
+std::optional<double> rated_mesh_load_factor(const Drive& drive) {
+  std::optional<double> rated;
+  for (const auto& rating : drive.ratings)
+    if (rating) rated = std::max(rated.value_or(1.0), rating->input.mesh_load_factor);
+  return rated;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,120 @@
+// Whether a drive and its load can be computed: kinds of drives, bodies that may float, errors of pins.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gearwright/drive/loaded_drive.hpp"
+#include "gearwright/drive/mesh_springs.hpp"
+
+namespace gearwright {
+
+namespace detail {
+
+Error not_loaded(const std::string& rule, const std::string& mesh) {
+  return {"load", "", mesh.empty() ? rule : fmt::format("{} (mesh {})", rule, mesh)};
+}
+
+}  // namespace detail
+
+namespace {
+
+using detail::not_loaded;
+
+// The reason why such a drive is not computed under load.
+std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load) {
+  const DriveGraph& graph = drive.graph;
+  if (graph.inputs.size() != 1 || drive.motion.freedom != 1)
+    return not_loaded(
+        "does not apply to a drive with several inputs; hold one of them, or give one mesh as a "
+        "pair with drive --take");
+  if (!drive.motion.redundant.empty())
+    return not_loaded(
+        "does not apply to a drive with a closed loop of meshes, whose torques depend on the "
+        "compliance of shafts");
+  if (!drive.flow)
+    return not_loaded(
+        "needs the torques of all meshes, and so a normal module, or efficiencies of the meshes");
+  if (drive.flow->self_locking())
+    return not_loaded("does not apply to a drive that locks itself and carries no power");
+  if (!(load.torque > 0.0)) return Error{"load.torques", "0", "must be greater than 0"};
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    if (drive.flow->driver[m] < 0) continue;
+    const DriveMesh& mesh = graph.meshes[m];
+    const DriveGear &a = graph.gear(mesh, 0), &b = graph.gear(mesh, 1);
+    if (a.rack || b.rack)
+      return not_loaded("does not apply to a drive with a rack, which has no loaded contact",
+                        mesh.name);
+    if (a.double_helical || b.double_helical)
+      return not_loaded(
+          "does not apply to drives with double-helical gears; drive --take gives the mesh as a "
+          "pair, and the verb load computes it with both halves",
+          mesh.name);
+    const auto& pair = drive.geometry.pairs[m];
+    if (!pair || !pair->involute() || !pair->parallel())
+      return not_loaded("needs involute teeth in every mesh: a normal module and shifts that fit",
+                        mesh.name);
+    if (pair->gear(1).internal())
+      return not_loaded("needs the external gear of an internal mesh as its first gear", mesh.name);
+  }
+  return std::nullopt;
+}
+
+// A body that may float, and errors of pins that fit.
+std::optional<Error> not_possible(const Drive& drive, const DriveLoadCase& load) {
+  const DriveGraph& graph = drive.graph;
+  if (load.floating) {
+    std::string list;
+    int sets = 0;
+    bool known = false;
+    for (const PlanetSet& set : drive.sets) {
+      std::vector<std::size_t> bodies{set.group.carrier};
+      for (const std::size_t m : set.group.meshes)
+        for (const int side : {0, 1}) {
+          const DriveGear& gear = graph.gear(graph.meshes[m], side);
+          if (!graph.body(gear).carrier) bodies.push_back(gear.body);
+        }
+      for (const std::size_t b : bodies) {
+        const std::string& name = graph.bodies[b].name;
+        if (list.find(name) == std::string::npos) list += (list.empty() ? "" : ", ") + name;
+      }
+      const bool here = std::find(bodies.begin(), bodies.end(), *load.floating) != bodies.end();
+      known = known || here;
+      sets += here ? 1 : 0;
+      if (here && set.group.count < 2)
+        return Error{"load.floating", graph.bodies[*load.floating].name,
+                     "cannot float, because a single planet does not hold it"};
+    }
+    const std::string& name = graph.bodies[*load.floating].name;
+    if (!known)
+      return Error{"load.floating", name,
+                   list.empty() ? "cannot float, because the drive has no planets"
+                                : fmt::format("cannot float; the carrier and the central gears of "
+                                              "a set can: {}",
+                                              list)};
+    if (sets > 1)
+      return Error{"load.floating", name,
+                   "belongs to several sets; a body that floats is computed in one set only"};
+  }
+  if (load.pin_errors.empty()) return std::nullopt;
+  const auto fits = [&](const PlanetSet& set) {
+    return static_cast<std::size_t>(set.group.count) == load.pin_errors.size();
+  };
+  if (drive.sets.size() != 1)
+    return Error{"load.pin_errors", std::to_string(load.pin_errors.size()) + " numbers",
+                 drive.sets.empty() ? "apply to planets, and the drive has none"
+                                    : "apply to a drive with one set of planets only"};
+  if (!fits(drive.sets.front()))
+    return Error{"load.pin_errors", std::to_string(load.pin_errors.size()) + " numbers",
+                 fmt::format("must be one number for each of the {} planets",
+                             drive.sets.front().group.count)};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> check_load(const Drive& drive, const DriveLoadCase& load) {
+  if (auto error = not_made_for(drive, load)) return error;
+  return not_possible(drive, load);
+}
+
+}  // namespace gearwright

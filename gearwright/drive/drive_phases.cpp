@@ -1,0 +1,184 @@
+#include "gearwright/drive/drive_phases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "gearwright/drive/drive_places.hpp"
+
+namespace gearwright::detail {
+
+namespace {
+
+using Flanks = std::array<FlankModifications, 2>;
+
+// Seen from the other face, a gear turns in the opposite direction, and its right flank becomes the
+// left one.
+std::optional<Flanks> turned_over(const Flanks& flanks) {
+  Flanks turned{flanks[1], flanks[0]};
+  for (FlankModifications& flank : turned) {
+    if (flank.topography) return std::nullopt;
+    flank.lead_slope = -flank.lead_slope;
+  }
+  return turned;
+}
+
+ContactErrors turned_over(ContactErrors errors) {
+  errors.intersecting = -1.0 * errors.intersecting;
+  errors.axial = -errors.axial;
+  return errors;
+}
+
+bool first_drives(const Drive& drive, std::size_t m, double load) {
+  if (drive.flow && !drive.flow->self_locking() && drive.flow->driver[m] >= 0)
+    return drive.flow->driver[m] == 0;
+  const DriveGear& a = drive.graph.gear(drive.graph.meshes[m], 0);
+  return -a.factor() * load * turning(drive, a.body, m) > 0.0;
+}
+
+// The position of a body in the frame of the carrier.
+std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet& set,
+                                             std::size_t body) {
+  const auto& riders = set.group.riders;
+  const auto at = std::find(riders.begin(), riders.end(), body);
+  if (at == riders.end()) return 0.0;
+  std::optional<GeometryFault> fault;
+  const auto places = rider_places(drive.graph, set.group, drive.geometry.distance, fault);
+  if (!places) return std::nullopt;
+  const RiderPlace& place = (*places)[static_cast<std::size_t>(at - riders.begin())];
+  return std::polar(place.distance, place.angle);
+}
+
+// The direction from the axis of one gear of a mesh to the mesh, turns.
+std::optional<double> direction(const Drive& drive, std::size_t m, std::size_t gear) {
+  const DriveMesh& mesh = drive.graph.meshes[m];
+  const DriveGear& a = drive.graph.gear(mesh, 0);
+  const DriveGear& b = drive.graph.gear(mesh, 1);
+  double theta = mesh.direction.value_or(Angle()).rad();
+  if (const PlanetSet* set = set_of(drive, m)) {
+    const auto one = place_of(drive, *set, a.body), two = place_of(drive, *set, b.body);
+    if (!one || !two) return std::nullopt;
+    theta = std::arg(*two - *one);
+  }
+  const bool towards_b = gear == mesh.gears[0] && b.teeth > 0;
+  return theta / kTurn + (towards_b ? 0.0 : 0.5);
+}
+
+// Copies of a planet mesh γ later; copies of meshed planets follow their central gear of the same
+// frequency.
+void find_delays(const Drive& drive, std::size_t m, MeshPhase& phase) {
+  const DriveGraph& graph = drive.graph;
+  const PlanetSet* set = set_of(drive, m);
+  if (!set) return;
+  std::optional<std::size_t> central;
+  for (const std::size_t other : set->group.meshes)
+    if (!central && (other == m || drive.frequency_ratio(other) == drive.frequency_ratio(m)))
+      for (const std::size_t g : graph.meshes[other].gears)
+        if (!graph.body(graph.gears[g]).carrier) central = g;
+  if (!central) return;
+  const DriveGear& gear = graph.gears[*central];
+  phase.sense = gear.factor() * turning(drive, gear.body, m) < 0.0 ? -1.0 : 1.0;
+  phase.phases = mesh_phases(gear.teeth, set->assembly.turns);
+}
+
+// Time at which the loaded flank of the gear passes the pitch point of a mesh, periods. [T13.17]
+std::optional<double> passing(const Drive& drive, std::size_t m, int side, bool first_drives) {
+  const DriveMesh& mesh = drive.graph.meshes[m];
+  const DriveGear& gear = drive.graph.gear(mesh, side);
+  const auto theta = direction(drive, m, mesh.gears[static_cast<std::size_t>(side)]);
+  if (!theta) return std::nullopt;
+  const double sense = turning(drive, gear.body, m) < 0.0 ? -1.0 : 1.0;
+  const bool drives = first_drives == (side == 0);
+  const double half = thickness_share(*drive.geometry.pairs[m]->involute(), side + 1) / 2;
+  return sense * std::abs(gear.teeth) * *theta + (drives ? -half : half);
+}
+
+// Follows the meshes that share a gear, one after the other. Returns false if a place is missing.
+bool find_times(const Drive& drive, std::vector<MeshPhase>& phases) {
+  const DriveGraph& graph = drive.graph;
+  const std::size_t none = phases.size();
+  for (MeshPhase& phase : phases) phase.first = none;
+  for (std::size_t first = 0; first < phases.size(); ++first) {
+    if (phases[first].first != none) continue;
+    phases[first].first = first;
+    std::vector<std::size_t> reached{first};
+    for (std::size_t at = 0; at < reached.size(); ++at) {
+      const std::size_t m = reached[at];
+      for (std::size_t n = 0; n < phases.size(); ++n) {
+        if (phases[n].first != none || graph.frame(graph.meshes[n]) != graph.frame(graph.meshes[m]))
+          continue;
+        for (const int i : {0, 1})
+          for (const int j : {0, 1}) {
+            const DriveGear& one = graph.gear(graph.meshes[m], i);
+            const DriveGear& two = graph.gear(graph.meshes[n], j);
+            if (one.body != two.body || one.teeth != two.teeth || phases[n].first == first)
+              continue;
+            const auto here = passing(drive, m, i, phases[m].first_drives);
+            const auto there = passing(drive, n, j, phases[n].first_drives);
+            if (!here || !there) return false;
+            phases[n].time = phases[m].time + *there - *here;
+            phases[n].first = first;
+            reached.push_back(n);
+          }
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+double turning(const Drive& drive, std::size_t body, std::size_t mesh) {
+  const auto frame = drive.graph.frame(drive.graph.meshes[mesh]);
+  const auto& speeds = drive.motion.speeds;
+  return (speeds[body][0] - (frame ? speeds[*frame][0] : Rational())).value();
+}
+
+const PlanetSet* set_of(const Drive& drive, std::size_t mesh) {
+  for (const PlanetSet& set : drive.sets)
+    if (std::find(set.group.meshes.begin(), set.group.meshes.end(), mesh) != set.group.meshes.end())
+      return &set;
+  return nullptr;
+}
+
+std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive) {
+  const DriveGraph& graph = drive.graph;
+  const auto to_output = lossless_loads(graph, drive.motion, graph.output);
+  const auto to_input = lossless_loads(graph, drive.motion, graph.inputs.front());
+  std::vector<MeshPhase> phases(graph.meshes.size());
+  for (std::size_t m = 0; m < phases.size(); ++m) {
+    MeshPhase& phase = phases[m];
+    const auto& pair = drive.geometry.pairs[m];
+    if (!pair || !pair->involute() || !to_output[m].fits() || !to_input[m].fits())
+      return std::nullopt;
+    phase.first_drives = first_drives(drive, m, to_input[m].value());
+    phase.turned = turning(drive, graph.gear(graph.meshes[m], 0).body, m) > 0.0;
+    phase.weight =
+        std::abs(to_output[m].value()) * kTurn / pair->gear(1).reference().base_pitch_transverse;
+    const double share = thickness_share(*pair->involute(), 1) / 2;
+    phase.event = phase.first_drives ? -share : share;
+    find_delays(drive, m, phase);
+  }
+  if (!find_times(drive, phases)) return std::nullopt;
+  return phases;
+}
+
+std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
+                                         const ContactErrors& errors, bool turned) {
+  const DriveMesh& m = drive.graph.meshes[mesh];
+  PairModifications flanks{drive.graph.gear(m, 0).modifications,
+                           drive.graph.gear(m, 1).modifications};
+  if (turned) {
+    for (Flanks& of_gear : flanks) {
+      const auto over = turned_over(of_gear);
+      if (!over) return std::nullopt;
+      of_gear = *over;
+    }
+  }
+  auto setup =
+      ContactSetup::of(*drive.geometry.pairs[mesh], turned ? turned_over(errors) : errors, flanks);
+  if (!setup) return std::nullopt;
+  return std::move(setup).take();
+}
+
+}  // namespace gearwright::detail

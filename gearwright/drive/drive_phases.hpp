@@ -1,0 +1,54 @@
+// The meshes of a drive in time: which gear drives, and the delay of each mesh and each planet.
+//
+//   t      time in periods of the mesh, 0 where the loaded flanks of planet 0 touch at the pitch
+//          point
+//   γ_i    delay of the mesh of planet i, in periods [T13.16]
+//                                              theory: docs/theory/13-drives.md, 13.4 and 13.6
+//
+// Internal to drive/.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/drive/drive.hpp"
+
+namespace gearwright::detail {
+
+/// A mesh in time. Position x of its curve, in pitches of gear 1 from the centre line, is reached at
+/// the time x − event + time + γ_i.
+struct MeshPhase {
+  bool first_drives = true;
+  /// True if gear 1 turns counter-clockwise in the frame of the mesh. The contact analysis of a pair
+  /// turns gear 1 clockwise.
+  bool turned = false;
+  double weight = 0.0;  ///< rad of the output per mm of the curve
+  double event = 0.0;   ///< position of the pitch point in the curve, in periods
+  double time =
+      0.0;  ///< delay of that event after the first mesh of the same frequency, in periods
+  std::size_t first = 0;         ///< the first mesh of the same frequency
+  double sense = 1.0;            ///< −1 if the delays of the planets have the opposite sign
+  std::vector<Rational> phases;  ///< γ_i for sense 1; empty if the mesh has one copy
+};
+
+/// ω of a body relative to the frame of the mesh.   Domain  one input (contract)
+double turning(const Drive& drive, std::size_t body, std::size_t mesh);
+
+/// The set with the mesh; null if the mesh has one copy.
+const PlanetSet* set_of(const Drive& drive, std::size_t mesh);
+
+/// The phases of all meshes; none if a mesh is not a pair of involute gears, if a load is too large
+/// for a fraction, or if an idler has no place.
+///
+/// Formula   meshes that share a gear have one frequency, and the angle between them on the gear
+///           gives their phase [T13.17]
+/// Domain    one degree of freedom, independent meshes, no rack (contract)
+std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive);
+
+/// The contact of a mesh as it turns, with modifications and errors of mounting; none if its flanks
+/// cannot be computed, or if a measured gear is loaded on the flank without readings.
+std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
+                                         const ContactErrors& errors, bool turned);
+
+}  // namespace gearwright::detail

@@ -1,0 +1,308 @@
+#include "gearwright/drive/loaded_drive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numeric>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/torque.hpp"
+#include "gearwright/drive/drive_places.hpp"
+#include "gearwright/drive/mesh_springs.hpp"
+#include "gearwright/drive/planet_equilibrium.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using detail::MeshPhase;
+using detail::MeshSprings;
+using detail::MeshState;
+using detail::not_loaded;
+using detail::PlanetEquilibrium;
+using detail::PlanetState;
+using detail::set_of;
+
+/// Numbers of planets whose phases share the positions of a period; with more of them, the number of
+/// positions is not adapted to the phases.
+constexpr int kMostCommon = 60;
+
+// Positions over a period: a multiple of the numbers of planets, so that planets at equal pitch are
+// at the same positions of their meshes.
+int positions_of(const Drive& drive, int least) {
+  int common = 1;
+  for (const PlanetSet& set : drive.sets) {
+    const int both = std::lcm(common, set.group.count);
+    if (both <= kMostCommon) common = both;
+  }
+  return (least + common - 1) / common * common;
+}
+
+// The springs of a mesh at the positions of all of its copies.
+struct MeshUnderLoad {
+  MeshSprings springs;
+  std::vector<std::vector<std::size_t>> at;  // [copy][time]: index of the spring
+
+  MeshState state(std::size_t copy, std::size_t time) const {
+    const std::size_t i = at[copy][time];
+    return {&springs.springs[i], springs.leads[i]};
+  }
+};
+
+class DriveUnderLoad {
+ public:
+  DriveUnderLoad(const Drive& drive, const DriveLoadCase& load)
+      : drive_(drive), load_(load), positions_(positions_of(drive, load.positions)) {}
+
+  std::optional<Error> make(Progress* progress) {
+    auto phases = detail::phases_of(drive_);
+    if (!phases) return not_loaded("needs a geometry of all meshes and places for all planets");
+    phases_ = std::move(*phases);
+    for (const PlanetSet& set : drive_.sets)
+      if (auto error = one_frequency(set)) return error;
+    meshes_.resize(phases_.size());
+    begin_stage(progress, "meshes under load", static_cast<std::int64_t>(phases_.size()));
+    for (std::size_t m = 0; m < phases_.size(); ++m) {
+      if (drive_.flow->driver[m] >= 0)
+        if (auto error = make_mesh(m)) return error;
+      count_step(progress);
+    }
+    for (std::size_t m = 0; m < phases_.size(); ++m)
+      if (phases_[m].first == m) curves_.push_back(curve_of(m));
+    for (std::size_t s = 0; s < drive_.sets.size(); ++s)
+      if (auto error = make_set(s)) return error;
+    return std::nullopt;
+  }
+
+  LoadedDrive result() {
+    LoadedDrive found;
+    found.torque = load_.torque;
+    found.sets = std::move(sets_);
+    for (std::size_t m = 0, c = 0; m < phases_.size(); ++m) {
+      if (phases_[m].first != m) continue;
+      LoadedDrive::Curve& curve = curves_[c++];
+      if (!curve.loaded.empty()) add_error(curve, found.error);
+      found.curves.push_back(std::move(curve));
+    }
+    std::erase_if(found.curves, [](const auto& curve) { return curve.loaded.empty(); });
+    std::stable_sort(
+        found.error.lines.begin(), found.error.lines.end(),
+        [](const auto& a, const auto& b) { return a.frequency_ratio < b.frequency_ratio; });
+    return found;
+  }
+
+ private:
+  std::optional<Error> one_frequency(const PlanetSet& set) const {
+    std::optional<std::size_t> first;
+    for (const std::size_t m : set.group.meshes) {
+      if (drive_.flow->driver[m] < 0) continue;
+      if (first && phases_[m].first != phases_[*first].first)
+        return not_loaded(
+            "does not apply to stepped planets, whose meshes have different frequencies; drive "
+            "--take gives each mesh as a pair for the verb load",
+            drive_.graph.meshes[m].name);
+      if (!first) first = m;
+    }
+    return std::nullopt;
+  }
+
+  int copies(std::size_t m) const {
+    const PlanetSet* set = set_of(drive_, m);
+    return set ? set->group.count : 1;
+  }
+
+  // F_bt of an equal share [T13.6].
+  double nominal(std::size_t m) const {
+    const double base_pitch = drive_.geometry.pairs[m]->gear(1).reference().base_pitch_transverse;
+    return std::abs(drive_.flow->load[m]) * from_newton_metres(load_.torque) * kTurn / base_pitch /
+           copies(m);
+  }
+
+  std::optional<Error> make_mesh(std::size_t m) {
+    const std::string& name = drive_.graph.meshes[m].name;
+    const MeshPhase& phase = phases_[m];
+    const auto errors = load_.errors ? load_.errors(m) : ContactErrors();
+    const auto setup = detail::mesh_contact(drive_, m, errors, phase.turned);
+    if (!setup)
+      return not_loaded(
+          "cannot be computed, because the mesh has no usable flanks, or a measured flank is "
+          "loaded "
+          "on the side without readings",
+          name);
+    MeshUnderLoad& mesh = meshes_[m];
+    const ContactPair pair = setup->pair(!phase.first_drives);
+    const double pitch = pair.pitch();
+    // Copies whose delays differ by whole positions use the same springs.
+    std::vector<double> rotations;
+    std::vector<std::pair<Rational, std::size_t>> classes;  // part of a position, first spring
+    const int n = positions_;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(copies(m)); ++i) {
+      Rational delay = phase.phases.empty() ? Rational() : phase.phases[i] * Rational(n);
+      if (phase.sense < 0.0) delay = -delay;
+      const Rational part = delay.frac();
+      auto known = std::find_if(classes.begin(), classes.end(),
+                                [&](const auto& c) { return c.first == part; });
+      if (known == classes.end()) {
+        classes.emplace_back(part, rotations.size());
+        known = classes.end() - 1;
+        for (int j = 0; j < n; ++j) {
+          const double x = (j - part.value()) / n + phase.event - phase.time;
+          rotations.push_back(pitch * (x - std::floor(x + 0.5)));
+        }
+      }
+      const auto whole = static_cast<long>(delay.floor().value());
+      mesh.at.emplace_back();
+      for (int j = 0; j < n; ++j)
+        mesh.at.back().push_back(known->second +
+                                 static_cast<std::size_t>(((j - whole) % n + n) % n));
+    }
+    auto springs = detail::mesh_springs(*setup, !phase.first_drives, load_.requests[m],
+                                        detail::load_levels(copies(m)), nominal(m), rotations);
+    if (!springs) {
+      Error error = springs.error();
+      error.rule = fmt::format("{} (mesh {})", error.rule, name);
+      return error;
+    }
+    mesh.springs = std::move(springs).take();
+    return std::nullopt;
+  }
+
+  // The curve of the meshes of one frequency without those of planets, whose set adds them.
+  LoadedDrive::Curve curve_of(std::size_t first) const {
+    LoadedDrive::Curve curve;
+    curve.frequency_ratio = drive_.frequency_ratio(first).value_or(0.0);
+    for (std::size_t m = 0; m < phases_.size(); ++m) {
+      const MeshUnderLoad& mesh = meshes_[m];
+      if (phases_[m].first != first || mesh.at.empty()) continue;
+      curve.loaded.resize(static_cast<std::size_t>(positions_));
+      curve.rigid.resize(static_cast<std::size_t>(positions_));
+      for (std::size_t j = 0; j < curve.rigid.size(); ++j) {
+        for (std::size_t i = 0; i < mesh.at.size(); ++i)
+          curve.rigid[j] +=
+              phases_[m].weight * mesh.state(i, j).lead / static_cast<double>(mesh.at.size());
+        if (set_of(drive_, m)) continue;
+        const MeshState state = mesh.state(0, j);
+        curve.loaded[j] += phases_[m].weight * (state.lead - state.spring->approach(nominal(m)));
+      }
+    }
+    return curve;
+  }
+
+  std::optional<Error> make_set(std::size_t s) {
+    const PlanetSet& set = drive_.sets[s];
+    detail::PlanetErrors errors{{}, load_.pin_errors};
+    if (load_.floating && holds(set, *load_.floating)) errors.floating = load_.floating;
+    std::vector<double> nominals(phases_.size(), 0.0);
+    for (std::size_t m = 0; m < nominals.size(); ++m)
+      if (!meshes_[m].at.empty()) nominals[m] = nominal(m);
+    const PlanetEquilibrium equilibrium(drive_, set, phases_, nominals, errors);
+    const auto& loaded = equilibrium.meshes();
+    if (loaded.empty()) return std::nullopt;
+    const auto count = static_cast<std::size_t>(set.group.count);
+    PlanetShares shares;
+    shares.set = s;
+    shares.floating = errors.floating;
+    shares.share.resize(count);
+    LoadedDrive::Curve& curve = curves_[frequency(phases_[loaded.front()].first)];
+    for (std::size_t j = 0; j < static_cast<std::size_t>(positions_); ++j) {
+      std::vector<std::vector<MeshState>> states(loaded.size());
+      for (std::size_t k = 0; k < loaded.size(); ++k)
+        for (std::size_t i = 0; i < count; ++i) states[k].push_back(meshes_[loaded[k]].state(i, j));
+      const PlanetState state = equilibrium.solve(states);
+      if (!state.found)
+        return errors.floating
+                   ? Error{"load.floating", drive_.graph.bodies[*errors.floating].name,
+                           "does not find an equilibrium between its planets; at least three "
+                           "planets around it, or two opposite ones, can hold it"}
+                   : not_loaded("has no equilibrium of the planets at this torque");
+      curve.loaded[j] += state.output;
+      for (std::size_t k = 0; k < loaded.size(); ++k) {
+        const auto& forces = state.forces[k];
+        const double sum = std::accumulate(forces.begin(), forces.end(), 0.0);
+        for (std::size_t i = 0; i < count; ++i) {
+          if (k == 0) shares.share[i].push_back(forces[i] / sum);
+          shares.mesh_load_factor =
+              std::max(shares.mesh_load_factor, static_cast<double>(count) * forces[i] / sum);
+        }
+      }
+      if (errors.floating) shares.displacement.push_back(state.displacement);
+    }
+    sets_.push_back(std::move(shares));
+    return std::nullopt;
+  }
+
+  bool holds(const PlanetSet& set, std::size_t body) const {
+    if (set.group.carrier == body) return true;
+    return std::any_of(set.group.meshes.begin(), set.group.meshes.end(), [&](std::size_t m) {
+      const DriveMesh& mesh = drive_.graph.meshes[m];
+      return drive_.graph.gear(mesh, 0).body == body || drive_.graph.gear(mesh, 1).body == body;
+    });
+  }
+
+  // The index of the curve of the frequency with this first mesh.
+  std::size_t frequency(std::size_t first) const {
+    std::size_t index = 0;
+    for (std::size_t m = 0; m < first; ++m) index += phases_[m].first == m ? 1 : 0;
+    return index;
+  }
+
+  void add_error(LoadedDrive::Curve& curve, DriveError& error) const {
+    const auto n = static_cast<double>(positions_);
+    for (std::vector<double>* values : {&curve.loaded, &curve.rigid}) {
+      const double mean = std::accumulate(values->begin(), values->end(), 0.0) / n;
+      for (double& v : *values) v -= mean;
+    }
+    const auto [least, greatest] = std::minmax_element(curve.loaded.begin(), curve.loaded.end());
+    error.peak_to_peak += *greatest - *least;
+    for (int k = 1; k <= load_.harmonics && 2 * k < positions_; ++k) {
+      std::complex<double> wave = 0.0;
+      for (int j = 0; j < positions_; ++j)
+        wave += std::polar(curve.loaded[static_cast<std::size_t>(j)],
+                           -kTurn * static_cast<double>(k * j % positions_) / n);
+      error.lines.push_back({k * curve.frequency_ratio, 2 * std::abs(wave) / n});
+    }
+  }
+
+  const Drive& drive_;
+  const DriveLoadCase& load_;
+  int positions_;
+  std::vector<MeshPhase> phases_;
+  std::vector<MeshUnderLoad> meshes_;
+  std::vector<LoadedDrive::Curve> curves_;
+  std::vector<PlanetShares> sets_;
+};
+
+}  // namespace
+
+double PlanetShares::mean(std::size_t planet) const {
+  const auto& of = share[planet];
+  return std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(of.size());
+}
+
+double PlanetShares::greatest(std::size_t planet) const {
+  return *std::max_element(share[planet].begin(), share[planet].end());
+}
+
+double PlanetShares::least(std::size_t planet) const {
+  return *std::min_element(share[planet].begin(), share[planet].end());
+}
+
+std::optional<double> PlanetShares::greatest_displacement() const {
+  if (displacement.empty()) return std::nullopt;
+  double greatest = 0.0;
+  for (const Vec2& d : displacement) greatest = std::max(greatest, d.norm());
+  return greatest;
+}
+
+Result<LoadedDrive> loaded_drive(const Drive& drive, const DriveLoadCase& load,
+                                 Progress* progress) {
+  GW_EXPECTS(load.requests.size() == drive.graph.meshes.size());
+  if (auto error = check_load(drive, load)) return *error;
+  DriveUnderLoad under(drive, load);
+  if (auto error = under.make(progress)) return *error;
+  return under.result();
+}
+
+}  // namespace gearwright

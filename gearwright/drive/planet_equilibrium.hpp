@@ -1,0 +1,77 @@
+// The planets of a set between its central gears under load, in the frame of their carrier.
+//
+//   x_b    rotation of a body times its base radius, mm     D   displacement of the floating body
+//   y = σ (p_bt/2π) (z_a (θ_a − ψ_i) + z_b (θ_b − ψ_i)) ± n_i·D, ψ_i = ε_i/a           [T13.23]
+//   F = F(δ), δ = y + e_0                                                              [T13.24]
+//   Σ w F ∂y/∂x = Q                                                                    [T13.25]
+//                                              theory: docs/theory/13-drives.md, 13.7
+//
+// Internal to drive/.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearwright/drive/drive_phases.hpp"
+#include "gearwright/drive/load_sharing.hpp"
+
+namespace gearwright::detail {
+
+/// What differs from an ideal set.
+struct PlanetErrors {
+  std::optional<std::size_t> floating;  ///< body that is free to move radially
+  std::vector<double> pins;  ///< ε_i  mm, tangential, > 0 counter-clockwise; empty: all 0
+};
+
+/// A mesh of one planet in one position.
+struct MeshState {
+  const LoadSpring* spring = nullptr;
+  double lead = 0.0;  ///< e_0  mm
+};
+
+struct PlanetState {
+  std::vector<std::vector<double>> forces;  ///< N, [mesh of PlanetEquilibrium::meshes()][planet]
+  double output = 0.0;  ///< δφ_o, rotation of the drive's output by this set [T13.27]  rad
+  Vec2 displacement = Vec2::Zero();  ///< D  mm, in the frame of the carrier
+  bool found = false;
+};
+
+/// The unknowns and equations of one set, the same in all positions.
+///
+/// Laws      linear springs around a centred sun have the closed form [T13.28]; three planets share
+///           equally around a floating sun
+class PlanetEquilibrium {
+ public:
+  /// `nominal`: an equal share of each mesh of the drive, N along the transverse line of action.
+  ///
+  /// Domain    a drive with a flow that does not lock itself, phases of its meshes, meshes of the
+  ///           set that are connected by gears with one frequency (contract)
+  PlanetEquilibrium(const Drive& drive, const PlanetSet& set, const std::vector<MeshPhase>& phases,
+                    const std::vector<double>& nominal, const PlanetErrors& errors);
+
+  /// The meshes of the set that carry load.
+  const std::vector<std::size_t>& meshes() const { return meshes_; }
+  /// `states`: of [mesh of meshes()][planet].
+  PlanetState solve(const std::vector<std::vector<MeshState>>& states) const;
+
+ private:
+  void find_weights(const std::vector<MeshPhase>& phases);
+  void find_unknowns();
+  void find_rows(const std::vector<MeshPhase>& phases, const PlanetErrors& errors);
+  std::optional<Eigen::Index> column(std::size_t body, std::size_t planet) const;
+  Vec2 pushed(std::size_t mesh, std::size_t planet, const MeshPhase& phase,
+              std::size_t floating) const;
+
+  const Drive& drive_;
+  const PlanetSet& set_;
+  std::vector<std::size_t> meshes_;
+  std::vector<double> nominal_;                       // of the meshes
+  std::vector<double> weights_;                       // w of the meshes
+  std::vector<std::optional<Eigen::Index>> columns_;  // of each body, of its first copy
+  Eigen::Index unknowns_ = 0;
+  std::optional<Eigen::Index> displaced_;  // the column of D's first component
+  SharingProblem problem_;                 // springs by mesh and planet, without states
+  Eigen::VectorXd output_;                 // rotation of the output per displacement
+};
+
+}  // namespace gearwright::detail

@@ -1,0 +1,139 @@
+// A drive under load: the keys of [load] that apply to it, and each mesh as a pair under load.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/base/printable.hpp"
+#include "gearwright/base/torque.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/drive/loaded_drive.hpp"
+#include "gearwright/job/drive_job.hpp"
+#include "gearwright/job/load_answer.hpp"
+#include "gearwright/job/mesh_spec.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/read_drive.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kSameTorque = 1e-9;  // relative; a power and a speed may differ by rounding
+
+// Keys of [load] that describe a single pair.
+std::optional<Error> not_for_drives(const JobSpec& spec) {
+  for (const char* key :
+       {"driver", "rotation1_deg", "deflection_slope_um", "deflection_bow_um", "probe"})
+    if (spec.given.contains(std::string("load.") + key))
+      return Error{
+          std::string("load.") + key, "",
+          "applies to a pair; gearwright drive SPEC --take N writes mesh N of the drive as "
+          "a pair"};
+  return std::nullopt;
+}
+
+// The torque on the input, N m, of the drive or of [load].
+Result<double> torque_of(const JobSpec& spec, const Drive& drive) {
+  const auto& own = drive.graph.torque_Nm;
+  const auto& given = spec.load.torques;
+  if (given.size() > 1)
+    return Error{"load.torques", fmt::format("{} numbers", given.size()),
+                 "must be one number for a drive, the torque on its input"};
+  if (!own && given.empty())
+    return absent_input("load.torques",
+                        "; a drive under load needs a torque: torque_Nm on the input of the drive, "
+                        "or in [load]");
+  if (own && !given.empty() &&
+      std::abs(std::abs(*own) - given.front()) > kSameTorque * std::abs(*own))
+    return Error{"load.torques", format_number(given.front()),
+                 fmt::format("contradicts the {} N m on the input of the drive; leave one of them "
+                             "out",
+                             format_number(*own))};
+  return given.empty() ? std::abs(*own) : given.front();
+}
+
+// Errors of the pins in mm, one for each planet.
+std::vector<double> pins_of(const LoadInput& input, const Drive& drive) {
+  std::vector<double> pins;
+  for (const double error : input.pin_errors) pins.push_back(error * kMmPerUm);
+  if (pins.size() == 1 && drive.sets.size() == 1)
+    pins.resize(static_cast<std::size_t>(drive.sets.front().group.count), 0.0);
+  return pins;
+}
+
+// Adds a warning of a mesh about one of its gears, once for each gear.
+void add_finding(Drive& drive, std::size_t mesh, Warning warning) {
+  if (warning.gear < 1) return;
+  const std::string from = fmt::format("Gear {}", warning.gear);
+  if (!warning.message.starts_with(from)) return;
+  const std::string& name = drive.graph.gear(drive.graph.meshes[mesh], warning.gear - 1).name;
+  warning.message = fmt::format("Gear {}{}", name, warning.message.substr(from.size()));
+  warning.gear = 0;
+  const auto same = [&](const Warning& w) { return w.message == warning.message; };
+  if (std::none_of(drive.findings.begin(), drive.findings.end(), same))
+    drive.findings.push_back(std::move(warning));
+}
+
+// The mesh as a pair under load, by the spec that --take prints.
+Result<LoadRequest> request_of(DriveJob& job, const Json& expanded, std::size_t mesh,
+                               const LoadInput& load) {
+  Json tables = mesh_spec(job, expanded, mesh).tables;
+  for (const char* table : {"rating", "scatter", "drawing"}) tables.erase(table);
+  tables["load"]["torque_Nm"] = 1.0;  // only bodies, slices and accuracy are used
+  const auto spec = read_spec_tree(tables);
+  if (!spec) return spec.error();
+  auto solved = solve(*spec, Scope::pair);
+  if (!solved) return solved.error();
+  SolvedJob pair = std::move(solved).take();
+  pair.warnings.clear();
+  pair.spec.load.slices = load.slices;
+  pair.spec.load.accuracy = load.accuracy;
+  const auto task = load_task(pair);
+  if (!task) return task.error();
+  for (const Warning& w : pair.warnings)
+    if (w.code == WarningCode::held_at_half_the_root || w.code == WarningCode::held_at_rim_as_drawn)
+      add_finding(job.drive, mesh, w);
+  return task->request;
+}
+
+}  // namespace
+
+std::optional<Error> load_drive(DriveJob& job, Progress* progress) {
+  const JobSpec& spec = job.spec;
+  const Drive& drive = job.drive;
+  if (auto error = not_for_drives(spec)) return error;
+  const auto torque = torque_of(spec, drive);
+  if (!torque) return torque.error();
+  DriveLoadCase load;
+  load.torque = *torque;
+  load.positions = spec.load.positions;
+  load.harmonics = spec.drive->harmonics;
+  load.pin_errors = pins_of(spec.load, drive);
+  load.requests.resize(drive.graph.meshes.size());
+  if (!spec.load.floating.empty()) {
+    const auto body = find_body(drive.graph, spec.load.floating, "load.floating");
+    if (!body) return body.error();
+    load.floating = *body;
+  }
+  if (spec.errors.any()) load.errors = mesh_errors(spec, drive);
+  if (auto error = check_load(drive, load)) return error;
+  const Json expanded = expanded_spec(spec.tree->tables, *spec.drive);
+  for (std::size_t m = 0; m < load.requests.size(); ++m) {
+    if (drive.flow->driver[m] < 0) continue;
+    auto request = request_of(job, expanded, m, spec.load);
+    if (!request) {
+      Error error = request.error();
+      error.rule = fmt::format("{} (mesh {})", error.rule, printable(drive.graph.meshes[m].name));
+      return error;
+    }
+    load.requests[m] = std::move(request).take();
+  }
+  auto loaded = loaded_drive(drive, load, progress);
+  if (!loaded) return loaded.error();
+  job.drive.loaded = std::move(loaded).take();
+  return std::nullopt;
+}
+
+}  // namespace gearwright

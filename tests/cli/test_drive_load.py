@@ -1,0 +1,112 @@
+"""Tests drives under load: shares of the planets and K_γ, the loaded transmission error of a mesh against the verb load,
+and the messages for specs that have no such load."""
+import unittest
+
+from cli import SOURCE, Run
+
+SET = """
+[planetary]
+sun = 20
+planet = 25
+ring = 70
+planets = 3
+normal_module_mm = 2
+face_width_mm = 12
+thickness_allowance_mm = -0.05
+torque_Nm = 60
+"""
+DRAFT = '[load]\naccuracy = "draft"\npositions = 12\n'
+STAGE = "[[stage]]\nteeth = [19, 58]\nnormal_module_mm = 2\nface_width_mm = 12\nthickness_allowance_mm = -0.05\ntorque_Nm = 60\n"
+
+
+class Shares(unittest.TestCase):
+    def of(self, load, text=SET):
+        run = Run("drive", text + DRAFT + load, "--json")
+        self.assertEqual(run.status, 0, run.err)
+        return run.json["drive"]["load"]
+
+    def test_planets_share_the_load(self):
+        load = self.of("pin_error_um = [4, 0, 0]\n")
+        (of_set,) = load["sets"]
+        self.assertEqual(load["torque_Nm"], 60)
+        self.assertEqual(of_set["carrier"], "carrier")
+        self.assertAlmostEqual(sum(of_set["share_mean"]), 1, 9)
+        self.assertLess(of_set["share_max"][0], 0.33)
+        self.assertAlmostEqual(of_set["mesh_load_factor"], 3 * max(of_set["share_max"]), 2)
+        self.assertEqual(len(of_set["shares"]), 3)
+        self.assertEqual({len(share) for share in of_set["shares"]}, {12})
+        self.assertIsNone(of_set["floating"])
+        self.assertGreater(load["output_arcsec_peak_to_peak"], 0)
+        self.assertEqual(load["rigid_arcsec_peak_to_peak"], 0)
+
+    def test_a_floating_sun_makes_three_shares_equal(self):
+        (of_set,) = self.of('pin_error_um = 15\nfloating = "sun"\n')["sets"]
+        self.assertAlmostEqual(of_set["mesh_load_factor"], 1, 7)
+        self.assertGreater(of_set["displacement_um"], 5)
+
+    def test_a_mesh_has_the_curve_of_the_verb_load(self):
+        """Without shifts and allowances, the loaded flanks touch at the pitch point a quarter of a period from the centre line, so both
+        verbs compute the same positions."""
+        fine = '[load]\npositions = 128\naccuracy = "draft"\n'
+        text = STAGE.replace("thickness_allowance_mm = -0.05\n", "") + fine
+        drive = Run("drive", text, "--json").json["drive"]["load"]
+        take = Run("drive", text, "--take", "1")
+        (at,) = Run("load", take.out, "--json").json["load"]["torques"]
+        self.assertIsNone(drive["mesh_load_factor"])
+        self.assertAlmostEqual(drive["output_arcsec_peak_to_peak"] / at["peak_to_peak_arcsec"], 1, 9)
+
+    def test_the_spec_of_a_mesh_has_its_driver_and_resolution(self):
+        """With the carrier driving, the planet drives the sun, which is gear 1."""
+        text = SET.replace("planets = 3", 'planets = 3\ninput = "carrier"\noutput = "sun"') + DRAFT
+        sun, ring = (Run("drive", text, "--take", n).out for n in ("1", "2"))
+        for spec, drivers in ((sun, 2), (ring, 2)):
+            self.assertEqual(spec.count("driver = 2"), drivers)
+            self.assertIn('accuracy = "draft"', spec)
+            self.assertIn("positions = 12", spec)
+            self.assertEqual(Run("load", spec).status, 0)
+
+    def test_without_the_table_nothing_changes(self):
+        self.assertNotIn("load", Run("drive", SET, "--json").json["drive"])
+
+    def test_the_rating_keeps_its_factor(self):
+        text = (SOURCE / "examples/drives/planetary_set.toml").read_text()
+        rating = '[rating]\nquality = [6, 6]\nmesh_load_factor = 1.1\nface_load_factor = 1.2\nmaterial = "16MnCr5"\n'
+        plain = Run("rate", text + rating, "--json")
+        self.assertEqual(plain.status, 0, plain.err)
+        loaded = Run("rate", text + rating + DRAFT, "--json")
+        self.assertEqual(loaded.status, 0, loaded.err)
+        self.assertEqual(loaded.json["drive"]["load"]["rated_mesh_load_factor"], 1.1)
+        self.assertEqual({name: mesh["rating"] for name, mesh in plain.json["drive"]["meshes"].items()},
+                         {name: mesh["rating"] for name, mesh in loaded.json["drive"]["meshes"].items()})
+        self.assertIn("The rating uses the given K_γ = 1.100", Run("rate", text + rating + DRAFT).out)
+
+
+class Messages(unittest.TestCase):
+    def test_bad_input_is_explained(self):
+        pair = "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[load]\ntorque_Nm = 5\n"
+        stepped = (SOURCE / "examples/drives/robot_joint.toml").read_text()
+        differential = SET.replace("planets = 3", 'planets = 3\nfixed = []\ninput = ["sun", "ring"]')
+        for verb, spec, *words in (
+                ("load", pair + 'floating = "sun"\n', "load.floating", "[planetary]"),
+                ("load", pair + "pin_error_um = 5\n", "load.pin_error_um", "planets of a drive"),
+                ("drive", SET.replace("torque_Nm = 60", "") + DRAFT, "load.torque_Nm", "torque_Nm on the input"),
+                ("drive", SET + DRAFT + "torque_Nm = 50\n", "load.torque_Nm = 50", "contradicts the 60 N m"),
+                ("drive", SET + DRAFT + "torque_Nm = [60, 70]\n", "load.torque_Nm", "must be one number"),
+                ("drive", SET + DRAFT + 'floating = "sum"\n', "load.floating", "sun"),
+                ("drive", SET + DRAFT + 'floating = "planet"\n', "load.floating", "the central gears"),
+                ("drive", SET + DRAFT + "pin_error_um = [1, 2]\n", "load.pin_error_um", "3 planets"),
+                ("drive", SET.replace("planets = 3", "planets = 1") + DRAFT + 'floating = "sun"\n', "load.floating", "single planet"),
+                ("drive", SET + DRAFT + "driver = 2\n", "load.driver", "--take N"),
+                ("drive", STAGE + DRAFT + "pin_error_um = [1, 2]\n", "load.pin_error_um", "has none"),
+                ("drive", stepped + DRAFT, "load", "stepped planets"),
+                ("drive", differential + DRAFT, "load", "several inputs"),
+        ):
+            with self.subTest(words=words):
+                run = Run(verb, spec)
+                self.assertEqual(run.status, 1, run.out)
+                for word in words:
+                    self.assertIn(word, run.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
