@@ -96,15 +96,17 @@ std::optional<Error> not_possible(const Drive& drive, const DriveLoadCase& load)
                    "belongs to several sets; a body that floats is computed in one set only"};
   }
   if (load.pin_errors.empty()) return std::nullopt;
+  const std::string count =
+      fmt::format("{} number{}", load.pin_errors.size(), load.pin_errors.size() == 1 ? "" : "s");
   const auto fits = [&](const PlanetSet& set) {
     return static_cast<std::size_t>(set.group.count) == load.pin_errors.size();
   };
   if (drive.sets.size() != 1)
-    return Error{"load.pin_errors", std::to_string(load.pin_errors.size()) + " numbers",
+    return Error{"load.pin_errors", count,
                  drive.sets.empty() ? "apply to planets, and the drive has none"
                                     : "apply to a drive with one set of planets only"};
   if (!fits(drive.sets.front()))
-    return Error{"load.pin_errors", std::to_string(load.pin_errors.size()) + " numbers",
+    return Error{"load.pin_errors", count,
                  fmt::format("must be one number for each of the {} planets",
                              drive.sets.front().group.count)};
   return std::nullopt;

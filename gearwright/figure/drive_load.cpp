@@ -44,6 +44,12 @@ Figure fitted(Figure f, double least) {
   return f;
 }
 
+// The carrier of a set, after the words of a title, if there are several sets.
+std::string of_set(const Drive& drive, const PlanetShares& shares) {
+  if (drive.loaded->sets.size() < 2) return "";
+  return " of " + drive.graph.bodies[drive.sets[shares.set].group.carrier].name;
+}
+
 std::string suffix(std::size_t index) { return index == 0 ? "" : fmt::format("-{}", index + 1); }
 
 }  // namespace
@@ -53,7 +59,7 @@ Figure planet_share_figure(const Drive& drive, std::size_t set) {
   const PlanetShares& shares = drive.loaded->sets[set];
   const double period = period_of(drive, shares);
   Figure f{.id = "planet-share" + suffix(set),
-           .title = "Load of the planets",
+           .title = "Load of the planets" + of_set(drive, shares),
            .description = "Share of each planet of the load of all planets over one period.",
            .caption =
                ", as shares of the load of all planets, over one period of the meshes. The "
@@ -83,7 +89,7 @@ std::optional<Figure> displacement_figure(const Drive& drive, std::size_t set) {
   const double period = period_of(drive, shares);
   const std::string name = drive.graph.bodies[*shares.floating].name;
   Figure f{.id = "floating-displacement" + suffix(set),
-           .title = "Displacement of the floating body",
+           .title = "Displacement of " + name,
            .description =
                "Components of the displacement in the frame of the carrier over one "
                "period.",

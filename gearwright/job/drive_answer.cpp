@@ -135,9 +135,12 @@ std::string load_listing(const Drive& drive) {
   if (!drive.loaded) return "";
   std::string out = "\nUnder load\n" + quantity_listing(drive_load_quantities().table(),
                                                         {drive_load_quantities().of(drive)}, {});
-  for (const PlanetShares& shares : drive.loaded->sets)
+  for (const PlanetShares& shares : drive.loaded->sets) {
+    const std::size_t carrier = drive.sets[shares.set].group.carrier;
+    out += fmt::format("\nPlanets of {} under load\n", printable(drive.graph.bodies[carrier].name));
     out += quantity_listing(planet_share_quantities().table(),
                             {planet_share_quantities().of({&drive, &shares})}, {});
+  }
   return out + load_factor_sentence(drive);
 }
 

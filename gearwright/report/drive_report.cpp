@@ -128,13 +128,19 @@ std::string load_part(const Drive& drive) {
   for (std::size_t c = 0; c < loaded.curves.size(); ++c)
     figures += html_of(loaded_output_figure(drive, c));
   text += side_by_side(figures);
-  TableBuilder table("Under load", {"Value"});
-  table.groups(
+  TableBuilder whole("Under load", {"Value"});
+  whole.groups(
       text_groups(drive_load_quantities().table(), {drive_load_quantities().of(drive)}, kPage));
-  for (const PlanetShares& shares : loaded.sets)
+  text += whole.str();
+  for (const PlanetShares& shares : loaded.sets) {
+    const std::size_t carrier = drive.sets[shares.set].group.carrier;
+    TableBuilder table(fmt::format("Planets of {} under load", drive.graph.bodies[carrier].name),
+                       {"Value"});
     table.groups(text_groups(planet_share_quantities().table(),
                              {planet_share_quantities().of({&drive, &shares})}, kPage));
-  return text + table.str() + "</section>\n";
+    text += table.str();
+  }
+  return text + "</section>\n";
 }
 
 std::string planets_part(const Drive& drive) {
