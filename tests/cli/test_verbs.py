@@ -206,7 +206,7 @@ class Verbs(unittest.TestCase):
     def test_verify_runs_the_golden_cases(self):
         p = raw("verify", *[str(f) for f in sorted((SOURCE / "tests/golden").glob("*.json"))])
         self.assertEqual(p.returncode, 0, p.stdout + p.stderr)
-        self.assertRegex(p.stdout, r"(\d+) of \1 cases hold")
+        self.assertRegex(p.stdout, r"(\d+) of \1 cases agree")
 
     def test_help_teaches_by_example(self):
         p = raw("--help")

@@ -2,7 +2,7 @@
 
     shards   one after another, or at once
     killed   kill -9 at moments drawn by lot, while chunks are computed and while files are written
-    stopped  SIGINT and SIGTERM: exit status 3, --resume goes on
+    stopped  SIGINT and SIGTERM: exit status 3, --resume continues the search
     damaged  chunks and the journal
 """
 import json
@@ -119,7 +119,7 @@ class OneMachine(Campaign):
             process.send_signal(how)
             status, out, err = end(process)
             self.assertEqual([status, out], [3, ""], err)
-            self.assertIn("--resume goes on", err)
+            self.assertIn("--resume continues the search", err)
             self.assertIn(f"{chunks(self.out)} of 22 chunks are done", err)
             self.assertEqual(list(self.out.glob("*.json")), [])
             self.assertEqual(list(self.out.glob("chunks/*.part*")), [])
@@ -135,7 +135,7 @@ class OneMachine(Campaign):
         process.send_signal(signal.SIGINT)
         status, out, err = end(process)
         self.assertEqual(status, 3, err)
-        self.assertIn("nothing was saved", err)
+        self.assertIn("nothing is saved", err)
         self.assertEqual([json.loads(out)["search"][key] for key in ("finished", "stopped")], [False, True])
 
     def test_a_damaged_and_a_lost_chunk_are_computed_again(self):
