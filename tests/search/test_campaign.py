@@ -193,7 +193,7 @@ class FinishedFolder(unittest.TestCase):
         for args in ((), ("--chunk", 50), ("--threads", 1)):
             status, _, err = run(*args)
             self.assertEqual(status, 1, err)
-            for words in ("--out", "finished search of another spec", "search.contact_ratio_min was not set, is 1.3", "another folder"):
+            for words in ("--out", "finished search with another spec", "search.contact_ratio_min was not set and is now 1.3", "another folder"):
                 self.assertIn(words, err)
         self.assertEqual(contents(where / "o"), before)
         self.assertFalse((where / "o/journal.sqlite").exists())
