@@ -231,10 +231,10 @@ Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window) 
   const ShiftRegion& region = chart.region;
   Figure f{
       "region",
-      "The profile shifts that the limits leave",
-      fmt::format("Profile shift of gear 1 to the right, of gear 2 up, in modules. The feasible "
-                  "region has the area {:.4g}, from {}, {} at the least sum to {}, {} at the "
-                  "greatest.",
+      "Profile shifts within the limits",
+      fmt::format("The profile shift of gear 1 increases to the right and that of gear 2 upwards, "
+                  "in modules. The feasible region has the area {:.4g}. It extends from ({}, {}) "
+                  "at the least sum of the profile shifts to ({}, {}) at the greatest sum.",
                   region.area, shown_shift(region.lo.x()), shown_shift(region.lo.y()),
                   shown_shift(region.hi.x()), shown_shift(region.hi.y())),
       "",
