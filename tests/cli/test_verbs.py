@@ -162,7 +162,7 @@ class Verbs(unittest.TestCase):
         self.assertEqual(Run("export", PAIR, "--drawing", "a.pdf", "--sheet", "A5").status, 2)
         title = 'title = "pair of 歯車"\n' + PAIR.replace('title = "helical pair"', "")
         note = Run("export", title, "--drawing", "a.pdf", "--json").json["files"][0]["note"]
-        self.assertIn("4 letters are not in the fonts of a PDF", note)
+        self.assertIn("4 letters are missing in the fonts of the PDF", note)
         bore = PAIR + "[gear2.bore]\ndiameter_mm = 200\n"
         r = Run("export", bore, "--drawing", "a.pdf", "--json")
         self.assertEqual((r.status, r.json["error"]["key"], r.files()), (1, "gear2.bore.diameter_mm", ["case.toml"]))
