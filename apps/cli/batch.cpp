@@ -72,12 +72,11 @@ int batch_verb(const Options& o) {
     std::fprintf(stderr, "gearwright: %lld of %lld specs have no answer, the first in line %lld\n",
                  failed, lines, first_failed);
   if (violations > 0)
-    std::fprintf(stderr, "gearwright: %lld of these met a defect in Gearwright\n",
+    std::fprintf(stderr, "gearwright: a defect in Gearwright caused %lld of these failures\n",
                  violations.load());
   if (lines == 0)
     std::fprintf(stderr,
-                 "gearwright: the input contains no spec; batch reads one per line, as "
-                 "JSON\n");
+                 "gearwright: the input contains no spec; batch reads one JSON spec per line\n");
   return violations > 0 ? kViolated : failed > 0 ? 1 : 0;
 }
 

@@ -39,20 +39,18 @@ CLI::Validator between(const ToleranceRange& range) {
 }
 
 void spec_argument(CLI::App* sub, Options& o) {
-  sub->add_option(
-         "SPEC", o.spec,
-         "The spec file: TOML, JSON if its name ends in .json, or REXS if it ends in .rexs; -: "
-         "standard input")
+  sub->add_option("SPEC", o.spec,
+                  "The spec file in TOML, in JSON if its name ends in .json, or in REXS if its "
+                  "name ends in .rexs; - is standard input")
       ->required();
 }
 
 void csv_flag(CLI::App* sub, Options& o) {
-  sub->add_flag("--csv", o.csv, "Print a table for a spreadsheet, CSV, and nothing else")
-      ->excludes("--json");
+  sub->add_flag("--csv", o.csv, "Print only a table for a spreadsheet (CSV)")->excludes("--json");
 }
 
 void strict_flag(CLI::App* sub, Options& o) {
-  sub->add_flag("--strict", o.strict, "Exit status 4 if the verdict is not green");
+  sub->add_flag("--strict", o.strict, "Exit with status 4 if the verdict is not green");
 }
 
 }  // namespace
@@ -113,20 +111,20 @@ void CommandLine::add_answering() {
   }
   app_.get_subcommand("gear")->add_option(
       "--as-rack", o.as_rack,
-      "MODULE,ANGLE: describe the same teeth by this rack; one of the two may be empty");
+      "Describe the same teeth by a rack of this MODULE,ANGLE; one of the two may be empty");
   CLI::App* drive = app_.get_subcommand("drive");
   drive->add_flag_callback(
       "--expand", [&o] { o.expand = true; },
-      "Print the graph [drive] to which the spec expands and nothing else");
+      "Print only the graph [drive] to which the spec expands");
   drive
       ->add_option("--harmonics", o.harmonics,
                    "Harmonics of the phases and of the transmission error (default 3)")
       ->check(CLI::Range(1, 31));
   CLI::App* measure = app_.get_subcommand("measure");
-  CLI::Option* points = measure->add_option(
-      "--points", o.grid,
-      "Print nominal points and normals of the flanks for a measuring machine, CSV: "
-      "9x5 along profile and face");
+  CLI::Option* points =
+      measure->add_option("--points", o.grid,
+                          "Print nominal points and normals of the flanks for a measuring machine "
+                          "(CSV); 9x5 prints 9 points along the profile times 5 along the face");
   measure
       ->add_option("--fillet-points", o.fillet_points,
                    "With --points: also this number of points along each root fillet, at the same "
@@ -149,10 +147,13 @@ void CommandLine::add_files() {
   add_search(app_, search_);
 
   CLI::App* files =
-      json_verb("export", "CAD files of one gear, or of both in place",
+      json_verb("export", "CAD files of one gear, or of both gears in place",
                 "gearwright export examples/helical_pair.toml --step pair.step --glb pair.glb");
   spec_argument(files, o);
-  files->add_option("--gear", o.gear, "Only this gear, in its own frame; absent: both in place")
+  files
+      ->add_option("--gear", o.gear,
+                   "Export only this gear, in its own frame; without this option both gears are "
+                   "exported in place")
       ->check(CLI::Range(1, 2));
   files->add_option("--step", o.step, "STEP solid");
   files->add_option("--stl", o.stl, "STL mesh, binary");
@@ -171,14 +172,15 @@ void CommandLine::add_files() {
       ->check(CLI::IsMember({"ap242", "ap214"}));
   files
       ->add_option("--mesh-tolerance", o.mesh_tolerance,
-                   "mm between mesh and exact surface (default 0.005)")
+                   "Greatest distance of the mesh from the exact surface in mm (default 0.005)")
       ->check(between(kMeshTolerances));
   files
       ->add_option("--dxf-tolerance", o.drawing_tolerance,
-                   "mm between the arcs of DXF or drawing and the exact outline (default 0.001)")
+                   "Greatest distance of the arcs in DXF or drawing from the exact outline in mm "
+                   "(default 0.001)")
       ->check(between(kDrawingTolerances));
   files->add_flag("--dxf-splines", o.drawing_splines,
-                  "DXF as splines (within 1 nm) instead of arcs");
+                  "Write splines (within 1 nm) instead of arcs to DXF");
 }
 
 void CommandLine::add_others() {
@@ -190,10 +192,12 @@ void CommandLine::add_others() {
   batch
       ->add_option("VERB", o.words,
                    fmt::format("{} (default: pair, or gear for a single gear), then a file "
-                               "(default or -: standard input)",
+                               "(default: -, standard input)",
                                verb_names()))
       ->expected(0, 2);
-  batch->add_option("--threads", o.threads, "Threads (default: as many as the machine has)")
+  batch
+      ->add_option("--threads", o.threads,
+                   "Number of threads (default: as many as the machine has)")
       ->check(CLI::Range(1, 1024));
 
   CLI::App* import =

@@ -115,8 +115,10 @@ using WantedFiles = std::vector<std::pair<FileKind, const std::string*>>;
 int export_drive(const Options& o, const Door& door, const JobSpec& spec,
                  const WantedFiles& wanted) {
   if (!o.drawing.empty())
-    return usage("--drawing makes the drawing of a gear or a pair, not of a drive");
-  if (o.gear) return usage("--gear names a gear of a pair; a drive is exported whole");
+    return usage(
+        "--drawing is not available for a drive; it writes the drawing of a gear or a pair");
+  if (o.gear)
+    return usage("--gear is not available for a drive, which is always exported as a whole");
   const auto job = solve_drive(spec);
   if (!job) return door.fail(job.error());
   std::vector<JobFile> files;
@@ -141,14 +143,17 @@ int run_verb(const Options& o) {
   const bool nameless = o.spec == "-" || (fs::exists(o.spec) && !fs::is_regular_file(o.spec) &&
                                           !fs::is_directory(o.spec));
   if (!o.out && nameless) {
-    return usage("the spec has no file name that could name the folder; give it with --out DIR");
+    return usage(
+        "the spec has no file name from which the folder could be named; give the folder with "
+        "--out DIR");
   }
   FileOptions options = file_options(o);
   if (o.only) {
     const auto parts = run_parts(*o.only);
     if (!parts) {
-      return usage(fmt::format("--only takes some of {}, separated by commas: --only step,report",
-                               fmt::join(kRunParts, ", ")));
+      return usage(fmt::format(
+          "--only takes one or more of {}, separated by commas, for example --only step,report",
+          fmt::join(kRunParts, ", ")));
     }
     options.only = *parts;
   }
@@ -190,7 +195,7 @@ int export_verb(const Options& o) {
   if (!o.drawing.empty() && !format)
     return usage("--drawing takes a name that ends in .pdf, .svg or .dxf, and not " + o.drawing);
   if (const std::string name = collision(o); !name.empty()) {
-    return usage(name + " is named twice, or is the spec itself");
+    return usage(name + " is given for two files, or is the spec itself");
   }
   Door door(o);
   const auto spec = door.read();
@@ -202,7 +207,7 @@ int export_verb(const Options& o) {
   if (!job) return door.fail(job.error());
   const int count = job->parts();
   if (o.gear && *o.gear > count) {
-    return door.fail(absent_input("gear2", " from the spec; --gear 2 needs it"));
+    return door.fail(absent_input("gear2", " from the spec; --gear 2 needs a second gear"));
   }
   std::vector<ToothedBody> bodies;
   std::vector<int> drawn;
@@ -224,7 +229,7 @@ int export_verb(const Options& o) {
   if (format && drawn.empty()) {
     return door.fail({"gear2.form", "rack",
                       "has no workshop drawing; --dxf and --svg draw the section of the rack, and "
-                      "--gear 1 the drawing of the pinion"});
+                      "--drawing with --gear 1 draws the pinion"});
   }
   if (format) {
     const SheetSize size = o.sheet == "A3" ? SheetSize::a3 : SheetSize::a4;

@@ -100,27 +100,21 @@ std::string manual_page(const CLI::App& app) {
       kVersion);
   for (const CLI::App* verb : verbs_of(app)) out += verb_text(*verb);
   out +=
-      ".SH \"KEYS OF A SPEC\"\n"
-      "Lengths are in mm and angles in degrees, as given in the key. gear2 has the keys of gear1, "
-      "and "
-      "takes\n"
-      "module, pressure angle, rack and helix angle from it where it leaves them out.\n";
+      ".SH \"KEYS OF A SPEC\"\nLengths are in mm and angles in degrees, as given in the key. gear2 "
+      "has the keys of gear1. If\nits module, pressure angle, rack or helix angle is absent, gear1 "
+      "determines the value.\n";
   for (const KeyTable* table : all_key_tables()) {
     if (table != &spec_keys() && table->name != "cutter" && table->name != "compensate_range")
       out += table_text(*table);
   }
   out +=
-      ".SH \"EXIT STATUS\"\n"
-      ".TP\n.B 0\nDone.\n"
-      ".TP\n.B 1\nThe input is wrong or the gears are impossible; the message names the key.\n"
-      ".TP\n.B 2\nThe command line is wrong.\n"
-      ".TP\n.B 3\nThe system failed: no such file, disk full, memory.\n"
-      ".TP\n.B 4\nWith \\-\\-strict: the verdict is not green.\n"
-      ".TP\n.B 5\nA defect in Gearwright; please report the message and the spec.\n"
-      ".SH FILES\n"
-      ".TP\n.I .gearwright_files\n"
-      "In the folder of a run: the list of its files. The next run removes those that it does not\n"
-      "write again and that are unchanged.\n";
+      ".SH \"EXIT STATUS\"\n.TP\n.B 0\nDone.\n.TP\n.B 1\nThe input is wrong or the gears are "
+      "impossible; the message names the key.\n.TP\n.B 2\nThe command line is wrong.\n.TP\n.B "
+      "3\nThe system failed, for example because a file does not exist, the disk is full or memory "
+      "is short.\n.TP\n.B 4\nWith \\-\\-strict: the verdict is not green.\n.TP\n.B 5\nA defect in "
+      "Gearwright; please report the message and the spec.\n.SH FILES\n.TP\n.I "
+      ".gearwright_files\nThe list of files in the folder of a run. The next run removes each file "
+      "of the list that it does\nnot write again, unless the file was changed.\n";
   return out;
 }
 

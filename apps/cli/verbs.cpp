@@ -68,7 +68,7 @@ int answering_verb(const Verb& verb, const Options& o) {
   const auto number = static_cast<std::size_t>(o.take.value_or(0));
   if (number > answer->specs.size()) {
     const std::string none =
-        "there is none" + (answer->why_none.empty() ? "" : ": " + answer->why_none);
+        "the spec has no such solution" + (answer->why_none.empty() ? "" : ": " + answer->why_none);
     return door.fail(
         {"--take", std::to_string(number),
          answer->specs.empty() ? none : fmt::format("must be 1 to {}", answer->specs.size())});
@@ -95,8 +95,8 @@ int gear_as_rack(const Options& o) {
   const auto question = parse_rack_question(*o.as_rack);
   if (!question) {
     return usage(
-        "--as-rack takes MODULE,ANGLE in mm and degrees (1 to 60), one of them may be empty: "
-        "--as-rack 3,20 or --as-rack ,17.5");
+        "--as-rack takes MODULE,ANGLE in mm and degrees (1 to 60), for example --as-rack 3,20; one "
+        "of the two may be empty, for example --as-rack ,17.5");
   }
   Door door(o);
   const auto job = door.solve(Scope::gears);
@@ -128,7 +128,9 @@ int gear_as_rack(const Options& o) {
 int nominal_points(const Options& o) {
   const auto grid = parse_grid(*o.grid);
   if (!grid)
-    return usage("--points takes two numbers from 2 to 1000, along the profile and the face: 9x5");
+    return usage(
+        "--points takes two numbers from 2 to 1000, along the profile and along the face, for "
+        "example 9x5");
   Door door(o);
   const auto job = door.solve(Scope::gears);
   if (!job) return door.fail(job.error());
@@ -146,7 +148,7 @@ int outline_verb(const Options& o) {
   if (!job) return door.fail(job.error());
   const int which = o.gear.value_or(1);
   if (which > job->parts()) {
-    return door.fail(absent_input("gear2", " from the spec; --gear 2 needs it"));
+    return door.fail(absent_input("gear2", " from the spec; --gear 2 needs a second gear"));
   }
   const auto body = make_body(*job, which, false);
   if (!body) return door.fail(body.error());
@@ -188,7 +190,7 @@ int verify_verb(const Options& o) {
   if (o.json) {
     print_json({{"cases", list}, {"held", cases - bad}, {"failed", bad}, {"values", values}});
   } else {
-    print(lines + fmt::format("{} of {} cases hold ({} values)\n", cases - bad, cases, values));
+    print(lines + fmt::format("{} of {} cases agree ({} values)\n", cases - bad, cases, values));
   }
   if (bad > 0) std::fprintf(stderr, "gearwright: %d of %d cases differ\n", bad, cases);
   return bad == 0 ? 0 : 1;

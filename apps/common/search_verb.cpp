@@ -19,33 +19,35 @@
 namespace gearwright::apps {
 
 CLI::App* add_search(CLI::App& app, SearchCommand& c) {
-  CLI::App* sub = app.add_subcommand(
-      "search",
-      "All designs that satisfy the spec's [search], with their regions of shifts, ranked");
+  CLI::App* sub = app.add_subcommand("search",
+                                     "All designs that satisfy [search] of the spec, ranked, with "
+                                     "the regions of their profile shifts");
   sub->footer(
       "Example:\n"
       "  gearwright search examples/gearbox_search.toml --out found\n"
       "  gearwright search examples/gearbox_search.toml --take 1 > pair.toml\n"
       "  gearwright search wide.toml --out wide --shard 3/8     on each of eight machines");
   sub->add_flag("--json", c.json, "Print one JSON object to stdout and nothing else");
-  sub->add_option("SPEC", c.spec,
-                  "The spec file: TOML, or JSON if its name ends in .json; -: standard input")
+  sub->add_option(
+         "SPEC", c.spec,
+         "The spec file in TOML, or in JSON if its name ends in .json; - is standard input")
       ->required();
   sub->add_option("--out", c.out,
                   "Folder for search.parquet, best.csv, search.json, report.html, and for the "
                   "chunks of a large search");
   sub->add_option("--take", c.take, "Print the spec of the pair of this rank and nothing else")
       ->check(CLI::Range(1, 1000000));
-  sub->add_option("--top", c.top, "Number of designs to list; search.parquet has all")
+  sub->add_option("--top", c.top, "Number of designs to list; search.parquet contains all designs")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   sub->add_flag("--resume", c.resume, "Continue the search in --out");
-  sub->add_option("--shard", c.shard,
-                  "i/N: compute every Nth chunk, starting with the ith; all shards share one "
-                  "--out");
+  sub->add_option(
+      "--shard", c.shard,
+      "Compute every Nth chunk, starting with chunk i (i/N); all shards use the same --out");
   sub->add_flag("--yes-large", c.yes_large, "Allow a search of more than 2e10 candidates");
-  sub->add_option("--chunk", c.chunk, "Candidates of a chunk (default by the size of the search)")
+  sub->add_option("--chunk", c.chunk,
+                  "Number of candidates in a chunk (the default depends on the size of the search)")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 24));
-  sub->add_option("--threads", c.threads, "Threads (default: as many as the machine has)")
+  sub->add_option("--threads", c.threads, "Number of threads (default: as many as the machine has)")
       ->check(CLI::Range(1, 1024));
   return sub;
 }
@@ -89,15 +91,15 @@ class ProgressLine {
   static std::string text(const SearchProgress& p, double seconds) {
     switch (p.stage) {
       case SearchProgress::Stage::changes:
-        return fmt::format("no design is feasible; {} trials for the smallest change that helps",
-                           p.done);
+        return fmt::format(
+            "no design is feasible; {} trials done to find the smallest change that helps", p.done);
       case SearchProgress::Stage::regions:
-        return fmt::format("regions of {} of {} designs", p.done, p.of);
+        return fmt::format("the regions of {} of {} designs are computed", p.done, p.of);
       case SearchProgress::Stage::trials: break;
     }
     const double rate = static_cast<double>(p.trials) / seconds;
     const double left = rate > 0.0 ? static_cast<double>(p.left) / rate : 0.0;
-    return fmt::format("{} of {} chunks, {:.3g} candidates a second, {} left", p.chunks,
+    return fmt::format("{} of {} chunks are done, {:.3g} candidates per second, {} left", p.chunks,
                        p.of_chunks, rate, clock(left));
   }
   static std::string clock(double seconds) {
@@ -136,8 +138,8 @@ int say_unfinished(const SearchCommand& c, const SearchRun& run) {
   if (c.json) print_json(unfinished_json(run));
   if (run.stopped) {
     std::fprintf(stderr, "gearwright: stopped; %s%s\n", state.c_str(),
-                 !c.out ? "and nothing was saved; with --out DIR a search can be resumed"
-                        : ", --resume goes on");
+                 !c.out ? "and nothing is saved; with --out DIR a search can be resumed"
+                        : "; --resume continues the search");
     return 3;
   }
   if (!c.json)
@@ -149,12 +151,11 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
              const SearchRun& run) {
   const auto count = static_cast<int>(run.answer.designs.size());
   if (*c.take > count) {
-    return fail(
-        {"--take", std::to_string(*c.take),
-         count == 0 ? "no design is feasible; the search without --take names a change that would "
-                      "help"
-                    : fmt::format("there are {} designs", count)},
-        c.json);
+    return fail({"--take", std::to_string(*c.take),
+                 count == 0 ? "no design is feasible; run the search without --take to find a "
+                              "change that would help"
+                            : fmt::format("there are {} designs", count)},
+                c.json);
   }
   const Json taken =
       pair_spec(spec, search, run.answer.designs[static_cast<std::size_t>(*c.take - 1)]);
@@ -171,8 +172,8 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
 int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecText& text) {
   if (c.out || c.shard || c.resume || c.chunk)
     return usage(
-        "--out, --shard, --resume and --chunk are for searches for pairs only; a search for "
-        "drives prints its answer, with --json all of it");
+        "--out, --shard, --resume and --chunk are for searches for pairs only; a search for drives "
+        "prints its answer, and the complete answer with --json");
   const std::size_t top = std::max<std::size_t>(c.top.value_or(kDefaultDrives),
                                                 static_cast<std::size_t>(c.take.value_or(1)));
   const auto answer = answer_drive_search(spec, top, c.threads);
@@ -181,7 +182,7 @@ int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecTe
     const auto count = static_cast<int>(answer->specs.size());
     if (*c.take > count)
       return fail({"--take", std::to_string(*c.take),
-                   count == 0 ? "there is none: " + answer->why_none
+                   count == 0 ? "the search found no drive: " + answer->why_none
                               : fmt::format("there are {} drives", count)},
                   c.json);
     const Json& taken = answer->specs[static_cast<std::size_t>(*c.take - 1)];
@@ -212,7 +213,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
     const auto shard = parse_shard(*c.shard);
     if (!shard || together) {
       return wrong(together ? "--shard cannot be used under mpirun, whose ranks share one queue"
-                            : "--shard takes i/N with 1 <= i <= N: --shard 3/8");
+                            : "--shard takes i/N with 1 <= i <= N, for example --shard 3/8");
     }
     options.shard = shard->which;
     options.shards = shard->of;

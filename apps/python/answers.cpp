@@ -236,11 +236,11 @@ py::object verify(const py::object& cases) {
 }  // namespace
 
 py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pair) {
-  py::class_<ContactValue> contact(m, "Contact",
-                                   "The tooth contact of a pair under its errors over one pitch");
-  contact.def_property_readonly(
-      "positions", &positions_of,
-      "A structured array, a row for each position, a column for each quantity by key");
+  py::class_<ContactValue> contact(
+      m, "Contact", "The tooth contact of a pair over one pitch, under the errors of its spec");
+  contact.def_property_readonly("positions", &positions_of,
+                                "A structured array with a row for each position and a column for "
+                                "each quantity, named by its key");
   bind_answer<ContactValue>(contact, contact_quantities().table(), [](const PairValue& p) {
     return contact_of(p, py::none(), py::none(), {});
   });
@@ -249,7 +249,7 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
     contact.def_property_readonly(
         name_of(q.info).c_str(),
         [&info = q.info](const ContactValue& c) { return column(c, info); },
-        (docstring(q.info) + " At each position.").c_str());
+        (docstring(q.info) + " The array has one value for each position.").c_str());
   }
   py::class_<RatingValue> rating(m, "Rating", "The strength of a pair by the standard");
   bind_answer<RatingValue>(rating, rating_quantities().table(),
@@ -257,43 +257,46 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
   py::class_<LoadedValue> loaded(m, "Loaded", "A pair under torque with elastic teeth");
   loaded.def_property_readonly(
       "positions", &load_positions_of,
-      "A structured array (torques, positions), a column for each quantity by key; load shares, as "
-      "many as pairs carry, are those of torques[i].positions. None if only probes were requested");
+      "A structured array of shape (torques, positions) with a column for each quantity, named by "
+      "its key. Load shares are in torques[i].positions, because their number varies. None if only "
+      "probes were requested");
   bind_answer<LoadedValue>(loaded, load_quantities().table(), [](const PairValue& p) {
     return loaded_of(p, py::none(), py::none(), {});
   });
 
   pair.def("contact", &contact_of, py::arg("errors") = py::none(),
            py::arg("modifications") = py::none(),
-           "Computes the tooth contact of the pair under errors over one pitch. errors: keys of "
-           "[errors], or a row of transmission_error; modifications: {\"gear1\": {…}, \"gear2\": "
-           "{…}}; and keys of [contact]: positions=64, driver, pattern, … Absent values are those "
-           "of the pair's spec")
+           "Computes the tooth contact of the pair under errors over one pitch. errors is a dict "
+           "with keys of [errors], or a row of the array that transmission_error accepts; "
+           "modifications is {\"gear1\": {…}, \"gear2\": {…}}; other arguments are keys of "
+           "[contact], for example positions=64, driver, pattern. Absent values are those of the "
+           "pair's spec")
       .def("rate", &rating_of,
-           "Strength by ISO 6336 or VDI 2736, with keys of [rating]: torque_Nm, speed_rpm, "
-           "quality, …; absent values are those of the pair's spec. Gears need a material, "
-           "material={\"name\": \"18CrNiMo7-6\"}")
+           "Computes the strength by ISO 6336 or VDI 2736. Arguments are keys of [rating], for "
+           "example torque_Nm, speed_rpm, quality; absent values are those of the pair's spec. "
+           "Gears need a material, for example material={\"name\": \"18CrNiMo7-6\"}")
       .def("loaded", &loaded_of, py::arg("errors") = py::none(),
            py::arg("modifications") = py::none(),
-           "The pair under torque, with keys of [load]: torque_Nm=[100, 200], positions, slices, "
-           "…; errors and modifications as contact(). Absent values are those of the pair's spec");
+           "Computes the pair under torque. Arguments are keys of [load], for example "
+           "torque_Nm=[100, 200], positions, slices; errors and modifications are those of "
+           "contact(). Absent values are those of the pair's spec");
   m.def("solve", &solve_spec, py::arg("spec"), py::arg("verb") = "",
-        ("The program's JSON answer as a dict. `spec`: a dict with the tables of a spec file, a "
-         "Pair or a Gear; `verb`: one of " +
+        ("Returns the program's JSON answer as a dict. `spec` is a dict with the tables of a spec "
+         "file, a Pair or a Gear; `verb` is one of " +
          verb_names() + "; the default is pair for two gears")
             .c_str());
   m.def("fit", &fit, py::arg("spec"),
-        "Computes the values that are absent in the gears and in [pair] of the spec: a Record with "
-        "branches, reason, nearest; load(branch.spec) makes a Pair of an answer");
+        "Computes the values that are absent in the gears and in [pair] of the spec and returns a "
+        "Record with branches, reason and nearest; load(branch.spec) returns the Pair of a branch");
   m.def("compensate", &compensate, py::arg("pair"),
-        "Computes corrections for errors, with the keys of [compensate] (corrections=, range=, "
-        "centering=): a Record with corrections, before, after; load(record.spec) is the corrected "
-        "pair");
+        "Computes corrections for errors; arguments are keys of [compensate] (corrections=, "
+        "range=, centering=). Returns a Record with corrections, before and after; "
+        "load(record.spec) returns the corrected pair");
   m.def("scatter", &scatter, py::arg("pair"),
-        "Computes what tolerances do to a pair, with the keys of [scatter] (errors=, gear1=, "
-        "samples=, robust=): a Record with a distribution for each quantity, probability, indices, "
-        "worst, robust; its members are a structured array, a row for each sample with its inputs "
-        "and quantities by key");
+        "Computes the effect of tolerances on a pair; arguments are keys of [scatter] (errors=, "
+        "gear1=, samples=, robust=). Returns a Record with a distribution for each quantity, "
+        "probability, indices, worst and robust; its attribute members is a structured array with "
+        "a row for each sample and a column for each input and quantity, named by its key");
   m.def("_verify", &verify, py::arg("cases"));
   return contact;
 }

@@ -95,7 +95,8 @@ py::array_t<double> section(const GearValue& gear, int points) {
   if (contour.pieces.size() * static_cast<std::size_t>(points) > kMostOfAll)
     raise(refused(
         "points", points,
-        fmt::format("must be at most {}: the section has {} arcs, and at most {} points",
+        fmt::format("must be at most {}, because the section has {} arcs and may have at most {} "
+                    "points in total",
                     kMostOfAll / contour.pieces.size(), contour.pieces.size(), kMostOfAll)));
   std::vector<std::vector<Vec2>> sampled;
   for (const Arc& arc : body.outline.arcs) sampled.push_back(sample(arc, points));
@@ -178,11 +179,13 @@ struct Export {
   const char* doc;
 };
 constexpr Export kExports[] = {
-    {"step", FileKind::step, 0.001, "STEP AP242"},
-    {"stl", FileKind::stl, 0.005, "STL, binary, within tolerance"},
-    {"threemf", FileKind::threemf, 0.005, "3MF, within tolerance"},
-    {"glb", FileKind::glb, 0.005, "GLB, within tolerance"},
-    {"dxf", FileKind::dxf, 0.001, "DXF of the section: arcs within tolerance, or splines=True"},
+    {"step", FileKind::step, 0.001, "STEP AP242 solid"},
+    {"stl", FileKind::stl, 0.005, "Binary STL mesh, within tolerance of the exact surface"},
+    {"threemf", FileKind::threemf, 0.005, "3MF mesh, within tolerance of the exact surface"},
+    {"glb", FileKind::glb, 0.005, "GLB mesh, within tolerance of the exact surface"},
+    {"dxf", FileKind::dxf, 0.001,
+     "DXF of the section as arcs within tolerance of the exact outline, or as splines if "
+     "splines=True"},
     {"svg", FileKind::svg, 0.001, "SVG of the section"}};
 
 template <class Class>
@@ -197,8 +200,8 @@ void bind_exports(Class& type) {
         },
         py::arg("path") = py::none(), py::arg("tolerance") = e.tolerance,
         py::arg("splines") = false,
-        fmt::format("{}: returns the bytes of the file, or writes it to path, completely or not at "
-                    "all. mm",
+        fmt::format("{}. Returns the bytes of the file, or writes the file to path, completely or "
+                    "not at all. Lengths are in mm",
                     e.doc)
             .c_str());
   }
@@ -211,9 +214,9 @@ void bind_exports(Class& type) {
       },
       py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = "A4",
       py::arg("tolerance") = 0.001,
-      "Workshop drawing with the gear data, one sheet (A4 or A3) for each gear: returns the bytes "
-      "of the file in this format, pdf, svg or dxf, or writes it to path, which ends in one of "
-      "them. The outline is within tolerance, mm");
+      "Workshop drawing with the gear data, one sheet (A4 or A3) for each gear. Returns the bytes "
+      "of the file in the given format (pdf, svg or dxf), or writes the file to path, whose ending "
+      "determines the format. The drawn outline is within tolerance (mm) of the exact outline");
 }
 
 Eigen::Matrix4d pose(const PairValue& pair, int which) {
@@ -227,19 +230,20 @@ Eigen::Matrix4d pose(const PairValue& pair, int which) {
 
 void bind_files(py::class_<GearValue>& gear, py::class_<PairValue>& pair) {
   gear.def("outline", &outline, py::arg("points") = 200,
-           "Half a tooth in the section z = 0, root to tip: a dict of arrays (points, 2) in mm by "
-           "the name of the arc. The tooth's centre line is the x axis, y > 0")
+           "Returns half a tooth in the section z = 0, from root to tip, as a dict from the name "
+           "of each arc to an array (points, 2) in mm. The centre line of the tooth is the x axis, "
+           "and the half is that with y > 0")
       .def("section", &section, py::arg("points") = 20,
-           "The closed outline of all teeth in the section z = 0, (n, 2) in mm, counter-clockwise; "
-           "points per arc")
+           "Returns the closed outline of all teeth in the section z = 0 as an array (n, 2) in mm, "
+           "counter-clockwise; points is the number of points per arc")
       .def("mesh", &mesh, py::arg("tolerance") = 0.005,
-           "(vertices (n, 3) in mm, triangles (m, 3)) of the closed body, within tolerance of the "
-           "exact surface");
+           "Returns the closed body as a tuple of vertices (n, 3) in mm and triangles (m, 3), "
+           "within tolerance of the exact surface");
   bind_exports(gear);
   bind_exports(pair);
   pair.def("pose", &pose, py::arg("which"),
-           "4×4 matrix: from the frame of gear 1 or 2, the frame of its files, to the frame of the "
-           "housing");
+           "Returns the 4×4 matrix that transforms from the frame of gear 1 or 2, which is the "
+           "frame of its files, to the frame of the housing");
 }
 
 }  // namespace gearwright::python

@@ -132,8 +132,9 @@ void bind_value(py::class_<Self>& type) {
 std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& m) {
   py::class_<GearValue> gear(
       m, "Gear",
-      "A cylindrical gear, made from the keys of [gear1] of a spec, with their unit "
-      "(helix_angle_deg) or without, in mm and rad (normal_module, helix_angle)");
+      "A cylindrical gear, made from the keys of [gear1] of a spec. A key with its unit "
+      "(helix_angle_deg) takes a value in this unit; a key without unit (normal_module, "
+      "helix_angle) takes a value in mm or rad");
   gear.def(py::init([](const py::kwargs& kwargs) { return gear_value(tree_of(kwargs, ""), {}); }))
       .def(
           "replace", [](const GearValue& g, const py::kwargs& k) { return replaced(g, k); },
@@ -162,7 +163,7 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
       .def(
           "result",
           [](const PairValue& p) { return to_python(job_json(p.model->job, p.verdict())); },
-          "gears, pair, warnings and verdict: the program's JSON")
+          "Returns gears, pair, warnings and verdict as in the program's JSON")
       .def("__repr__", [](const PairValue& p) {
         const CylindricalSpec& one = p.pair().gear(1).spec;
         const CylindricalSpec& two = p.pair().gear(2).spec;
@@ -180,7 +181,7 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
         [which](const PairValue& p) {
           return GearValue{p.model, which};
         },
-        "As mounted");
+        "The gear as mounted");
   bind_made(pair, pair_value);
   bind_verdict(pair);
   bind_value(pair);
@@ -189,8 +190,8 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
   });
 
   m.def("load", &load, py::arg("spec"),
-        "Returns the Gear or the Pair of a spec: a TOML or JSON file, or a dict. Relative file "
-        "names start at the folder of the spec");
+        "Returns the Gear or the Pair of a spec, which is a TOML or JSON file or a dict. Relative "
+        "file names start at the folder of the spec");
   return {gear, pair};
 }
 

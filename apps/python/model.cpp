@@ -62,7 +62,7 @@ Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std:
     }
     const std::string here = path.empty() ? key : path + "." + key;
     if (made.contains(key))
-      raise(Error{here, "", "is given twice, in its own unit and in mm or rad"});
+      raise(Error{here, "", "is given twice, once in the unit of the key and once in mm or rad"});
     const auto under = tables_under(tables, key);
     if (value.is_object() && !under.empty()) value = with_keys(std::move(value), under, here);
     if (value.is_array() && !under.empty())

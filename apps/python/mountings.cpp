@@ -63,11 +63,11 @@ py::array_t<double> transmission_errors(const PairValue& pair, const py::object&
   const auto given_rows = real_numbers(errors);
   if (!given_rows || given_rows->ndim() != 2 ||
       (given_rows->shape(1) != 6 && given_rows->shape(1) != 8)) {
-    std::string shape = "no array of real numbers";
+    std::string shape = "not an array of real numbers";
     if (given_rows) shape = std::string(py::str(given_rows->attr("shape")));
-    raise(Error{
-        "errors", shape,
-        "must be an array of shape (n, 6) or (n, 8), mm and rad, columns as gearwright.ERRORS"});
+    raise(Error{"errors", shape,
+                "must be an array of shape (n, 6) or (n, 8) in mm and rad, with the columns of "
+                "gearwright.ERRORS"});
   }
   const Numbers& rows = *given_rows;
   const KeyRange& range = contact_keys().find("positions")->range;
@@ -108,7 +108,7 @@ ModelPtr asked_model(const PairValue& pair, const py::object& errors,
     for (const auto& [gear, given] : tree.items()) {
       if (gear != "gear1" && gear != "gear2")
         raise(Error{"modifications." + gear, "",
-                    "must be gear1 or gear2, with a dict of their modifications"});
+                    "must be gear1 or gear2, each with a dict of the modifications of this gear"});
       spec[gear]["modifications"] =
           with_keys(given, {&modification_keys()}, gear + ".modifications");
     }
@@ -121,9 +121,10 @@ ModelPtr asked_model(const PairValue& pair, const py::object& errors,
 void bind_mountings(py::module_& m, py::class_<PairValue>& pair) {
   pair.def("transmission_error", &transmission_errors, py::arg("errors"), py::arg("positions") = 64,
            py::arg("modifications") = py::none(), py::arg("threads") = 0,
-           "Transmission error in rad, (n, positions), over one pitch from half a pitch before the "
-           "centre line on, of n mountings: errors has the columns of gearwright.ERRORS, mm and "
-           "rad, the first 6 or all 8. NaN if contact is lost. All cores, without the GIL");
+           "Returns the transmission errors of n mountings as an array (n, positions) in rad, over "
+           "one pitch that starts half a pitch before the centre line. errors is an array in mm "
+           "and rad with the first 6 or all 8 columns of gearwright.ERRORS. The result is NaN "
+           "where contact is lost. The computation uses all cores and releases the GIL");
   py::list names;
   for (const ErrorEntry& e : error_entries()) names.append(std::string(e.name()));
   m.attr("ERRORS") = py::tuple(names);

@@ -130,7 +130,7 @@ std::vector<Figure> contact_figures(const ContactValue& c) {
 std::string contact_html(const ContactValue& c) {
   std::string html;
   for (const Figure& figure : contact_figures(c)) html += figure_html(figure);
-  return html.empty() ? "<p>Nothing touches.</p>" : framed("Tooth contact", side_by_side(html));
+  return html.empty() ? "<p>No teeth touch.</p>" : framed("Tooth contact", side_by_side(html));
 }
 
 std::string page_of(const Model& source, const std::vector<int>& gears, bool contact) {
@@ -161,12 +161,12 @@ std::string page_of(const Model& source, const std::vector<int>& gears, bool con
 
 void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairValue>& pair,
                    py::class_<ContactValue>& contact) {
-  py::class_<Figure>(m, "Figure", "A picture of the engine, with the data of its curves")
+  py::class_<Figure>(m, "Figure", "A figure made by the engine, with the data of its curves")
       .def_readonly("title", &Figure::title)
-      .def_readonly("description", &Figure::description, "The content in words")
+      .def_readonly("description", &Figure::description, "A description of the figure in words")
       .def_property_readonly(
           "data", [](const Figure& f) { return to_python(figure_data(f)); },
-          "Axes, and the points of the named curves, bars, circles and dots")
+          "The axes, and the points of the curves, bars, circles and dots by name")
       .def("_repr_html_", [](const Figure& f) { return framed(f.title, figure_html(f)); })
       .def("__repr__", [](const Figure& f) { return fmt::format("Figure({})", f.title); });
   gear.def("_repr_html_", &gear_html)
@@ -186,8 +186,8 @@ void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairV
           "The program's report as one HTML page");
   contact.def("_repr_html_", &contact_html)
       .def_property_readonly("figures", &contact_figures,
-                             "The figures of the report: transmission error on both flanks, and "
-                             "the flanks of both gears; none if nothing touches")
+                             "The figures of the report, which show the transmission error of both "
+                             "flanks and the flanks of both gears; empty if no teeth touch")
       .def(
           "report",
           [](const ContactValue& c) {

@@ -48,7 +48,7 @@ struct Found {
 using FoundPtr = std::shared_ptr<const Found>;
 
 // The names of SearchProgress::Stage, in the order of the enumerators.
-constexpr std::array kStages{"candidates", "what would help", "regions"};
+constexpr std::array kStages{"candidates", "changes that would help", "regions"};
 
 FoundPtr search(const py::object& given, const std::optional<long long>& top, int threads,
                 const py::object& progress, const py::object& out, bool resume, bool yes_large) {
@@ -186,7 +186,7 @@ std::shared_ptr<Found> recalled_search(const py::tuple& state) {
   run.finished = true;
   plain_members(run) = state[3].cast<PlainMembers>();
   const auto designs = [&](int i) {
-    return unpack(state[i].cast<std::string>(), "the pickle of a search").designs;
+    return unpack(state[i].cast<std::string>(), "a pickled search").designs;
   };
   run.answer.designs = designs(4);
   for (const DesignRow& safest : designs(5)) run.safest = safest;
@@ -199,7 +199,7 @@ std::shared_ptr<Found> recalled_search(const py::tuple& state) {
 
 void bind_search(py::module_& m) {
   py::class_<Found, std::shared_ptr<Found>> type(
-      m, "Search", "A finished design search: its designs, best first");
+      m, "Search", "A finished design search with its designs, the best first");
   bind_copies(type, &kept_search, &recalled_search);
   type.def("__len__", [](const Found& f) { return f.run.answer.designs.size(); })
       .def("__getitem__", &design, "The design of this rank as a Record")
@@ -209,14 +209,15 @@ void bind_search(py::module_& m) {
       .def("to_parquet", &to_parquet, py::arg("path"),
            "Writes the designs to a Parquet file, with the same columns")
       .def_property_readonly("counts", &counts_of,
-                             "The numbers of candidates tested, feasible, and ruled out by each "
-                             "limit")
+                             "The numbers of candidates that were tested, that are feasible, and "
+                             "that each limit ruled out")
       .def_property_readonly(
           "front", [](const Found& f) { return py::tuple(py::cast(f.run.answer.pareto)); },
           "Ranks of the Pareto-optimal designs")
       .def_property_readonly(
           "changes", [](const Found& f) { return py::tuple(py::cast(change_lines(f.run))); },
-          "If no design is feasible: changes of one number that would make designs feasible")
+          "Changes of a single number that would make designs feasible; empty if a design is "
+          "feasible")
       .def(
           "as_dict",
           [](const Found& f) { return to_python(parse_json(search_json_text(*f.search, f.run))); },

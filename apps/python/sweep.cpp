@@ -36,7 +36,9 @@ const Key& key_of(const KeyTable& table, const std::string& name, const std::str
   std::vector<std::string> may;
   for (const Key& key : table.keys)
     if (can_be_swept(key)) may.push_back(house_key(key));
-  raise(Error{path, "", fmt::format("cannot be varied; these can: {}", fmt::join(may, ", "))});
+  raise(
+      Error{path, "",
+            fmt::format("cannot be varied; keys that can be varied are {}", fmt::join(may, ", "))});
 }
 
 Swept swept(const KeyTable& table, int gear, const std::string& name, py::handle column) {
@@ -44,7 +46,7 @@ Swept swept(const KeyTable& table, int gear, const std::string& name, py::handle
   const Key& key = key_of(table, name, path);
   const auto numbers = real_numbers(column);
   if (!numbers || numbers->ndim() != 1)
-    raise(Error{path, "", "must be an array of one dimension, or a list, of real numbers"});
+    raise(Error{path, "", "must be a one-dimensional array or a list of real numbers"});
   const bool in_unit = key.key == name;
   return {&key, gear, path, *numbers, in_unit ? 1.0 : units_per_house(key)};
 }
@@ -58,17 +60,18 @@ std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
       continue;
     }
     if (!py::isinstance<py::dict>(column))
-      raise(Error{name, "", "must be a dict of the gear's keys with arrays"});
+      raise(Error{name, "", "must be a dict with keys of the gear and their arrays"});
     for (const auto& [inner, numbers] : py::reinterpret_borrow<py::dict>(column))
       all.push_back(
           swept(gear_keys(), name == "gear1" ? 1 : 2, std::string(py::str(inner)), numbers));
   }
   if (all.empty())
-    raise(Error{"sweep", "", "needs at least one key with an array: center_distance=distances"});
+    raise(Error{"sweep", "",
+                "needs at least one key with an array, for example center_distance=distances"});
   for (const Swept& s : all)
     if (s.numbers.size() != all.front().numbers.size())
       raise(Error{s.path, fmt::format("{} numbers", s.numbers.size()),
-                  fmt::format("must have as many values as {}: {}", all.front().path,
+                  fmt::format("must have as many values as {}, that is {}", all.front().path,
                               all.front().numbers.size())});
   return all;
 }
@@ -126,10 +129,11 @@ py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
 
 void bind_sweep(py::class_<PairValue>& pair) {
   pair.def("sweep", &sweep, py::arg("threads") = 0,
-           "The pair with arrays in place of some of its numbers: "
-           "sweep(center_distance=distances), sweep(gear1={\"profile_shift\": shifts}). A "
-           "structured array, a row for each, a column for each quantity by key; if there is no "
-           "such pair, NaN and the message in `error`. All cores, without the GIL");
+           "Computes the pair for each value of arrays that replace some of its numbers, for "
+           "example sweep(center_distance=distances) or sweep(gear1={\"profile_shift\": shifts}). "
+           "Returns a structured array with a row for each value and a column for each quantity, "
+           "named by its key. If a pair does not exist, its row is NaN and contains the message in "
+           "`error`. The computation uses all cores and releases the GIL");
 }
 
 }  // namespace gearwright::python

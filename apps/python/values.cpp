@@ -112,7 +112,7 @@ std::string docstring(const QuantityInfo& info) {
   const bool angle = info.unit == Unit::deg || info.unit == Unit::arcsec;
   const std::string unit(angle                        ? "rad"
                          : info.unit == Unit::um      ? "mm"
-                         : info.unit == Unit::percent ? "share of 1"
+                         : info.unit == Unit::percent ? "as a fraction of 1"
                                                       : unit_text(info.unit));
   std::string text = info.symbol;
   if (!unit.empty()) text += (text.empty() ? "" : ", ") + unit;

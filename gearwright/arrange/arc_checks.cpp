@@ -36,12 +36,12 @@ std::optional<Error> check_arcs(const GivenPair& given) {
   if (!given.gears[1]) return std::nullopt;
   if (given.pair.shaft_angle && given.pair.shaft_angle->rad() != 0.0) {
     return refused("pair.shaft_angle", given.pair.shaft_angle->deg(),
-                   "circular-arc gears run on parallel axes; leave it out");
+                   "circular-arc gears run on parallel axes only; leave out this key");
   }
   if (given.pair.shorten_tips) {
     return Error{"pair.shorten_tips", "true",
-                 "tips are shortened because of profile shifts, which circular-arc gears do not "
-                 "have; give `gear1.tip_diameter` and `gear2.tip_diameter`"};
+                 "is not available for circular-arc gears, which have no profile shifts; give "
+                 "`gear1.tip_diameter` and `gear2.tip_diameter` instead"};
   }
   return std::nullopt;
 }

@@ -54,7 +54,7 @@ Result<double> backlash_at(GivenPair given, const std::optional<PairPlace>& plac
   const auto pair = mount(gears[0], gears[1], at);
   if (!pair) return pair.error();
   const auto backlash = backlash_of(*pair);
-  if (!backlash) return Error{"pair", "", "has no contact whose backlash could be set"};
+  if (!backlash) return Error{"pair", "", "has no contact, so its backlash cannot be set"};
   if (given.pair.backlash) return backlash->normal;
   return given.pair.backlash_circumferential ? backlash->circumferential[0]
                                              : backlash->rotation[0].deg();
@@ -67,7 +67,7 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   GW_EXPECTS(given.pair.wants_backlash() && given.gears[0] && given.gears[1]);
   const Wanted wanted = wanted_of(given.pair);
   const auto asked = [&](const Error& error) {
-    return following_from(wanted.field, format_number(wanted.value), "it requires", error);
+    return following_from(wanted.field, format_number(wanted.value), "this value requires", error);
   };
   double before = 0.0;
   auto at_before = backlash_at(given, place, before);
@@ -88,14 +88,14 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   const auto made = backlash_at(given, place, now);
   if (!made || std::abs(*made - wanted.value) > kSame * std::max(1.0, wanted.value))
     return refused(wanted.field, wanted.value,
-                   "these teeth have no thickness that gives this backlash");
+                   "no tooth thickness of these gears gives this backlash");
   if (now < -kSame) {
-    warnings.push_back({WarningCode::thickened_for_backlash,
-                        fmt::format("The centre distance leaves more backlash than `{}` = {}. The "
-                                    "teeth are therefore thicker than their profile shifts make "
-                                    "them, by {} mm in total.",
-                                    wanted.field, format_number(wanted.value), format_number(-now)),
-                        0});
+    warnings.push_back(
+        {WarningCode::thickened_for_backlash,
+         fmt::format("The centre distance leaves more backlash than `{}` = {}. The teeth are "
+                     "therefore made thicker than their profile shifts require, by {} mm in total.",
+                     wanted.field, format_number(wanted.value), format_number(-now)),
+         0});
   }
   return std::nullopt;
 }

@@ -15,10 +15,11 @@ std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groo
   const auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2, groove}, 0.0);
   if (!error) return std::nullopt;
   const bool keyway = error->field == "bore.keyway_width";
-  return Warning{WarningCode::no_body,
-                 fmt::format("A {} of {} mm {}: {}.", keyway ? "keyway" : "bore", error->value,
-                             keyway ? "is not possible" : "leaves no body", error->rule),
-                 which};
+  return Warning{
+      WarningCode::no_body,
+      fmt::format("A {} of {} mm {}: {}.", keyway ? "keyway" : "bore", error->value,
+                  keyway ? "is not possible" : "leaves no body of the gear", error->rule),
+      which};
 }
 
 }  // namespace gearwright

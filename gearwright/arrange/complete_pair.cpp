@@ -77,11 +77,11 @@ void shorten_tips(GivenPair& given, double a) {
 // Rejects inputs that need gears of one rack, because x has a different meaning for each rack.
 std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   const std::string why =
-      "needs two gears of the same module and pressure angle; for different racks, give both "
-      "shifts and the centre distance";
+      "requires two gears of the same module and pressure angle; for different racks, give both "
+      "profile shifts and the centre distance";
   if (shift_wanted) {
     return absent_input(gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
-                        ", and to find it from the centre distance " + why);
+                        "; its computation from the centre distance " + why);
   }
   if (given.pair.mounting == Mounting::extended) return Error{"pair.mounting", "extended", why};
   if (given.pair.shorten_tips) return Error{"pair.shorten_tips", "true", why};
@@ -117,10 +117,11 @@ std::optional<Error> check_hands(const GivenPair& given) {
   const std::string opposite =
       given.gears[1]->hand_given ? fmt::format("`gear2.hand` = \"{}\"", b2 > 0.0 ? "left" : "right")
                                  : fmt::format("`gear2.helix_angle` = {}", format_number(-b2));
-  return refused(gear_field(2, "helix_angle"), b2,
-                 fmt::format("has the same hand as gear 1; parallel shafts need opposite hands, "
-                             "{}; for crossed shafts give `pair.shaft_angle` = {}",
-                             opposite, format_number(2 * b2)));
+  return refused(
+      gear_field(2, "helix_angle"), b2,
+      fmt::format("has the same hand as gear 1; for parallel shafts, which need opposite hands, "
+                  "give {}; for crossed shafts give `pair.shaft_angle` = {}",
+                  opposite, format_number(2 * b2)));
 }
 
 }  // namespace
@@ -144,10 +145,9 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     const double a = *given.pair.center_distance;
     const auto alpha = transverse_angle_at_pitch_sum(gears, a);
     if (!alpha) {
-      return refused(
-          "pair.center_distance", a, {base_radius_sum(gears)},
-          "there is no working pressure angle; it must be greater than {} mm, the sum of "
-          "the base radii");
+      return refused("pair.center_distance", a, {base_radius_sum(gears)},
+                     "at this centre distance there is no working pressure angle; the centre "
+                     "distance must be greater than {} mm, the sum of the base radii");
     }
     given.pair.shaft_angle = crossed_place(gears, *alpha).shaft_angle;
     given.shaft_angle_found = true;

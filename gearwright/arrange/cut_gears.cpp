@@ -22,20 +22,21 @@ std::optional<Error> check_cutters(const GivenPair& given) {
     const auto fail = [&](const std::string& why) {
       return Error{gear_field(which, "cut_by"), gear_field(by), why};
     };
-    if (by == which) return fail("a gear cannot cut itself; name the other gear or a cutter");
+    if (by == which) return fail("a gear cannot cut itself; give the other gear or a cutter");
     if (!cutter) return fail(fmt::format("there is no `{}` in this spec", gear_field(by)));
     if (cutter->cut_by && cutter->cut_by->gear == which) {
-      return fail(
-          fmt::format("forms a circle with `{}`; one of the two gears needs its own rack or cutter",
-                      gear_field(by, "cut_by")));
+      return fail(fmt::format(
+          "is itself cut by this gear (`{}`); one of the two gears needs its own rack or cutter",
+          gear_field(by, "cut_by")));
     }
     if (cutter->cylindrical.teeth < 0) return fail("an internal gear cannot be a pinion cutter");
     if (cutter->tip_clearance || cutter->tip_clearance_by_rule) {
-      return Error{gear_field(by, "tip_fillet.clearance"), "",
-                   fmt::format("this tip cuts gear {} and therefore has no clearance to it; give "
-                               "`radius` or `l` here, or give gear {} its own cutter with a longer "
-                               "tip, or a centre distance greater than the generating distance",
-                               which, which)};
+      return Error{
+          gear_field(by, "tip_fillet.clearance"), "",
+          fmt::format("this tip cuts gear {} and therefore has no clearance to that gear; give "
+                      "`radius` or `l` instead, or give gear {} its own cutter with a longer tip, "
+                      "or give a centre distance greater than the generating distance",
+                      which, which)};
     }
   }
   return std::nullopt;
@@ -93,7 +94,8 @@ Result<double> distance_of(const GivenPair& given, const Gear& cutter, int which
     if (e) return e;
     return following_from(
         "profile_shift_pair", format_number(*cut.profile_shift_pair),
-        fmt::format("with the profile shift {} of the cutter, it means", format_number(x_0)),
+        fmt::format("together with the profile shift {} of the cutter, this value requires",
+                    format_number(x_0)),
         e.error());
   }
   if (gear.profile_shift) return generating_distance(cutter, z, *gear.profile_shift);
@@ -131,7 +133,9 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
     const Error& error = result.error();
     if (!by_distance || error.field != "cut_by") return of_given_gear(error, given, which);
     // The centre distance of the pair is the generating distance here.
-    return Error{"pair.center_distance", error.value, "the gear is cut there: " + error.rule};
+    return Error{
+        "pair.center_distance", error.value,
+        "the centre distance is also the generating distance of the cut gear: " + error.rule};
   }
   if (auto error = check_agreement(gear, *result, which)) return error;
   gear.cylindrical = result->spec;
@@ -161,8 +165,8 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
                      (is_cut(2) && given.gears[1]->cut_by->gear != 0);
   if (mates && given.pair.mounting == Mounting::extended) {
     return Error{"pair.mounting", "extended",
-                 "a gear cut by its mating gear is mounted at the generating distance; give "
-                 "`pair.center_distance` for another distance"};
+                 "is not available for a gear cut by its mating gear, which is mounted at the "
+                 "generating distance; for another distance give `pair.center_distance`"};
   }
   // The gear that does not depend on the other one is made first.
   const bool second_first = is_cut(1) && given.gears[0]->cut_by->gear == 2;
@@ -191,10 +195,9 @@ std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
     if (!gear || !(gear->tip_clearance || gear->tip_clearance_by_rule)) continue;
     const GearInput* const mate = given.find(3 - which);
     if (!mate || !center_distance) {
-      return Error{
-          gear_field(which, "tip_fillet.clearance"), "",
-          "needs a mating gear on a parallel axis; without one, give `radius` or `l` to set the "
-          "start of the fillet"};
+      return Error{gear_field(which, "tip_fillet.clearance"), "",
+                   "needs a mating gear on a parallel axis; if there is no such gear, give "
+                   "`radius` or `l`, which determine the start of the fillet"};
     }
     double root = 0.0;
     if (const auto& done = made[static_cast<std::size_t>(2 - which)]) {

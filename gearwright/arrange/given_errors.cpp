@@ -17,12 +17,12 @@ Error of_given_gear(Error error, const GivenPair& given, int which) {
     // The tip diameter is not given, but computed from the profile shift or from the rack alone.
     const std::string from = gear.profile_shift ? "profile_shift" : "rack.addendum";
     const double value = gear.profile_shift.value_or(addendum_of(gear.cylindrical.rack));
-    return following_from(gear_field(which, from), format_number(value), "it asks for",
+    return following_from(gear_field(which, from), format_number(value), "this value requires",
                           of_gear(which, std::move(error)));
   }
   if (!gear.basic || own) return of_gear(which, std::move(error));
   return following_from(gear_field(which, "basic"), "",
-                        fmt::format("on the rack of {:.6g}° that describes this gear",
+                        fmt::format("for the rack of {:.6g}° that describes this gear,",
                                     gear.cylindrical.normal_pressure_angle.deg()),
                         error);
 }
@@ -39,7 +39,7 @@ Error of_basic(const Error& error, const GivenPair& given) {
           std::tuple{"profile_shift", "basic.base_tooth_thickness", base.tooth_thickness}}) {
       if (error.field != gear_field(which, of_rack)) continue;
       return following_from(gear_field(which, own), format_number(value),
-                            "as a rack describes this gear,", error);
+                            "for the rack that describes this gear,", error);
     }
   }
   return error;
@@ -60,8 +60,9 @@ Error of_distance(const Error& error, const GivenPair& given) {
     if (error.field != gear_field(which, "profile_shift") || !given.pair.center_distance ||
         given.gear(which).profile_shift)
       continue;
-    return not_placed(following_from(
-        "pair.center_distance", format_number(*given.pair.center_distance), "it requires", error));
+    return not_placed(following_from("pair.center_distance",
+                                     format_number(*given.pair.center_distance),
+                                     "this value requires", error));
   }
   return error;
 }

@@ -28,8 +28,8 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
     const bool in_table = material_named(*given.name).has_value();
     if (!row && in_table && !(given.sigma_Hlim && given.sigma_Flim)) {
       return refused(owner + ".surface_hardness", *given.surface_hardness,
-                     "is outside the range of ISO 6336-5 for this material; give its `sigma_Hlim` "
-                     "and `sigma_Flim`");
+                     "is outside the range of ISO 6336-5 for this material; give `sigma_Hlim` and "
+                     "`sigma_Flim` of the material");
     }
     if (row) m = *row;
     m.name = *given.name;
@@ -53,10 +53,10 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
         flank        ? owner + ".sigma_Flim"
         : given.name ? owner + ".sigma_Hlim"
                      : owner,
-        fmt::format("; a rating needs the strength of the material: give the name of a listed "
-                    "material, name = \"16MnCr5\" for example, or `material.kind`, "
-                    "`material.sigma_Hlim` and `material.sigma_Flim`. Without `{}` the material of "
-                    "gear 1 applies to both gears",
+        fmt::format("; a rating needs the strength of the material. Give the name of a listed "
+                    "material, for example name = \"16MnCr5\", or give `material.kind`, "
+                    "`material.sigma_Hlim` and `material.sigma_Flim`. If `{}` is absent, the "
+                    "material of gear 1 applies to both gears",
                     gear_field(2, "material")));
   }
   const bool plastic = m.kind == MaterialKind::plastic;
@@ -66,12 +66,12 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
     return Error{owner + ".temperatures", "", "is used only with a `kind` of \"plastic\""};
   if (plastic && edition != RatingEdition::vdi_2736) {
     return Error{owner + ".kind", "plastic",
-                 "is not a material of ISO 6336; VDI 2736 rates plastics; give `rating.edition` = "
-                 "\"VDI 2736:2014\""};
+                 "is not covered by ISO 6336; to rate plastics by VDI 2736, give `rating.edition` "
+                 "= \"VDI 2736:2014\""};
   }
   if (plastic && !given.youngs_modulus && m.youngs_modulus_by.empty()) {
     return absent_input(owner + ".youngs_modulus",
-                        "; a plastic needs its own value, because the default applies to steel");
+                        "; give the value of this plastic, because the default applies to steel");
   }
   return m;
 }

@@ -191,23 +191,23 @@ std::string running(const Drive& drive) {
       std::any_of(gears.begin(), gears.end(), [](const DriveGear& gear) { return gear.rack; });
   if (racks)
     text +=
-        " Meshes with a rack are not checked; the verb drive with --take prints each mesh as a "
-        "pair.";
+        " Meshes with a rack are not checked. The verb drive with --take prints a mesh as the spec "
+        "of a pair.";
   if (!least && racks) return text;
-  if (!least) return text + " Without a module, the teeth are not checked.";
+  if (!least) return text + " The teeth are not checked, because no module is given.";
   std::vector<const Rating*> ratings;
   for (const auto& rating : drive.ratings)
     if (rating) ratings.push_back(&rating->rating);
   text += safety_words(ratings);
   constexpr double kNone = 1e-9;  // mm, for rounding
-  if (*least > kNone) return text + fmt::format(" Least normal backlash {:.3f} mm.", *least);
+  if (*least > kNone) return text + fmt::format(" The least normal backlash is {:.3f} mm.", *least);
   const double recommended = recommended_backlash(distance, module);
   // Both gears of a mesh are thinned by the same amount, j_n = −2 E_sn cos α_n.
   const double allowance =
       -std::ceil(recommended / 2 / std::cos(Angle::degrees(20).rad()) * 100) / 100;
   return text + fmt::format(
-                    " There is no backlash: a thickness allowance of {} mm on all gears would give "
-                    "the {:.2f} mm that ISO/TR 10064-2 recommends.",
+                    " There is no backlash. A thickness allowance of {} mm on all gears would give "
+                    "{:.2f} mm, as ISO/TR 10064-2 recommends.",
                     format_number(allowance), recommended);
 }
 

@@ -38,15 +38,15 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
     body.bore_diameter = rim(gear).diameter;
     warnings.push_back(
         {WarningCode::held_at_rim_as_drawn,
-         fmt::format("Gear {} has no `bore`, which gives the outside of its rim; the gear is held "
-                     "at the rim diameter of its CAD files, {} mm.",
+         fmt::format("Gear {} has no `bore`, which would give the outside diameter of its rim. The "
+                     "gear is held at the rim diameter of its CAD files, {} mm.",
                      which, format_number(body.bore_diameter)),
          which});
   } else {
     body.bore_diameter = kShaft * gear.root_diameter;
     warnings.push_back(
         {WarningCode::held_at_half_the_root,
-         fmt::format("Gear {} has no bore; its body is held at half the root diameter, {} mm.",
+         fmt::format("Gear {} has no bore, so its body is held at half the root diameter, {} mm.",
                      which, format_number(body.bore_diameter)),
          which});
   }
@@ -57,8 +57,8 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
 std::optional<Error> not_made_for(const Gear& gear, int which) {
   if (gear.involute() && !gear.tooth)
     return Error{gear_field(which, "cut_by"), "",
-                 "is missing; none of the default pinion cutters generates the whole flank of this "
-                 "internal gear",
+                 "is missing; give a pinion cutter, because none of the default cutters generates "
+                 "the whole flank of this internal gear",
                  FailureKind::not_under_load};
   if (gear.internal() && !gear.involute())
     return Error{gear_field(which, "teeth"), std::to_string(gear.spec.teeth),
@@ -146,12 +146,11 @@ void warn_about(const LoadedContact& contact, double share, std::vector<Warning>
                                       torque),
                           0});
     if (t.max_width_ratio > kHertzRatio)
-      warnings.push_back(
-          {WarningCode::beyond_hertz,
-           fmt::format("At {} N m the contact width is {:.2f} of its radius of curvature, more "
-                       "than Hertz' theory covers.",
-                       torque, t.max_width_ratio),
-           0});
+      warnings.push_back({WarningCode::beyond_hertz,
+                          fmt::format("At {} N m the width of the contact is {:.2f} of its radius "
+                                      "of curvature, which is outside the range of Hertz’ theory.",
+                                      torque, t.max_width_ratio),
+                          0});
   }
 }
 
@@ -173,9 +172,11 @@ Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
   return refused(
       "load.slices", request.slices,
       request.slices > fair
-          ? fmt::format("are too fine for these teeth, {} mm each; {} is sufficient", width, fair)
-          : fmt::format("are narrower than the contact, {} mm each; reduce the torque or the "
-                        "number of slices",
+          ? fmt::format("are too many for these teeth, because each slice is only {} mm wide; {} "
+                        "slices are sufficient",
+                        width, fair)
+          : fmt::format("are too many, because each slice is {} mm wide, which is less than the "
+                        "width of the contact; reduce the torque or the number of slices",
                         width));
 }
 
@@ -221,8 +222,9 @@ Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& err
 Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
                            const LoadInput& input, std::vector<Warning>& warnings) {
   if (input.torques.empty())
-    return absent_input("load.torques",
-                        "; the report of a loaded pair needs a torque, not only probes");
+    return absent_input(
+        "load.torques",
+        "; a report of the pair under load needs a torque, even if there are probes");
   const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   return task_of(arranged, errors, input, *bodies);
@@ -254,8 +256,8 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
     if (std::none_of(t.positions.begin(), t.positions.end(),
                      [](const LoadedPosition& p) { return p.solved(); }))
       return refused("load.torques", newton_metres(t.torque / task.torque_share),
-                     "leaves no position at which the forces of these teeth converge; accuracy = "
-                     "\"full\", another number of slices or less torque may help");
+                     "the forces converge at no position; accuracy = \"full\", another number of "
+                     "slices or a smaller torque may help");
   warn_about(found, task.torque_share, warnings);
   return std::nullopt;
 }

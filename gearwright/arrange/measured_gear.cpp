@@ -81,18 +81,20 @@ class Measuring {
     m.span = *asked;
     if (asked->usable()) return std::nullopt;
     const std::string instead =
-        usual ? fmt::format("; with {} teeth they do", usual->teeth) : std::string();
+        usual ? fmt::format("; over {} teeth they do", usual->teeth) : std::string();
     if (asked->place != ContactPlace::usable) {
-      warn(
-          WarningCode::span_off_flank,
-          fmt::format("Span over {} teeth: the contacts at {} mm do not lie on the usable flank{}.",
-                      asked->teeth, format_number(asked->contact_diameter), instead));
+      warn(WarningCode::span_off_flank,
+           fmt::format("In a span over {} teeth, the contacts on a diameter of {} mm do not lie on "
+                       "the usable flank{}.",
+                       asked->teeth, format_number(asked->contact_diameter), instead));
     } else {
       warn(WarningCode::span_off_face,
-           fmt::format("Span over {} teeth: the contacts lie {} mm apart along the axis, and the "
-                       "face is {} mm wide{}.",
-                       asked->teeth, format_number(asked->min_face_width, gear_.spec.face_width),
-                       format_number(gear_.spec.face_width), usual ? instead + " not" : ""));
+           fmt::format(
+               "In a span over {} teeth, the contacts lie {} mm apart along the axis, which is "
+               "more than the face width of {} mm{}.",
+               asked->teeth, format_number(asked->min_face_width, gear_.spec.face_width),
+               format_number(gear_.spec.face_width),
+               usual ? fmt::format("; over {} teeth they lie within the face", usual->teeth) : ""));
     }
     return std::nullopt;
   }
@@ -110,8 +112,9 @@ class Measuring {
   void warn_off_flank(const BallSeat& seat, WarningCode code, const char* what) {
     if (seat.usable()) return;
     warn(code,
-         fmt::format("{} of {} mm: the contacts at {} mm do not lie on the usable flank.", what,
-                     format_number(seat.ball_diameter), format_number(seat.contact_diameter)));
+         fmt::format(
+             "The contacts of {} of {} mm, on a diameter of {} mm, do not lie on the usable flank.",
+             what, format_number(seat.ball_diameter), format_number(seat.contact_diameter)));
   }
 
   Fault balls(GearMeasures& m) {
@@ -120,15 +123,15 @@ class Measuring {
     if (!found) {
       if (m.reference)
         warn(WarningCode::no_balls,
-             "There is no dimension over balls: no ball touches the usable flanks.");
+             "There is no dimension over balls, because no ball touches the usable flanks.");
       return std::nullopt;
     }
     if (!*found)
       return missing(input_.ball_diameter.has_value(), found->error(), WarningCode::no_balls,
-                     "No dimension over balls");
+                     "There is no dimension over balls");
     const BallSeat& seat = **found;
     m.balls = BallMeasure{seat, over_two_balls(gear_, seat)};
-    warn_off_flank(seat, WarningCode::ball_off_flank, "Balls");
+    warn_off_flank(seat, WarningCode::ball_off_flank, "balls");
     return std::nullopt;
   }
 
@@ -147,20 +150,23 @@ class Measuring {
     if (!found && !m.balls) return std::nullopt;
     const BallSeat& seat = found ? **found : m.balls->seat;
     m.pins = PinMeasure{seat, over_pins(gear_, seat)};
-    if (asked) warn_off_flank(seat, WarningCode::pin_off_flank, "Pins");
+    if (asked) warn_off_flank(seat, WarningCode::pin_off_flank, "pins");
     return std::nullopt;
   }
 
   Fault chord(GearMeasures& m) {
     const bool asked = input_.chord_diameter.has_value();
     if (!gear_.involute())
-      return missing(asked,
-                     Error{"chord_diameter", "",
-                           "chords are measured on involute flanks; these are circular arcs"},
-                     WarningCode::no_chord, "No chordal thickness");
+      return missing(
+          asked,
+          Error{
+              "chord_diameter", "",
+              "chords can be measured on involute flanks only, and these flanks are circular arcs"},
+          WarningCode::no_chord, "There is no chordal thickness");
     const double d = input_.chord_diameter.value_or(default_chord_diameter(gear_));
     const auto chord = chordal_thickness(gear_, d);
-    if (!chord) return missing(asked, chord.error(), WarningCode::no_chord, "No chordal thickness");
+    if (!chord)
+      return missing(asked, chord.error(), WarningCode::no_chord, "There is no chordal thickness");
     m.chord = ChordMeasure{d, *chord};
     const ToothArc<double> arc = tooth_arc(gear_, d);
     const double s_t = arc.half_angle * d;
@@ -181,8 +187,8 @@ class Measuring {
     m.tolerances = flank_tolerances(asked.edition, *asked.quality, subject);
     if (!in_range(asked.edition, subject))
       warn(WarningCode::tolerances_out_of_range,
-           "The gear lies outside the range of sizes of ISO 1328-1; its formulas are used "
-           "nevertheless.");
+           "The gear lies outside the range of sizes of ISO 1328-1. The formulas of the standard "
+           "are used nevertheless.");
     if (mounted) set_axes(*m.tolerances);
     return std::nullopt;
   }

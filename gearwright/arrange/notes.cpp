@@ -37,8 +37,9 @@ std::optional<Error> forbidden_shifts(const GivenPair& given) {
   if (given.pair.choose_profile_shifts) return std::nullopt;
   return absent_input(
       gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
-      fmt::format(", because `pair.choose_profile_shifts` = false; at `pair.center_distance` = {} "
-                  "mm the default would be {}. Give profile shifts, which determine the backlash",
+      fmt::format("and is not computed, because `pair.choose_profile_shifts` = false; at "
+                  "`pair.center_distance` = {} mm the default would be {}. Give the profile "
+                  "shifts, which determine the backlash",
                   format_number(*given.pair.center_distance), chosen_shifts(given)));
 }
 
@@ -50,10 +51,11 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
     if (!gear->profile_shift)
       greatest = std::max(greatest, std::abs(gear->cylindrical.profile_shift));
   if (greatest < kRounding) return std::nullopt;
-  return Warning{WarningCode::profile_shifts_chosen,
-                 fmt::format("Profile shifts chosen for a = {} mm: {}.",
-                             format_number(*given.pair.center_distance), chosen_shifts(given)),
-                 0};
+  return Warning{
+      WarningCode::profile_shifts_chosen,
+      fmt::format("For the centre distance a = {} mm the program chose these profile shifts: {}.",
+                  format_number(*given.pair.center_distance), chosen_shifts(given)),
+      0};
 }
 
 std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair) {

@@ -40,7 +40,8 @@ bool lacks_relief_start(const GivenPair& given) {
 
 Error missing_relief_start(const GivenPair& given) {
   return *first_without_start(given, [](int, bool, const Relief&, const std::string& field) {
-    return std::optional(absent_input(field, "; it depends on the mating gear of a pair"));
+    return std::optional(absent_input(
+        field, "; give it, because its default depends on the mating gear, and there is no pair"));
   });
 }
 
@@ -71,8 +72,8 @@ std::optional<Error> place_reliefs(GivenPair& given, const Pair& pair) {
     const auto starts = involutes ? relief_starts(*involutes, which) : std::nullopt;
     if (!starts) {
       return absent_input(field,
-                          "; a default start needs involute gears on parallel axes with a "
-                          "transverse contact ratio above 1");
+                          "; give it, because its default requires involute gears on parallel axes "
+                          "with a transverse contact ratio above 1");
     }
     relief.reach = tip ? starts->tip : starts->root;
     return std::nullopt;

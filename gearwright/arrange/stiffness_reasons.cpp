@@ -103,7 +103,7 @@ void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
   const double wide = narrow ? drafted(task, torque, wider, false) : as_is;
   if (narrow)
     factors.push_back(
-        {fmt::format("free ends of a narrow helical face (overlap ratio {:.2f})", overlap),
+        {fmt::format("the free ends of a narrow helical face (overlap ratio {:.2f})", overlap),
          as_is / wide});
   if (!solid)
     factors.push_back({"bodies that are not held at half their root diameter",
@@ -154,18 +154,18 @@ void explain_stiffness(const Arranged& arranged, const LoadTask& task, const Loa
       list += fmt::format("{}{:.2f} for {}", list.empty() ? "" : ", ", f.value, f.of);
     }
     const char* ring = task.setup.gear(2).internal()
-                           ? ", an internal gear, which the standard treats as a rack"
+                           ? ", because one gear is internal and the standard treats it as a rack"
                            : "";
     warnings.push_back(
         {WarningCode::stiffness_differs,
          list.empty()
              ? fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
-                           "as stiff as c_γα of ISO 6336-1. The difference comes from the teeth "
-                           "themselves{}, not from errors, modifications, face or bodies.",
+                           "as stiff as c_γα of ISO 6336-1. The difference is due to the teeth "
+                           "themselves{}, not to errors, modifications, face width or bodies.",
                            format_number(newton_metres(t.torque / task.torque_share)), ratio, ring)
              : fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
-                           "as stiff as c_γα of ISO 6336-1. This includes a factor of {}; a factor "
-                           "of {:.2f} comes from the teeth themselves{}.",
+                           "as stiff as c_γα of ISO 6336-1. This ratio includes a factor of {}. "
+                           "The remaining factor of {:.2f} is due to the teeth themselves{}.",
                            format_number(newton_metres(t.torque / task.torque_share)), ratio, list,
                            left, ring),
          0});

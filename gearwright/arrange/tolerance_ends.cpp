@@ -28,7 +28,7 @@ Result<Ends> of_span(const Gear& gear, const GearInput& input) {
   const auto usual = usual_span(gear);
   if (!k && !usual)
     return Error{"tolerance.span", "",
-                 "no span of this gear can be measured by default; give `measure.span_teeth`"};
+                 "this gear has no default span that can be measured; give `measure.span_teeth`"};
   const int teeth = k ? *k : usual->teeth;
   const auto span = span_over(gear, teeth);
   if (!span) return within("measure", span.error());
@@ -54,7 +54,7 @@ Result<Ends> of_balls(const Gear& gear, const GearInput& input) {
     const auto thickness = base_thickness_from_balls(gear, *ball, read);
     if (!thickness)
       return refused("tolerance.over_balls", read,
-                     "such balls would lie inside the base cylinder of this gear");
+                     "at this dimension the balls would lie inside the base cylinder of the gear");
     ends[i] = allowance_of(gear, *thickness);
   }
   std::sort(ends.begin(), ends.end());
@@ -172,7 +172,7 @@ Result<GivenPair> with_allowances(const GivenPair& as_given) {
     }
     const Gear& made = nominal->gear(which);
     if (!made.involute() && !tolerance.series)
-      return no(key, "is measured on involute flanks; these are circular arcs");
+      return no(key, "can be measured on involute flanks only, and these flanks are circular arcs");
     auto ends = tolerance.series ? thickness_allowances(*tolerance.series, made.reference_diameter)
                 : tolerance.span ? of_span(made, *gear)
                                  : of_balls(made, *gear);
@@ -222,8 +222,8 @@ Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal
         ends.upper.gears[i].spec.thickness_allowance)
       continue;
     return Error{"pair.backlash", "",
-                 "the tolerance of the centre distance alone changes the backlash by more than "
-                 "this range"};
+                 "the range is too narrow, because the tolerance of the centre distance alone "
+                 "changes the backlash by more"};
   }
   return std::shared_ptr<const ArrangedEnds>(std::make_shared<ArrangedEnds>(std::move(ends)));
 }

@@ -43,8 +43,8 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
   const double beta = std::abs(half.spec.helix_angle.rad());
   if (beta == 0.0) {
     return refused("helix_angle", 0,
-                   "must not be 0, because the halves of a double-helical gear have helix angles "
-                   "of opposite hands, and this is the angle of the half at z > 0");
+                   "must not be 0; it is the helix angle of the half at z > 0, and the other half "
+                   "has the opposite hand");
   }
   Halves made{};
   made.given = given;
@@ -87,8 +87,8 @@ std::optional<Warning> stagger_warning(const Halves& halves, int which) {
   if (halves.given.stagger_pitches == 0.0 || halves.given.gap > 0.0) return std::nullopt;
   return Warning{WarningCode::stagger_without_gap,
                  fmt::format("The halves are staggered by {} pitches without a gap, so their teeth "
-                             "do not meet in the middle plane, and there are no files of the gear. "
-                             "A `double_helical.gap` greater than 0 separates the halves.",
+                             "do not meet in the middle plane, and files of the gear cannot be "
+                             "written. A `double_helical.gap` greater than 0 separates the halves.",
                              format_number(halves.given.stagger_pitches)),
                  which};
 }
@@ -96,8 +96,8 @@ std::optional<Warning> stagger_warning(const Halves& halves, int which) {
 std::optional<Warning> run_out_warning(const Halves& halves, int which) {
   if (!halves.hob_run_out || *halves.hob_run_out <= halves.given.gap) return std::nullopt;
   return Warning{WarningCode::hob_run_out,
-                 fmt::format("The run-out of the hob needs a gap of at least {:.4f} mm; the gap is "
-                             "{:.4f} mm. A smaller hob, a wider gap or shaping would help.",
+                 fmt::format("The run-out of the hob needs a gap of at least {:.4f} mm, but the "
+                             "gap is {:.4f} mm. A smaller hob, a wider gap or shaping would help.",
                              *halves.hob_run_out, halves.given.gap),
                  which};
 }

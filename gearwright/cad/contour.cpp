@@ -79,9 +79,9 @@ Result<Contour> closed_contour(const Outline& outline) {
       // the only condition.
       if (p.y() < -kOnItsRay || (z > 1 && beyond_space(p) > kOnItsRay)) {
         return Error{"teeth", std::to_string(outline.teeth),
-                     "the outline of the tooth crosses the middle of the tooth or of the space, so "
-                     "it bounds no body; less undercut (more profile shift or more teeth) would "
-                     "help"};
+                     "the outline of the tooth crosses the middle of the tooth or of the tooth "
+                     "space, so it does not enclose a body; less undercut (a greater profile shift "
+                     "or more teeth) would help"};
       }
     }
   }

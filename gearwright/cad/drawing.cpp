@@ -17,7 +17,8 @@ Result<BodyContour> body_contour(const ToothedBody& body) {
 
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm) {
   return {"tolerance_mm", fmt::format("{}", tolerance_mm),
-          fmt::format("the {} cannot be drawn within {} mm; at least {:.3g} mm is needed",
+          fmt::format("the {} cannot be drawn with a tolerance of {} mm; a tolerance of at least "
+                      "{:.3g} mm is needed",
                       to_string(arc.name), tolerance_mm, deviation_mm)};
 }
 

@@ -26,10 +26,12 @@ std::vector<Band> ToothedBody::bands() const {
 Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
                               const std::optional<Bore>& bore) {
   if (!gear.tooth)
-    return absent_input("cut_by", "; an internal gear's outline is cut by a pinion cutter");
+    return absent_input(
+        "cut_by",
+        "; the outline of an internal gear is cut by a pinion cutter, so give the cutter");
   if (!gear.exists()) {
     const std::string why =
-        gear.warnings.empty() ? "there is no such tooth" : gear.warnings.back().message;
+        gear.warnings.empty() ? "no tooth is left" : gear.warnings.back().message;
     return Error{"teeth", std::to_string(gear.spec.teeth), why};
   }
   ToothedBody body;
@@ -45,7 +47,7 @@ std::optional<Error> modify(ToothedBody& body, const Gear& gear,
                             const std::array<FlankModifications, 2>& flanks) {
   if (!any_modification(flanks)) return std::nullopt;
   if (body.two_helices) {
-    body.unmodified = "modifications of double-helical gears are not in this version";
+    body.unmodified = "modifications of double-helical gears are not supported in this version";
     return std::nullopt;
   }
   if (!gear.root_form_radius()) {
@@ -69,14 +71,18 @@ std::optional<Error> modify(ToothedBody& body, const Gear& gear,
 
 Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name) {
   if (!rack.bar.teeth)
-    return absent_input("gear2.teeth", "; a rack as a part has a length, its number of pitches");
+    return absent_input(
+        "gear2.teeth",
+        "; give the number of teeth, which determines the length of the rack in its files");
   const double least = rack.dedendum + kRackBack_mm;
   if (!rack.bar.height)
-    return absent_input("gear2.height",
-                        "; a rack as a part has a back, at this distance from its datum line");
+    return absent_input(
+        "gear2.height",
+        "; give the height, the distance from the back of the rack to its datum line");
   if (*rack.bar.height < least) {
     return refused("gear2.height", *rack.bar.height, {least},
-                   "the back lies above the roots of the teeth; it must be at least {} mm");
+                   "is too small, because the back would lie above the roots of the teeth; it must "
+                   "be at least {} mm");
   }
   auto outline = rack_outline(rack);
   if (!outline) return outline.error();

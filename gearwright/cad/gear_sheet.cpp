@@ -24,7 +24,7 @@ constexpr auto kOutline = SheetLayer::outline;
 constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kInner = 6, kShelf = 5;
 // Distance of the base line of the caption from the transverse view above it, mm.
 constexpr double kCaption = 9;
-constexpr const char* kWhere = "Section in the middle of the face";
+constexpr const char* kWhere = "Section in the middle of the face width";
 
 struct Scale {
   double paper, gear;

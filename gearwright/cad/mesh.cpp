@@ -164,7 +164,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   const double rim_or_reach = ring ? radius_max : reach;
   const auto top_cap = cap_at(rim_or_reach, end);
   const auto bottom_cap = modified ? cap_at(rim_or_reach, -end) : top_cap;
-  if (!top_cap || !bottom_cap) return not_a_body(teeth, "the flanks of a space cross");
+  if (!top_cap || !bottom_cap) return not_a_body(teeth, "the flanks of a tooth space cross");
 
   // Walls.
   MeshBuilder builder;
@@ -203,7 +203,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   if (body.grooved()) {
     const auto& [gap, radius, stagger] = *body.two_helices;
     const auto cap = cap_at(radius, 0.0);
-    if (!cap) return not_a_body(teeth, "the flanks of a space cross");
+    if (!cap) return not_a_body(teeth, "the flanks of a tooth space cross");
     const CapPlace under{true, -gap / 2.0, bands.front().angle(-gap / 2.0), lower.top};
     const CapPlace over{false, gap / 2.0, bands.back().angle(gap / 2.0), upper.bottom};
     if (ring) {

@@ -34,14 +34,15 @@ std::optional<Error> obstacle_of(const Outline& outline) {
   const auto first = std::find_if(arcs.begin(), arcs.end(), flank);
   if (first == arcs.end()) return obstacle("the teeth have no flank");
   const auto beyond = std::find_if_not(first, arcs.end(), flank);
-  if (std::any_of(beyond, arcs.end(), flank)) return obstacle("the flank consists of pieces");
+  if (std::any_of(beyond, arcs.end(), flank))
+    return obstacle("the flank consists of several pieces");
   for (auto arc = first; arc + 1 != beyond; ++arc) {
     const double turn = (arc + 1)->at(0.0).tangent_angle - arc->at(1.0).tangent_angle;
     if (std::abs(std::remainder(turn, 2 * kPi)) > kSmooth)
       return obstacle("the flank has a corner");
   }
   if (first == arcs.begin() || (first - 1)->name != ArcName::root_fillet)
-    return obstacle("there is no root fillet that could follow the flank");
+    return obstacle("there is no root fillet next to the flank");
   if (beyond == arcs.end()) return obstacle("the teeth are pointed");
   if (std::abs(outline.teeth) == 1 && std::any_of(arcs.begin(), arcs.end(), round_land))
     return obstacle("a land of the single tooth spans more than half a turn");

@@ -58,10 +58,10 @@ void add_half_tooth(std::vector<StepFace>& faces, const BodyWalls& walls, std::s
 }
 
 Error too_many(std::size_t faces, int slices) {
-  return {
-      "faces", fmt::format("{}", faces),
-      fmt::format("the STEP solid would have {} faces; the limit is {}; fewer teeth{} would help",
-                  faces, kMaxStepFaces, slices > 1 ? ", a narrower face or a longer lead" : "")};
+  return {"faces", fmt::format("{}", faces),
+          fmt::format(
+              "the STEP solid would have {} faces, but the limit is {}; fewer teeth{} would help",
+              faces, kMaxStepFaces, slices > 1 ? ", a narrower face or a longer lead" : "")};
 }
 
 // Adds the arcs of half a tooth with modifications. Each has the greatest values of its faces.

@@ -112,7 +112,8 @@ constexpr const std::array<double, 3>& part_colour(std::size_t index) {
 /// Returns the error of `teeth` with the reason `why`.
 inline Error not_a_body(int teeth, const std::string& why) {
   return {"teeth", std::to_string(teeth),
-          "the outline bounds no body, " + why + "; more teeth or more profile shift help"};
+          "the outline does not enclose a body, because " + why +
+              "; more teeth or a greater profile shift would help"};
 }
 
 }  // namespace gearwright

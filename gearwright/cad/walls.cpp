@@ -175,8 +175,8 @@ WallKnots backward(WallKnots knots) {
 
 Error no_spline(std::string_view face, double deviation) {
   return {"", "",
-          fmt::format("the {} cannot be drawn as a spline closer than {:.1e} mm; at most {:.0e} mm "
-                      "is allowed",
+          fmt::format("the {} cannot be drawn as a spline with a deviation of less than {:.1e} mm; "
+                      "at most {:.0e} mm is allowed",
                       face, deviation, kSectionMax_mm)};
 }
 
@@ -193,7 +193,8 @@ Result<BodyWalls> make_walls(const ToothedBody& body) {
   }
   const Extent extent = look_at(body.outline, space);
   if (extent.tooth_crossed) return not_a_body(body.outline.teeth, "the flanks of a tooth cross");
-  if (extent.space_crossed) return not_a_body(body.outline.teeth, "the flanks of a space cross");
+  if (extent.space_crossed)
+    return not_a_body(body.outline.teeth, "the flanks of a tooth space cross");
   std::optional<WallLoop> bore;
   if (body.bore || body.outline.teeth < 0) {
     auto made = make_bore(body, extent.inner, extent.outer);

@@ -15,8 +15,8 @@ std::optional<KeyFault> check_ranges(CompensateInput& c, const KeyGiven&) {
   for (std::size_t i = 0; i < kErrorCount; ++i) {
     if (!c.range[i] || ++count <= kMaxRanges) continue;
     return KeyFault{error_entries()[i].key,
-                    fmt::format("is one range too many; at most {} ranges are allowed, because "
-                                "every combination of their ends is computed",
+                    fmt::format("makes more than {} ranges, which is not allowed, because every "
+                                "combination of the ends of the ranges is computed",
                                 kMaxRanges)};
   }
   return std::nullopt;
@@ -34,40 +34,43 @@ const KeyTable& compensate_keys() {
   static const KeyTable table{
       "compensate",
       "Corrections that the verb compensate can make, and the errors that they must compensate",
-      {Key::word("corrections", correction_words(), &CompensateInput::corrections,
-                 "for circular-arc pairs `tool_setting_mm` and `cutter_lead1_deg`, for others "
-                 "`gear1.lead_slope_um` and `gear1.lead_crowning_um`",
-                 "`tool_setting_mm` (Δb_F of the rack F, at most 5 mm and a tenth of a module), "
-                 "`cutter_lead1_deg` and `cutter_lead2_deg` (within ±0.5), and for either gear "
-                 "`gear1.lead_slope_um` (±100), `gear1.lead_crowning_um` (0 to 50), "
-                 "`gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50), and "
-                 "`gear1.tip_relief_um`, `gear1.root_relief_um` and `gear1.end_relief_um` (0 to "
-                 "50) if the spec has such a relief. Each is added to the value in the spec")
+      {Key::word(
+           "corrections", correction_words(), &CompensateInput::corrections,
+           "for circular-arc pairs `tool_setting_mm` and `cutter_lead1_deg`, for others "
+           "`gear1.lead_slope_um` and `gear1.lead_crowning_um`",
+           "`tool_setting_mm` (Δb_F of the rack F, at most 5 mm and a tenth of a module), "
+           "`cutter_lead1_deg` and `cutter_lead2_deg` (within ±0.5), and for either gear "
+           "`gear1.lead_slope_um` (±100), `gear1.lead_crowning_um` (0 to 50), "
+           "`gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50), and "
+           "`gear1.tip_relief_um`, `gear1.root_relief_um` and `gear1.end_relief_um` (0 to 50) if "
+           "the spec has such a relief. Each correction is added to the value in the spec")
            .with_list(KeyList{.most = kCorrectionCount, .noun = "correction"})
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
        Key::word("aim", {"transmission_error", "loaded_transmission_error", "pressure"},
                  &CompensateInput::aim, "\"transmission_error\"",
                  "the quantity to minimise: the transmission error of rigid teeth with a central "
                  "pattern or, under the torques of `[load]`, the peak-to-peak transmission error "
-                 "of loaded teeth or the greatest pressure. Under load, the worst torque counts "
-                 "and `centering_arcsec` has no effect"),
+                 "of loaded teeth or the greatest pressure. Under load, the worst torque "
+                 "determines the result, and `centering_arcsec` has no effect"),
        Key::not_negative("centering_arcsec", "w", &CompensateInput::centering_arcsec,
                          "a tenth of the transmission error without corrections, at least 0.1; "
                          "corrections that increase this error by 0.01 or more are then excluded",
-                         "cost of a pattern at the very end of the face [T8.24], or for circular "
-                         "arcs, whose contact moves along the face, at the end of the profile. If "
-                         "the value is given, the transmission error may increase. If the total "
+                         "cost of a pattern at the very end of the face [T8.24], or at the end of "
+                         "the profile for circular arcs, whose contact moves along the face. If "
+                         "the key is given, the transmission error may increase. If the total "
                          "improvement is less than 0.001 arcsec, every correction is 0"),
        Key::part("range", compensate_range_keys,
                  KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),
-                 "up to five errors for which the corrections must work, each [least, greatest]")}};
+                 "ranges of up to five errors for which the corrections must work, each [least, "
+                 "greatest]")}};
   return table;
 }
 
 const KeyTable& compensate_range_keys() {
   static const KeyTable table = [] {
     KeyTable t{"compensate_range",
-               "Errors for which the corrections must work at every corner, each [least, greatest]",
+               "Ranges of errors, each [least, greatest]; the corrections must work at every "
+               "corner of the ranges",
                {},
                check_ranges};
     for (std::size_t i = 0; i < kErrorCount; ++i) {

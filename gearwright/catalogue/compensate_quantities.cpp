@@ -47,10 +47,10 @@ const Quantities<SettingAnswer>& angle_quantities() {
 const Quantities<SettingAnswer>& setting_quantities() {
   using S = SettingAnswer;
   static const Quantities<S> kAll("compensate.tool_setting", [](Quantities<S>& q) {
-    q.number("exact_mm", "change of the centre's place b, exact", "Δb_F",
-             "change that compensates ΔC [T8.20]", &S::exact)
+    q.number("exact_mm", "exact change of the position b of the arc centre", "Δb_F",
+             "change of b that compensates ΔC [T8.20]", &S::exact)
         .digits(6);
-    q.number("first_order_mm", "change of the centre's place b, to the first order", "Δb_F",
+    q.number("first_order_mm", "change of the position b of the arc centre, to first order", "Δb_F",
              "[T8.21]", &S::first_order)
         .digits(6);
     q.record<angle_quantities>(
@@ -92,7 +92,7 @@ const Quantities<AimedLoad>& load_quantities_of_aim() {
   static const Quantities<L> kAll("compensate.under_load", [](Quantities<L>& q) {
     q.term("torque_Nm", "on gear 1", [](const L& l) { return newton_metres(l.torque); }).always();
     q.record<loaded_score_quantities>("before", "without corrections", &L::before).always();
-    q.record<loaded_score_quantities>("after", "with them", &L::after).always();
+    q.record<loaded_score_quantities>("after", "with the corrections", &L::after).always();
   });
   return kAll;
 }
@@ -126,8 +126,8 @@ void say(Quantities<V>& q) {
       .list({0})
       .when(loaded)
       .doors(kJson);
-  q.flag("nothing_to_correct", "nothing to correct",
-         "true if no correction improves the result by 0.001 arcsec, so that each is 0",
+  q.flag("nothing_to_correct", "no correction needed",
+         "true if no correction improves the result by 0.001 arcsec, so that every correction is 0",
          &V::nothing_to_correct)
       .doors(kJson);
   q.number("centering_arcsec", "cost of a pattern at the end of the face", "w",
@@ -145,7 +145,7 @@ void say(Quantities<V>& q) {
                             "change of the lead for circular-arc pairs; null for involute pairs, "
                             "whose lead is corrected by slopes",
                             &V::lead);
-  q.add(Type::map, "spec", "spec", "", "the whole spec with the corrections", &V::spec)
+  q.add(Type::map, "spec", "spec", "", "the complete spec with the corrections", &V::spec)
       .always()
       .doors(kJson);
 }

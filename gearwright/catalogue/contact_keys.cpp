@@ -47,15 +47,15 @@ const KeyTable& contact_keys() {
       "Settings of the contact computation",
       {Key::number("positions", "", Range::between(4, 100'000), &ContactInput::positions, "64",
                    "positions per pitch of gear 1"),
-       Key::number(
-           "pitches", "", Range::between(1, 10'000), &ContactInput::pitches, "1",
-           "number of pitches, all equal to the first pitch; positions times pitches at most 10⁶"),
+       Key::number("pitches", "", Range::between(1, 10'000), &ContactInput::pitches, "1",
+                   "number of pitches, all equal to the first pitch; positions times pitches must "
+                   "be at most 10⁶"),
        Key::number("marking_mm", "δ", Range::above(0, 1, ", usually 0.003 to 0.01"),
                    &ContactInput::marking, "0.00635",
                    "thickness of the marking compound for ellipses and pattern"),
        Key::number("driver", "", Range::between(1, 2), &ContactInput::driver, "1",
-                   "gear that drives; if it is 2, the sense of rotation is the same and the "
-                   "non-working flanks touch"),
+                   "gear that drives; if gear 2 drives, the sense of rotation is the same and the "
+                   "trailing flanks touch"),
        Key::flag("pattern", &ContactInput::pattern, "false",
                  "if true, the result has the marking pattern of both flanks"),
        Key::number("rotation1_deg", "", Range::between(-1e6, 1e6), &ContactInput::rotations, "",
@@ -83,7 +83,7 @@ const KeyTable& contact_map_keys() {
                    "the least and the greatest value, in the unit of the key")
            .with_list(kErrorRange),
        Key::number("points", "", Range::between(2, 1000), &ContactMapInput::points, "[21, 21]",
-                   "numbers of values along x and y, including the ends")
+                   "numbers of values along x and along y, including the ends")
            .with_list(KeyList{2, 2})},
       check_map};
   return table;

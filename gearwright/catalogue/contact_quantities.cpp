@@ -37,8 +37,8 @@ const Quantities<ContactEllipse>& ellipse_quantities() {
   static const Quantities<E> kAll("contact.positions ellipse", [](Quantities<E>& q) {
     q.number("semi_major_mm", "semi-major axis", "", "null for line contact", &E::semi_major);
     q.number("semi_minor_mm", "semi-minor axis", "", "√(2δ/k2)", &E::semi_minor).always();
-    q.number("angle_deg", "major axis to the axis", "",
-             "angle about the normal, from the projection of axis 1 to the major axis", &E::angle)
+    q.number("angle_deg", "direction of the major axis", "",
+             "angle about the normal from the projection of axis 1 to the major axis", &E::angle)
         .always();
   });
   return kAll;
@@ -52,14 +52,15 @@ const Quantities<ContactRidge>& ridge_quantities() {
              "the curvature is the same on both sides", &R::along)
         .always();
     q.number("slope", "slopes of the gap", "",
-             "slopes away from the ridge: first towards the smaller diameter (for an end relief, "
-             "the smaller height), then the other way",
+             "slopes away from the ridge, first towards the smaller diameter (for an end relief, "
+             "towards the smaller height), then in the other direction",
              [](const R& r) {
                return ValueList{r.side[0].slope, r.side[1].slope};
              })
         .list({2})
         .always();
-    q.term("gap_curvature_per_mm", "curvatures of the gap on both sides, in the same order",
+    q.term("gap_curvature_per_mm",
+           "curvatures of the gap on both sides of the ridge, in the same order",
            [](const R& r) {
              return ValueList{Value(r.side[0].curvature), Value(r.side[1].curvature)};
            })
@@ -75,15 +76,15 @@ void say_position(Quantities<P>& q) {
   q.number("rotation2_deg", "rotation of gear 2", "φ_2", "position of gear 2 when gear 1 drives it",
            touching([](const P& p) { return p.rotation2.deg(); }));
   q.term("transmission_error_arcsec",
-         "rotation 2 minus |z1/z2| times rotation 1, whose mean is not removed; > 0 if gear 2 is "
+         "rotation 2 minus |z1/z2| times rotation 1, without removing the mean; > 0 if gear 2 is "
          "ahead [T8.2]",
          touching([](const P& p) { return p.te.arcsec(); }));
   q.whole("tooth", "tooth pair", "k",
-          "number of the touching pair, which reaches the centre line k pitches later",
+          "number k of the touching tooth pair, which reaches the centre line k pitches later",
           touching(&P::pair));
   q.term("kind",
-         "inside the flanks, along a line, or at an edge; `form1` and `form2` are the ends of the "
-         "usable flanks; `ridge` is the start of a linear relief",
+         "kind of contact: inside the flanks, along a line or at an edge; `form1` and `form2` are "
+         "the ends of the usable flanks at the roots, and `ridge` is the start of a linear relief",
          touching([](const P& p) { return to_string(p.kind); }))
       .one_of({"interior", "line", "tip1", "tip2", "face1", "face2", "form1", "form2", "ridge",
                "corner"});
@@ -94,11 +95,12 @@ void say_position(Quantities<P>& q) {
       .list({3});
   q.number("diameter_mm", "diameter of contact", "", "per gear", at_place(&P::diameter)).per_gear();
   q.number("height_mm", "height of contact", "z",
-           "per gear, from the middle of the face, of the face of a half for double-helical gears",
+           "per gear, from the middle of the face, or for double-helical gears from the middle of "
+           "the face of the half",
            at_place(&P::height))
       .per_gear();
   q.number("rack_angle_deg", "normal angle of the rack", "θ",
-           "for the rack that cut gear 1, at the point of contact; α_n on an involute",
+           "of the rack that cut gear 1, at the point of contact; equal to α_n on an involute",
            &P::rack_angle);
   q.term("gap_curvature_per_mm", "k1 ≤ k2 [T8.15]; 0 and k2 for a line, null at an edge or a ridge",
          &P::gap_curvature)
@@ -139,7 +141,7 @@ const Quantities<ContactResult>& non_working_quantities() {
         .doors(kJson);
     q.term("peak_to_peak_arcsec", "over the positions with contact", &R::peak_to_peak)
         .words("transmission error of the non-working flanks, peak to peak");
-    q.flag("contact_lost", "contact of the non-working flanks lost",
+    q.flag("contact_lost", "contact of the non-working flanks is lost",
            "at some position no tooth pair touches", &R::contact_lost)
         .doors(kJson);
   });
@@ -181,7 +183,7 @@ const Quantities<RasterView>& raster_quantities() {
        return r.raster->height;
      }).list({0});
     q.number("gap_mm", "gap", "",
-             "least normal gap over the mesh at each point; null at points that the mating gear "
+             "least normal gap during the mesh at each point; null at points that the mating gear "
              "never passes",
              [](const R& r) {
                ValueList rows;
@@ -197,7 +199,8 @@ const Quantities<RasterView>& raster_quantities() {
              })
         .list({0, 0});
     q.number("marked", "share marked", "",
-             "share of the flank on which the marking compound would show, 0 to 1", [](const R& r) {
+             "share of the flank on which the marking compound would appear, 0 to 1",
+             [](const R& r) {
                const auto& gap = r.raster->gap;
                const auto n =
                    std::count_if(gap.begin(), gap.end(), [&](double g) { return g <= r.marking; });
@@ -269,8 +272,8 @@ void say(Quantities<V>& q) {
            [](const V& v) { return v.working->mean_slope; })
       .doors(kJson);
   q.term("harmonics_arcsec",
-         "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and as many as "
-         "`positions` resolves [T8.18]; empty if `rotation1_deg` is given or contact is lost",
+         "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and at most as many as "
+         "`positions` can resolve [T8.18]; empty if `rotation1_deg` is given or contact is lost",
          [](const V& v) {
            ValueList list;
            for (const Angle h : v.working->harmonics) list.push_back(h.arcsec());
@@ -282,8 +285,7 @@ void say(Quantities<V>& q) {
   q.term("contact_lost", "at some position no tooth pair touches",
          [](const V& v) { return v.working->contact_lost; });
   q.record<non_working_quantities>(
-       "non_working_flank",
-       "transmission error of the flanks that do not drive, at the same positions",
+       "non_working_flank", "transmission error of the non-working flanks, at the same positions",
        [](const V& v) { return non_working_quantities().of(*v.non_working); })
       .always();
   q.number("least_play_deg", "minimum angular backlash of gear 2", "",
@@ -293,14 +295,14 @@ void say(Quantities<V>& q) {
       .digits(6);
   q.add(Type::map, "sensitivity", "sensitivities", "",
         "exact derivatives [T8.10] with respect to each error and each modification of the spec, "
-        "under names such as `center_distance_per_mm`. Each has two lists over the positions, "
-        "`transmission_error_arcsec` and `point_mm`. Both are null where no teeth touch, and "
-        "`point_mm` is also null for line contact",
+        "under names such as `center_distance_per_mm`. Each derivative has two lists over the "
+        "positions, `transmission_error_arcsec` and `point_mm`. Their values are null where no "
+        "teeth touch, and `point_mm` is also null for line contact",
         sensitivities)
       .when([](const V& v) { return v.halves.empty(); })
       .doors(kJson);
   q.number("axial_float_um", "axial movement of the floating gear", "Δz",
-           "movement of gear 1 along its axis relative to gear 2 at each position, with which the "
+           "movement of gear 1 along its axis relative to gear 2 at each position, by which the "
            "halves of a double-helical pair share the load; null without contact [T8.27]",
            [](const V& v) {
              ValueList list;
@@ -318,7 +320,7 @@ void say(Quantities<V>& q) {
   q.record<contact_quantities>(
        "halves",
        "contact of both halves of a double-helical pair, at z > 0 and at z < 0; the other numbers "
-       "are those of the whole gears, whose positions have no place of contact",
+       "are those of the whole gears, for which the positions contain no point of contact",
        [](const V& v) -> const auto& { return v.halves; })
       .list({2})
       .when([](const V& v) { return !v.halves.empty(); })

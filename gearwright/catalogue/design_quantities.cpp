@@ -45,17 +45,17 @@ Value objective(const V& v) {
 const Quantities<V>& region_quantities() {
   static const Quantities<V> kAll("search.designs region", [](Quantities<V>& q) {
     q.add(Type::map, "edges", "edges of the region", "",
-          "counter-clockwise, {constraint, points}; points (x1, x2): two for a straight edge, 25 "
-          "or more for a curve",
+          "counter-clockwise, each {constraint, points}; a straight edge has two points (x1, x2), "
+          "a curve 25 or more",
           [](const V& v) { return v.edges(); })
         .when([](const V& v) { return static_cast<bool>(v.edges); })
         .list({0});
-    q.number("lo", "middle of the slice of the least Σx", "", "[x1, x2]",
+    q.number("lo", "middle of the slice with the least Σx", "", "[x1, x2]",
              [](const V& v) { return v.row->lo; })
         .list({2})
         .always()
         .column("lo_x#");
-    q.number("hi", "middle of the slice of the greatest Σx", "", "[x1, x2]",
+    q.number("hi", "middle of the slice with the greatest Σx", "", "[x1, x2]",
              [](const V& v) { return v.row->hi; })
         .list({2})
         .always()
@@ -71,7 +71,7 @@ const Quantities<V>& region_quantities() {
 }
 
 void say_numbers(Quantities<V>& q) {
-  q.add(Type::index, "trial", "number of the trial", "", "counted in the order of the search",
+  q.add(Type::index, "trial", "number of the trial", "", "in the order of the search",
         [](const V& v) { return v.row->trial.index; })
       .always()
       .column("trial")
@@ -111,14 +111,14 @@ void say_place(Quantities<V>& q) {
       .column("x#")
       .digits(4);
   q.word("point", "place of the shifts",
-         "`eq11`: on the line of Eq. 11 and away from the borders of the region; `lo_hi`: in the "
-         "middle, if that line misses the region",
+         "`eq11` means on the line of Eq. 11 and away from the borders of the region; `lo_hi` "
+         "means in the middle of the region, if the line misses the region",
          [](const V& v) { return v.row->balanced ? "eq11" : "lo_hi"; })
       .one_of({"eq11", "lo_hi"})
       .always()
       .column("point")
       .greater_first();
-  q.term("center_distance_mm", "of the design, as mounted",
+  q.term("center_distance_mm", "centre distance of the design as mounted",
          [](const V& v) { return v.row->center_distance; })
       .always()
       .column("center_distance_mm");
@@ -134,7 +134,8 @@ void say_place(Quantities<V>& q) {
 
 void say_contact(Quantities<V>& q) {
   q.number("contact_ratio", "transverse contact ratio", "ε_α",
-           "by Eq. 10; for crossed axes AE/p_bn", [](const V& v) { return v.row->contact_ratio; })
+           "by Eq. 10, or for crossed axes AE/p_bn",
+           [](const V& v) { return v.row->contact_ratio; })
       .always()
       .column("contact_ratio")
       .greater_first()
@@ -161,7 +162,7 @@ void say_contact(Quantities<V>& q) {
       .when(is_parallel)
       .digits(kFewDigits);
   q.number("working_angle_deg", "working pressure angle", "",
-           "in the transverse section, or for crossed axes in the normal section", angle)
+           "transverse, or for crossed axes normal", angle)
       .always()
       .column("working_angle_deg")
       .doors(kColumns);
@@ -175,7 +176,7 @@ void say_limits(Quantities<V>& q) {
       .column("backlash_normal_mm");
   q.term("backlash_mm",
          "[least, greatest] at the ends of the tolerances; only for designs with thickness "
-         "allowances or a tolerance of the centre distance",
+         "allowances or with a tolerance of the centre distance",
          [](const V& v) { return Value(v.row->backlash_ends); })
       .ends()
       .column("backlash_#_mm")
@@ -199,21 +200,21 @@ void say_limits(Quantities<V>& q) {
       .column("tip_clearance#_mm")
       .greater_first()
       .digits(kFewDigits);
-  q.number(
-       "form_clearance_path_mm", "form clearance along the line of action", "",
-       "distance of the mating tip from the start of the flank, for gear 1 and gear 2; negative "
-       "for interference; null for an internal gear, whose flank end depends on its cutter",
-       [](const V& v) { return v.row->form_clearance; })
+  q.number("form_clearance_path_mm", "form clearance along the line of action", "",
+           "distance of the tip of the mating gear from the start of the flank of gear 1 and of "
+           "gear 2; negative for interference; null for an internal gear, because the start of its "
+           "flank depends on the cutter",
+           [](const V& v) { return v.row->form_clearance; })
       .per_gear()
       .column("form_clearance_path#_mm")
       .doors(kJson);
   q.number("tip_alteration_mm", "tip alteration", "k m_n",
-           "applied value; 0 without `shorten_tips`",
+           "applied tip alteration; 0 without `shorten_tips`",
            [](const V& v) { return v.row->tip_alteration; })
       .always()
       .column("tip_alteration_mm")
       .shown([](const V& v) { return v.row->tip_alteration != 0.0; });
-  q.record<two_gears>("specific_sliding", "[at A, at E], as for a pair",
+  q.record<two_gears>("specific_sliding", "[at A, at E], as in `pair`",
                       [](const V& v) {
                         return two_gears().of({v.row->sliding[0], v.row->sliding[1]});
                       })
@@ -235,7 +236,8 @@ void say_limits(Quantities<V>& q) {
       .doors(kPage)
       .expected([](const V&) { return true; })
       .digits(kFewDigits);
-  q.flag("interference", "interference", "true if a tip passes the start of the mating flank",
+  q.flag("interference", "interference",
+         "true if a tip passes the start of the flank of the mating gear",
          [](const V& v) { return v.row->interference; })
       .column("interference")
       .shown([](const V& v) { return v.row->interference; });
@@ -266,9 +268,9 @@ void say_strength(Quantities<V>& q) {
       .when(wide)
       .digits(kFewDigits);
   q.number("mass_kg", "mass of both gears", "m",
-           "mass of full cylinders of the mean diameter (d_a + d_f)/2, or for an internal gear of "
-           "the ring from there to 2.5 m_n outside its root; only for a rated search or with "
-           "`objective` = `mass`",
+           "mass of full cylinders of the mean diameter (d_a + d_f)/2, or for an internal gear "
+           "mass of the ring from the mean diameter to 2.5 m_n outside its root; only for a rated "
+           "search or with `objective` = `mass`",
            [](const V& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
       .column("mass_kg")
       .when(weighed)

@@ -39,7 +39,7 @@ const KeyTable& drawing_keys() {
            .with_also({"drawing_number", "no", "part_number"}),
        Key::text("author", &D::author, "", "name of the author"),
        Key::text("date", &D::date, "",
-                 "date in any form, in quotes; it is never filled in automatically"),
+                 "date in any form, in quotes; the program never fills in a date"),
        Key::text("material", &D::material, "", "material, in words"),
        Key::text("heat_treatment", &D::heat_treatment, "",
                  "heat treatment, with hardness and depth")
@@ -50,11 +50,12 @@ const KeyTable& drawing_keys() {
        Key::text("edges", &D::edges, "", "edges of undefined shape by ISO 13715"),
        Key::text("general_tolerances", &D::general_tolerances, "",
                  "tolerances of dimensions without a tolerance, by ISO 22081 or ISO 2768"),
-       Key::text("bore_fit", &D::bore_fit, "no limits",
-                 "fit of the bore by ISO 286, H1 to H12; the drawing has its limits")
+       Key::text(
+           "bore_fit", &D::bore_fit, "no limits",
+           "fit of the bore by ISO 286, H1 to H12; the drawing shows the limits of the diameter")
            .with_form("a fit such as \"H7\""),
        Key::text("keyway_fit", &D::keyway_fit, "no limits",
-                 "fit of the width of the keyway by DIN 6885, JS9, N9 or P9; the drawing has the "
+                 "fit of the width of the keyway by DIN 6885, JS9, N9 or P9; the drawing shows the "
                  "limits of width and depth")
            .with_form("a fit such as \"JS9\""),
        Key::text("note", &D::note, "", "additional notes for the workshop")

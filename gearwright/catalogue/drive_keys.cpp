@@ -44,7 +44,9 @@ Key member(SetMember which, std::string_view meaning, bool ring = false) {
       meaning);
 }
 
-Key fixed_key() { return formed("fixed", "", kBodies, "the ring", "body or bodies that are held"); }
+Key fixed_key() {
+  return formed("fixed", "", kBodies, "the ring", "fixed body or list of fixed bodies");
+}
 Key speed_key() {
   return formed("speed_rpm", "n", "a number, or a list in the order of the inputs", "",
                 "speed of the input");
@@ -56,11 +58,11 @@ Key torque_key() {
 
 template <class Member>
 Key spacing_key(Member place, std::string_view fallback = "\"nearest\"") {
-  return Key::word(
-      "spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
-      "spacing of the planets. `nearest`: at equal pitch if they can be assembled, otherwise at "
-      "the nearest possible places; `equal`: at equal pitch, or an error; `equal_clocked`: at "
-      "equal pitch with clocked planets; `opposite`: in opposite pairs");
+  return Key::word("spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
+                   "spacing of the planets. `nearest` means at equal pitch if the planets can be "
+                   "assembled so, otherwise at the nearest possible places; `equal` means at equal "
+                   "pitch, or an error; `equal_clocked` means at equal pitch with clocked planets; "
+                   "`opposite` means in opposite pairs");
 }
 
 }  // namespace
@@ -92,28 +94,29 @@ const KeyTable& planetary_keys() {
               "face width; a planet that meshes with two rings or two suns is twice as wide plus a "
               "gap"),
        formed("tip_diameter_mm", "d_a", kMembers,
-              "from the basic rack, with its clearance; for a ring, with clearance to the flanks "
-              "of its planets",
+              "tip diameter of the basic rack with its clearance; for a ring, a diameter with "
+              "clearance to the flanks of its planets",
               "tip diameter"),
        formed("center_distance_mm", "a", kMeshes, "backlash-free distance of the first mesh",
               "centre distance"),
-       formed("mesh_efficiency", "η", kMeshes, "from `friction_coefficient` and the teeth",
+       formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
               "efficiency of the meshes with the carrier at rest, from 0 to 1"),
        Key::not_negative("friction_coefficient", "μ", &P::friction, "0.05",
                          "coefficient of friction of the flanks"),
        fixed_key(),
-       formed("input", "", kBodies, "the sun", "body or bodies that drive"),
+       formed("input", "", kBodies, "the sun", "driving body or list of driving bodies"),
        Key::text("output", &P::output, "the carrier", "body that is driven"),
        speed_key(),
        torque_key(),
        spacing_key(&P::spacing),
        Key::number(
-           "positions_deg", "", {}, &P::positions_deg, "by `spacing`",
+           "positions_deg", "", {}, &P::positions_deg, "determined by `spacing`",
            "places of the planets around the carrier, counter-clockwise from the first planet")
            .with_list({1, 1000}),
-       formed("material", "",
-              "a name, a table as [gear1.material], or a table of such tables by member",
-              "material of `[rating]`", "material of the teeth")}};
+       formed(
+           "material", "",
+           "a name, a table with the keys of [gear1.material], or a table of such tables by member",
+           "material of `[rating]`", "material of the teeth")}};
   return table;
 }
 
@@ -121,8 +124,10 @@ const KeyTable& stage_keys() {
   static const KeyTable table{
       "stage",
       "A stage of a train, from the input to the output: a pair of gears or a set",
-      {formed("teeth", "z", "two numbers, negative for a ring", "", "numbers of teeth of a pair"),
-       formed("gears", "", "two tables as [gear1]", "", "the two gears with their own keys"),
+      {formed("teeth", "z", "two numbers, the second negative for a ring", "",
+              "numbers of teeth of a pair"),
+       formed("gears", "", "two tables with the keys of [gear1]", "",
+              "the two gears of a pair, each with its own keys"),
        Key::part("planetary", planetary_keys, {}, "a planetary set")
            .with_excludes({"teeth", "gears"}),
        Key::number("normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), {}, "no geometry",
@@ -137,13 +142,13 @@ const KeyTable& stage_keys() {
               "profile shifts"),
        formed("thickness_allowance_mm", "E_sn", "a number, or a list of two", "0",
               "thickness allowances"),
-       formed("mesh_efficiency", "η", kMeshes, "from `friction_coefficient` and the teeth",
+       formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
               "efficiency of the mesh, from 0 to 1"),
        Key::not_negative("friction_coefficient", "μ", {}, "0.05",
                          "coefficient of friction of the flanks"),
        speed_key(), torque_key(),
-       formed("material", "", "a name, or a table as [gear1.material]", "material of `[rating]`",
-              "material of the teeth of both gears")}};
+       formed("material", "", "a name, or a table with the keys of [gear1.material]",
+              "material of `[rating]`", "material of the teeth of both gears")}};
   return table;
 }
 
@@ -167,7 +172,7 @@ const KeyTable& drive_keys() {
       "drive",
       "A drive as a graph of bodies, gears and meshes; the other forms are translated into this "
       "form",
-      {fixed_key(), formed("input", "", kBodies, "", "body or bodies that drive"),
+      {fixed_key(), formed("input", "", kBodies, "", "driving body or list of driving bodies"),
        formed("output", "", "a body", "", "body that is driven"), speed_key(), torque_key(),
        spacing_key(&DriveGraph::spacing),
        Key::not_negative("friction_coefficient", "μ", &DriveGraph::friction, "0.05",
@@ -186,10 +191,10 @@ const KeyTable& drive_body_keys() {
        formed("rides_on", "", "a body", "the housing", "carrier on which the planet is mounted"),
        Key::number("count", "N", KeyRange::between(1, 1000), &DriveBody::count, "1",
                    "number of copies of a planet"),
-       Key::number("positions_deg", "", {}, &DriveBody::positions_deg, "by `spacing`",
-                   "places of the copies around the carrier")
+       Key::number("positions_deg", "", {}, &DriveBody::positions_deg, "determined by `spacing`",
+                   "places of the copies around the carrier, counter-clockwise from the first copy")
            .with_list({1, 1000}),
-       spacing_key(&DriveBody::spacing, "as for the drive")}};
+       spacing_key(&DriveBody::spacing, "the value for the whole drive")}};
   return table;
 }
 
@@ -205,7 +210,7 @@ const KeyTable& drive_gear_keys() {
                      "required, unless `form` is `\"rack\"`",
                      "number of teeth, negative for a ring"),
          Key::word("form", {"gear", "rack"}, KeyPlace::unused(), "\"gear\"",
-                   "if `\"rack\"`, the gear is a rack, whose body moves"),
+                   "`\"rack\"` makes the gear a rack, whose body moves along a line"),
          Key::positive("height_mm", "", KeyPlace::unused(), "no mounting distance",
                        "height of a rack from its back to its datum line")
              .with_also({"height", "back"})}};
@@ -221,17 +226,19 @@ const KeyTable& drive_mesh_keys() {
       "drive_mesh",
       "A mesh of the graph",
       {formed("gears", "", "two gears", kRequired, "names of the gears that mesh"),
-       Key::text("name", &DriveMesh::name, "the names of the gears, a_b", "name of the mesh"),
+       Key::text("name", &DriveMesh::name, "the names of the two gears, joined by _",
+                 "name of the mesh"),
        Key::positive("center_distance_mm", "a", &DriveMesh::center_distance,
                      "backlash-free distance", "centre distance"),
        Key::number("efficiency", "η", KeyRange::above(0, 1), &DriveMesh::efficiency,
-                   "from `friction_coefficient` and the teeth",
-                   "efficiency with the frame at rest"),
-       Key::not_negative("friction_coefficient", "μ", &DriveMesh::friction, "as for the drive",
-                         "coefficient of friction of the flanks"),
-       Key::number("angle_deg", "", KeyRange::between(-360, 360), &DriveMesh::direction, "0",
-                   "direction from the axis of the first gear to the axis of the second gear, "
-                   "counter-clockwise; not for planets, whose places determine the direction")}};
+                   "computed from `friction_coefficient` and the teeth",
+                   "efficiency of the mesh with the frame at rest"),
+       Key::not_negative("friction_coefficient", "μ", &DriveMesh::friction,
+                         "the value for the whole drive", "coefficient of friction of the flanks"),
+       Key::number(
+           "angle_deg", "", KeyRange::between(-360, 360), &DriveMesh::direction, "0",
+           "direction from the axis of the first gear to the axis of the second gear, "
+           "counter-clockwise; not allowed for planets, whose places determine the direction")}};
   return table;
 }
 

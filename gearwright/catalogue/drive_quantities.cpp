@@ -81,7 +81,8 @@ const Quantities<DriveError>& drive_error_quantities() {
   using E = DriveError;
   static const Quantities<E> kAll("drive.transmission_error", [](Quantities<E>& q) {
     q.number("output_arcsec_peak_to_peak", "transmission error of the output", "",
-             "greatest value minus least value; for several mesh frequencies their sum [T13.21]",
+             "greatest value minus least value; for several mesh frequencies the sum of these "
+             "differences [T13.21]",
              [](const E& e) { return Value(Angle::radians(e.peak_to_peak).arcsec()); })
         .unit(Unit::arcsec)
         .always();
@@ -98,8 +99,8 @@ const Quantities<DriveError>& drive_error_quantities() {
 const Quantities<Resultant>& resultant_quantities() {
   using R = Resultant;
   static const Quantities<R> kAll("drive.phasing.resultant", [](Quantities<R>& q) {
-    q.number("torque", "torque and axial force", "R_k", "remaining share of harmonic k [T13.18]",
-             &R::torque)
+    q.number("torque", "torque and axial force", "R_k",
+             "remaining share of harmonic k in the sum over all planets [T13.18]", &R::torque)
         .always();
     q.number("force_forward", "transverse force with the sun", "F_k^+", "[T13.18]",
              &R::force_forward)
@@ -157,7 +158,7 @@ void say_motion(Quantities<Drive>& q) {
      return d.motion.freedom;
    }).always();
   q.whole("period_input_turns", "period", "",
-          "turns of the input after which all bodies are in their initial positions [T13.5]",
+          "turns of the input after which all bodies are again in their initial positions [T13.5]",
           [](const Drive& d) -> Value {
             if (!d.motion.period) return {};
             const auto turns = d.motion.period->numerator();
@@ -167,10 +168,12 @@ void say_motion(Quantities<Drive>& q) {
 
 void say_power(Quantities<Drive>& q) {
   q.under(kPower);
-  q.term("efficiency",
-         "for losses of the teeth, with the input driving; 0 if the drive locks itself [T13.9]",
-         [](const Drive& d) { return efficiency_of(d.flow); });
-  q.number("efficiency_backward", "efficiency, output driving", "η", "0 if the drive locks itself",
+  q.term(
+      "efficiency",
+      "with the losses of the teeth and the input driving; 0 if the drive is self-locking [T13.9]",
+      [](const Drive& d) { return efficiency_of(d.flow); });
+  q.number("efficiency_backward", "efficiency, output driving", "η",
+           "0 if the drive is self-locking",
            [](const Drive& d) { return efficiency_of(d.backward); });
   q.add(Type::flag, "self_locking", "self-locking", "", "true if the input cannot drive the output",
         [](const Drive& d) { return locks(d.flow); });
@@ -178,7 +181,7 @@ void say_power(Quantities<Drive>& q) {
         "true if the output cannot drive the input",
         [](const Drive& d) { return locks(d.backward); });
   q.add(Type::flag, "circulating", "circulating power", "",
-        "true if a branch carries more power than enters at the inputs",
+        "true if a branch carries more power than the inputs supply",
         [](const Drive& d) { return flows(d) ? Value(d.flow->circulating) : Value(); });
 }
 
@@ -217,8 +220,8 @@ void say(Quantities<Drive>& q) {
   q.record<drive_error_quantities>(
       "transmission_error",
       "rotation error of the output while the input rotates uniformly; 0 if there are no "
-      "modifications and no [errors]; null with several inputs, without geometry, and if contact "
-      "is lost",
+      "modifications and no [errors]; null with several inputs, without geometry, or if contact is "
+      "lost",
       &Drive::error);
   q.record<drive_load_quantities>(
        "load", "the drive under load; only with `[load]`",
@@ -226,7 +229,7 @@ void say(Quantities<Drive>& q) {
       .when([](const Drive& d) { return d.loaded.has_value(); })
       .doors(kJson);
   q.record<drive_quantities>(
-       "stages", "the stages of a train, each as a drive of its own; null for other drives",
+       "stages", "the stages of a train, each as a separate drive; null for other drives",
        [](const Drive& d) {
          return d.stages.empty() ? Value() : Value(drive_quantities().each(d.stages));
        })
@@ -254,7 +257,7 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
   using V = DriveBodyView;
   static const Quantities<V> kAll("drive.body", [](Quantities<V>& q) {
     q.number("speed_ratio", "speed ratio", "",
-             "absolute speed per turn of the first input; of a rack in pitches",
+             "absolute speed per turn of the first input; for a rack in pitches per turn",
              [](const V& v) { return v.drive->speed_ratio(v.body); });
     q.whole("speed_ratio_exact", "exact speed ratio", "", "[p, q]; null with several inputs",
             [](const V& v) -> Value {
@@ -263,18 +266,18 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
             })
         .list({2})
         .doors(kJson);
-    q.number("relative_speed_ratio", "speed ratio to the frame", "",
-             "speed minus the speed of the carrier in whose frame the body meshes",
+    q.number("relative_speed_ratio", "speed ratio relative to the frame", "",
+             "speed of the body minus the speed of the carrier in whose frame the body meshes",
              [](const V& v) { return v.drive->relative_speed_ratio(v.body); });
     const auto turns = [](const V& v) { return !v.drive->graph.moves(v.body); };
-    q.term("speed_rpm", "absolute; null for a rack", [turns](const V& v) -> Value {
+    q.term("speed_rpm", "absolute speed; null for a rack", [turns](const V& v) -> Value {
       return turns(v) ? Value(v.drive->speed_rpm(v.body)) : Value();
     });
     q.number("speed_m_per_s", "speed of the rack", "v",
-             "for the module of its pinion; null for a body that turns",
+             "computed with the module of its pinion; null for a body that turns",
              [](const V& v) { return v.drive->linear_speed(v.body); });
     q.number("torque_ratio", "torque ratio", "",
-             "external torque per torque of the first input; of a rack F p_t/2π", [](const V& v) {
+             "external torque per torque of the first input; for a rack F p_t/2π", [](const V& v) {
                return flows(*v.drive) ? Value(v.drive->flow->torque[v.body]) : Value();
              });
     q.number("torque_Nm", "external torque", "T", "null for a rack", [turns](const V& v) -> Value {
@@ -283,7 +286,7 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
     });
     q.number("force_N", "external force on the rack", "F", "null for a body that turns",
              [](const V& v) { return v.drive->force(v.body); });
-    q.term("power_kW", "> 0 flows into the drive", [](const V& v) -> Value {
+    q.term("power_kW", "> 0 if the power flows into the drive", [](const V& v) -> Value {
       const auto n = v.drive->speed_rpm(v.body);
       if (!flows(*v.drive) || !v.drive->graph.torque_Nm || !n) return {};
       return v.drive->flow->torque[v.body] * *v.drive->graph.torque_Nm * *n * 2 * std::numbers::pi /
@@ -310,20 +313,22 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
       if (!teeth || !n) return {};
       return *teeth * std::abs(*n) / 60.0;
     });
-    q.term("efficiency", "with the frame at rest", [](const V& v) -> Value {
+    q.term("efficiency", "efficiency with the frame at rest", [](const V& v) -> Value {
       const auto& eta = v.drive->efficiencies[v.mesh];
       if (!eta) return {};
       const bool second = flows(*v.drive) && v.drive->flow->driver[v.mesh] == 1;
       return second ? eta->second_drives : eta->first_drives;
     });
-    q.text("driver", "the gear that drives the other in the frame; null if the mesh is idle",
+    q.text("driver",
+           "the gear that drives the other gear in the frame of the mesh; null if the mesh carries "
+           "no power",
            [](const V& v) -> Value {
              if (!flows(*v.drive) || v.drive->flow->driver[v.mesh] < 0) return {};
              const DriveMesh& mesh = v.drive->graph.meshes[v.mesh];
              return v.drive->graph.gear(mesh, v.drive->flow->driver[v.mesh]).name;
            });
-    q.number("power_ratio", "rolling power", "", "P_m/P_in in the frame, at the driving gear",
-             [](const V& v) -> Value {
+    q.number("power_ratio", "rolling power", "",
+             "P_m/P_in in the frame of the mesh, at the driving gear", [](const V& v) -> Value {
                if (!flows(*v.drive) || !(v.drive->flow->power_in > 0.0)) return {};
                return v.drive->flow->mesh_power[v.mesh] / v.drive->flow->power_in;
              });
@@ -335,7 +340,7 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
         .doors(kJson);
     q.record<rating_quantities>("rating",
                                 "strength by ISO 6336 of one of the copies; only with the verb "
-                                "rate; null for an idle mesh",
+                                "rate; null for a mesh without power",
                                 rating_of)
         .when([](const V& v) { return !v.drive->ratings.empty(); })
         .doors(kJson);
@@ -347,8 +352,8 @@ const Quantities<PlanetSet>& assembly_quantities() {
   using P = PlanetSet;
   static const Quantities<P> kAll("drive.assembly", [](Quantities<P>& q) {
     q.whole("positions", "places per turn", "N*",
-            "number of places at which a planet can be assembled; 0 if every place is possible "
-            "[T13.12]",
+            "number of places in a turn at which a planet can be assembled; 0 if every place is "
+            "possible [T13.12]",
             [](const P& p) { return p.assembly.places; })
         .always();
     q.flag("equal", "equal pitch", "true if the planets are at equal pitch",
@@ -363,7 +368,8 @@ const Quantities<PlanetSet>& assembly_quantities() {
         .list({0, 2})
         .doors(kJson);
     q.number("clocking_deg", "clocking", "δ",
-             "rotation of the second gear of each stepped planet; null if all are equal [T13.14]",
+             "rotation of the second gear of each stepped planet; null if all stepped planets are "
+             "equal [T13.14]",
              [](const P& p) {
                return p.assembly.clocking.empty() ? Value() : each(p.assembly.clocking, degrees_of);
              })
@@ -385,13 +391,13 @@ const Quantities<PlanetSet>& phasing_quantities() {
         .always()
         .one_of({"in_phase", "sequential", "counter", "mixed"});
     q.number("sun_phase", "phases of the sun's meshes", "γ",
-             "phase of each mesh after the first mesh, in periods [T13.16]",
+             "phase by which each mesh follows the first mesh, in periods [T13.16]",
              [](const P& p) { return phases(p.sun_phases); })
         .list({0});
     q.number("ring_phase", "phases of the ring's meshes", "γ", "as for the sun", [](const P& p) {
        return phases(p.ring_phases);
      }).list({0});
-    q.number("sun_ring_phase", "phase of the ring against the sun", "γ_rs",
+    q.number("sun_ring_phase", "phase of the ring relative to the sun", "γ_rs",
              "for one planet [T13.17]", &P::sun_ring_phase);
     q.record<resultant_quantities>(
          "resultants", "remaining share of harmonics 1, 2, … [T13.18]",

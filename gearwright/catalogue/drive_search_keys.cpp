@@ -11,7 +11,7 @@ using Problem = DriveSearchProblem;
 
 constexpr ListOrder kDriveBandOrder{
     .sentence =
-        "is an empty band, because nothing lies between {} and {}; write the least value first"};
+        "is an empty band, because no number lies between {} and {}; write the least value first"};
 constexpr KeyList kDriveBand{.most = 2, .single = true, .order = kDriveBandOrder};
 
 Key band(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
@@ -54,21 +54,22 @@ const KeyTable& drive_search_keys() {
       "The input of a search for drives",
       {Key::word("kind", {kDriveKindNames.begin(), kDriveKindNames.end()}, &Problem::kind,
                  kRequired,
-                 "sun, planet and ring; stepped planets with `sun` and `ring2`; two rings, and "
-                 "with `sun_teeth` also a sun; two suns; or a train of pairs"),
+                 "kind of the drive: sun, planet and ring; stepped planets with `sun` and `ring2`; "
+                 "two rings, and with `sun_teeth` also a sun; two suns; or a train of pairs"),
        Key::number("ratio", "i", {}, &Problem::ratio, kRequired,
-                   "n_in/n_out, signed, as a closed band")
+                   "signed ratio n_in/n_out, as a closed band")
            .with_list(kDriveBand)
            .with_form("a number, or a band [least, greatest]"),
-       Key::number("target_ratio", "", {}, &Problem::target_ratio, "the middle of the band",
+       Key::number("target_ratio", "", {}, &Problem::target_ratio, "the middle of the band `ratio`",
                    "target of the objective `ratio`"),
        band("planets", "N", KeyRange::between(1, 100), &Problem::planets, "3", "number of planets"),
-       teeth("sun_teeth", SetMember::sun, "12 to 60; for a Wolfrom set no sun",
+       teeth("sun_teeth", SetMember::sun, "12 to 60; no sun for a Wolfrom set",
              "number of teeth of the sun"),
        teeth("sun2_teeth", SetMember::sun2, "12 to 60", "number of teeth of the second sun"),
        teeth("planet_teeth", SetMember::planet, "12 to 60", "number of teeth of the planet"),
        teeth("planet2_teeth", SetMember::planet2,
-             "12 to 60; for a Wolfrom set none, so that one planet gear meshes with both rings",
+             "12 to 60; no second gear for a Wolfrom set, so that one planet gear meshes with both "
+             "rings",
              "number of teeth of the second gear of the planet"),
        teeth("ring_teeth", SetMember::ring, "30 to 150",
              "number of teeth of the ring, without sign"),
@@ -80,16 +81,17 @@ const KeyTable& drive_search_keys() {
        band("wheel_teeth", "z", KeyRange::between(1, kMostDriveTeeth), &Problem::wheel, "17 to 150",
             "numbers of teeth of the wheels of a train"),
        Key::number("coaxial_teeth", "", KeyRange::between(0, 100), &Problem::coaxial_teeth,
-                   "1; for two rings on one planet gear `planets`; for a train unlimited",
-                   "greatest difference of the sums of teeth of meshes on one circle, for example "
-                   "between |z_r| and z_s + 2 z_p; profile shifts compensate for it"),
+                   "1, or `planets` for two rings on one planet gear, or no limit for a train",
+                   "greatest difference between the sums of teeth of meshes with a common centre "
+                   "distance, for example between |z_r| and z_s + 2 z_p; profile shifts compensate "
+                   "for this difference"),
        Key::number("neighbour_clearance_min", "c", KeyRange::between(-10, 1000),
                    &Problem::neighbour_clearance, "1",
                    "least clearance between the tip circles of neighbouring planets, in modules"),
        Key::word("phasing", {"in_phase", "sequential", "counter", "mixed"}, &Problem::phasing,
                  "all",
-                 "allowed classes of phasing; `sequential` and `counter` have no torque ripple at "
-                 "the mesh frequency")
+                 "allowed classes of phasing; with `sequential` and `counter` there is no torque "
+                 "ripple at the mesh frequency")
            .with_list({.least = 1, .most = 4, .single = true, .noun = "class"}),
        Key::word("objective", {kDriveObjectiveNames.begin(), kDriveObjectiveNames.end()},
                  &Problem::objectives, "\"efficiency\"",
@@ -106,12 +108,12 @@ const KeyTable& drive_search_keys() {
        of_set("output"),
        Key::number("normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), &Problem::modules,
                    "no geometry; sizes are in modules",
-                   "normal module of all meshes; if there are several modules, every set is tried "
-                   "with each of them")
+                   "normal module of all meshes; if several modules are given, every set is tried "
+                   "with each module")
            .with_list({.least = 1, .most = 100, .single = true, .order = {.strict = true}}),
        Key::positive("size_max_mm", "", &Problem::size_max, "no limit",
                      "greatest overall diameter, or for a train the greatest sum of the centre "
-                     "distances, both without profile shifts"),
+                     "distances, in both cases without profile shifts"),
        of_set("normal_pressure_angle_deg"),
        of_set("helix_angle_deg"),
        of_set("profile_shift"),
@@ -121,11 +123,11 @@ const KeyTable& drive_search_keys() {
            "face_width_diameters_max", "b/d", &Problem::face_diameters, "1.2",
            "greatest face width within a band, in reference diameters of the smallest gear"),
        Key::positive("safety_flank_min", "S_Hmin", &Problem::safety_flank,
-                     "as in `[rating]`, otherwise 1",
+                     "value of `[rating]`, otherwise 1",
                      "least safety against pitting of every mesh; designs are rated if this key, "
                      "`safety_root_min` or a table `[rating]` is given"),
        Key::positive("safety_root_min", "S_Fmin", &Problem::safety_root,
-                     "as in `[rating]`, otherwise 1",
+                     "value of `[rating]`, otherwise 1",
                      "least safety against root breakage of every mesh"),
        of_set("mesh_efficiency"),
        of_set("friction_coefficient"),

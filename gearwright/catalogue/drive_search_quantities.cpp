@@ -42,7 +42,8 @@ Value stages_of(const F& f) {
 }
 
 void say_found(Quantities<F>& q) {
-  q.add(Type::map, "teeth", "numbers of teeth", "z", "by member; null for a train", teeth_of)
+  q.add(Type::map, "teeth", "numbers of teeth", "z", "numbers of teeth by member; null for a train",
+        teeth_of)
       .doors(kJson);
   q.whole("stages", "numbers of teeth of the stages", "z", "[z1, z2] of each stage; null for a set",
           stages_of)
@@ -58,16 +59,17 @@ void say_found(Quantities<F>& q) {
           [](const F& f) { return of_drive(f, "ratio_exact"); })
       .list({2})
       .doors(kJson);
-  q.number("efficiency", "efficiency", "η", "with the input driving",
+  q.number("efficiency", "efficiency", "η", "efficiency with the input driving",
            [](const F& f) { return of_drive(f, "efficiency"); });
-  q.number("efficiency_backward", "efficiency, output driving", "η", "0 if the drive locks itself",
+  q.number("efficiency_backward", "efficiency, output driving", "η",
+           "0 if the drive is self-locking",
            [](const F& f) { return of_drive(f, "efficiency_backward"); });
   q.number("size_mm", "size", "",
            "diameter over planets and rings without profile shifts; for a train the sum of the "
            "centre distances",
            [](const F& f) { return Value(f.candidate.size); })
       .always();
-  q.number("center_distance_mm", "centre distance", "a", "for the meshes of the set",
+  q.number("center_distance_mm", "centre distance", "a", "centre distance of the meshes of the set",
            [](const F& f) { return of_drive(f, "center_distance_mm"); });
   q.whole("positions", "places per turn", "N*",
           "number of places at which a planet can be assembled",
@@ -115,17 +117,17 @@ void say_search(Quantities<DriveSearchView>& q) {
         [](const S& s) { return Value(static_cast<long long>(s.result->found.size())); })
       .always();
   q.add(Type::map, "rejected", "rejected", "",
-        "number of sets that each limit ruled out; the first limit counts, in the order `ratio`, "
-        "`assembly`, `neighbours`, `phasing`",
+        "number of sets that each limit ruled out; a set counts for the first limit that rules it "
+        "out, in the order `ratio`, `assembly`, `neighbours`, `phasing`",
         [](const S& s) { return counts(kDriveLimitNames, s.result->rejected); })
       .always()
       .doors(kJson);
   q.add(Type::index, "computed", "computed", "",
-        "number of feasible sets whose teeth were computed; the search computes the best sets "
-        "first, until it can list enough of them",
+        "number of feasible sets whose teeth were computed; the best sets are computed first, "
+        "until the list is long enough",
         [](const S& s) { return Value(static_cast<long long>(s.designs->computed)); })
       .always();
-  q.add(Type::map, "left_out", "left out", "",
+  q.add(Type::map, "left_out", "not listed", "",
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "
         "mounted), `neighbours` (planets too close with their profile shifts), `safety`, `verdict` "
         "(amber or red)",
@@ -142,8 +144,8 @@ void say_search(Quantities<DriveSearchView>& q) {
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",
-       "best first, at most the number of `--top`; all have a green verdict, and their numbers are "
-       "those of the verb drive",
+       "drives in order, the best first, at most the number of `--top`; all have a green verdict, "
+       "and their numbers are those of the verb drive",
        [](const S& s) { return Value(found_drive_quantities().each(s.designs->list)); })
       .list({0})
       .always()

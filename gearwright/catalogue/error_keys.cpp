@@ -26,20 +26,21 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
   using E = ContactErrors;
   static const std::array<ErrorEntry, kErrorCount> entries{{
       {"center_distance_mm", "ΔC", "centre distance", ErrorKind::center_distance, 0,
-       [](E& e, const Gears&, double v) { e.center_distance = v; }, "axis 2 is at a + ΔC"},
+       [](E& e, const Gears&, double v) { e.center_distance = v; },
+       "error of the centre distance; axis 2 is at a + ΔC"},
       {"crossing_deg", "Δγ", "out-of-plane shaft deviation", ErrorKind::crossing, 0,
        [](E& e, const Gears&, double v) { e.crossing = Angle::degrees(v); },
-       "f_Σβ as an angle: axis 1 turns about the centre line and the shaft angle increases by this "
-       "angle; > 0 towards +y"},
+       "f_Σβ as an angle by which axis 1 turns about the centre line and the shaft angle "
+       "increases; > 0 towards +y"},
       {"intersecting_deg", "Δδ", "in-plane shaft deviation", ErrorKind::intersecting, 0,
        [](E& e, const Gears&, double v) { e.intersecting = Angle::degrees(v); },
-       "f_Σδ as an angle: axis 1 tilts in the plane of the axes; > 0 towards +x, that is towards "
-       "gear 2"},
-      {"axial_mm", "Δz", "axial place of gear 1", ErrorKind::axial, 0,
+       "f_Σδ as an angle by which axis 1 tilts in the plane of the axes; > 0 towards +x, that is "
+       "towards gear 2"},
+      {"axial_mm", "Δz", "axial position of gear 1", ErrorKind::axial, 0,
        [](E& e, const Gears&, double v) { e.axial = v; }, "gear 1 moves along +z"},
       {"helix_slope1_um", "f_Hβ1", "helix slope of gear 1", ErrorKind::helix_slope1, 1,
        [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 0, v); },
-       "deviation over the face width at the reference cylinder of gear 1: the section at height z "
+       "deviation over the face width at the reference cylinder of gear 1; the section at height z "
        "is rotated by z f_Hβ/(r b), counter-clockwise seen from +z, and its shape does not change"},
       {"helix_slope2_um", "f_Hβ2", "helix slope of gear 2", ErrorKind::helix_slope2, 2,
        [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 1, v); }, "as for gear 1"},
@@ -76,11 +77,11 @@ const KeyTable& error_keys() {
       KeyRange range;
       if (e.unit() == "deg") {
         range = KeyRange::between(-kMaxTilt, kMaxTilt,
-                                  " degrees, because errors are small; the key of the shaft angle "
-                                  "is pair.shaft_angle_deg");
+                                  " degrees, because it is an error of the shaft angle; the shaft "
+                                  "angle itself is pair.shaft_angle_deg");
       } else if (e.unit() == "um") {
         range = KeyRange::between(-kMaxSlope, kMaxSlope,
-                                  " micrometres; the helix angle is a key of the gear");
+                                  " micrometres; the helix angle itself is a key of the gear");
       }
       t.keys.push_back(Key::number(e.key, e.symbol, range,
                                    KeyPlace::within<ErrorsInput>([i](auto& errors) -> auto& {

@@ -9,7 +9,8 @@ const Quantities<FileView>& file_quantities() {
   static const Quantities<F> kAll("file", [](Quantities<F>& q) {
     q.text("file", "name of the file", &F::file).always();
     q.text("what", "content of the file", &F::what).always();
-    q.number("max_deviation_um", "maximum deviation", "", "from the exact surface or outline",
+    q.number("max_deviation_um", "maximum deviation", "",
+             "greatest distance from the exact surface or outline",
              [](const F& f) { return f.deviation ? Value(kUmPerMm * *f.deviation) : Value(); });
     q.text("note", "remarks on the file", &F::note).always();
   });
@@ -24,7 +25,7 @@ const Quantities<ArcView>& outline_quantities() {
         .always()
         .one_of({"root_land", "root_fillet", "flank", "tip_fillet", "tip_land"});
     q.number("points", "points", "",
-             "[x, y] in mm on the side y > 0; the tooth's centre line is the x axis",
+             "[x, y] in mm on the side y > 0; the centre line of the tooth is the x axis",
              [](const A& a) {
                const auto points = sample(*a.arc, a.points);
                return Value(ValueList(points.begin(), points.end()));

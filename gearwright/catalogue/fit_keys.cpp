@@ -26,18 +26,18 @@ const KeyTable& fit_keys() {
                    &FitInput::working_normal_pressure_angle, "",
                    "working normal pressure angle of the designs"),
        Key::flag("few_teeth", &FitInput::few_teeth, "false",
-                 "if true, the pinion has few teeth, and a longer gear of the same profile cuts "
-                 "the wheel or internal gear"),
+                 "if true, the pinion has few teeth, and a cutter with the same profile and longer "
+                 "teeth generates the wheel or internal gear"),
        of_few_teeth("least_tip_land_mm", "", &FitInput::min_tip_land, "0",
                     "least normal tooth thickness at both tips"),
        of_few_teeth("least_gap_mm", "", &FitInput::min_gap, "0",
-                    "least chord of both tooth spaces at the start of the flanks"),
+                    "least chord of the tooth spaces of both gears at the start of the flanks"),
        of_few_teeth("clearance_mm", "", &FitInput::clearance, "0.2 m_n + 0.05",
-                    "clearance at both tips"),
+                    "tip clearance of both gears"),
        of_few_teeth("backlash_mm", "", &FitInput::backlash, "0",
                     "circumferential backlash, which determines the centre distance"),
        of_few_teeth("contact_ratio", "ε_γ", &FitInput::contact_ratio, "1.2",
-                    "total contact ratio, which determines the face width")}};
+                    "required total contact ratio, which determines the face width")}};
   return table;
 }
 

@@ -16,23 +16,23 @@ const Quantities<BranchView>& branch_quantities() {
            })
         .per_gear()
         .always();
-    q.term("center_distance_mm", "for this answer", [](const B& b) {
+    q.term("center_distance_mm", "of this branch", [](const B& b) {
        return b.branch.center_distance;
      }).always();
-    q.term("shaft_angle_deg", "for this answer", [](const B& b) {
+    q.term("shaft_angle_deg", "of this branch", [](const B& b) {
        return b.branch.shaft_angle;
      }).always();
-    q.term("working_normal_pressure_angle_deg", "for this answer", [](const B& b) {
+    q.term("working_normal_pressure_angle_deg", "of this branch", [](const B& b) {
        return b.branch.working_normal_pressure_angle;
      }).always();
-    q.add(Type::map, "spec", "spec", "", "the whole spec of this answer", &B::spec)
+    q.add(Type::map, "spec", "spec", "", "the complete spec of this branch", &B::spec)
         .always()
         .doors(kJson);
     q.term("transverse_contact_ratio", "for a design with few teeth", &B::transverse_contact_ratio)
         .when([](const B& b) { return b.transverse_contact_ratio.has_value(); });
     q.text("refused",
-           "reason for which the verb pair rejects this answer, whose line of action is correct "
-           "but whose teeth are not; absent if the verb accepts it",
+           "reason for which the verb pair rejects this branch, whose line of action is correct "
+           "but whose teeth are not; absent if the verb pair accepts the branch",
            [](const B& b) { return b.refused ? Value(*b.refused) : Value(); })
         .when([](const B& b) { return b.refused.has_value(); });
   });
@@ -56,16 +56,16 @@ const Quantities<FitView>& fit_quantities() {
   static const Quantities<V> kAll("fit", [](Quantities<V>& q) {
     q.under("Answers");
     q.record<branch_quantities>(
-         "branches", "answers in the order of |β_1|, or for known gears in the order of α_wn",
+         "branches", "solutions in the order of |β_1|, or for known gears in the order of α_wn",
          &V::branches)
         .list({0})
         .always();
-    q.text("reason", "reason why there is no answer; null if there is a answer",
+    q.text("reason", "reason why there is no solution; null if there is a solution",
            [](const V& v) { return v.fit->branches.empty() ? Value(v.fit->reason) : Value(); });
     q.under("Nearest");
     q.record<nearest_quantities>(
         "nearest",
-        "near values for which a answer exists; null if there are answers or no near values",
+        "near values for which a solution exists; null if there are solutions or no near values",
         [](const V& v) {
           const Fit& f = *v.fit;
           const bool near = f.nearest_distance || f.nearest_shaft_angle;

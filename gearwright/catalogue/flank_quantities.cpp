@@ -62,7 +62,7 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
              "ISO 1328-2:1997; null beyond d = 1000 mm or m_n = 10 mm", &T::radial_composite)
         .digits(1);
     q.number("tooth_radial_composite_um", "radial composite, tooth to tooth", "f_i″",
-             "range as for the total", &T::tooth_radial_composite)
+             "null beyond d = 1000 mm or m_n = 10 mm", &T::tooth_radial_composite)
         .digits(1);
     const auto perhaps = [&](const char* key, const char* words, const char* symbol,
                              const char* meaning, std::optional<double> T::*member) {

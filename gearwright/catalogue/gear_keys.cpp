@@ -85,35 +85,37 @@ const KeyTable& gear_keys() {
            KeyRange{.lo = -kMaxTeeth,
                     .hi = kMaxTeeth,
                     .zero = false,
-                    .reason = "; negative for an internal gear"},
+                    .reason = "; the number is negative for an internal gear"},
            {&GearInput::cylindrical, &CylindricalSpec::teeth}, kRequired,
            "number of teeth, for example 17; negative for an internal gear, for example -61")
            .with_also({"number_of_teeth", "tooth_number", "tooth_count", "z1", "z2"}),
-       Key::number("normal_module_mm", "m_n", Range::between(kMinModule, kMaxModule), {}, "",
-                   "normal module; either this key, one of the next two or `basic` is required, "
-                   "and several must agree to 1e-9")
+       Key::number(
+           "normal_module_mm", "m_n", Range::between(kMinModule, kMaxModule), {}, "",
+           "normal module; this key, `normal_diametral_pitch_per_in`, `transverse_module_mm` or "
+           "`basic` is required; if several are given, they must agree to 1e-9")
            .with_also({"module", "modul", "m", "reference_diameter", "pitch_diameter", "d"}),
        Key::number("normal_diametral_pitch_per_in", "", Range::between(kMinPitch, kMaxPitch), {},
-                   "", "25.4 mm / m_n")
+                   "", "normal diametral pitch, 25.4 mm / m_n")
            .with_alias({"normal_module_mm", [](double pitch, double) { return 25.4 / pitch; }})
            .with_also({"diametral_pitch", "dp", "pitch", "pd"}),
-       Key::positive("transverse_module_mm", "m_t", {}, "", "m_n / cos β")
+       Key::positive("transverse_module_mm", "m_t", {}, "", "transverse module, m_n / cos β")
            .with_alias({"normal_module_mm",
                         [](double m_t, double cos_beta) { return m_t * cos_beta; }, true})
            .with_also({"mt"}),
        Key::number("normal_pressure_angle_deg", "α_n",
                    Range::between(kMinPressure, kMaxPressure, ", usually 14.5 to 30"), {}, "20",
-                   "normal pressure angle; the next key can replace it")
+                   "normal pressure angle; `transverse_pressure_angle_deg` can replace it")
            .with_also({"pressure_angle", "pressure", "alpha", "pa", "phi"}),
        Key::number("transverse_pressure_angle_deg", "α_t",
                    Range::inside(0, 90, ", usually 14.5 to 30"), {}, "",
                    "transverse pressure angle")
            .with_alias({"normal_pressure_angle_deg", normal_of_transverse, true}),
-       Key::number("helix_angle_deg", "β",
-                   Range::between(-kMaxHelix, kMaxHelix, ": > 0 right hand, < 0 left hand"), {},
-                   "0",
-                   "helix angle, > 0 right hand, < 0 left hand, also for an internal gear; the "
-                   "next two keys can replace it")
+       Key::number(
+           "helix_angle_deg", "β",
+           Range::between(-kMaxHelix, kMaxHelix, ", > 0 for right hand and < 0 for left hand"), {},
+           "0",
+           "helix angle, > 0 right hand, < 0 left hand, also for an internal gear; "
+           "`lead_angle_deg` with `hand` can replace it")
            .with_also({"helix", "spiral_angle", "skew_angle"}),
        Key::number("lead_angle_deg", "90° − |β|", Range::above(0, 90, " (spur)"), {}, "",
                    "lead angle, with `hand`")
@@ -132,8 +134,9 @@ const KeyTable& gear_keys() {
                        [](auto& g) -> auto& { return g.allowance_ends; }),
                    "0",
                    "allowance on the normal tooth thickness at the reference cylinder; < 0 thins "
-                   "the tooth; at most 10 modules. Two numbers are E_sni and E_sns: the gear has "
-                   "the mean allowance, and every number that depends on it gets an interval")
+                   "the tooth; at most 10 modules. Two numbers are the limits E_sni and E_sns; the "
+                   "gear is computed with the mean allowance, and every number that depends on the "
+                   "allowance has an interval")
            .with_list(kOneOrEnds)
            .with_also({"allowance", "thinning", "tooth_thinning"}),
        Key::positive("face_width_mm", "b", KeyPlace::by<GearInput, double>(set_face),
@@ -150,18 +153,19 @@ const KeyTable& gear_keys() {
         .words = {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D", "GBT12759"},
         .tables = {straight_rack_keys, arc_rack_keys, double_arc_rack_keys, rack_of_arcs_keys},
         .fallback = "\"ISO53-A\"",
-        .meaning = "the rack that cuts the gear: a rack of ISO 53, double circular arcs of GB/T "
-                   "12759, or a table",
+        .meaning = "the rack that cuts the gear, which is a rack of ISO 53, a rack of double "
+                   "circular arcs of GB/T 12759, or a table",
         .also = {"profile", "basic_rack", "tool", "hob", "standard"}},
        {.key = "cut_by",
         .kind = KeyKind::table,
         .words = {"gear1", "gear2"},
         .tables = {cutter_keys},
         .fallback = "cut by `rack`",
-        .meaning = "the pinion cutter: a gear of the spec, or a table with a separate cutter"},
+        .meaning =
+            "the pinion cutter, which is a gear of the spec or a separate cutter in a table"},
        Key::number("profile_shift_pair", "e", {}, {}, "",
-                   "profile shift of the gear and its cutter together, with `cut_by`; instead of "
-                   "`profile_shift`")
+                   "sum of the profile shifts of the gear and its cutter, with `cut_by`; instead "
+                   "of `profile_shift`")
            .with_needs({"cut_by"}),
        Key::part("basic", basic_keys, {},
                  "dimensions that describe the gear independently of the rack"),
@@ -176,24 +180,24 @@ const KeyTable& gear_keys() {
        Key::part("shaft", shaft_keys, &GearInput::shaft,
                  "shaft and bearings, whose deflection determines K_Hβ of `rate`"),
        Key::part("bore", bore_keys, &GearInput::bore,
-                 "bore and keyway of the CAD files; for an internal gear its rim"),
+                 "bore and keyway of the CAD files; for an internal gear the outside of the rim"),
        Key::part("double_helical", double_helical_keys, &GearInput::double_helical,
                  "two halves of opposite hands on one body"),
        Key::part("measure", measure_keys, &GearInput::measure,
                  "positions and tools of the measurements"),
-       Key::number("quality", "",
-                   KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
-                   {&GearInput::tolerance, &ToleranceInput::quality}, "no tolerances",
-                   "flank tolerance class (grade) of ISO 1328-1; also `quality` of `tolerance`")
+       Key::number(
+           "quality", "", KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
+           {&GearInput::tolerance, &ToleranceInput::quality}, "no tolerances",
+           "flank tolerance class (grade) of ISO 1328-1; the same as `quality` of `tolerance`")
            .with_fields({"tolerance.quality"})
            .with_also({"grade", "accuracy_grade"}),
        Key::part("tolerance", tolerance_keys, &GearInput::tolerance,
                  "the accuracy grade of the flanks and the limits of the tooth thickness"),
        Key::part("measured", measured_keys, {},
                  "readings of an unknown gear for the verb identify"),
-       Key::word(
-           "form", {"gear"}, KeyPlace::unused(), "\"gear\"",
-           "form of the part; \"rack\" in [gear2] makes gear 2 a rack, which has other keys")}};
+       Key::word("form", {"gear"}, KeyPlace::unused(), "\"gear\"",
+                 "form of the part; \"rack\" in [gear2] makes gear 2 a rack, to which other keys "
+                 "apply")}};
   return table;
 }
 
@@ -203,8 +207,8 @@ const KeyTable& cutter_keys() {
                                        "shaft", "form", "double_helical"});
     t.name = "cutter";
     t.meaning =
-        "A pinion cutter; its module and angles are needed only if they differ from the gear and "
-        "its mating gear";
+        "A pinion cutter; its module and angles are needed only if they differ from those of the "
+        "gear and its mating gear";
     return t;
   }();
   return table;
@@ -255,8 +259,8 @@ const KeyTable& root_fillet_keys() {
            "offset_mm", "",
            Range::not_negative(", because the fillet begins at the undercut limit or beyond it"),
            &RootFilletSpec::offset, "0",
-           "distance of the start of the fillet from the undercut limit l_F, l_C = max(l_F, 0) + "
-           "offset; the fillet is centred in the tooth space")}};
+           "distance of the start of the fillet from the undercut limit l_F, so that l_C = "
+           "max(l_F, 0) + offset; the fillet is centred in the tooth space")}};
   return table;
 }
 
@@ -265,21 +269,22 @@ const KeyTable& tip_fillet_keys() {
       "tip_fillet",
       "A circular arc, tangent to the flank, in place of the tip that the rack cuts",
       {only_kind(),
-       Key::positive("radius_mm", "r_t", tip_fillet(Fillet::radius), "one of these three keys",
+       Key::positive("radius_mm", "r_t", tip_fillet(Fillet::radius),
+                     "one of `radius_mm`, `l_mm` and `clearance_mm` is needed",
                      "radius of the fillet, which is centred on the tooth"),
        Key::number("l_mm", "l_J", {}, tip_fillet(Fillet::l), "",
-                   "position at which the fillet begins")
+                   "position along the flank of the rack at which the fillet begins")
            .with_excludes({"radius_mm"}),
        Key::number(
            "clearance_mm", "",
            Range::not_negative(", because the tip would cut into the root of the mating gear"),
            &GearInput::tip_clearance, "0.2 m_n + 0.05",
-           "tip clearance to the mating gear's root, on parallel axes [T6.7]")
+           "tip clearance to the root of the mating gear, on parallel axes [T6.7]")
            .with_excludes({"radius_mm", "l_mm"}),
        Key::positive("corner_radius_mm", "ρ_a", tip_fillet(Fillet::corner), "",
                      "radius of both tip corners instead of a fillet, tangent to the flank and to "
-                     "the tip circle in the transverse section; for a cutter ρ_a0, which cuts the "
-                     "root fillet [T6.17]")
+                     "the tip circle in the transverse section; for a cutter this is ρ_a0, which "
+                     "cuts the root fillet [T6.17]")
            .with_excludes({"radius_mm", "l_mm", "clearance_mm"})
            .with_also({"rho_a", "rho_a0", "tip_radius", "corner", "rounding"})},
       complete_tip_fillet};
@@ -289,15 +294,16 @@ const KeyTable& tip_fillet_keys() {
 const KeyTable& bore_keys() {
   static const KeyTable table{
       "bore",
-      "Bore and keyway of the CAD files; for an internal gear the bore is its rim",
+      "Bore and keyway of the CAD files; for an internal gear the bore is the outside of the rim",
       {Key::positive("diameter_mm", "", &Bore::diameter, kRequired, "diameter of the bore")
            .with_also({"bore", "bore_diameter", "hole", "shaft_diameter"}),
-       Key::positive("keyway_width_mm", "", &Bore::keyway_width, "no keyway",
-                     "width of a keyway at +y of the gear frame, less than the bore's diameter")
+       Key::positive(
+           "keyway_width_mm", "", &Bore::keyway_width, "no keyway",
+           "width of a keyway at +y of the gear frame; less than the diameter of the bore")
            .with_needs({"keyway_depth_mm"})
            .with_also({"keyway", "key_width"}),
        Key::positive("keyway_depth_mm", "", &Bore::keyway_depth, "",
-                     "depth of the keyway into the hub, from the bore")
+                     "depth of the keyway into the hub, measured from the bore")
            .with_needs({"keyway_width_mm"})},
       check_bore};
   return table;
@@ -309,13 +315,13 @@ const KeyTable& double_helical_keys() {
       "double_helical",
       "Two halves of opposite hands on one body; `helix_angle_deg` is the angle of the half at z > "
       "0, and `face_width_mm` includes both halves and the gap",
-      {Key::number("gap_mm", "", Range::not_negative(" (0: herringbone)"), &D::gap, "0",
+      {Key::number("gap_mm", "", Range::not_negative(" (0 for herringbone teeth)"), &D::gap, "0",
                    "gap between the halves"),
        Key::number("stagger_pitches", "s", Range::inside(-1, 1), &D::stagger_pitches, "0",
-                   "offset of the teeth at z < 0 from the teeth at z > 0, in transverse pitches; "
-                   "the mating gear has the same offset"),
+                   "offset of the teeth at z < 0 relative to the teeth at z > 0, in transverse "
+                   "pitches; the mating gear must have the same offset"),
        Key::positive("groove_diameter_mm", "", &D::groove_diameter,
-                     "the root diameter less half a normal module (internal gear: plus)",
+                     "the root diameter minus half a normal module (for an internal gear plus)",
                      "diameter of the gear within the gap")
            .with_needs({"gap_mm"}),
        Key::positive("hob_diameter_mm", "d_a0", &D::hob_diameter, "no run-out is computed",

@@ -27,14 +27,14 @@ void say_halves(Quantities<Halves>& q) {
            [](const H& h) { return h.given.stagger_pitches; })
       .always();
   q.number("groove_diameter_mm", "groove diameter", "",
-           "diameter of the gear within the gap: as given, or the root diameter less m_n/2 "
-           "(internal gear: plus); null without a gap",
+           "diameter of the gear within the gap, as given or equal to the root diameter minus "
+           "m_n/2 (for an internal gear plus); null without a gap",
            &H::groove_diameter);
   q.number("hob_run_out_mm", "least gap for the run-out of the hob", "",
            "[T2.43]; null without a hob", &H::hob_run_out);
   q.number("axial_shift_per_index_error", "axial shift per index error", "Δz/e",
-           "1/(2 tan |β|); a floating member shares an index error between the halves by this "
-           "shift [T2.44]",
+           "1/(2 tan |β|); by this axial shift a floating gear distributes an index error between "
+           "the halves [T2.44]",
            &H::axial_shift_per_index_error)
       .always();
 }
@@ -141,10 +141,10 @@ void say(Quantities<Gear>& q) {
   q.under(kCutter);
   q.whole("cutter_teeth", "number of teeth of the cutter", "z_0", "null without a pinion cutter",
           [](const G& g) { return g.cut_by ? Value(g.cut_by->cutter_teeth) : Value(); });
-  q.number(
-      "generating_center_distance_mm", "generating centre distance", "E",
-      "between gear and pinion cutter when the tooth is finished; null without a pinion cutter",
-      [](const G& g) { return g.cut_by ? Value(g.cut_by->distance) : Value(); });
+  q.number("generating_center_distance_mm", "generating centre distance", "E",
+           "centre distance of gear and pinion cutter when the tooth is finished; null without a "
+           "pinion cutter",
+           [](const G& g) { return g.cut_by ? Value(g.cut_by->distance) : Value(); });
   q.under(kTeeth);
   q.term("normal_module_mm", "as in the spec, or as computed from other keys", [](const G& g) {
      return g.spec.normal_module;
@@ -181,28 +181,29 @@ void say(Quantities<Gear>& q) {
            "negative if the rack passes through the axis", &G::root_diameter)
       .always();
   q.number("root_form_diameter_mm", "root form diameter", "d_Ff",
-           "start of the usable flank: its intersection with the root as cut, or point C of a "
-           "circular root fillet",
+           "diameter at the start of the usable flank, that is at its intersection with the root "
+           "as cut, or at point C of a circular root fillet",
            [](const G& g) { return g.exists() ? doubled(g.root_form_radius()) : Value(); })
       .expected(has_involutes);
   q.number("tip_form_diameter_mm", "tip form diameter", "d_Fa",
-           "end of the usable flank: point J of a circular tip fillet, chamfer or tip; null if no "
-           "flank is left",
+           "diameter at the end of the usable flank, that is at point J of a circular tip fillet, "
+           "at the chamfer or at the tip; null if no flank is left",
            tip_form_diameter)
       .expected(has_involutes);
-  q.number("finished_tip_diameter_mm", "finished tip diameter", "",
-           "actual end of the tooth: tip of the blank, bottom land of the cutter, or point of the "
-           "flanks; d_a for an internal gear",
-           [](const G& g) { return g.exists() ? Value(2 * g.actual_tip_radius()) : Value(); })
+  q.number(
+       "finished_tip_diameter_mm", "finished tip diameter", "",
+       "diameter at the actual end of the tooth, that is at the tip of the blank, at the bottom "
+       "land of the cutter or at the point where the flanks meet; d_a for an internal gear",
+       [](const G& g) { return g.exists() ? Value(2 * g.actual_tip_radius()) : Value(); })
       .shown([](const G& g) { return 2 * g.actual_tip_radius() != g.tip_diameter; });
   q.under(kTooth);
   of_reference.number("base_tooth_thickness_mm", "transverse base tooth thickness", "s_bt",
-                      "for an internal gear extrapolated, so that it can be negative",
+                      "extrapolated for an internal gear, so that the value can be negative",
                       &Reference::base_tooth_thickness);
   q.term("reference_tooth_thickness_normal_mm",
          "at the reference cylinder, including the thickness allowance", reference_thickness);
   q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
-           "included in s_n; < 0 thins the tooth",
+           "allowance that is included in s_n; < 0 thins the tooth",
            [](const G& g) { return g.spec.thickness_allowance; })
       .doors(kPage);
   of_reference
@@ -215,8 +216,8 @@ void say(Quantities<Gear>& q) {
       .expected(has_involutes);
   q.under(kDiameters);
   q.number("pointed_diameter_mm", "diameter of the pointed tooth", "",
-           "diameter at which the two flanks would meet, for an internal gear inward [T2.13]; null "
-           "if they do not meet",
+           "diameter at which the two flanks would meet, for an internal gear inside the tip "
+           "[T2.13]; null if they do not meet",
            &G::pointed_diameter)
       .expected(has_involutes);
   q.under(kTooth);
@@ -236,19 +237,19 @@ void say(Quantities<Gear>& q) {
       .when();
   of_arcs
       .number("undercut_limit_rack_angle_deg", "rack angle at the undercut limit", "",
-              "normal angle of the cusp of the flank [T7.12]; null if the flank has no cusp; only "
-              "for circular arcs",
+              "normal angle at which the flank would have a cusp [T7.12]; null if there is no "
+              "cusp; only for circular arcs",
               &ArcTeeth::undercut_limit)
       .when();
   of_involute_gear
       .number("undercut_free_profile_shift", "minimum profile shift coefficient", "x_Emin",
-              "the least x_E without undercut, signed; null for a gear that no rack has cut",
+              "the least x_E without undercut, signed; null for a gear that is not cut by a rack",
               [](const G& g) {
                 return g.internal() ? Value() : Value(involute_of(g)->undercut_free_profile_shift);
               })
       .expected();
   q.flag("pointed", "pointed",
-         "true if the flanks meet before the tip, or for an internal gear outside its tip diameter",
+         "true if the flanks meet before the tip, for an internal gear outside the tip diameter",
          &G::pointed)
       .doors(kJson);
   q.flag("severed", "cut through by undercut",
@@ -268,7 +269,7 @@ void say(Quantities<Gear>& q) {
            [](const G& g) { return fillet_radius(g, kRoot); });
   q.number("root_fillet_span_deg", "angle from the flank to the centre line of the space", "σ_r",
            "null without a circular root fillet", [](const G& g) { return fillet_span(g, kRoot); });
-  q.number("root_fillet_center_mm", "distance of its centre from the axis", "",
+  q.number("root_fillet_center_mm", "distance of the centre of the arc from the axis", "",
            "null without a circular root fillet",
            [](const G& g) { return fillet_center(g, kRoot); })
       .doors(kPage);
@@ -280,34 +281,34 @@ void say(Quantities<Gear>& q) {
       "tip_fillet_span_deg", "angle from the flank to the centre line of the tooth", "σ_t",
       "for rounded tip corners, angle from the flank to the tip land; null without a tip fillet",
       [](const G& g) { return fillet_span(g, kTip); });
-  q.number("tip_fillet_center_mm", "distance of its centre from the axis", "",
+  q.number("tip_fillet_center_mm", "distance of the centre of the arc from the axis", "",
            "null without a circular tip fillet", [](const G& g) { return fillet_center(g, kTip); })
       .doors(kPage);
   q.under(kUndercut);
   of_teeth
-      .number("undercut_l_mm", "undercut limit F along the rack's flank", "l_F",
+      .number("undercut_l_mm", "undercut limit F along the flank of the rack", "l_F",
               "< 0 without undercut; null for an internal gear", &InvoluteTeeth::undercut_l)
       .shown(is_undercut);
   q.under(kRootFillet);
-  of_teeth.number("point_c_l_mm", "touches the flank at C", "l_C",
-                  "position along the rack's flank; null without a circular root fillet",
+  of_teeth.number("point_c_l_mm", "point C, where the root fillet touches the flank", "l_C",
+                  "position along the flank of the rack; null without a circular root fillet",
                   &InvoluteTeeth::point_c_l);
   q.under(kTipFillet);
-  of_teeth.number("point_j_l_mm", "touches the flank at J", "l_J",
-                  "position along the rack's flank; null without a circular tip fillet",
+  of_teeth.number("point_j_l_mm", "point J, where the tip fillet touches the flank", "l_J",
+                  "position along the flank of the rack; null without a circular tip fillet",
                   &InvoluteTeeth::point_j_l);
   q.under(kTooth);
-  q.number("tip_bulge_mm", "tip beyond the involute", "",
-           "projection along the normal of a tip that the flank of the cutter did not reach",
-           [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->amount) : Value(); })
+  q.number(
+       "tip_bulge_mm", "tip beyond the involute", "",
+       "projection of the tip along the normal, if the flank of the cutter did not reach the tip",
+       [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->amount) : Value(); })
       .when([](const G& g) { return g.tip_bulge.has_value(); });
-  q.number("tip_bulge_from_mm", "… from this diameter on", "",
-           "diameter at which the flank of the cutter ended",
+  q.number("tip_bulge_from_mm", "diameter at which the tip begins to project", "",
+           "diameter of the gear at which the flank of the cutter ended",
            [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->from_diameter) : Value(); })
       .when([](const G& g) { return g.tip_bulge.has_value(); });
   q.number("neck_thickness_mm", "minimum root thickness (chord)", "",
-           "chord at the smallest half angle of the root fillet below the tip; 0 or negative if "
-           "`severed`",
+           "chord where the root fillets are closest below the tip; 0 or negative if `severed`",
            neck_thickness)
       .expected(has_involutes);
   q.under(kBody);
@@ -328,11 +329,11 @@ const Quantities<Gear>& gear_quantities() {
 
 const Quantities<Warning>& warning_quantities() {
   static const Quantities<Warning> kAll("warning", [](Quantities<Warning>& q) {
-    q.text("code", "fixed word for programs", [](const Warning& w) {
+    q.text("code", "code for programs, which never changes", [](const Warning& w) {
        return to_string(w.code);
      }).always();
     q.text("message", "sentence for users", &Warning::message).always();
-    q.term("gear", "1 or 2; null for the pair or the spec",
+    q.term("gear", "number of the gear, 1 or 2; null for the pair or the spec",
            [](const Warning& w) { return w.gear ? Value(w.gear) : Value(); });
   });
   return kAll;

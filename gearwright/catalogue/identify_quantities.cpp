@@ -8,15 +8,16 @@ using G = IdentifiedGear;
 
 const Quantities<G>& uncertainty_quantities() {
   static const Quantities<G> kAll("identify.uncertainty", [](Quantities<G>& q) {
-    q.number("normal_module_mm", "± of the module", "", "95 % interval; 0 for a standard module",
-             &G::module_uncertainty)
+    q.number("normal_module_mm", "uncertainty of the module", "",
+             "95 % interval; 0 for a standard module", &G::module_uncertainty)
         .always()
         .digits(5);
-    q.number("helix_angle_deg", "± of the helix angle", "",
+    q.number("helix_angle_deg", "uncertainty of the helix angle", "",
              "95 % interval; 0 for a whole number of degrees", &G::helix_uncertainty)
         .always()
         .digits(4);
-    q.number("profile_shift", "± of the profile shift", "", "95 % interval", &G::shift_uncertainty)
+    q.number("profile_shift", "uncertainty of the profile shift", "", "95 % interval",
+             &G::shift_uncertainty)
         .always()
         .digits(4);
   });
@@ -37,38 +38,41 @@ void say_candidate(Quantities<G>& q) {
   q.under("");
   q.term("teeth", "as given", &G::teeth).always();
   q.term("normal_module_mm", "`none` if the module is not in a series", &G::normal_module).always();
-  q.word("module_series", "series of the module", "`none` if it is not of a standard",
+  q.word("module_series", "series of the module", "`none` if the module is not in a series",
          [](const G& g) { return series_word(g); })
       .always()
       .one_of({"ISO54-I", "ISO54-II", "diametral_pitch", "none"});
   q.number("normal_diametral_pitch_per_in", "diametral pitch", "P_nd", "null for a metric gear",
            &G::diametral_pitch);
   q.term("normal_pressure_angle_deg", "", &G::normal_pressure_angle).always();
-  q.term("helix_angle_deg", "> 0 right hand, also if no reading determines the hand",
+  q.term("helix_angle_deg", "> 0 right hand, which is assumed if no reading determines the hand",
          &G::helix_angle)
       .always();
   q.number("profile_shift", "profile shift coefficient", "x_E",
-           "of the actual teeth, including the thickness allowance", &G::generating_shift)
+           "profile shift of the actual teeth, which includes the thickness allowance",
+           &G::generating_shift)
       .always();
   q.term("generating_profile_shift", "equal to `profile_shift`", &G::generating_shift)
       .always()
       .doors(kJson);
   q.term("tip_diameter_mm",
-         "measured value if it is greater than the value computed from the profile shift, because "
-         "a worn tip is smaller",
+         "the measured value if it is greater than the value computed from the profile shift, "
+         "otherwise the computed value, because a worn tip is smaller",
          &G::tip_diameter)
       .always();
-  q.number("profile_shift_of_tip", "shift that the tip shows", "x",
-           "null if the tip was not measured. A value greater than x_E is the shift on the "
-           "drawing, or less if the tip is worn; its difference to x_E is the thickness allowance",
+  q.number("profile_shift_of_tip", "profile shift by the tip", "x",
+           "profile shift computed from the measured tip; null if the tip was not measured. A "
+           "value greater than x_E is the profile shift on the drawing, or less if the tip is "
+           "worn, and the difference to x_E is the thickness allowance",
            &G::shift_of_tip);
-  q.number("likelihood", "likelihood", "", "the sum over all candidates is 100 %", &G::likelihood)
+  q.number("likelihood", "likelihood", "",
+           "probability of the candidate; the sum over all candidates is 100 %", &G::likelihood)
       .unit(Unit::percent)
       .always()
       .digits(2)
       .greater_first();
   q.record<uncertainty_quantities>(
-       "uncertainty", "half widths of the 95 % intervals",
+       "uncertainty", "half widths of the 95 % intervals of the values",
        [](const G& g) -> const auto& { return g; })
       .always();
 }
@@ -76,11 +80,11 @@ void say_candidate(Quantities<G>& q) {
 const Quantities<Contradiction>& contradiction_quantities() {
   using C = Contradiction;
   static const Quantities<C> kAll("identify.contradiction", [](Quantities<C>& q) {
-    q.word("reading", "reading that disagrees", "the reading that contradicts all others",
+    q.word("reading", "contradictory reading", "the reading that contradicts all others",
            &C::reading)
         .always()
         .one_of({"span", "over_balls", "lead", "helix_angle"});
-    q.term("tool", "null for a reading without teeth or balls",
+    q.term("tool", "number of teeth of a span or diameter of the balls; null for other readings",
            [](const C& c) { return c.tool > 0.0 ? Value(c.tool) : Value(); });
     q.number("value", "value as read", "", "mm or degrees", &C::value).always();
     q.number("expected", "value predicted by the other readings", "", "mm or degrees", &C::expected)
@@ -95,12 +99,16 @@ const Quantities<NextMeasurement>& next_quantities() {
     q.word("reading", "next measurement", "", &N::reading)
         .always()
         .one_of({"span", "over_balls", "helix_angle"});
-    q.term("tool", "null for a measurement without teeth or balls",
+    q.term("tool",
+           "number of teeth of a span or diameter of the balls; null for other measurements",
            [](const N& n) { return n.tool > 0.0 ? Value(n.tool) : Value(); });
-    q.number("expect", "expected, first and other candidate", "", "mm or degrees", &N::expect)
+    q.number("expect", "value expected for the first and for the other candidate", "",
+             "mm or degrees", &N::expect)
         .list({2})
         .always();
-    q.whole("rival", "the other candidate", "", "position in the list, from 0", &N::rival).always();
+    q.whole("rival", "the other candidate", "",
+            "position of the other candidate in the list, from 0", &N::rival)
+        .always();
   });
   return kAll;
 }
@@ -117,20 +125,20 @@ const Quantities<Identification>& identify_quantities() {
   static const Quantities<I> kAll("identify", [](Quantities<I>& q) {
     q.under("Candidate");
     q.record<identified_gear_quantities>(
-         "candidates", "possible gears in a form that a spec accepts, the likeliest first",
+         "candidates", "possible gears as tables that a spec can contain, the likeliest first",
          &I::candidates)
         .list({0})
         .always();
     q.under("Contradiction");
     q.record<contradiction_quantities>(
         "contradiction",
-        "null if the readings agree; the candidates follow from the other readings",
+        "null if the readings agree; otherwise the candidates are computed from the other readings",
         &I::contradiction);
     q.under("Next measurement");
-    q.record<next_quantities>(
-        "next_measurement",
-        "null if only one candidate is left or no measurement distinguishes the candidates",
-        &I::next);
+    q.record<next_quantities>("next_measurement",
+                              "measurement that distinguishes the candidates best; null if only "
+                              "one candidate is left or no measurement distinguishes them",
+                              &I::next);
     q.text("reason",
            "reason why no candidate fits the readings; null if at least one candidate fits",
            [](const I& i) { return i.reason.empty() ? Value() : Value(i.reason); });

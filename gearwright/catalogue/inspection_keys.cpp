@@ -15,14 +15,14 @@ const KeyTable& measure_keys() {
                      "the reference diameter, or the middle of the usable flank if the flank does "
                      "not contain the reference diameter",
                      "diameter on the usable flank at which the jaws of the calliper touch; the "
-                     "tooth thickness is given at this diameter too"),
-       Key::number(
-           "span_teeth", "k", KeyRange::between(1, 1e5), &MeasureInput::span_teeth,
-           "the number with contacts nearest to the V circle d + 2 x m_n",
-           "teeth between the anvils of a span measurement; for an internal gear the spaces")
+                     "tooth thickness is also given at this diameter"),
+       Key::number("span_teeth", "k", KeyRange::between(1, 1e5), &MeasureInput::span_teeth,
+                   "the number of teeth with contacts nearest to the V circle d + 2 x m_n",
+                   "number of teeth between the anvils of a span measurement, for an internal gear "
+                   "number of tooth spaces")
            .with_also({"span", "teeth", "k", "number_of_teeth_spanned"}),
        Key::positive("ball_diameter_mm", "D_M", &MeasureInput::ball_diameter,
-                     "the standard size nearest to the size that touches at the V circle",
+                     "the standard size nearest to the size of a ball that touches at the V circle",
                      "diameter of the measuring balls")
            .with_also({"ball", "balls", "dm"}),
        Key::positive("pin_diameter_mm", "D_M", &MeasureInput::pin_diameter, "diameter of the balls",
@@ -43,31 +43,31 @@ const KeyTable& tolerance_keys() {
                  "\"ISO 1328:2013\"", "edition of the standard for the tolerances")
            .with_also({"standard"}),
        Key::text("thickness_series", &ToleranceInput::series, "",
-                 "allowance and tolerance of DIN 3967, for example `\"cd25\"`: series a, ab, b, "
-                 "bc, c, cd, d, e, f, g or h, and 21 to 30; instead of `thickness_allowance_mm`")
+                 "allowance series (a, ab, b, bc, c, cd, d, e, f, g or h) and tolerance series (21 "
+                 "to 30) of DIN 3967, for example `\"cd25\"`; instead of `thickness_allowance_mm`")
            .with_fields({"series"})
            .with_also({"din3967", "series"}),
        Key::number("span_mm", "", {}, &ToleranceInput::span, "",
-                   "least and greatest span over `span_teeth` of `[gearN.measure]`, which "
+                   "least and greatest span over `span_teeth` of `[gearN.measure]`; these spans "
                    "determine the allowances")
            .with_list(kLowerAndUpper)
            .with_excludes({"thickness_series"}),
        Key::number(
            "over_balls_mm", "", {}, &ToleranceInput::over_balls, "",
            "least and greatest dimension over balls of `ball_diameter_mm` of `[gearN.measure]`, "
-           "for an internal gear between them; they determine the allowances")
+           "for an internal gear between the balls; these dimensions determine the allowances")
            .with_list(kLowerAndUpper)
            .with_excludes({"thickness_series", "span_mm"}),
        Key::number("tip_diameter_deviations_mm", "A_da", {}, &ToleranceInput::tip_deviations,
                    "the tip diameter has no tolerance",
                    "lower and upper deviation of the tip diameter; every number that depends on "
-                   "them gets an interval")
+                   "the tip diameter has an interval")
            .with_list(kLowerAndUpper)
            .with_fields({"tip_deviations"})
            .with_also({"a_da", "tip_diameter_tolerance", "tip_tolerance", "tip_allowance"}),
        Key::text("tip_diameter_fit", &ToleranceInput::tip_fit, "",
                  "deviations of the tip diameter by ISO 286, h1 to h12 or js1 to js12, for an "
-                 "internal gear H1 to H12 or JS1 to JS12; the drawing has the fit and the limits")
+                 "internal gear H1 to H12 or JS1 to JS12; the drawing shows the fit and the limits")
            .with_form("a fit such as \"h9\"")
            .with_fields({"tip_fit"})
            .with_excludes({"tip_diameter_deviations_mm"})
@@ -83,9 +83,10 @@ const KeyTable& measured_keys() {
       {{.key = "span_mm",
         .symbol = "W_k",
         .kind = KeyKind::any,
-        .form = "a table of readings by the number of teeth: { 3 = 19.751, 4 = 27.131 }",
-        .meaning = "spans over k teeth, for an internal gear over k spaces, for example `{ 3 = "
-                   "19.751, 4 = 27.131 }`"},
+        .form =
+            "a table of readings by the number of teeth, for example { 3 = 19.751, 4 = 27.131 }",
+        .meaning = "spans by the number k of teeth, for an internal gear of tooth spaces, for "
+                   "example `{ 3 = 19.751, 4 = 27.131 }`"},
        Key::positive("span_uncertainty_mm", "", &I::span_uncertainty, "0.02",
                      "uncertainty of each span"),
        {.key = "over_balls_mm",
@@ -96,28 +97,27 @@ const KeyTable& measured_keys() {
                                 "ball_diameter_mm = 5, dimension_mm = 69.426 }}]"},
         .place = &I::balls,
         .tables = {measured_ball_keys},
-        .meaning = "dimensions over two balls, for an internal gear between them, for example `[{ "
-                   "ball_diameter_mm = 5, dimension_mm = 69.426 }]`"},
+        .meaning = "dimensions over two balls, for an internal gear between two balls, for example "
+                   "`[{ ball_diameter_mm = 5, dimension_mm = 69.426 }]`"},
        Key::positive("over_balls_uncertainty_mm", "", &I::balls_uncertainty, "0.02",
                      "uncertainty of each dimension over balls"),
        Key::positive("tip_diameter_mm", "d_a", {&I::tip, &MaybeReading<double>::value}, "",
-                     "tip diameter, possibly of a worn tip"),
+                     "tip diameter; the tip may be worn"),
        Key::positive("tip_diameter_uncertainty_mm", "",
                      {&I::tip, &MaybeReading<double>::uncertainty}, "0.02",
-                     "uncertainty of the tip diameter, without wear"),
+                     "uncertainty of the tip diameter, not including wear"),
        Key::positive("root_diameter_mm", "d_f", {&I::root, &MaybeReading<double>::value}, "",
                      "root diameter"),
        Key::positive("root_diameter_uncertainty_mm", "",
                      {&I::root, &MaybeReading<double>::uncertainty}, "0.02",
                      "uncertainty of the root diameter"),
        Key::number("lead_mm", "p_z", KeyRange{.zero = false},
-                   {&I::lead, &MaybeReading<double>::value}, "", "lead, > 0 right hand"),
+                   {&I::lead, &MaybeReading<double>::value}, "", "lead, > 0 for right hand"),
        Key::positive("lead_uncertainty_mm", "", {&I::lead, &MaybeReading<double>::uncertainty},
                      "2 % of the lead", "uncertainty of the lead"),
-       Key::number(
-           "helix_angle_deg", "β", KeyRange::between(-89, 89),
-           {&I::helix, &MaybeReading<Angle>::value}, "",
-           "helix angle at the reference cylinder, > 0 right hand; 0 if the teeth are straight"),
+       Key::number("helix_angle_deg", "β", KeyRange::between(-89, 89),
+                   {&I::helix, &MaybeReading<Angle>::value}, "",
+                   "helix angle at the reference cylinder, > 0 right hand, 0 for straight teeth"),
        Key::positive("helix_angle_uncertainty_deg", "",
                      {&I::helix, &MaybeReading<Angle>::uncertainty}, "0.5",
                      "uncertainty of the helix angle"),
@@ -129,18 +129,18 @@ const KeyTable& measured_keys() {
                      "uncertainty of the centre distance"),
        Key::number("mating_teeth", "z", KeyRange{.lo = -1e5, .hi = 1e5, .zero = false},
                    &I::mating_teeth, "",
-                   "number of teeth of the mating gear, negative if internal")}};
+                   "number of teeth of the mating gear, negative for an internal gear")}};
   return table;
 }
 
 const KeyTable& measured_ball_keys() {
   static const KeyTable table{
       "measured_ball",
-      "One dimension over two balls, for an internal gear between them",
+      "One dimension over two balls, for an internal gear between two balls",
       {Key::positive("ball_diameter_mm", "D_M", &DiameterReading::tool, kRequired,
                      "diameter of the balls"),
        Key::positive("dimension_mm", "M_dK", &DiameterReading::value, kRequired,
-                     "dimension over both balls, for an internal gear between them")}};
+                     "dimension over both balls, for an internal gear between both balls")}};
   return table;
 }
 

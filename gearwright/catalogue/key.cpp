@@ -48,7 +48,7 @@ std::string KeyRange::sentence(double value) const {
   if (std::isfinite(lo) && std::isfinite(hi)) {
     text = lo_open == hi_open ? fmt::format("must lie between {} and {}", lo, hi)
            : lo_open          ? fmt::format("must be greater than {} and at most {}", lo, hi)
-                              : fmt::format("must be {} or greater and less than {}", lo, hi);
+                              : fmt::format("must be at least {} and less than {}", lo, hi);
     if (lo_open && hi_open) text += ", the ends excluded";
   } else if (std::isfinite(lo)) {
     text = lo_open     ? fmt::format("must be greater than {}", lo)

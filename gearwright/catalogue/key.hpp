@@ -63,7 +63,7 @@ struct ListOrder {
                                 ///< the last number
 };
 
-inline constexpr ListOrder kLowerFirst{false, "must be two numbers, the lower one first"};
+inline constexpr ListOrder kLowerFirst{false, "must be two numbers in rising order"};
 
 /// The properties of a list, for a key that takes a list.
 struct KeyList {

@@ -233,7 +233,7 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
   const auto nearest = [](std::string_view what) {
     return fmt::format("the nearest known key is {}", what);
   };
-  if (word.bare.empty()) return "known keys here: " + listed(table);
+  if (word.bare.empty()) return "the known keys of this table are " + listed(table);
   if (const Key* here = called(table, word, by_symbol, true)) {
     // If the key is a table but a value was given, the key inside that table is suggested.
     for (const auto part : here->tables) {
@@ -246,13 +246,13 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
   // In this case the key is a table one level higher in the file.
   for (const Key& table_key : spec_keys().keys)
     if (!path.empty() && is_table(table_key) && table_key.key == key)
-      return fmt::format("[{}] is a separate table, not a part of [{}]", key, path);
+      return fmt::format("[{}] is a separate table and not a part of [{}]", key, path);
   if (const Key* slip = nearly_called(table, word, kSlipOff)) return nearest(slip->key);
   if (const auto other = called_elsewhere(table, path, word, key_unit(key))) return nearest(*other);
   if (const Key* like = of_like_words(table, key.substr(0, kLongest))) return nearest(like->key);
   if (const Key* part = with_part(table, word)) return nearest(part->key);
   if (const Key* near = nearly_called(table, word, kLettersOff)) return nearest(near->key);
-  return "known keys here: " + listed(table);
+  return "the known keys of this table are " + listed(table);
 }
 
 }  // namespace gearwright

@@ -43,7 +43,8 @@ TEST(KeyHint, one_letter_of_a_long_key_may_be_anything) {
 
 TEST(KeyHint, where_nothing_is_near_the_table_says_what_it_has) {
   for (const char* key : {"", "_", "smoothness", "xylophone"})
-    EXPECT_TRUE(key_hint(pair_keys(), "pair", key).starts_with("known keys here: center_distance"))
+    EXPECT_TRUE(key_hint(pair_keys(), "pair", key)
+                    .starts_with("the known keys of this table are center_distance"))
         << key;
   EXPECT_EQ(key_hint(pair_keys(), "pair", std::string(100'000, 'x')).find("nearest"),
             std::string::npos);
@@ -51,7 +52,7 @@ TEST(KeyHint, where_nothing_is_near_the_table_says_what_it_has) {
 
 TEST(KeyHint, a_table_of_the_spec_is_no_key_of_a_gear) {
   EXPECT_EQ(key_hint(gear_keys(), "gear2", "pair"),
-            "[pair] is a separate table, not a part of [gear2]");
+            "[pair] is a separate table and not a part of [gear2]");
 }
 
 TEST(KeyHint, a_key_of_this_table_needs_no_place) {

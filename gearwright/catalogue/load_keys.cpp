@@ -6,9 +6,9 @@ namespace {
 
 std::optional<KeyFault> check_probe(LoadProbeInput& probe, const KeyGiven&) {
   if (probe.read_z.empty() || probe.z) return std::nullopt;
-  return KeyFault{
-      "read_z_mm",
-      "needs z_mm, because in plane strain the displacement is the same everywhere along the face"};
+  return KeyFault{"read_z_mm",
+                  "needs z_mm, because without z_mm (in plane strain) the displacement is the same "
+                  "everywhere along the face"};
 }
 
 }  // namespace
@@ -18,16 +18,15 @@ const KeyTable& load_keys() {
   static const KeyTable table{
       "load",
       "Teeth under torque: the verb `load`, and for drives the verbs `drive`, `rate` and `run`",
-      {Key::number(
-           "torque_Nm", "T_1", Range::above(0, kMaxInput), &LoadInput::torques, "",
-           "torque on gear 1; a list of torques gives the Harris map; for a drive one torque "
-           "on its input, by default that of the drive")
+      {Key::number("torque_Nm", "T_1", Range::above(0, kMaxInput), &LoadInput::torques, "",
+                   "torque on gear 1; several torques in a list give the Harris map; for a drive one torque on its "
+                   "input, by default that of the drive")
            .with_list(KeyList{1, kMostTorques, true})
            .with_fields({"torques"})
            .with_also({"torque", "moment", "t1"}),
        Key::number("driver", "", Range::between(1, 2), &LoadInput::driver, "1",
-                   "gear that drives; if it is 2, the sense of rotation is the same and the "
-                   "non-working flanks carry the load"),
+                   "gear that drives; if gear 2 drives, the sense of rotation is the same and the "
+                   "trailing flanks carry the load"),
        Key::number("positions", "", Range::between(4, kMostLoadPositions), &LoadInput::positions,
                    "64", "positions over one pitch of gear 1"),
        Key::number("rotation1_deg", "", Range::between(-1e6, 1e6), &LoadInput::rotations, "",
@@ -35,25 +34,26 @@ const KeyTable& load_keys() {
            .with_list(KeyList{1, kMostLoadPositions})
            .with_fields({"rotations"}),
        Key::number("slices", "", Range::between(4, kMostSlices), &LoadInput::slices,
-                   "32; on a narrow face as many slices as have the width m_n/4, or 0.4 m_n for "
-                   "helical teeth, and for internal pairs fewer",
-                   "number of slices over the common face, each at least four half widths of "
-                   "contact wide; for point contact over the face of each gear"),
+                   "32; fewer on a narrow face, so that a slice is at least m_n/4 wide, or 0.4 m_n "
+                   "for helical teeth; still fewer for internal pairs",
+                   "number of slices over the common face, or for point contact over the face of "
+                   "each gear; a slice must be at least four half widths of contact wide"),
        Key::word("accuracy", {"full", "draft"}, &LoadInput::accuracy, "\"full\"",
-                 "`draft`: a coarser mesh of the teeth, two to three times as fast"),
+                 "`draft` uses a coarser mesh of the teeth and is two to three times as fast"),
        Key::number("deflection_slope_um", "", Range::between(-1e5, 1e5),
                    &LoadInput::deflection_slope, "0",
-                   "additional linear approach of the flanks along the common face, caused by "
-                   "shafts; > 0 towards +z; only for line contact"),
-       Key::number(
-           "deflection_bow_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_bow, "0",
-           "additional parabolic approach of the flanks along the face: its value in the middle"),
+                   "additional approach of the flanks that is linear along the common face, caused "
+                   "by the shafts; > 0 towards +z; only for line contact"),
+       Key::number("deflection_bow_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_bow,
+                   "0",
+                   "additional approach of the flanks that is parabolic along the face; the value "
+                   "is that in the middle of the face"),
        Key::text("floating", &LoadInput::floating, "all bodies are centred",
                  "only for drives: body that is free to move radially, the sun, the ring or the "
                  "carrier of a planetary set"),
        Key::number("pin_error_um", "", Range::between(-1e5, 1e5), &LoadInput::pin_errors, "0",
-                   "only for drives: error of position of each planet's pin, tangential, > 0 "
-                   "counter-clockwise; a single number is that of the first planet")
+                   "only for drives: error of position of the pin of each planet, tangential, > 0 "
+                   "counter-clockwise; a single number applies to the first planet")
            .with_list(KeyList{1, 1000, true})
            .with_fields({"pin_errors"}),
        {.key = "probe",
@@ -63,7 +63,8 @@ const KeyTable& load_keys() {
                         .first = 0},
         .place = &LoadInput::probes,
         .tables = {load_probe_keys},
-        .meaning = "`[[load.probe]]`: compliance of one tooth",
+        .meaning = "points at which the compliance of one tooth is computed, each a table "
+                   "`[[load.probe]]`",
         .fields = {"probe"}}}};
   return table;
 }
@@ -78,13 +79,12 @@ const KeyTable& load_probe_keys() {
        Key::positive("diameter_mm", "", &LoadProbeInput::diameter, kRequired,
                      "diameter of the load on the flank"),
        Key::number("z_mm", "", {}, &LoadProbeInput::z,
-                   "the whole face of a wide gear, in plane strain",
-                   "loaded part of the face, from its middle")
+                   "the load covers the whole face of a wide gear, in plane strain",
+                   "loaded part of the face; positions are measured from the middle of the face")
            .with_list(
                {.least = 2,
                 .most = 2,
-                .order = {true,
-                          "must be the start and then the end of the load, in rising order"}}),
+                .order = {true, "must be the start and the end of the load, in rising order"}}),
        Key::positive("half_width_mm", "a", &LoadProbeInput::half_width, "0.05 m_n",
                      "half width of the Hertz strip under the load"),
        Key::number("read_z_mm", "", {}, &LoadProbeInput::read_z, "",

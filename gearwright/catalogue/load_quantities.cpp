@@ -18,7 +18,7 @@ Quantities<S> stiffness_in(Unit unit, const char* name) {
     const auto add = [&](const char* key, const char* words, const char* meaning, auto get) {
       q.number(key, words, "", meaning, [get](const S& s) { return get(s); }).unit(unit);
     };
-    add("mean", "mesh stiffness", "at the mean approach over the positions",
+    add("mean", "mesh stiffness", "mesh stiffness at the mean approach over the positions",
         [](const S& s) { return s.mean; });
     add("min", "least mesh stiffness", "", [](const S& s) { return s.min; });
     add("max", "greatest mesh stiffness", "", [](const S& s) { return s.max; });
@@ -65,18 +65,18 @@ void say_position(Quantities<P>& q) {
      return p.position->rotation1;
    }).always();
   q.term("transmission_error_arcsec",
-         "transmission error of `contact` minus the deflection of gear 2; null, like all numbers "
-         "of a position, if no teeth touch or the forces do not converge",
+         "transmission error as in `contact` minus the deflection of gear 2. This and all other "
+         "numbers of a position are null if no teeth touch or the forces do not converge",
          [](const P& p) { return p.position->te; })
       .words("loaded transmission error");
   q.number("approach_um", "approach under load", "Θ r_b2",
            "approach of the flanks from the first contact without load, along the line of action "
-           "in the transverse section or, for point contact, along the normals; includes "
-           "deflections and the twist of the bodies",
+           "in the transverse section or, for point contact, along the normals; the approach "
+           "includes deflections and the twist of the bodies",
            [](const P& p) { return p.position->approach * kUmPerMm; });
   q.number("share", "load shares", "",
-           "share of each loaded tooth pair, last the pair nearest to its exit; for point contact, "
-           "share of each point",
+           "share of each loaded tooth pair, with the pair nearest to its exit last; for point "
+           "contact, share of each point",
            [](const P& p) { return shares(*p.position); })
       .list({0})
       .always();
@@ -92,8 +92,8 @@ void say_position(Quantities<P>& q) {
       .list({0})
       .when([](const P& p) { return at_points(p); })
       .doors(kJson);
-  q.word("kind", "where the pressure is greatest",
-         "`line` is a contact line and `interior` is a point inside the flanks; all other kinds "
+  q.word("kind", "kind of the contact with the greatest pressure",
+         "`line` is a contact line, `interior` is a point inside the flanks, and all other kinds "
          "are loaded edges",
          [](const P& p) {
            return p.position->kind == TouchKind::none ? Value()
@@ -140,7 +140,7 @@ void say_torque(Quantities<T>& q) {
       .when(on_lines);
   q.record<stiffness_quantities>(
        "mesh_stiffness_without_twist_N_per_mm_um",
-       "secant stiffness without the twist of the bodies from bore to root [T12.16]",
+       "secant stiffness of the mesh without the twist of the bodies from bore to root [T12.16]",
        [](const T& t) -> const auto& { return t.torque->without_twist; })
       .when(on_lines)
       .doors(kJson);
@@ -166,8 +166,8 @@ void say_torque(Quantities<T>& q) {
            [](const T& t) { return has_standard(t) ? Value(t.standard->stiffness) : Value(); })
       .unit(Unit::newton_per_mm_um)
       .when(has_standard);
-  q.number("stiffness_over_c_gamma_alpha", "mean stiffness over that of ISO 6336-1", "",
-           "without the twist of the bodies, which the standard does not include",
+  q.number("stiffness_over_c_gamma_alpha", "mean stiffness divided by the stiffness of ISO 6336-1",
+           "", "ratio without the twist of the bodies, which the standard does not include",
            [](const T& t) {
              return has_standard(t) ? Value(t.torque->without_twist.mean / t.standard->stiffness)
                                     : Value();
@@ -180,9 +180,9 @@ void say_torque(Quantities<T>& q) {
            "greatest principal stress along the fillets over all positions, per gear",
            [](const T& t) { return t.torque->max_root_stress; })
       .per_gear();
-  q.number("least_root_stress_MPa", "least root stress there", "",
-           "least principal stress over all positions, at the place of the greatest stress, where "
-           "it is the lower end of the stress range; the fillet is compressed while neighbouring "
+  q.number("least_root_stress_MPa", "least root stress at the same place", "",
+           "least principal stress over all positions at the place of the greatest stress, which "
+           "is the lower end of the stress range; the fillet is compressed while neighbouring "
            "teeth carry load",
            [](const T& t) { return t.torque->least_at_max; })
       .per_gear();
@@ -191,9 +191,10 @@ void say_torque(Quantities<T>& q) {
            [](const T& t) { return has_nominal(t) ? Value(*t.standard->root_stress) : Value(); })
       .per_gear()
       .when(has_nominal);
-  q.number("root_stress_over_nominal", "greatest root stress over the nominal", "",
-           "the nominal stress of the standard has the whole load on one tooth pair, at the outer "
-           "point of single contact",
+  q.number("root_stress_over_nominal", "greatest root stress divided by the nominal root stress",
+           "",
+           "for the nominal stress of the standard, one tooth pair carries the whole load at the "
+           "outer point of single contact",
            [](const T& t) {
              if (!has_nominal(t)) return Value();
              const auto& nominal = *t.standard->root_stress;
@@ -207,18 +208,18 @@ void say_torque(Quantities<T>& q) {
          [](const T& t) { return t.torque->face_load_factor; })
       .when(on_lines);
   q.number("transverse_load_factor", "transverse load factor", "K_Hα",
-           "greatest share of a tooth pair, divided by its share without errors and deflections",
+           "greatest share of a tooth pair divided by its share without errors and deflections",
            [](const T& t) { return t.torque->transverse_load_factor; });
   q.term("edge_carries", "true if an edge carries load, so that the pressure is a lower bound",
          [](const T& t) { return t.torque->edge_carries; });
-  q.flag("ellipse_beyond_flank", "a contact ellipse extends beyond the flank",
+  q.flag("ellipse_beyond_flank", "contact ellipse beyond the flank",
          "true if an ellipse crosses an end of the flank or of the face, where the pressure is "
          "higher than the Hertz pressure",
          [](const T& t) { return t.torque->beyond_flank; })
       .when([](const T& t) { return at_points(t); });
   q.number("face_load_N_per_mm", "load along the face", "",
-           "load per length of the contact lines for each slice from −z to +z, as the mean over "
-           "the positions",
+           "load per length of the contact lines for each slice from −z to +z, averaged over the "
+           "positions",
            [](const T& t) { return numbers(t.torque->face_load); })
       .list({0})
       .when(on_lines)
@@ -228,17 +229,18 @@ void say_torque(Quantities<T>& q) {
 const Quantities<ProbeView>& probe_quantities() {
   static const Quantities<ProbeView> kAll("load.probes", [](Quantities<ProbeView>& q) {
     q.number("own_um_per_N_mm", "displacement under the load", "",
-             "per line load, for a wide gear in plane strain, including the twist of the body",
+             "displacement per line load, for a wide gear in plane strain, including the twist of "
+             "the body",
              [](const ProbeView& p) { return p.answer->own * kUmPerMm; })
         .unit(Unit::none)
         .when(&ProbeView::wide);
     q.number("own_um_per_N", "displacement under the load", "",
-             "mean over the loaded length, per force distributed over `z_mm`",
+             "mean displacement over the loaded length, per force distributed over `z_mm`",
              [](const ProbeView& p) { return p.answer->own * kUmPerMm; })
         .unit(Unit::none)
         .when([](const ProbeView& p) { return !p.wide; });
     q.number("profile_um_per_N", "displacements along the face", "",
-             "at `read_z_mm`, per force distributed over `z_mm`",
+             "displacements at `read_z_mm`, per force distributed over `z_mm`",
              [](const ProbeView& p) {
                ValueList list;
                for (const double u : p.answer->profile) list.push_back(Value(u * kUmPerMm));
@@ -269,7 +271,7 @@ const Quantities<LoadedPair>& load_point_quantities() {
        return p.point.force;
      }).always();
     q.number("pressure_MPa", "greatest pressure", "p_0",
-             "Hertz pressure in the middle of the ellipse",
+             "Hertz pressure in the middle of the contact ellipse",
              [](const LoadedPair& p) { return p.point.pressure; })
         .always();
     q.number("semi_major_mm", "semi-major axis", "a", "of the contact ellipse",
@@ -278,15 +280,16 @@ const Quantities<LoadedPair>& load_point_quantities() {
     q.number("semi_minor_mm", "semi-minor axis", "b", "", [](const LoadedPair& p) {
        return p.point.semi_minor;
      }).always();
-    q.number("diameter_mm", "diameter", "", "diameter of its middle, on each gear",
+    q.number("diameter_mm", "diameter", "", "diameter of the middle of the ellipse, on each gear",
              [](const LoadedPair& p) { return p.point.diameter; })
         .per_gear();
     q.number("height_mm", "place along the face", "z",
-             "height of its middle, from the middle of the face of each gear",
+             "height of the middle of the ellipse, from the middle of the face of each gear",
              [](const LoadedPair& p) { return p.point.height; })
         .per_gear();
-    q.flag("beyond_flank", "crosses an end of the flank",
-           "true if the pressure is higher than the Hertz pressure for this reason",
+    q.flag("beyond_flank", "ellipse across an end of the flank",
+           "true if the ellipse crosses an end of the flank, so that the pressure is higher than "
+           "the Hertz pressure",
            [](const LoadedPair& p) { return p.point.beyond; });
   });
   return kAll;
@@ -314,7 +317,7 @@ const Quantities<LoadView>& load_quantities() {
         .always()
         .doors(kJson);
     q.under(kLoad);
-    q.word("regime", "how the teeth touch",
+    q.word("regime", "kind of contact",
            "parallel involute teeth touch along lines; crossed and circular-arc teeth touch at "
            "points, with ellipses by Hertz",
            [](const LoadView& v) {
@@ -331,9 +334,9 @@ const Quantities<LoadView>& load_quantities() {
         .when([](const LoadView& v) { return v.contact && quietest(*v.contact); });
     q.record<load_quantities>(
          "halves",
-         "both halves of a double-helical pair, at z > 0 and at z < 0, each under half of the "
-         "torque; the other numbers are those of the whole gears, which have no shares and no "
-         "values along the face",
+         "results of both halves of a double-helical pair, at z > 0 and at z < 0, each under half "
+         "of the torque; the other numbers are those of the whole gears, for which there are no "
+         "shares and no values along the face",
          [](const LoadView& v) -> const auto& { return v.halves; })
         .list({2})
         .when([](const LoadView& v) { return !v.halves.empty(); })

@@ -24,12 +24,13 @@ Key by_temperature(std::string_view key, std::string_view symbol,
     const std::vector<double>& celsius = m.temperatures;
     if (celsius.empty()) return std::string();
     if (values.size() != celsius.size())
-      return fmt::format("has {} values, but temperatures_C has {}", values.size(), celsius.size());
+      return fmt::format("has {} values, but temperatures_C has {} values", values.size(),
+                         celsius.size());
     for (std::size_t i = 0; i < values.size(); ++i) (m.*member).push_back({celsius[i], values[i]});
     return std::string();
   };
   return Key::positive(key, symbol, KeyPlace::by<MaterialInput, std::vector<double>>(set),
-                       "the single value above", meaning)
+                       "the value of the key without list", meaning)
       .with_list({kMinSteps, kMaxSteps})
       .with_form("a list with one value for each of `temperatures_C`")
       .with_needs({"temperatures_C"})
@@ -60,9 +61,9 @@ std::optional<KeyFault> check_name(MaterialInput& m, const KeyGiven&) {
     return KeyFault{
         "name",
         "is a plastic. The table of materials has no plastics, because their strength depends on "
-        "grade, temperature and life. Give the values of the supplier or of VDI 2736: kind = "
-        "\"plastic\", youngs_modulus_MPa, sigma_Hlim_MPa and sigma_Flim_MPa, or lists of these "
-        "values at temperatures_C; [rating] then needs standard = \"VDI 2736:2014\""};
+        "grade, temperature and life. Give kind = \"plastic\" and the values of the supplier or of "
+        "VDI 2736 for youngs_modulus_MPa, sigma_Hlim_MPa and sigma_Flim_MPa, or lists of these "
+        "values at temperatures_C. In this case [rating] needs standard = \"VDI 2736:2014\""};
   }
   return KeyFault{
       "name", fmt::format("is not in the table of materials; {}. For any other material give kind, "
@@ -79,23 +80,23 @@ const KeyTable& material_keys() {
     return KeyTable{
         "material",
         "Material of the teeth, for `rate`",
-        {Key::text("name", &MaterialInput::name, "the values below",
+        {Key::text("name", &MaterialInput::name, "the material is described by its values",
                    "name of a row of the table of materials, for example \"18CrNiMo7-6\"; any name "
                    "is allowed if the values are given")
              .with_also({"steel", "grade", "material"}),
          Key::word("kind", {kinds.begin(), kinds.end()}, &MaterialInput::kind,
                    "value of the named row",
-                   "kind of ISO 6336-5: Eh, V, St, IF, NT, NV (nitrocar.), GG, GGG (perl., "
-                   "bai.), GGG (ferr.), GTS")
+                   "kind of material by ISO 6336-5 (Eh, V, St, IF, NT, NV (nitrocar.), GG, GGG "
+                   "(perl., bai.), GGG (ferr.), GTS)")
              .with_also({"type", "treatment", "heat_treatment"}),
          Key::positive("youngs_modulus_MPa", "E", &MaterialInput::youngs_modulus,
-                       "206 000, for cast iron less", "Young's modulus")
+                       "206 000, or less for cast iron", "Young's modulus")
              .with_also({"e", "modulus", "elasticity"}),
          Key::number("poisson_ratio", "ν", Range::between(0, 0.5), &MaterialInput::poisson_ratio,
                      "0.3", "Poisson's ratio")
              .with_also({"nu", "poisson"}),
          Key::positive("density_kg_per_m3", "ρ", &MaterialInput::density,
-                       "7830, for cast iron 7300; plastics have no default",
+                       "7830, or 7300 for cast iron; plastics have no default",
                        "density, for the mass and for the resonance of the mesh"),
          Key::positive("sigma_Hlim_MPa", "σ_Hlim", &MaterialInput::sigma_Hlim,
                        "value of the named row",
@@ -107,17 +108,17 @@ const KeyTable& material_keys() {
              .with_also({"sigma_f", "bending_strength", "flim"}),
          Key::number("surface_hardness_HV", "", Range::between(50, 1200),
                      &MaterialInput::surface_hardness, "value of the named row",
-                     "Vickers hardness of the surface; for a named row it also determines the "
-                     "stress limits")
+                     "Vickers hardness of the surface; for a named row the hardness also "
+                     "determines the stress limits")
              .with_also({"hardness", "hv"}),
          Key::positive("yield_strength_MPa", "R_e", &MaterialInput::yield_strength,
                        "Y_δrelT = 1 for a tempered or normalized steel",
                        "yield strength or 0.2 % proof stress")
              .with_also({"yield", "re", "rp02"}),
          Key::number("temperatures_C", "ϑ", Range::between(-100, 400), &MaterialInput::temperatures,
-                     "the values above, at any temperature",
-                     "temperatures of the values below, only for plastics; interpolation is linear "
-                     "and there is no extrapolation")
+                     "the single values are used at any temperature",
+                     "temperatures of the lists of values, only for plastics; interpolation is "
+                     "linear and there is no extrapolation")
              .with_list({.least = kMinSteps,
                          .most = kMaxSteps,
                          .order = {true, "must be in rising order"}})

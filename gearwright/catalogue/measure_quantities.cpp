@@ -40,7 +40,8 @@ const std::vector<std::string> kPlaces{"usable", "below_flank", "on_tip_rounding
 void say_span(Quantities<Span>& q) {
   using S = Span;
   q.under("");
-  q.whole("teeth", "teeth between the anvils", "k", "for an internal gear the spaces", &S::teeth)
+  q.whole("teeth", "teeth between the anvils", "k", "for an internal gear number of tooth spaces",
+          &S::teeth)
       .always();
   q.number("length_mm", "span", "W_k", "exact at any helix angle [T10.2]", &S::length).always();
   q.term("contact_diameter_mm", "for symmetric contact of the anvils [T10.3]", &S::contact_diameter)
@@ -49,11 +50,12 @@ void say_span(Quantities<Span>& q) {
          [](const S& s) { return place_word(s.place); })
       .always()
       .one_of(kPlaces);
-  q.number("min_face_width_mm", "face width needed", "",
-           "W_k sin |β_b|; on a narrower gear one anvil does not touch [T10.4]", &S::min_face_width)
+  q.number("min_face_width_mm", "required face width", "",
+           "W_k sin |β_b|; on a narrower gear one of the anvils does not touch [T10.4]",
+           &S::min_face_width)
       .always();
-  q.flag("face_wide_enough", "face wide enough for both anvils", "true if b is greater",
-         &S::face_is_wide_enough);
+  q.flag("face_wide_enough", "face is wide enough for both anvils",
+         "true if b is greater than the required face width", &S::face_is_wide_enough);
 }
 
 const Quantities<Span>& span_quantities() {
@@ -72,7 +74,7 @@ void say_seat(Quantities<V>& q, const Seat& seat) {
      return seat(v).contact_diameter;
    }).always();
   q.term("contact_offset_mm",
-         "axial distance of each contact from the centre, one on each side: D_M sin |β_b|/2",
+         "axial distance of each of the two contacts from the centre of the ball, D_M sin |β_b|/2",
          [seat](const V& v) { return seat(v).contact_offset; })
       .always();
   q.term("contact", "whether the contact is on the usable flank from d_Ff to d_Fa",
@@ -87,12 +89,12 @@ const Quantities<BallMeasure>& ball_quantities() {
     q.number("ball_diameter_mm", "diameter of the balls", "D_M", "as given, or the standard size",
              [](const B& b) { return b.seat.ball_diameter; })
         .always();
-    q.number("dimension_mm", "over two balls, between them in an internal gear", "M_dK",
-             "with both balls in one transverse plane, in opposite spaces or in the most nearly "
-             "opposite spaces [T10.8]",
+    q.number("dimension_mm", "dimension over or between two balls", "M_dK",
+             "over the balls, for an internal gear between them; both balls are in one transverse "
+             "plane, in opposite or most nearly opposite tooth spaces [T10.8]",
              &B::dimension)
         .always();
-    q.number("radial_mm", "from the axis over one ball", "M_rK",
+    q.number("radial_mm", "distance from the axis over one ball", "M_rK",
              "for an internal gear to the inside of the ball",
              [](const B& b) { return b.seat.radial; })
         .always();
@@ -108,17 +110,18 @@ const Quantities<PinMeasure>& pin_quantities() {
              "as given, or the diameter of the balls",
              [](const P& p) { return p.seat.ball_diameter; })
         .always();
-    q.number("two_free_mm", "over two pins that may tilt", "M_dR",
-             "least dimension, as a micrometer finds it [T10.9]; null for an internal helical gear",
-             [](const P& p) { return p.reading.two_free; });
-    q.number("three_mm", "over two pins between parallel anvils", "M_dR",
-             "also over three pins on helical gears [T10.10]; equal to the dimension over two pins "
-             "on spur gears; null for an internal helical gear",
+    q.number(
+        "two_free_mm", "dimension over two pins that may tilt", "M_dR",
+        "least dimension, as measured by a micrometer [T10.9]; null for an internal helical gear",
+        [](const P& p) { return p.reading.two_free; });
+    q.number("three_mm", "dimension over two pins between parallel anvils", "M_dR",
+             "for helical gears also the dimension over three pins [T10.10]; for spur gears equal "
+             "to the dimension over two pins; null for an internal helical gear",
              [](const P& p) { return p.reading.three; });
-    q.number("three_pins_mm", "over three pins, two of them in neighbouring spaces", "M_d3R",
-             "one anvil touches two neighbouring pins, which gives a smaller dimension on a spur "
-             "gear with an odd number of teeth [T10.30]; on other gears equal to the dimension "
-             "between parallel anvils; null for an internal helical gear",
+    q.number("three_pins_mm", "dimension over three pins", "M_d3R",
+             "one anvil touches two pins in neighbouring tooth spaces, which gives a smaller "
+             "dimension on a spur gear with an odd number of teeth [T10.30]; on other gears equal "
+             "to the dimension between parallel anvils; null for an internal helical gear",
              [](const P& p) { return p.reading.three_pins; });
     say_seat<P>(q, [](const P& p) -> const BallSeat& { return p.seat; });
   });
@@ -137,18 +140,19 @@ std::string inch_text(double inch) {
 const Quantities<BallSizes>& size_quantities() {
   using S = BallSizes;
   static const Quantities<S> kAll("measure.ball_sizes", [](Quantities<S>& q) {
-    q.number("ideal_mm", "touching at the V circle", "D_M",
-             "or at the middle of the usable flank if the V circle lies outside it [T10.11]",
+    q.number("ideal_mm", "size that touches at the V circle", "D_M",
+             "size that touches at the middle of the usable flank if the V circle lies outside the "
+             "flank [T10.11]",
              &S::ideal)
         .always();
     q.number("metric_mm", "nearest metric size", "", "size of measuring pins by DIN 3977",
              &S::metric)
         .always();
     q.word("inch", "nearest inch size",
-           "balls in steps of 1/64 in, from 1/2 in of 1/32 in, from 1 in of 1/16 in",
+           "size of balls in steps of 1/64 in, or 1/32 in from 1/2 in on, or 1/16 in from 1 in on",
            [](const S& s) { return inch_text(s.inch); })
         .always();
-    q.number("inch_mm", "the same in mm", "", "", [](const S& s) {
+    q.number("inch_mm", "nearest inch size in mm", "", "", [](const S& s) {
        return s.inch * kMmPerInch;
      }).always();
   });
@@ -169,11 +173,11 @@ const Quantities<ChordMeasure>& chord_quantities() {
              [](const C& c) { return c.chord.height; })
         .always();
     q.number("tip_to_chord_mm", "calliper setting from the tip", "",
-             "from d_a; < 0 if the chord of an internal gear lies beyond its tip",
+             "distance from d_a; < 0 if the chord of an internal gear lies beyond the tip",
              [](const C& c) { return c.chord.tip_to_chord; })
         .always();
-    q.number("caliper_angle_deg", "calliper to the transverse plane", "", "sign as for β [T5.7]",
-             [](const C& c) { return deg(c.chord.caliper_angle); })
+    q.number("caliper_angle_deg", "angle of the calliper to the transverse plane", "",
+             "sign as for β [T5.7]", [](const C& c) { return deg(c.chord.caliper_angle); })
         .always()
         .digits(3);
   });
@@ -184,8 +188,8 @@ const Quantities<ConstantChord>& constant_quantities() {
   using C = ConstantChord;
   static const Quantities<C> kAll("measure.constant_chord", [](Quantities<C>& q) {
     q.number("chord_mm", "constant chord", "s_c", "s_n cos² α_n [T10.13]", &C::chord).always();
-    q.number("tip_to_chord_mm", "calliper setting from the tip", "h_c", "from d_a [T10.13]",
-             &C::tip_to_chord)
+    q.number("tip_to_chord_mm", "calliper setting from the tip", "h_c",
+             "distance from d_a [T10.13]", &C::tip_to_chord)
         .always();
     q.number("contact_diameter_mm", "diameter of the contacts", "", "[T10.14]",
              &C::contact_diameter)
@@ -221,7 +225,7 @@ void say_measure(Quantities<GearMeasures>& q) {
   q.record<span_quantities>("span", "null if no span can be measured", &M::span);
   q.under("Other spans");
   q.record<span_quantities>(
-       "spans", "all spans that can be measured, at most 31 around the usual span", &M::spans)
+       "spans", "all spans that can be measured, but at most 31 around the usual span", &M::spans)
       .list({0})
       .always()
       .doors(kJson);

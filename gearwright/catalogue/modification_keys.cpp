@@ -35,25 +35,27 @@ const std::array<ModificationEntry, 7>& modification_entries() {
   using P = RemovalField::Parameter;
   static const std::array<ModificationEntry, 7> entries{{
       {"tip_relief", "C_αa", "tip relief", P::tip_relief, &M::tip_relief, nullptr, "_start_mm",
-       "from diameter", "amount C, from 0 at the start diameter to C at d_Fa"},
+       "from diameter", "amount C; the removal grows from 0 at the start diameter to C at d_Fa"},
       {"root_relief", "C_αf", "root relief", P::root_relief, &M::root_relief, nullptr, "_start_mm",
-       "from diameter", "amount C, from 0 at the start diameter to C at d_Ff"},
+       "from diameter", "amount C; the removal grows from 0 at the start diameter to C at d_Ff"},
       {"profile_crowning", "C_α", "profile crowning", P::profile_crowning, nullptr,
        &M::profile_crowning, "", "",
-       "parabola over the usable flank, 0 in its middle and C at both ends; negative if hollow"},
+       "parabola over the usable flank, with 0 in the middle and C at both ends; negative if "
+       "hollow"},
       {"profile_slope", "C_Hα", "profile slope", P::profile_slope, nullptr, &M::profile_slope, "",
        "",
-       "linear over the usable flank, 0 in its middle, and greater by C at d_Fa than at d_Ff; can "
-       "be negative"},
+       "linear over the usable flank, with 0 in the middle and greater by C at d_Fa than at d_Ff; "
+       "can be negative"},
       {"lead_crowning", "C_β", "helix crowning", P::lead_crowning, nullptr, &M::lead_crowning, "",
-       "", "parabola over the face, 0 in its middle and C at both ends; negative if hollow"},
+       "", "parabola over the face, with 0 in the middle and C at both ends; negative if hollow"},
       {"lead_slope", "C_Hβ", "helix slope modification", P::lead_slope, nullptr, &M::lead_slope, "",
        "",
-       "C z/b: 0 in the middle, and greater by C at the +z end than at the other end; can be "
+       "C z/b, with 0 in the middle and greater by C at the +z end than at the other end; can be "
        "negative"},
       {"end_relief", "C_βI = C_βII", "end relief", P::end_relief, &M::end_relief, nullptr,
        "_length_mm", "over",
-       "amount C at both ends of the face, from 0 at the length l from the end"},
+       "amount C; the removal grows from 0 at the length l from an end of the face to C at the "
+       "end, at both ends"},
   }};
   return entries;
 }
@@ -61,8 +63,8 @@ const std::array<ModificationEntry, 7>& modification_entries() {
 const KeyTable& modification_keys() {
   static const KeyTable table = [] {
     KeyTable t{"modifications",
-               "Material removed from the flanks, in the normal direction; with right_ or left_ "
-               "before a key, from one flank only",
+               "Material removed from the flanks in the normal direction; a key with the prefix "
+               "right_ or left_ applies to one flank only",
                {}};
     for (const ModificationEntry& m : modification_entries()) {
       const std::string name(m.name);
@@ -81,8 +83,8 @@ const KeyTable& modification_keys() {
       add(t.keys, {.key = kept(name + std::string(m.reach)),
                    .range = KeyRange::positive(),
                    .fallback = length ? std::string_view()
-                                      : "short relief, so that the reliefs of both gears leave one "
-                                        "base pitch of the path",
+                                      : "start of a short relief, so that the reliefs of both "
+                                        "gears leave one base pitch of the path of contact",
                    .meaning = length ? "length l, from b/1000 to b/2"
                                      : "start diameter, on the usable flank",
                    .fields = {name + ".reach"}});
@@ -95,7 +97,7 @@ const KeyTable& modification_keys() {
     }
     add(t.keys, {.key = "topography",
                  .kind = KeyKind::text,
-                 .meaning = "CSV file with the material removed at the points of a grid"});
+                 .meaning = "CSV file with the material that is removed at the points of a grid"});
     return t;
   }();
   return table;

@@ -16,40 +16,44 @@ struct Row {
 };
 
 constexpr std::string_view kRackMate =
-    "a rack as a mating part is gear 2: [gear2] with form = \"rack\". The rack that cuts a gear is "
-    "[gear1.rack]";
+    "is not a table; describe a rack as a mating part by [gear2] with form = \"rack\", and the "
+    "rack that cuts a gear by [gear1.rack]";
 constexpr std::string_view kTwoHalves =
-    "double-helical gears have the table [gear1.double_helical], for example with gap_mm = 0; "
-    "helix_angle_deg is the angle of the half at z > 0";
+    "is not allowed; describe a double-helical gear by the table [gear1.double_helical], for "
+    "example with gap_mm = 0. In this case helix_angle_deg is the angle of the half at z > 0";
 constexpr std::string_view kUnits =
-    "units cannot be chosen. Lengths are in mm and angles in degrees, as the end of each key "
-    "shows. An inch is 25.4 mm. Instead of the module, you can give normal_diametral_pitch_per_in";
+    "is not a key, because units cannot be chosen. Lengths are in mm and angles in degrees, as the "
+    "end of each key shows. An inch is 25.4 mm. normal_diametral_pitch_per_in can be given instead "
+    "of the module";
 constexpr std::string_view kInternal =
-    "is determined by the number of teeth: teeth = -61 is an internal gear with 61 teeth, and a "
+    "is determined by the number of teeth; teeth = -61 is an internal gear with 61 teeth, and a "
     "positive number is an external gear";
 
 constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",
-     "a spec has at most two gears, [gear1] and [gear2]; write a separate spec for each mesh"},
+     "is not allowed, because a spec has at most two gears, [gear1] and [gear2]; write a separate "
+     "spec for each mesh"},
     {"rack", "", kRackMate},
-    {"gear1.form", "\"rack\"", "the rack must be gear 2 and its pinion gear 1"},
+    {"gear1.form", "\"rack\"",
+     "must not be a rack; give the rack as gear 2 and its pinion as gear 1"},
     {"gear#.teeth", "0",
      "must not be 0. A rack is [gear2] with form = \"rack\". An internal gear has a negative "
      "number of teeth, for example teeth = -61"},
     {"gear#.internal", "", kInternal},
     {"gear#.rack.points", "",
-     "a rack given by points is not supported. Give a rack with straight flanks by addendum, "
-     "dedendum and root_fillet_radius, or a chain of arcs and lines by kind = \"arcs\""},
+     "is not supported, because a rack cannot be given by points. Give a rack with straight flanks "
+     "by addendum, dedendum and root_fillet_radius, or a chain of arcs by kind = \"arcs\""},
     {"gear#.measured.helix_deg", "",
-     "the key for the reading of the helix angle is helix_angle_deg, at the reference cylinder"},
-    {"measured", "", "readings are given for a gear, in [gear1.measured]"},
+     "is not a key; give the reading of the helix angle at the reference cylinder by "
+     "helix_angle_deg"},
+    {"measured", "", "is not a table of the spec; give the readings of a gear in [gear1.measured]"},
     {"scatter.correlations", "",
-     "correlated inputs are not supported, except bores, by [scatter.bearings]"},
+     "is not supported; only the bores can be correlated, by [scatter.bearings]"},
     {"*.herringbone", "", kTwoHalves},
     {"gear#.double_helical", "true", kTwoHalves},
     {"stage[#].gears[#].form", "\"rack\"",
-     "a rack is a gear of [drive]: [[drive.gear]] with form = \"rack\". Both gears of a stage "
-     "turn"},
+     "is not supported in a stage, whose gears both turn; describe a rack by [[drive.gear]] with "
+     "form = \"rack\""},
     {"*.units", "", kUnits},
     {"*.unit", "", kUnits},
 });

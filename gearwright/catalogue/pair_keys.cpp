@@ -8,7 +8,8 @@ namespace gearwright {
 namespace {
 
 KeyRange no_pressing() {
-  return KeyRange::not_negative(", because the teeth would press into each other");
+  return KeyRange::not_negative(
+      ", because teeth with negative backlash would press into each other");
 }
 
 }  // namespace
@@ -18,7 +19,7 @@ const KeyTable& pair_keys() {
       "pair",
       "Mounting of the two gears",
       {Key::positive("center_distance_mm", "a", &PairInput::center_distance,
-                     "distance by `mounting`", "centre distance")
+                     "determined by `mounting`", "centre distance")
            .with_also({"centre_distance", "distance", "axis_distance", "center", "cd"}),
        Key::text("center_distance_tolerance", &PairInput::distance_tolerance, "",
                  "tolerance of the centre distance by ISO 286, for example `\"JS7\"` (JS1 to JS12)")
@@ -29,21 +30,21 @@ const KeyTable& pair_keys() {
                    "lower and upper deviation of the centre distance")
            .with_list(kLowerAndUpper)
            .with_fields({"distance_deviations"}),
-       Key::number(
-           "shaft_angle_deg", "Σ", KeyRange::inside(-180, 180, " (> 0 if right hands prevail)"),
-           &PairInput::shaft_angle,
-           "0 if the helix angles allow parallel axes; an error if both gears have the same hand "
-           "and helix angle, and for internal pairs; otherwise the angle of the minimum centre "
-           "distance, with a warning",
-           "shaft angle Σ = β_w1 + β_w2, of internal pairs β_w1 − β_w2; two right-hand external "
-           "gears have Σ > 0, two left-hand ones Σ < 0")
+       Key::number("shaft_angle_deg", "Σ",
+                   KeyRange::inside(-180, 180, " (> 0 if the helix angles are mainly right-hand)"),
+                   &PairInput::shaft_angle,
+                   "0 if the helix angles allow parallel axes. Otherwise the angle of the minimum "
+                   "centre distance, with a warning; but an error for internal pairs and if both "
+                   "gears have the same hand and helix angle",
+                   "shaft angle Σ = β_w1 + β_w2, for internal pairs β_w1 − β_w2; two right-hand "
+                   "external gears have Σ > 0, and two left-hand external gears Σ < 0")
            .with_also({"axis_angle", "crossing_angle"}),
        Key::number("backlash_mm", "j_n", no_pressing(),
                    KeyPlace::mean_and_ends<PairInput>(
                        [](auto& p) -> auto& { return p.backlash; },
                        [](auto& p) -> auto& { return p.backlash_ends; }),
-                   "computed from allowances and centre distance",
-                   "normal backlash for which the teeth are thinned, instead of "
+                   "backlash of the given allowances and centre distance",
+                   "normal backlash for which the teeth are thinned; instead of "
                    "`thickness_allowance_mm`; two numbers are the least and the greatest backlash")
            .with_list(kOneOrEnds)
            .with_excludes({"backlash_circumferential_mm", "backlash_deg"})
@@ -54,17 +55,19 @@ const KeyTable& pair_keys() {
            .with_excludes({"backlash_deg"})
            .with_also({"circumferential_backlash", "transverse_backlash", "jt", "jwt"}),
        Key::number("backlash_deg", "", no_pressing(), &PairInput::backlash_angle, "",
-                   "backlash as the angle that gear 1 turns while gear 2 is held")
+                   "backlash as the angle through which gear 1 can turn while gear 2 is held")
            .with_fields({"backlash_angle"})
            .with_also({"angular_backlash", "backlash_angle"}),
-       Key::number("backlash_split", "", KeyRange::between(0, 1), &PairInput::backlash_split, "0.5",
-                   "share of gear 1 in the thinning; the rest is for gear 2"),
+       Key::number(
+           "backlash_split", "", KeyRange::between(0, 1), &PairInput::backlash_split, "0.5",
+           "share of the thinning that is applied to gear 1; the rest is applied to gear 2"),
        Key::word("mounting", {"tight", "extended"}, &PairInput::mounting, "\"tight\"",
-                 "`\"tight\"` is free of backlash for nominal teeth; `\"extended\"` is a_d + m_n "
-                 "(x1 + x2), or with an internal gear a_d − m_n (x1 + x2)"),
+                 "kind of the default centre distance; `\"tight\"` is free of backlash for nominal "
+                 "teeth, and `\"extended\"` is a_d + m_n (x1 + x2), or with an internal gear a_d − "
+                 "m_n (x1 + x2)"),
        Key::flag("choose_profile_shifts", &PairInput::choose_profile_shifts, "true",
                  "if `true`, absent profile shifts are computed from a given centre distance and "
-                 "reported in a note; if `false`, they must be given"),
+                 "reported in a note; if `false`, the profile shifts must be given"),
        Key::flag("shorten_tips", &PairInput::shorten_tips, "false",
                  "if true, tips without a given `tip_diameter_mm` are shortened by k m_n, which "
                  "keeps the clearance of the racks"),
@@ -73,9 +76,11 @@ const KeyTable& pair_keys() {
                    &PairInput::friction_coefficient, "no efficiency",
                    "coefficient of friction of the flanks, for the efficiency")
            .with_also({"friction"}),
-       Key::positive("bearing_span_mm", "L", &PairInput::bearing_span,
-                     "distance of `[rating.mounting]`; without it no tolerances of the axes",
-                     "greater bearing distance of the two shafts, for the tolerances of the axes")
+       Key::positive(
+           "bearing_span_mm", "L", &PairInput::bearing_span,
+           "bearing distance of `[rating.mounting]`; without this table there are no tolerances of "
+           "the axes",
+           "greater of the bearing distances of the two shafts, for the tolerances of the axes")
            .with_also({"bearing_distance", "span"}),
        Key::positive("speed_rpm", "n_1", &PairInput::speed_rpm, "no velocities",
                      "speed of rotation of gear 1, for the pitch line velocity")
@@ -89,7 +94,8 @@ const KeyTable& rack_bar_keys() {
       "A rack as gear 2, with the profile of the basic rack of gear 1",
       {Key::word("form", {"rack"}, KeyPlace::unused(), kRequired, "makes gear 2 a rack"),
        Key::number("teeth", "z", KeyRange::between(1, 100'000), &RackBar::teeth,
-                   "as many as needed", "number of teeth, which determines the length of the rack")
+                   "a rack as long as required",
+                   "number of teeth, which determines the length of the rack")
            .with_also({"number_of_teeth", "length"}),
        Key::positive("face_width_mm", "b", &RackBar::face_width, "face width of gear 1",
                      "face width")

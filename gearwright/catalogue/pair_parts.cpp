@@ -24,9 +24,10 @@ struct PathPoint {
 void say_path_point(Quantities<PathPoint>& q) {
   using P = PathPoint;
   q.under("");
-  q.number("from_A_mm", "distance from A", "", "along the line of action",
+  q.number("from_A_mm", "distance from A", "", "distance along the line of action",
            [](const P& p) { return (p.rho1 - p.pair->mesh.rho1_A) / p.pair->mesh.line_cosine; });
-  q.number("from_pitch_point_mm", "distance from the pitch point", "", "along the line of action",
+  q.number("from_pitch_point_mm", "distance from the pitch point", "",
+           "distance along the line of action",
            [](const P& p) { return (p.rho1 - p.pair->mesh.rho1_C) / p.pair->mesh.line_cosine; });
   q.number("rho1_mm", "radius of curvature, gear 1", "ρ_1", "of the transverse profile", &P::rho1);
   q.number("rho2_mm", "radius of curvature, gear 2", "ρ_2", "of the transverse profile",
@@ -83,16 +84,16 @@ const Quantities<CrossedPlaces>& places_quantities() {
            [](const P& p) {
              return std::array{p.lo.center_distance, p.hi.center_distance};
            })
-        .words("centre distance at these two")
+        .words("centre distance at these two angles")
         .ends();
     q.term("shaft_angle_deg", ends,
            [](const P& p) {
              return std::array{p.lo.shaft_angle, p.hi.shaft_angle};
            })
-        .words("shaft angle at these two")
+        .words("shaft angle at these two angles")
         .ends();
-    q.flag("ends_at_90_deg_helix", "ends at a helix angle of 90°",
-           "the interval ends because a helix angle reaches 90°", &P::limit)
+    q.flag("ends_at_90_deg_helix", "limited by a helix angle of 90°",
+           "true if the interval ends because a helix angle reaches 90°", &P::limit)
         .doors(kJson);
   });
   return kAll;
@@ -104,12 +105,13 @@ const Quantities<LineView>& line_quantities() {
     const auto ends = [](const std::array<Vec3, 2>& line) {
       return Value(ValueList{line[0], line[1]});
     };
-    q.number("length_mm", "length of path of contact", "g_α",
-             "for crossed axes AE along the line of action; 0 if the path has no length",
-             &L::length)
+    q.number(
+         "length_mm", "length of path of contact", "g_α",
+         "for crossed axes the distance AE along the line of action; 0 if the path has no length",
+         &L::length)
         .always();
     q.number("leading", "leading line of action", "",
-             "points [A, E], for parallel axes in the section z = 0",
+             "points [A, E]; for parallel axes in the section z = 0",
              [ends](const L& l) { return ends(l.leading); })
         .unit(Unit::mm)
         .list({2, 3})
@@ -193,15 +195,14 @@ const Quantities<PairBacklash>& backlash_quantities() {
     q.term("circumferential_mm", "per gear, at the working pitch circles", &B::circumferential)
         .per_gear()
         .always();
-    q.number("rotation_deg", "angular backlash (mating gear fixed)", "j_φ", "per gear",
+    q.number("rotation_deg", "angular backlash with the mating gear fixed", "j_φ", "per gear",
              &B::rotation)
         .per_gear()
         .always();
-    q.number("free_rotation_deg", "free play (mating gear fixed)", "",
+    q.number("free_rotation_deg", "free play with the mating gear fixed", "",
              "per gear, rotation without any contact; less than the backlash if other parts of the "
-             "teeth meet before the flanks; null if it was not computed (as on crossed axes with "
-             "an internal gear) or if a tip lies "
-             "inside a root",
+             "teeth touch before the flanks; null if not computed (as on crossed axes with an "
+             "internal gear) or if a tip lies inside a root",
              [](const B& b) {
                if (!b.free) return Value();
                return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});
@@ -226,7 +227,7 @@ const Quantities<ParallelPair>& needed_face_quantities() {
       q.number(key, words, "b", meaning, face).unit(Unit::mm).shown([worth](const P& p) {
         return worth(p) && !p.gears[0].gap;
       });
-      q.number(whole_key, words, "b", "the same with both halves and the gap",
+      q.number(whole_key, words, "b", "the same face widths including both halves and the gap",
                [face](const P& p) {
                  const auto half = face(p);
                  return half && *half > 0.0 ? std::optional(p.whole_face(*half)) : half;
@@ -236,10 +237,10 @@ const Quantities<ParallelPair>& needed_face_quantities() {
           .shown(worth);
     };
     add("total_1", "whole_total_1", "face width for a total contact ratio of 1",
-        "null for a spur pair with a lower transverse contact ratio",
+        "null for a spur pair whose transverse contact ratio is lower",
         [](const P& p) { return face_width_for_total(p, 1.0); });
     add("total_1_2", "whole_total_1_2", "face width for a total contact ratio of 1.2",
-        "null for a spur pair with a lower transverse contact ratio",
+        "null for a spur pair whose transverse contact ratio is lower",
         [](const P& p) { return face_width_for_total(p, 1.2); });
     add("overlap_1", "whole_overlap_1", "face width for an overlap ratio of 1",
         "null for spur pairs", [](const P& p) { return face_width_for_overlap(p); });
@@ -285,15 +286,18 @@ const Quantities<InternalMargins>& internal_quantities() {
   static const Quantities<M> kAll("pair.internal", [](Quantities<M>& q) {
     q.under(kMargins);
     q.number(
-        "involute_margin_mm", "involute: start of the path above the pinion's form point", "",
-        "[T2.27]; negative if the tip reaches below that point; null if there is no such limit",
+        "involute_margin_mm",
+        "involute interference, start of the path of contact above the form point of the pinion",
+        "",
+        "[T2.27]; negative if the tip of the internal gear reaches below the form point; null if "
+        "there is no such limit",
         &M::involute);
-    q.number("trochoid_margin_deg", "trochoid: tips pass each other", "",
-             "[T2.28]; for sharp tips without backlash; negative if the tips collide; null if "
-             "there is no such limit",
+    q.number("trochoid_margin_deg", "trochoid interference, play when the tips pass each other", "",
+             "[T2.28]; computed for sharp tips without backlash; negative if the tips collide; "
+             "null if there is no such limit",
              &M::trochoid);
-    q.number("trimming_margin_deg", "trimming: radial assembly", "",
-             "[T2.28]; negative if only axial mounting is possible; null if there is no such limit",
+    q.number("trimming_margin_deg", "trimming interference, play in radial assembly", "",
+             "[T2.28]; negative if only axial assembly is possible; null if there is no such limit",
              &M::trimming);
   });
   return kAll;
@@ -302,13 +306,13 @@ const Quantities<InternalMargins>& internal_quantities() {
 const Quantities<InterferenceView>& interference_quantities() {
   using I = InterferenceView;
   static const Quantities<I> kAll("pair.interference", [](Quantities<I>& q) {
-    q.text("code", "fixed word for programs", [](const I& i) {
+    q.text("code", "code for programs, which never changes", [](const I& i) {
        return to_string(i.code);
      }).always();
     q.term("gear", "gear whose root or tip is affected; null if both gears are affected",
            [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
     q.number("amount", "amount", "",
-             "in mm, for `trochoid` in rad; negative if the parts interfere", &I::amount)
+             "margin in mm, for `trochoid` in rad; negative if the parts interfere", &I::amount)
         .when([](const I& i) { return i.amount.has_value(); });
     q.text("message", "sentence for users", &I::message).always();
   });
@@ -328,23 +332,25 @@ const Quantities<Collision>& collision_quantities() {
     return [get](const S& s) { return s.touch ? Value(get(*s.touch)) : Value(); };
   };
   static const Quantities<S> kAll("pair.strike", [at](Quantities<S>& q) {
-    q.text("cause", "fixed word for programs", [](const S& s) {
+    q.text("cause", "code for programs, which never changes", [](const S& s) {
        return to_string(s.cause);
      }).always();
-    q.term("gear", "gear with the affected root or the projecting tip; null for both gears",
+    q.term("gear",
+           "gear with the affected root or the projecting tip; null if both gears are affected",
            [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
     q.number("depth_mm", "depth", "",
-             "depth of an overlap along the common normal, in the middle of the play; for contact "
-             "beyond the flank, the remaining distance between the flanks",
+             "depth of an overlap along the common normal in the middle of the play, or for "
+             "contact beyond the flank the remaining distance between the flanks",
              &S::depth)
         .always();
-    q.text("arcs", "touching arcs of gear 1 and gear 2, named as in `outline`",
+    q.text("arcs", "touching arcs of gear 1 and gear 2, with the names of `outline`",
            at([](const OutlineTouch& t) {
              return Value(ValueList{std::string(to_string(t.places[0].arc)),
                                     std::string(to_string(t.places[1].arc))});
            }))
         .list({2});
-    q.flag("corners", "in the corner", "true if the end of the arc touches, for gear 1 and gear 2",
+    q.flag("corners", "contact at an end of the arc",
+           "for gear 1 and gear 2, true if an end of the arc touches",
            at([](const OutlineTouch& t) {
              return Value(ValueList{t.places[0].corner, t.places[1].corner});
            }))

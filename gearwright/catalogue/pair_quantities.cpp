@@ -88,7 +88,7 @@ void say_mounting(Quantities<V>& q) {
       .always();
   of_involutes
       .term("backlash_free_center_distance_mm",
-            "for the teeth as cut, including allowances [T2.20], for crossed axes at this Σ "
+            "for the teeth as cut, including allowances [T2.20], and for crossed axes at this Σ "
             "[T4.11]; null if there is no such distance",
             &InvolutePair::backlash_free_center_distance)
       .expected();
@@ -97,7 +97,7 @@ void say_mounting(Quantities<V>& q) {
                       &InvolutePair::extended_center_distance);
   q.term(
        "working_normal_pressure_angle_deg",
-       "for circular arcs, normal angle of the racks at the contact",
+       "for circular arcs the normal angle of the racks at the contact",
        by_kind([](const InvolutePair& p) { return Value(deg(p.mesh.rack.normal_pressure_angle)); },
                [](const ArcPair& p) {
                  return p.contacts.empty() ? Value() : Value(p.first_contact().at.theta.deg());
@@ -131,7 +131,7 @@ void say_mounting(Quantities<V>& q) {
       .when([](const V& v) { return v.mounted().speed_rpm.has_value(); });
   of_involutes
       .number("pitch_plane_distance_mm", "distance of the pitch planes", "X",
-              "as mounted, including backlash; 0 on parallel axes",
+              "distance as mounted, including backlash; 0 on parallel axes",
               [](const InvolutePair& p) { return p.mesh.pitch_plane_distance; })
       .shown(is<CrossedPair>);
 }
@@ -140,17 +140,17 @@ void say_mounting(Quantities<V>& q) {
 void say_crossed(Quantities<V>& all) {
   auto q = all.part(as<CrossedPair>);
   all.under(kFace);
-  q.number("min_face_width_mm", "minimum face width, one flank", "f", "per gear [T4.21]",
+  q.number("min_face_width_mm", "minimum face width for one flank", "f", "per gear [T4.21]",
            [](const CrossedPair& p) { return p.face_widths.one_flank; })
       .per_gear()
       .shown(flanks_meet);
-  q.number("min_face_width_both_flanks_mm", "minimum face width, both flanks", "f'",
-           "per gear, about the centre line [T4.21]",
+  q.number("min_face_width_both_flanks_mm", "minimum face width for both flanks", "f'",
+           "per gear, symmetrical about the centre line [T4.21]",
            [](const CrossedPair& p) { return p.face_widths.both_flanks; })
       .per_gear()
       .shown(flanks_meet);
   q.record<two_gears>("face_interval_mm",
-                      "[at A, at E]: axial position at which the leading flanks touch, from the "
+                      "[at A, at E], axial position at which the leading flanks touch, from the "
                       "middle of the face [T4.20]",
                       [](const CrossedPair& p) {
                         return each_gear(p.face_widths.interval[0], p.face_widths.interval[1]);
@@ -158,8 +158,9 @@ void say_crossed(Quantities<V>& all) {
       .doors(kJson)
       .when(is<InvolutePair>);
   q.number("needed_lead_crowning_um", "minimum lead crowning", "C_β",
-           "per gear, with an internal gear: crowning of this gear alone above which the flanks "
-           "clear each other beside the line of action [T4.36]; null if it is not sufficient",
+           "only with an internal gear, per gear the lead crowning of this gear alone above which "
+           "the flanks clear each other beside the line of action [T4.36]; null if no crowning of "
+           "this gear alone is sufficient",
            [](const CrossedPair& p) { return needed_crowning_um(p); })
       .per_gear()
       .when([](const V& v) { return v.mounted().crossed_inside(); });
@@ -173,15 +174,14 @@ void say_crossed(Quantities<V>& all) {
       .when(is<InvolutePair>);
   all.under("Minimum centre distance, free of backlash");
   q.record<place_quantities>("minimum_center_distance",
-                             "place of the minimum centre distance for the teeth as cut [T4.15]; "
-                             "null if the teeth are too thin",
+                             "position of the gears with the minimum centre distance for the teeth "
+                             "as cut [T4.15]; null if the teeth are too thin",
                              &CrossedPair::min_distance);
   all.under("Contact ratio of 1 and more, free of backlash");
-  q.record<places_quantities>(
-      "contact_ratio_range",
-      "places with AE ≥ p_bn [T4.23]; null if there is no such place, and with an internal "
-      "gear",
-      &CrossedPair::contact_ratio_range);
+  q.record<places_quantities>("contact_ratio_range",
+                              "range of positions with AE ≥ p_bn [T4.23]; null if there is no such "
+                              "position, and with an internal gear",
+                              &CrossedPair::contact_ratio_range);
 }
 
 void say_contact(Quantities<V>& q) {
@@ -189,8 +189,8 @@ void say_contact(Quantities<V>& q) {
   auto of_involutes = q.part(as<InvolutePair>);
   auto of_crossed = q.part(as<CrossedPair>);
   q.term("contact_ratio",
-         "ε_α + ε_β, for crossed axes AE/p_bn, for circular arcs ε_β times the points of contact "
-         "per tooth; 0 if the teeth do not meet",
+         "ε_α + ε_β, for crossed axes AE/p_bn, for circular arcs ε_β times the number of contact "
+         "points per tooth; 0 if the teeth do not touch",
          &V::contact_ratio)
       .always()
       .shown([](const V& v) { return !is<CrossedPair>(v); });
@@ -211,8 +211,8 @@ void say_contact(Quantities<V>& q) {
                  [](const ArcPair&) { return Value(0.0); }))
       .shown(is<InvolutePair>);
   q.term("contact_ratio_true",
-         "for the path clipped to the usable flanks [T2.19], and for crossed axes to the faces "
-         "too; 0 if nothing of the path remains",
+         "for the path clipped to the usable flanks [T2.19], and for crossed axes also to the "
+         "faces; 0 if nothing of the path remains",
          by_kind([](const InvolutePair& p) { return Value(p.contact_ratio_true()); },
                  [](const ArcPair& p) {
                    return p.contacts.empty() ? Value() : Value(p.contact_ratio_true());
@@ -229,28 +229,28 @@ void say_contact(Quantities<V>& q) {
                  [](const ArcPair& p) { return Value(p.overlap_ratio); }));
   q.under(kFace);
   q.part(as<ArcPair>)
-      .number(
-          "face_width_for_contact_mm", "minimum face width for continuous contact", "b",
-          "smallest common face width with a contact point at all times, of double-helical gears "
-          "that of one half; only for circular arcs",
-          [](const ArcPair& p) { return p.face_for_contact; })
+      .number("face_width_for_contact_mm", "minimum face width for continuous contact", "b",
+              "smallest common face width with a contact point at all times, for double-helical "
+              "gears that of one half; only for circular arcs",
+              [](const ArcPair& p) { return p.face_for_contact; })
       .when()
       .shown([](const V& v) { return !double_helical(v); });
   q.part(as<ArcPair>)
       .number("whole_face_width_for_contact_mm", "minimum face width for continuous contact", "b",
-              "the same of double-helical gears, with both halves and the gap",
+              "the same for double-helical gears, including both halves and the gap",
               [](const ArcPair& p) { return p.whole_face(p.face_for_contact); })
       .when([](const V& v) { return is<ArcPair>(v) && double_helical(v); });
   q.under(kContact);
   q.record<line_quantities>("line_of_action",
-                            "line of action, or for circular arcs the path of the contact point "
-                            "over the common face; null without contact",
+                            "line of action, or for circular arcs path of the contact point over "
+                            "the common face; null without contact",
                             [](const V& v) { return record_value(line_quantities(), line_of(v)); })
       .shown(is<InvolutePair>);
   of_involutes
       .number(
           "base_tangent_distance_mm", "distance of the base tangent points", "N",
-          "in the transverse section [T2.14]; for crossed axes L, along the common normal [T4.19]",
+          "distance in the transverse section [T2.14], or for crossed axes L along the common "
+          "normal [T4.19]",
           [](const InvolutePair& p) { return p.mesh.base_tangent_distance / p.mesh.line_cosine; })
       .doors(kJson)
       .when();
@@ -261,10 +261,10 @@ void say_contact(Quantities<V>& q) {
       .when();
   q.record<collision_quantities>(
        "overlap",
-       "overlaps of the bodies in the middle of the backlash, the deepest first [T2.34], on "
-       "crossed axes overlaps of tips and roots [T4.33], with an internal gear also of tip "
-       "corners and flanks; null if they were not computed (circular "
-       "arcs of unequal lead, an internal gear without a given cutter)",
+       "overlaps of the bodies in the middle of the backlash, the deepest first [T2.34]; on "
+       "crossed axes overlaps of tips and roots [T4.33], with an internal gear also of tip corners "
+       "and flanks; null if not computed (circular arcs of unequal lead, internal gear without a "
+       "given cutter)",
        [](const V& v) {
          const auto& overlap = v.mounted().overlap;
          return overlap ? Value(collision_quantities().each(*overlap)) : Value();
@@ -278,8 +278,8 @@ void say_contact(Quantities<V>& q) {
       .list({0})
       .doors(kJson);
   q.record<interference_quantities>("interference",
-                                    "reasons for an overlap; if `overlap` was not computed, every "
-                                    "interference of circles and corners",
+                                    "causes of an overlap; if `overlap` was not computed, all "
+                                    "interferences of circles and corners",
                                     [](const V& v) { return interference_of(v); })
       .always()
       .list({0})
@@ -309,12 +309,12 @@ void say_clearances(Quantities<V>& q) {
       .per_gear()
       .when()
       .expected();
-  q.number(
-       "fillet_clearance_mm", "fillet clearance to the mating tip corner", "",
-       "per gear, least distance [T2.26]; null on crossed axes and if no corner reaches the fillet",
-       by_kind([](const ParallelPair& p) { return Value(p.fillet_clearance); },
-               [](const CrossedPair&) { return Value(std::array<std::optional<double>, 2>{}); },
-               [](const ArcPair&) { return Value(); }))
+  q.number("fillet_clearance_mm", "clearance of root fillet to mating tip corner", "",
+           "per gear, least distance of the fillet from the tip corner of the mating gear [T2.26]; "
+           "null on crossed axes and if no corner reaches the fillet",
+           by_kind([](const ParallelPair& p) { return Value(p.fillet_clearance); },
+                   [](const CrossedPair&) { return Value(std::array<std::optional<double>, 2>{}); },
+                   [](const ArcPair&) { return Value(); }))
       .per_gear()
       .when(is<InvolutePair>)
       .expected(is<ParallelPair>);
@@ -329,7 +329,7 @@ void say_clearances(Quantities<V>& q) {
 void say_sliding(Quantities<V>& q) {
   q.under(kContact);
   add_sliding(q,
-              "[at A, at E]: sliding distance per mm that the contact travels on the flank. On "
+              "[at A, at E], sliding distance per mm that the contact travels on the flank. On "
               "parallel axes [T2.22], it is negative where the mating gear drags the flank and "
               "null at and beyond a base tangent point. On crossed axes [T4.25], it is the ratio "
               "of the magnitudes of the velocities",
@@ -348,24 +348,24 @@ void say_parallel(Quantities<V>& all) {
   q.record<needed_face_quantities>(
        "needed_face_width_mm",
        "face widths for total contact ratios of 1 and 1.2, and for an overlap ratio of 1 [T6.14]; "
-       "of "
-       "double-helical gears those of one half, and in addition with both halves and the gap; null "
-       "on "
-       "crossed axes",
+       "for double-helical gears those of one half and in addition those including both halves and "
+       "the gap; null on crossed axes",
        [](const ParallelPair& p) { return needed_face_quantities().of(p); })
       .when(is<InvolutePair>);
   all.under(kContact);
   q.term("approach_contact_ratio",
-         "before the pitch point, with gear 1 driving; null on crossed axes",
+         "contact ratio before the pitch point, with gear 1 driving; null on crossed axes",
          [](const ParallelPair& p) { return approach_and_recess(p)[0]; })
       .when(is<InvolutePair>);
-  q.term("recess_contact_ratio", "after the pitch point, with gear 1 driving; null on crossed axes",
+  q.term("recess_contact_ratio",
+         "contact ratio after the pitch point, with gear 1 driving; null on crossed axes",
          [](const ParallelPair& p) { return approach_and_recess(p)[1]; })
       .when(is<InvolutePair>);
-  q.number("axial_force_ratio", "axial over tangential force", "F_z/F_t",
-           "per gear, along +z, if gear 1 drives in its sense of rotation [T6.15]; of "
-           "double-helical gears for one half, because the halves balance; null on crossed axes",
-           [](const ParallelPair& p) { return axial_force(p); })
+  q.number(
+       "axial_force_ratio", "axial force divided by tangential force", "F_z/F_t",
+       "per gear, along +z, if gear 1 drives in its sense of rotation [T6.15]; for double-helical "
+       "gears that of one half, because the forces of the halves balance; null on crossed axes",
+       [](const ParallelPair& p) { return axial_force(p); })
       .per_gear()
       .when(is<InvolutePair>)
       .shown([](const V& v) { return v.gear(1).spec.helix_angle.rad() != 0.0; });
@@ -382,7 +382,7 @@ void say_friction(Quantities<V>& q) {
   of_involutes
       .record<sliding_velocity_quantities>(
           "sliding_velocity_mm_per_rad",
-          "speed of the contact along flank 1 minus its speed along flank 2, per radian of gear 1 "
+          "speed of the contact along flank 1 minus the speed along flank 2, per radian of gear 1 "
           "[T4.24]",
           [](const InvolutePair& p) { return sliding_velocity_quantities().of(p); })
       .doors(kJson)
@@ -391,13 +391,13 @@ void say_friction(Quantities<V>& q) {
   of_efficiency
       .record<efficiency_quantities>(
           "efficiency",
-          "efficiency with friction of the flanks alone [T4.27]. All tooth pairs in contact carry "
-          "equal parts of a constant normal force. Null without `friction_coefficient`, and if "
-          "`contact_ratio_true` is less than 1",
+          "efficiency with friction of the flanks alone [T4.27], if all tooth pairs in contact "
+          "carry equal parts of a constant normal force; null without `friction_coefficient`, and "
+          "if `contact_ratio_true` is less than 1",
           [](const Efficiency& e) { return efficiency_quantities().of(e); })
       .doors(kJson);
   of_efficiency
-      .number("efficiency_driving", "efficiency, this gear driving", "η", "per gear",
+      .number("efficiency_driving", "efficiency with this gear driving", "η", "per gear",
               [](const Efficiency& e) {
                 return std::array{e.gear1_drives, e.gear2_drives};
               })

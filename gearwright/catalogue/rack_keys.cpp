@@ -62,12 +62,13 @@ const KeyTable& straight_rack_keys() {
        Key::number("tip_fillet_radius", "ρ_1*", no_or_some_length(" (0 is none)"),
                    &StraightRack::tip_fillet_radius, "0",
                    "bottom rounding of the cutter, which cuts a tip fillet"),
-       Key::number("tool_addendum", "", any_length(), &StraightRack::tool_addendum, "see below",
+       Key::number("tool_addendum", "", any_length(), &StraightRack::tool_addendum,
+                   "h_aP* − ρ_1* (1 − sin α_n), or no end if `tip_fillet_radius` is 0",
                    "height above the datum line at which the straight flank of the cutter ends"),
        Key::number("semi_topping_angle_deg", "", Range::inside(0, 90),
                    &StraightRack::semi_topping_angle, "none",
-                   "pressure angle of a ramp from `tool_addendum` on, which cuts a tip chamfer; "
-                   "greater than α_n; instead of `tip_fillet_radius`")
+                   "pressure angle of a ramp that starts at `tool_addendum` and cuts a tip "
+                   "chamfer; greater than α_n; instead of `tip_fillet_radius`")
            .with_needs({"tool_addendum"}),
        Key::number("protuberance", "pr_P*", no_or_some_length(" (0 is none)"),
                    &StraightRack::protuberance, "0",
@@ -80,21 +81,22 @@ const KeyTable& straight_rack_keys() {
 const KeyTable& arc_rack_keys() {
   static const KeyTable table{
       "rack_circular_arc",
-      "A rack with one circular arc as flank: F cuts the convex teeth of one gear and P the "
-      "concave teeth of its mating gear; lengths in normal modules",
-      {kind("circular_arc", "one circular arc as flank"),
+      "A rack with one circular arc as flank; rack F cuts the convex teeth of one gear, and rack P "
+      "the concave teeth of the mating gear; lengths in normal modules",
+      {kind("circular_arc", "rack with one circular arc as flank"),
        Key::word("cutter", {"F", "P"}, KeyPlace::by<ArcRack, ArcRack::Cutter>(set_cutter),
-                 kRequired, "`\"F\"` cuts convex teeth, `\"P\"` cuts concave teeth"),
+                 kRequired,
+                 "type of the rack; `\"F\"` cuts convex teeth, and `\"P\"` cuts concave teeth"),
        Key::number("arc_radius", "ρ*", some_length(), &ArcRack::arc_radius, kRequired,
                    "radius of the flank arc [T7.1] [T7.2]"),
        Key::number("center_a", "a*", any_length(), &ArcRack::center_a, kRequired,
-                   "distance of the arc centre beyond the middle"),
+                   "distance of the arc centre beyond the middle of the tooth"),
        Key::number("center_b", "b*", any_length(), &ArcRack::center_b, kRequired,
                    "distance of the arc centre from the pitch plane"),
        Key::number("pressure_angle_deg", "ψ_c", {}, &ArcRack::pressure_angle, "not checked",
-                   "pressure angle on the drawing, which is only checked: an error if the arc has "
-                   "no such point, and a warning (`pressure_angle`) if the pair touches at an "
-                   "angle that differs by more than 0.05° [T7.9]"),
+                   "pressure angle on the drawing, which is only checked; there is an error if the "
+                   "arc has no point with this angle, and a warning (`pressure_angle`) if the "
+                   "angle at which the pair touches differs by more than 0.05° [T7.9]"),
        Key::number("addendum", "h_a*", any_length(), &ArcRack::addendum, "0.9 for F, 0 for P",
                    "addendum of the tooth above the pitch cylinder"),
        Key::number("dedendum", "h_f*", any_length(), &ArcRack::dedendum, "0.3 for F, 1.05 for P",
@@ -110,9 +112,9 @@ const KeyTable& arc_rack_keys() {
 const KeyTable& double_arc_rack_keys() {
   static const KeyTable table{
       "rack_double_circular_arc",
-      "Convex arc, step, concave arc and a full-radius root, in the symbols of GB/T 12759-1991; "
-      "lengths in normal modules",
-      {kind("double_circular_arc", "convex arc, step and concave arc"),
+      "A rack with a convex arc, a step, a concave arc and a full-radius root, with the symbols of "
+      "GB/T 12759-1991; lengths in normal modules",
+      {kind("double_circular_arc", "rack with a convex arc, a step and a concave arc"),
        Key::number("concave_radius", "ρ_f*", some_length(), &DoubleArcRack::concave_radius,
                    kRequired, "radius of the concave arc"),
        Key::number("concave_height", "x_f*", any_length(), &DoubleArcRack::concave_height,
@@ -143,7 +145,7 @@ const KeyTable& rack_of_arcs_keys() {
   static const KeyTable table{
       "rack_arcs",
       "Any chain of arcs, starting at the cutter tip; lengths in normal modules",
-      {kind("arcs", "any chain of arcs"),
+      {kind("arcs", "rack of any chain of arcs"),
        Key::number("addendum", "h_a*", {}, &RackOfArcs::addendum, kRequired,
                    "addendum of the gear tooth above the datum line"),
        Key::number("dedendum", "h_f*", {}, &RackOfArcs::dedendum, kRequired,
@@ -156,7 +158,8 @@ const KeyTable& rack_of_arcs_keys() {
         .place = &RackOfArcs::arcs,
         .required = true,
         .tables = {rack_arc_keys},
-        .meaning = "list of tables, one for each arc, starting at the cutter tip"}}};
+        .meaning =
+            "arcs of the rack as a list of tables, one for each arc, starting at the cutter tip"}}};
   return table;
 }
 
@@ -166,18 +169,19 @@ const KeyTable& rack_arc_keys() {
       "One arc of the edge of a rack; lengths in normal modules",
       {Key::word("part", {"root_fillet", "flank", "joint", "tip_fillet"},
                  KeyPlace::by<RackArc, ArcPart>(set_part), "\"flank\"",
-                 "part of the tooth that the arc cuts; a joint lies between two flanks and has no "
-                 "contact"),
+                 "part of the tooth that the arc cuts; a joint is a part between two flanks and "
+                 "has no contact"),
        Key::number("center_height", "x", {}, &RackArc::center_height, kRequired,
                    "height of the arc centre above the datum line"),
        Key::number("center_offset", "y", {}, &RackArc::center_offset, kRequired,
                    "distance of the arc centre from the middle of the tooth"),
-       Key::number(
-           "radius", "q", {}, &RackArc::radius, kRequired,
-           "radius; > 0 cuts a convex part of the tooth, < 0 a concave part, and 0 is a corner"),
+       Key::number("radius", "q", {}, &RackArc::radius, kRequired,
+                   "radius of the arc; > 0 cuts a convex part of the tooth, < 0 cuts a concave "
+                   "part, and 0 is a corner"),
        Key::number("begin_deg", "τ", {}, &RackArc::begin, kRequired,
-                   "normal angle at the root side"),
-       Key::number("end_deg", "τ", {}, &RackArc::end, kRequired, "normal angle at the tip side")}};
+                   "normal angle at the end on the root side"),
+       Key::number("end_deg", "τ", {}, &RackArc::end, kRequired,
+                   "normal angle at the end on the tip side")}};
   return table;
 }
 

@@ -13,14 +13,15 @@ const Quantities<RackPair>& rack_backlash_quantities() {
   static const Quantities<V> kAll("rack_pair.backlash", [](Quantities<V>& q) {
     q.term("normal_base_mm", "along the common normal", &V::base_backlash).always();
     q.term("normal_mm", "j_bn/cos α_n", &V::normal_backlash).always();
-    q.term("circumferential_mm", "for the pinion at its reference circle, and along the rack",
+    q.term("circumferential_mm", "for the pinion at the reference circle, and along the rack",
            [](const V& v) {
              const double j = v.circumferential_backlash();
              return Value(std::array{j, j});
            })
         .per_gear()
         .always();
-    q.number("rotation_deg", "angular backlash of the pinion", "j_φ", "with the rack held",
+    q.number("rotation_deg", "angular backlash of the pinion", "j_φ",
+             "angular backlash of the pinion with the rack held",
              [](const V& v) {
                return Angle::radians(2 * v.circumferential_backlash() / v.pinion.reference_diameter)
                    .deg();
@@ -32,7 +33,7 @@ const Quantities<RackPair>& rack_backlash_quantities() {
 
 void say_mounting(Quantities<V>& q) {
   q.under(kMounting);
-  q.word("kind", "kind of pair", "a pinion and a rack",
+  q.word("kind", "kind of pair", "for a pinion and a rack",
          [](const V&) { return Value("rack_and_pinion"); })
       .always()
       .one_of({"rack_and_pinion"})
@@ -40,11 +41,11 @@ void say_mounting(Quantities<V>& q) {
   q.term("gear_ratio", "null, because a rack does not turn", [](const V&) {
      return Value();
    }).doors(kJson);
-  q.term("center_distance_mm", "from the pinion axis to the datum line of the rack [T2.36]",
-         &V::center_distance)
+  q.term("center_distance_mm",
+         "distance from the pinion axis to the datum line of the rack [T2.36]", &V::center_distance)
       .always();
   q.number("mounting_distance_mm", "mounting distance", "",
-           "from the pinion axis to the back of the rack; null without `height_mm`",
+           "distance from the pinion axis to the back of the rack; null without `height_mm`",
            &V::mounting_distance);
   q.term("backlash_free_center_distance_mm", "for the teeth as cut, including allowances [T2.36]",
          &V::backlash_free_center_distance)
@@ -54,20 +55,20 @@ void say_mounting(Quantities<V>& q) {
       .unit(Unit::mm)
       .always();
   q.term("working_normal_pressure_angle_deg",
-         "pressure angle of the basic rack, at every centre distance",
+         "equal to the pressure angle of the basic rack at every centre distance",
          [](const V& v) { return v.pinion.spec.normal_pressure_angle; })
       .always();
   q.term("working_transverse_pressure_angle_deg",
-         "pressure angle of the basic rack, at every centre distance",
+         "equal to the pressure angle of the basic rack at every centre distance",
          [](const V& v) { return Angle::radians(v.pinion.reference().transverse_pressure_angle); })
       .always();
   q.number("working_pitch_diameter_mm", "working pitch diameter of the pinion", "d_w",
-           "reference diameter of the pinion, at every centre distance",
+           "equal to the reference diameter of the pinion at every centre distance",
            [](const V& v) { return v.pinion.reference_diameter; })
       .always();
-  q.term("pitch_line_velocity_m_per_s", "speed of the rack; only with `speed_rpm`", [](const V& v) {
-     return v.travel_per_turn * *v.speed_rpm / 60.0 / kMmPerM;
-   }).when([](const V& v) { return v.speed_rpm.has_value(); });
+  q.term("pitch_line_velocity_m_per_s", "equal to the speed of the rack; only with `speed_rpm`",
+         [](const V& v) { return v.travel_per_turn * *v.speed_rpm / 60.0 / kMmPerM; })
+      .when([](const V& v) { return v.speed_rpm.has_value(); });
 }
 
 void say_contact(Quantities<V>& q) {
@@ -83,15 +84,15 @@ void say_contact(Quantities<V>& q) {
      return v.true_contact_ratio() + v.overlap_ratio;
    }).always();
   q.term("overlap_ratio", "over the common face", &V::overlap_ratio).always();
-  q.term("approach_contact_ratio", "before the pitch point, with the pinion driving",
+  q.term("approach_contact_ratio", "contact ratio before the pitch point, with the pinion driving",
          [](const V& v) { return v.approach / v.base_pitch; })
       .always();
-  q.term("recess_contact_ratio", "after the pitch point, with the pinion driving", [](const V& v) {
-     return v.recess / v.base_pitch;
-   }).always();
+  q.term("recess_contact_ratio", "contact ratio after the pitch point, with the pinion driving",
+         [](const V& v) { return v.recess / v.base_pitch; })
+      .always();
   add_sliding(q,
-              "[at A, at E]: sliding distance per mm that the contact travels on the flank "
-              "[T2.41]; null for the pinion at and beyond its base tangent point",
+              "[at A, at E], sliding distance per mm that the contact travels on the flank "
+              "[T2.41]; null for the pinion at and beyond the base tangent point",
               [](const V& v) {
                 const auto a = v.specific_sliding(-v.approach), e = v.specific_sliding(v.recess);
                 return SlidingAtEnds{{{a[0], e[0]}, {a[1], e[1]}}};
@@ -126,15 +127,16 @@ void say(Quantities<V>& q) {
 const Quantities<RackGeometry>& rack_quantities() {
   using R = RackGeometry;
   static const Quantities<R> kAll("rack", [](Quantities<R>& q) {
-    q.word("form", "form of the part", "gear 2 is a rack", [](const R&) { return Value("rack"); })
+    q.word("form", "form of the part", "`rack`, because gear 2 is a rack",
+           [](const R&) { return Value("rack"); })
         .always()
         .one_of({"rack"})
         .doors(kJson);
-    q.term("teeth", "null if the rack is as long as required",
+    q.term("teeth", "number of teeth of the rack; null if the rack is as long as required",
            [](const R& r) { return r.bar.teeth ? Value(*r.bar.teeth) : Value(); });
     q.term("normal_module_mm", "normal module of the pinion", &R::normal_module).always();
     q.term("helix_angle_deg",
-           "angle of the teeth to the pinion axis; its hand is opposite to that of the pinion",
+           "angle of the teeth to the pinion axis; the hand is opposite to that of the pinion",
            &R::helix_angle)
         .always();
     q.term("face_width_mm", "as given, or the face width of the pinion", &R::face_width).always();
@@ -143,12 +145,14 @@ const Quantities<RackGeometry>& rack_quantities() {
              "in the direction of travel, π m_n/cos β", &R::transverse_pitch)
         .always();
     q.number("length_mm", "length", "",
-             "n p_t, with half a tooth space at both ends; null without `teeth`", &R::length);
+             "length n p_t, with half a tooth space at both ends; null without `teeth`",
+             &R::length);
     q.number("height_mm", "height", "",
-             "from the back of the rack to the datum line; null if not given",
+             "height from the back of the rack to the datum line; null if not given",
              [](const R& r) { return r.bar.height; });
-    q.number("addendum_mm", "addendum", "h_a", "above the datum line", &R::addendum).always();
-    q.number("dedendum_mm", "dedendum", "h_f", "below the datum line", &R::dedendum).always();
+    q.number("addendum_mm", "addendum", "h_a", "height above the datum line", &R::addendum)
+        .always();
+    q.number("dedendum_mm", "dedendum", "h_f", "depth below the datum line", &R::dedendum).always();
     q.term("reference_tooth_thickness_normal_mm",
            "at the datum line, including the thickness allowance", &R::thickness)
         .always();

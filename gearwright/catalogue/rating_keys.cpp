@@ -91,14 +91,15 @@ std::optional<KeyFault> complete_rating(RatingTable& rating, const KeyGiven& giv
   }
   if (rating.input.mounting && rating.input.misalignment) {
     return KeyFault{"misalignment_um",
-                    "is used only with the shafts of the gears; [rating.mounting] has its own key "
-                    "misalignment_um"};
+                    "is used only with the shafts of the gears; for [rating.mounting] give "
+                    "misalignment_um in this table"};
   }
   if (given("plastic") && !plastics)
     return KeyFault{"plastic", "is used only with standard = \"VDI 2736:2014\""};
   if (!rating.spectrum.empty() && plastics) {
-    return KeyFault{"spectrum",
-                    "cannot be used with VDI 2736, because its strengths apply to one life"};
+    return KeyFault{
+        "spectrum",
+        "cannot be used with VDI 2736, because the strengths of a plastic apply to a single life"};
   }
   return complete_load(rating);
 }
@@ -106,8 +107,8 @@ std::optional<KeyFault> complete_rating(RatingTable& rating, const KeyGiven& giv
 std::optional<KeyFault> check_mounting(PinionMounting& m, const KeyGiven&) {
   if (2 * m.offset < m.bearing_span || m.arrangement == PinionArrangement::c) return std::nullopt;
   return KeyFault{"pinion_offset_mm",
-                  fmt::format("must be less than half of the bearing span {} mm; an overhung "
-                              "pinion is arrangement = \"c\"",
+                  fmt::format("must be less than half of the bearing span {} mm; for an overhung "
+                              "pinion give arrangement = \"c\"",
                               format_number(m.bearing_span))};
 }
 
@@ -123,22 +124,23 @@ const KeyTable& rating_keys() {
            .with_fields({"edition"})
            .with_also({"norm", "edition", "method"}),
        Key::positive("power_kW", "P", &R::power, "from `torque_Nm`",
-                     "power through the mesh; `torque_Nm` can replace it")
+                     "power through the mesh; can be given instead of `torque_Nm`")
            .with_needs({"speed_rpm"})
            .with_also({"power", "p", "kw"}),
        Key::positive("torque_Nm", "T_1", &R::torque, "from `power_kW`",
-                     "torque on gear 1; `power_kW` can replace it")
+                     "torque on gear 1; can be given instead of `power_kW`")
            .with_also({"torque", "moment", "t"}),
        Key::positive("speed_rpm", "n_1", {&R::input, &RatingInput::speed},
-                     "only with a given `dynamic_factor`", "speed of gear 1")
+                     "the speed can be absent only if `dynamic_factor` is given", "speed of gear 1")
            .with_also({"speed", "rpm", "n"}),
-       factor("application_factor", "K_A", &RatingInput::application_factor, "1",
-              "additional load from the driving and the driven machine"),
+       factor(
+           "application_factor", "K_A", &RatingInput::application_factor, "1",
+           "application factor K_A for additional loads from the driving and the driven machine"),
        factor("mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
               "greatest load of a mesh divided by the mean load, if several meshes share the "
-              "power, as with planets"),
+              "power, for example with planets"),
        Key::positive("life_h", "L_h", {&R::input, &RatingInput::life_h}, "life factors are 1",
-                     "life in hours at this load")
+                     "required life in hours at this load")
            .with_needs({"speed_rpm"})
            .with_also({"life", "hours", "service_life"}),
        Key::flag(
@@ -154,8 +156,8 @@ const KeyTable& rating_keys() {
                KeyPlace::by<R, std::array<double, 2>>(set_quality),
                "`quality` of the gears; not required if the dynamic and transverse load factors "
                "are given",
-               "accuracy grades of ISO 1328-1, by the edition of 1995 for ISO 6336 of 2006, "
-               "otherwise by the edition of 2013")
+               "accuracy grades of ISO 1328-1; the edition of 1995 applies to ISO 6336 of 2006, "
+               "and otherwise the edition of 2013")
            .with_form("one whole number, or a list of two whole numbers for gear 1 and gear 2")
            .with_also({"accuracy", "grade", "iso1328"}),
        of_both("flank_roughness_um", "Rz_H", Range::between(0.01, 1000),
@@ -166,13 +168,13 @@ const KeyTable& rating_keys() {
                {&R::input, &RatingInput::root_roughness}, "Y_RrelT = 1", "Rz of the root fillets")
            .with_also({"root_rz"}),
        Key::not_negative("tip_relief_um", "C_a", {&R::input, &RatingInput::tip_relief},
-                         "the relief after running-in; no relief from grade 6 on",
+                         "the relief after running-in; no relief for grade 6 and coarser grades",
                          "tip relief, for the dynamic factor of grades 0 to 5"),
        of_both("rim_thickness_mm", "s_R", Range::positive(),
-               KeyPlace::by<R, std::array<double, 2>>(set_rims), "a thick rim",
-               "thickness of the rim under the teeth, for Y_B, and with the web for c'")
+               KeyPlace::by<R, std::array<double, 2>>(set_rims), "the rim is thick",
+               "thickness of the rim under the teeth, for Y_B and, together with the web, for c'")
            .with_also({"rim"}),
-       Key::positive("web_thickness_mm", "b_s", &R::web_thickness, "a solid disc",
+       Key::positive("web_thickness_mm", "b_s", &R::web_thickness, "the gear is a solid disc",
                      "thickness of the web that carries the rim, for c'")
            .with_needs({"rim_thickness_mm"})
            .with_also({"web"}),
@@ -183,33 +185,34 @@ const KeyTable& rating_keys() {
        Key::number("life_factor_end", "", Range::between(0.85, 1),
                    KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.at_10_10; }),
                    "0.85",
-                   "Z_NT and Y_NT at 10¹⁰ cycles; more than 0.85 only with optimum manufacture and "
-                   "lubrication"),
+                   "Z_NT and Y_NT at 10¹⁰ cycles; a value greater than 0.85 requires optimum "
+                   "manufacture and lubrication"),
        factor("face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
               "from `[rating.mounting]` or the shafts of the gears",
-              "given face load factor of the flank"),
-       Key::not_negative("misalignment_um", "f_ma", {&R::input, &RatingInput::misalignment},
-                         "√(f_Hβ1² + f_Hβ2²)",
-                         "mesh misalignment from manufacture, with `[gear1.shaft]` or "
-                         "`[gear2.shaft]`"),
+              "face load factor of the flank, given instead of computed"),
+       Key::not_negative(
+           "misalignment_um", "f_ma", {&R::input, &RatingInput::misalignment}, "√(f_Hβ1² + f_Hβ2²)",
+           "mesh misalignment caused by manufacture, used with `[gear1.shaft]` or `[gear2.shaft]`"),
        factor("face_load_factor_root", "K_Fβ", &RatingInput::face_load_factor_root, "K_Hβ^N_F",
-              "given face load factor of the root"),
-       factor("dynamic_factor", "K_v", &RatingInput::dynamic_factor, "by formula",
-              "given dynamic factor"),
-       factor("transverse_load_factor", "K_Hα", &RatingInput::transverse_load_factor, "by formula",
-              "given transverse load factor of the flank"),
+              "face load factor of the root, given instead of computed"),
+       factor("dynamic_factor", "K_v", &RatingInput::dynamic_factor, "computed by formula",
+              "dynamic factor, given instead of computed"),
+       factor("transverse_load_factor", "K_Hα", &RatingInput::transverse_load_factor,
+              "computed by formula",
+              "transverse load factor of the flank, given instead of computed"),
        factor("transverse_load_factor_root", "K_Fα", &RatingInput::transverse_load_factor_root,
-              "by formula", "given transverse load factor of the root"),
-       Key::positive("safety_flank_min", "S_Hmin", &R::safety_flank_min, "none, so that 1 is used",
-                     "required safety of the flanks")
+              "computed by formula",
+              "transverse load factor of the root, given instead of computed"),
+       Key::positive("safety_flank_min", "S_Hmin", &R::safety_flank_min,
+                     "not required, so that 1 is used", "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),
-       Key::positive("safety_root_min", "S_Fmin", &R::safety_root_min, "none, so that 1 is used",
-                     "required safety of the roots")
+       Key::positive("safety_root_min", "S_Fmin", &R::safety_root_min,
+                     "not required, so that 1 is used", "required safety of the roots")
            .with_also({"sf_min", "safety_root"}),
        Key::flag("tooth_contact", &R::tooth_contact, "false",
                  "if true, Hertz pressure and root stress of the teeth under T_1 K_A K_γ K_v are "
-                 "computed too, as `load` does with the positions, slices and accuracy of `[load]` "
-                 "(a few seconds)")
+                 "also computed, as in `load`, with the positions, slices and accuracy of `[load]` "
+                 "(takes a few seconds)")
            .with_also({"loaded_contact", "compare_load"}),
        {.key = "spectrum",
         .kind = KeyKind::table,
@@ -220,12 +223,12 @@ const KeyTable& rating_keys() {
         .place = &R::spectrum,
         .tables = {load_bin_keys},
         .fallback = "one load for the whole life",
-        .meaning = "steps of the load with their hours, each as a table; safeties are computed by "
+        .meaning = "steps of the load with their hours, each in a table; safeties are computed by "
                    "Miner's rule with K_A = 1"},
        Key::part("material", material_keys, &R::material,
-                 "material of gears without a `material` table"),
+                 "material of gears without a table `material`"),
        Key::part("mounting", rating_mounting_keys, {&R::input, &RatingInput::mounting},
-                 "position of the pinion between its bearings, for K_Hβ"),
+                 "position of the pinion between the bearings, for K_Hβ"),
        Key::part("plastic", rating_plastic_keys, {&R::input, &RatingInput::plastic},
                  "temperatures of plastic teeth, for VDI 2736")},
       complete_rating};
@@ -238,9 +241,9 @@ const KeyTable& rating_plastic_keys() {
       "rating_plastic",
       "Temperatures of plastic teeth, for VDI 2736",
       {of_both("flank_temperature_C", "ϑ_Fla", Range::between(-100, 400), &P::flank_temperature,
-               "from the friction", "temperature of the flanks"),
+               "computed from the friction", "temperature of the flanks"),
        of_both("root_temperature_C", "ϑ_Fu", Range::between(-100, 400), &P::root_temperature,
-               "from the friction", "temperature of the roots"),
+               "computed from the friction", "temperature of the roots"),
        Key::number("ambient_temperature_C", "ϑ_0", Range::between(-100, 400),
                    &P::ambient_temperature, "", "temperature of the air or oil around the gears")
            .with_also({"ambient"}),
@@ -248,21 +251,22 @@ const KeyTable& rating_plastic_keys() {
                    "coefficient of friction of the flanks")
            .with_fields({"friction"})
            .with_also({"friction", "mu"}),
-       Key::not_negative("housing_resistance_m2K_per_W", "R_λG", &P::housing_resistance,
-                         "0 if open; about 0.015 to 0.045 if partly open, 0.06 if closed",
-                         "resistance of the housing to heat")
+       Key::not_negative(
+           "housing_resistance_m2K_per_W", "R_λG", &P::housing_resistance,
+           "0 for an open, about 0.015 to 0.045 for a partly open and 0.06 for a closed housing",
+           "thermal resistance of the housing")
            .with_needs({"housing_area_m2"}),
        Key::positive("housing_area_m2", "A_G", &P::housing_area, "",
                      "surface of the housing that gives off heat"),
        Key::number("duty", "ED", Range::between(0, 1), &P::duty, "1",
-                   "share of running time in ten minutes"),
+                   "running time as a share of ten minutes"),
        Key::not_negative("heat_transfer_flank", "k_ϑ,Fla", &P::flank_heat_transfer,
-                         "9000 for two plastics, 6300 with metal",
-                         "heat transfer of the flanks, K (m/s)^0.75 mm^1.75/W")
+                         "9000 for two plastic gears, 6300 with a metal gear",
+                         "heat transfer coefficient of the flanks, in K (m/s)^0.75 mm^1.75/W")
            .with_fields({"flank_heat_transfer"}),
        Key::not_negative("heat_transfer_root", "k_ϑ,Fu", &P::root_heat_transfer,
-                         "2148 for two plastics, 895 with metal",
-                         "heat transfer of the roots, K (m/s)^0.75 mm^1.75/W")
+                         "2148 for two plastic gears, 895 with a metal gear",
+                         "heat transfer coefficient of the roots, in K (m/s)^0.75 mm^1.75/W")
            .with_fields({"root_heat_transfer"})}};
   return table;
 }
@@ -282,7 +286,7 @@ const KeyTable& rating_mounting_keys() {
   using P = PinionMounting;
   static const KeyTable table{
       "rating_mounting",
-      "Position of the pinion between its bearings, for K_Hβ without helix modification",
+      "Position of the pinion between the bearings, for K_Hβ without helix modification",
       {Key::positive("bearing_span_mm", "l", &P::bearing_span, kRequired,
                      "distance of the pinion bearings"),
        Key::not_negative(
@@ -291,12 +295,12 @@ const KeyTable& rating_mounting_keys() {
        Key::positive("shaft_diameter_mm", "d_sh", &P::shaft_diameter, kRequired,
                      "outside diameter of the pinion shaft"),
        Key::word("arrangement", {"a", "b", "c", "d", "e"}, &P::arrangement, "\"a\"",
-                 "arrangement in the figure of the standard for K': a and b for torque from the "
+                 "arrangement in the figure of the standard for K'; a and b for torque from the "
                  "near or the far side, c for an overhung pinion, d and e for a second pinion"),
        Key::flag("stiffening", &P::stiffening, "true",
-                 "true if the pinion is integral with its shaft or shrunk onto it"),
+                 "true if the pinion is integral with the shaft or shrunk onto the shaft"),
        Key::not_negative("misalignment_um", "f_ma", &P::manufacture, "√(f_Hβ1² + f_Hβ2²)",
-                         "mesh misalignment from manufacture")
+                         "mesh misalignment caused by manufacture")
            .with_fields({"manufacture"})},
       check_mounting};
   return table;

@@ -57,8 +57,8 @@ const Factor* of_stiffness(const R& r) {
 const Factor* cycles(const R& r, std::size_t i) { return r.N_L[i] ? &*r.N_L[i] : nullptr; }
 
 constexpr const char* kWhole = "Spectrum, ISO 6336-6";
-constexpr const char* kSizing = "With the wanted safeties";
-constexpr const char* kBeside = "In addition, the teeth under load";
+constexpr const char* kSizing = "With the required safeties";
+constexpr const char* kBeside = "Additional computation of the teeth under load";
 
 constexpr Unit kNone = Unit::none;
 constexpr Unit kStress = Unit::megapascal;
@@ -173,14 +173,14 @@ void say_inputs(Quantities<V>& q) {
     const double power = v.input.torque * speed(v) * 2 * std::numbers::pi / 60.0 / 1000.0;
     return power > 0 ? Value(power) : Value();
   });
-  q.number("torque_Nm", "torque", "T", "for the nominal load", [](const V& v) {
+  q.number("torque_Nm", "torque", "T", "stress under the nominal load", [](const V& v) {
      return std::array{v.input.torque, v.input.torque * ratio(v)};
    }).per_gear();
   q.term("speed_rpm", "null if no speed is given", [](const V& v) {
      return speed(v) > 0 ? Value(std::array{speed(v), speed(v) / ratio(v)}) : Value();
    }).per_gear();
   q.under(kMaterial);
-  q.add(Type::text, "material", "material", "", "name, or kind if there is no name",
+  q.add(Type::text, "material", "material", "", "name of the material, or kind if there is no name",
         [](const V& v) {
           ValueList names;
           for (const Material& m : v.input.materials)
@@ -189,21 +189,23 @@ void say_inputs(Quantities<V>& q) {
         })
       .per_gear();
   q.number("sigma_Hlim_MPa", "allowable contact stress number", "σ_Hlim",
-           "of the reference test gears",
+           "value of the reference test gears",
            [](const V& v) { return strengths(v, &Material::sigma_Hlim); })
       .per_gear()
       .digits(0);
   q.number("sigma_Flim_MPa", "allowable bending stress number", "σ_Flim",
-           "of the reference test gears",
+           "value of the reference test gears",
            [](const V& v) { return strengths(v, &Material::sigma_Flim); })
       .per_gear()
       .digits(0);
   q.under(kGeneral);
-  q.number("f_pb_um", "base pitch deviation", "f_pb", "for the accuracy grade",
+  q.number("f_pb_um", "base pitch deviation", "f_pb",
+           "deviation that belongs to the accuracy grade",
            [](const V& v) { return tolerance(v, &Tolerances::f_pb); })
       .per_gear()
       .digits(1);
-  q.number("f_falpha_um", "profile form deviation", "f_fα", "for the accuracy grade",
+  q.number("f_falpha_um", "profile form deviation", "f_fα",
+           "deviation that belongs to the accuracy grade",
            [](const V& v) { return tolerance(v, &Tolerances::f_falpha); })
       .per_gear()
       .digits(1);
@@ -220,7 +222,7 @@ void say_section(Quantities<V>& q) {
            [](const V& v) { return section(v, &C::s_Fn); })
       .per_gear()
       .digits(3);
-  q.number("rho_F_mm", "fillet radius there", "ρ_F", "",
+  q.number("rho_F_mm", "fillet radius at the critical section", "ρ_F", "",
            [](const V& v) { return section(v, &C::rho_F); })
       .per_gear()
       .digits(3);
@@ -229,7 +231,7 @@ void say_section(Quantities<V>& q) {
            [](const V& v) { return section(v, &C::alpha_Fen, kDegPerRad); })
       .per_gear()
       .digits(3);
-  q.number("d_en_mm", "diameter of that point", "d_en", "on the virtual spur gear",
+  q.number("d_en_mm", "diameter of the point of load", "d_en", "diameter on the virtual spur gear",
            [](const V& v) { return section(v, &C::d_en); })
       .per_gear()
       .digits(3);
@@ -243,8 +245,8 @@ void say_spectrum(Quantities<V>& q) {
   using S = SpectrumRating;
   q.under(kWhole);
   q.number("damage_flank", "damage of the flanks", "U_H",
-           "by Miner's rule; 1 means failure; null without a spectrum, or if a step exceeds the "
-           "static strength",
+           "damage sum by Miner's rule; 1 means failure; null without a spectrum, or if a step "
+           "exceeds the static strength",
            [](const V& v) { return of_spectrum(v, &S::damage_flank); })
       .per_gear()
       .digits(4);
@@ -252,18 +254,19 @@ void say_spectrum(Quantities<V>& q) {
            [](const V& v) { return of_spectrum(v, &S::damage_root); })
       .per_gear()
       .digits(4);
-  q.number("S_H_spectrum", "safety against pitting", "S_H", "for the whole spectrum",
+  q.number("S_H_spectrum", "safety against pitting", "S_H", "least safety for the whole spectrum",
            [](const V& v) { return of_spectrum(v, &S::S_H); })
       .per_gear()
       .digits(3);
-  q.number("S_F_spectrum", "safety against root breakage", "S_F", "for the whole spectrum",
+  q.number("S_F_spectrum", "safety against root breakage", "S_F",
+           "least safety for the whole spectrum",
            [](const V& v) { return of_spectrum(v, &S::S_F); })
       .per_gear()
       .digits(3);
   q.under(kSizing);
   q.number("torque_holding_Nm", "greatest torque", "T_1",
-           "greatest torque on gear 1 that satisfies the safeties `safety_flank_min` and "
-           "`safety_root_min`, or 1 if they are absent; null if there is no such torque",
+           "greatest torque on gear 1 with the safeties `safety_flank_min` and `safety_root_min`, "
+           "or with safeties of 1 if these keys are absent; null if there is no such torque",
            &V::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
            "least face width with the same safeties, up to 40 modules; null if there is no such "
@@ -281,14 +284,15 @@ void say_contact(Quantities<V>& q) {
   const auto asked = [](const V& v) { return v.contact.has_value(); };
   q.under(kBeside);
   q.number("contact_torque_Nm", "torque on the teeth", "T_1",
-           "T_1 K_A K_γ K_v; the contact computation determines its distribution",
+           "T_1 K_A K_γ K_v; the contact computation determines how the teeth share this torque",
            [](const V& v) { return v.contact->torque; })
       .when(asked);
   q.number("contact_pressure_MPa", "greatest Hertz pressure", "p_H",
            "over all positions and the whole face, as in `load`",
            [](const V& v) { return v.contact->pressure; })
       .when(asked);
-  q.number("contact_pressure_over_sigma_H", "over the standard's contact stress", "p_H/σ_H", "",
+  q.number("contact_pressure_over_sigma_H",
+           "greatest Hertz pressure divided by the contact stress of the standard", "p_H/σ_H", "",
            [](const V& v) {
              return over({v.contact->pressure, v.contact->pressure}, v.rating.sigma_H);
            })
@@ -300,7 +304,8 @@ void say_contact(Quantities<V>& q) {
            [](const V& v) { return v.contact->root_stress; })
       .per_gear()
       .when(asked);
-  q.number("contact_root_stress_over_sigma_F", "over the standard's root stress", "σ_1/σ_F", "",
+  q.number("contact_root_stress_over_sigma_F",
+           "greatest root stress divided by the root stress of the standard", "σ_1/σ_F", "",
            [](const V& v) { return over(v.contact->root_stress, v.rating.sigma_F); })
       .per_gear()
       .digits(3)
@@ -324,7 +329,8 @@ void say_temperatures(Quantities<V>& q) {
   };
   q.under(kMaterial);
   q.number("flank_temperature_C", "temperature of the flanks", "ϑ_Fla",
-           "by VDI 2736, or as given; only for plastic gears", of(&ToothTemperatures::flank))
+           "temperature by VDI 2736, or as given; only for plastic gears",
+           of(&ToothTemperatures::flank))
       .per_gear()
       .when(by_vdi);
   q.number("root_temperature_C", "temperature of the roots", "ϑ_Fu", "as for the flanks",
@@ -355,19 +361,19 @@ void say(Quantities<V>& q) {
   }
   say_spectrum(q);
   say_contact(q);
-  q.add(
-       Type::map, "formulas", "formulas", "",
-       "clause of the standard and branch of the formula for each factor, {key: {formula, branch}}",
-       [](const V& v) {
-         ValueMap all;
-         for (const FactorSource& s : factor_sources(v.rating)) {
-           ValueList branches(s.branches.begin(), s.branches.end());
-           all.emplace_back(s.key, ValueMap{{"formula", Value(s.formula)},
-                                            {"branch", branches.size() == 1 ? branches.front()
-                                                                            : Value(branches)}});
-         }
-         return Value(all);
-       })
+  q.add(Type::map, "formulas", "formulas", "",
+        "for each factor the clause of the standard and the branch of the formula, {key: {formula, "
+        "branch}}",
+        [](const V& v) {
+          ValueMap all;
+          for (const FactorSource& s : factor_sources(v.rating)) {
+            ValueList branches(s.branches.begin(), s.branches.end());
+            all.emplace_back(s.key, ValueMap{{"formula", Value(s.formula)},
+                                             {"branch", branches.size() == 1 ? branches.front()
+                                                                             : Value(branches)}});
+          }
+          return Value(all);
+        })
       .always()
       .doors(kJson);
 }

@@ -11,7 +11,7 @@ namespace {
 using S = ScatterInput;
 
 constexpr const char* kRange =
-    "[least, greatest], uniform, or a table with `range` and `distribution`";
+    "[least, greatest] for a uniform distribution, or a table with `range` and `distribution`";
 
 // A key for a toleranced number, which may be a list or a table. The reader handles it.
 Key toleranced(std::string_view key, std::string_view symbol, const KeyRange& range,
@@ -29,13 +29,13 @@ Key toleranced(std::string_view key, std::string_view symbol, const KeyRange& ra
 std::optional<KeyFault> check_scatter(S& s, const KeyGiven&) {
   if ((s.samples & (s.samples - 1)) != 0)
     return KeyFault{"samples",
-                    "must be a power of two, for example 1024 or 2048, because any other number of "
-                    "points fills the ranges unevenly"};
+                    "must be a power of two, for example 1024 or 2048, because another number of "
+                    "points would fill the ranges unevenly"};
   const long long all = static_cast<long long>(s.samples) * s.replicates;
   if (all <= kMaxScatterSamples) return std::nullopt;
-  return KeyFault{"samples",
-                  fmt::format("samples times replicates must be at most {}, but the product is {}",
-                              kMaxScatterSamples, all)};
+  return KeyFault{"samples", fmt::format("must be smaller, because samples times replicates must "
+                                         "be at most {}, but the product is {}",
+                                         kMaxScatterSamples, all)};
 }
 
 std::optional<KeyFault> check_robust(ScatterRobust& r, const KeyGiven&) {
@@ -43,8 +43,8 @@ std::optional<KeyFault> check_robust(ScatterRobust& r, const KeyGiven&) {
   const auto [lo, hi] = *r.range;
   if (lo <= 0.0 && hi >= 0.0 && lo < hi) return std::nullopt;
   return KeyFault{"range",
-                  "must contain 0 and another value, for example [0, 20], because the case without "
-                  "a correction must be possible"};
+                  "must contain 0 and another value, for example [0, 20], because the result "
+                  "without corrections must be possible"};
 }
 
 }  // namespace
@@ -52,16 +52,18 @@ std::optional<KeyFault> check_robust(ScatterRobust& r, const KeyGiven&) {
 const KeyTable& scatter_keys() {
   static const KeyTable table{
       "scatter",
-      "Effect of tolerances on the pair; every range is added to the value in the spec",
+      "Effect of tolerances on the pair; the values of every range are added to the value in the "
+      "spec",
       {Key::number("samples", "n", KeyRange::between(1, kMaxScatterSamples), &S::samples, "1024",
                    "samples of each replicate, a power of two"),
        Key::number("replicates", "R", KeyRange::between(1, 1024), &S::replicates, "8",
-                   "number of independent replicates, which determine the error of every result; "
-                   "samples times replicates at most 524 288"),
+                   "number of independent replicates, from which the error of every result is "
+                   "estimated; samples times replicates must be at most 524 288"),
        Key::number("seed", "", KeyRange::between(0, kMaxWholeInput), &S::seed, "1",
                    "seed of the random numbers; the same seed always gives the same samples"),
        Key::word("sampling", {"sobol", "random"}, &S::sampling, "\"sobol\"",
-                 "scrambled Sobol points [T14.5], or plain random numbers"),
+                 "kind of the sample points, which are scrambled Sobol points [T14.5] or plain "
+                 "random numbers"),
        Key::number("percentiles", "", KeyRange::inside(0, 100), &S::percentiles, "[5, 50, 95]",
                    "percentiles that are computed for each quantity")
            .with_list(KeyList{.most = 100, .single = true}),
@@ -69,40 +71,40 @@ const KeyTable& scatter_keys() {
                    "confidence level of the intervals"),
        Key::flag("indices", &S::indices, "false",
                  "if true, first and total Sobol indices of each input are computed [T14.10], "
-                 "which multiplies the work by (inputs + 2)"),
+                 "which multiplies the computing time by (inputs + 2)"),
        Key::flag("worst_case", &S::worst_case, "false",
-                 "if true, the greatest peak to peak and the least play within all ranges are "
-                 "searched [T14.15]"),
+                 "if true, the greatest peak-to-peak transmission error and the least play within "
+                 "all ranges are searched [T14.15]"),
        Key::flag("loosening", &S::loosening, "false",
-                 "if true, the result shows the factor by which each tolerance can grow until the "
-                 "greatest of `percentiles` of the peak to peak has grown by 5 %, and the "
-                 "tolerance to tighten first [T14.19]"),
-       Key::flag(
-           "loaded", &S::loaded, "false",
-           "if true, loaded transmission error, pressure and face load factor are computed for the "
-           "first 256 / `replicates` samples of each replicate, under the torques of [load] and "
-           "over its positions or 16; pitch deviations have no effect on them [T14.24]"),
-       Key::number("quality", "A", KeyRange::between(0, 12), &S::quality,
-                   "`[gearN.tolerance] quality`",
-                   "grade of ISO 1328 for both gears, or two grades. It determines the tolerances "
-                   "that are not given below: f_Hα, f_Hβ, the waves of f_fα and f_fβ and the "
-                   "pitches of each gear, the axes by ISO/TR 10064-3, and the centre distance by "
-                   "`[pair] center_distance_tolerance` [T14.23]")
+                 "if true, the result contains the factor by which each tolerance can grow until "
+                 "the greatest of `percentiles` of the peak-to-peak transmission error has grown "
+                 "by 5 %, and the tolerance to tighten first [T14.19]"),
+       Key::flag("loaded", &S::loaded, "false",
+                 "if true, loaded transmission error, pressure and face load factor are computed "
+                 "for the first 256 / `replicates` samples of each replicate, under the torques of "
+                 "[load] and at the positions of [load], or at 16 positions; pitch deviations have "
+                 "no effect on these quantities [T14.24]"),
+       Key::number(
+           "quality", "A", KeyRange::between(0, 12), &S::quality, "`[gearN.tolerance] quality`",
+           "grade of ISO 1328 for both gears, or two grades. The grade determines all tolerances "
+           "that are not given in the tables of [scatter]: f_Hα, f_Hβ, the waves of f_fα and f_fβ "
+           "and the pitches of each gear, the axes by ISO/TR 10064-3, and the centre distance by "
+           "`[pair] center_distance_tolerance` [T14.23]")
            .with_list(KeyList{.least = 1, .most = 2, .single = true}),
        Key::part("errors", scatter_error_keys, {}, "ranges of the keys of [errors]"),
        Key::part("bearings", scatter_bearing_keys, {},
-                 "positions of the bores in circles, instead of the centre distance and the shaft "
-                 "deviations"),
+                 "positions of the bores within circles, instead of the centre distance and the "
+                 "shaft deviations"),
        Key::part("gear1", scatter_gear_keys, {}, "ranges of the teeth of gear 1"),
-       Key::part("gear2", scatter_gear_keys, {}, "as for gear 1"),
+       Key::part("gear2", scatter_gear_keys, {}, "ranges of the teeth of gear 2"),
        {.key = "groups",
         .kind = KeyKind::any,
-        .form = "a table of names, each with a list of inputs: { housing = "
+        .form = "a table of names, each with a list of inputs, for example { housing = "
                 "[\"errors.crossing_deg\", \"errors.center_distance_mm\"] }",
-        .meaning = "groups of inputs that `indices` treats as one input; an input without a group "
-                   "is a group of its own"},
+        .meaning = "groups of inputs, each of which `indices` treats as one input; an input "
+                   "without a group is treated alone"},
        Key::part("robust", scatter_robust_keys, &S::robust,
-                 "corrections that minimise a percentile of the peak to peak")},
+                 "corrections that minimise a percentile of the peak-to-peak transmission error")},
       check_scatter};
   return table;
 }
@@ -121,9 +123,11 @@ const KeyTable& scatter_bearing_keys() {
   using B = ScatterBearings;
   static const KeyTable table{
       "scatter_bearings",
-      "The bores of axis 1 relative to the bores of axis 2, each anywhere in a circle [T14.12]",
+      "The bores of axis 1 relative to the bores of axis 2; each bore can lie anywhere in a circle "
+      "[T14.12]",
       {Key::positive("span_mm", "L", &B::span, kRequired, "distance of the bearings of a shaft"),
-       Key::not_negative("radius_mm", "R", &B::radius, kRequired, "radius of the circle"),
+       Key::not_negative("radius_mm", "R", &B::radius, kRequired,
+                         "radius of the circle in which a bore can lie"),
        Key::number("offset_mm", "c", {}, &B::offset, "0",
                    "position of the gears on the shaft, from the middle of the span towards +z")}};
   return table;
@@ -136,24 +140,24 @@ const KeyTable& scatter_gear_keys() {
       "scatter_gear",
       "Ranges of the teeth of a gear, each added to the value of the gear",
       {toleranced("thickness_allowance_mm", "E_sn", KeyRange::between(-10, 10),
-                  "normal tooth thickness of an involute gear; it changes the play and the mean of "
-                  "the transmission error [T14.13]"),
+                  "normal tooth thickness of an involute gear, which affects the play and the mean "
+                  "of the transmission error [T14.13]"),
        {.key = "pitch",
         .kind = KeyKind::word,
         .words = {"F_p"},
-        .meaning = "grade of the pitch deviations, which vary within its F_pT and f_ptT [T14.20]"},
+        .meaning = "pitch deviations, which vary within F_pT and f_ptT of the grade [T14.20]"},
        Key::number("profile_waves", "", KeyRange::between(1, 100), &G::profile_waves,
-                   "[1, 4] with a grade",
+                   "[1, 4] if a grade is given",
                    "least and greatest number of waves of the profile form over the usable flank; "
-                   "the waves are f_fαT of the grade high [T14.21]")
+                   "the height of the waves is f_fαT of the grade [T14.21]")
            .with_list(kWaves),
        Key::number("helix_waves", "", KeyRange::between(1, 100), &G::helix_waves,
-                   "[1, 4] with a grade",
-                   "least and greatest number of waves of the helix form over the face; the waves "
-                   "are f_fβT of the grade high")
+                   "[1, 4] if a grade is given",
+                   "least and greatest number of waves of the helix form over the face; the height "
+                   "of the waves is f_fβT of the grade")
            .with_list(kWaves),
        Key::part("modifications", scatter_modification_keys, {},
-                 "ranges of modifications, for both flanks")}};
+                 "ranges of modifications of both flanks")}};
   return table;
 }
 
@@ -177,17 +181,18 @@ const KeyTable& scatter_robust_keys() {
       "Corrections for a percentile of the peak-to-peak transmission error, of rigid teeth or "
       "under "
       "load [T14.18]",
-      {Key::word(
-           "corrections", correction_words(), &R::corrections, "corrections of `[compensate]`",
-           "allowed corrections, as in `[compensate]`; each is added to the value in the spec")
+      {Key::word("corrections", correction_words(), &R::corrections,
+                 "corrections of `[compensate]`",
+                 "corrections that can be used, as in `[compensate]`; each correction is added to "
+                 "the value in the spec")
            .with_list(KeyList{.most = kCorrectionCount, .noun = "correction"})
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
        Key::word("aim", {"transmission_error", "loaded_transmission_error"}, &R::aim,
                  "\"transmission_error\"",
-                 "the quantity of each sample: the peak to peak of rigid teeth or, under the worst "
-                 "of the torques of `[load]`, that of loaded teeth [T14.25]"),
+                 "quantity of each sample, which is the peak-to-peak transmission error of rigid "
+                 "teeth or, under the worst of the torques of `[load]`, of loaded teeth [T14.25]"),
        Key::number("percentile", "", KeyRange::inside(0, 100), &R::percentile, "95",
-                   "the percentile to minimise"),
+                   "percentile to minimise"),
        Key::number(
            "range", "", KeyRange::between(-1000, 1000), &R::range, "ranges of `[compensate]`",
            "least and greatest value of every correction, in its unit; the range must contain 0")
@@ -208,8 +213,8 @@ const KeyTable& scatter_range_keys() {
                  "distribution over the range; a normal distribution is truncated at the ends of "
                  "the range"),
        Key::number("cpk", "C_pk", {}, &D::cpk, "1",
-                   "process capability of a normal distribution, whose mean lies 3 C_pk standard "
-                   "deviations inside the range"),
+                   "process capability C_pk of a normal distribution, whose mean is 3 C_pk "
+                   "standard deviations from the nearer end of the range"),
        Key::number("offset", "", {}, &D::offset, "0",
                    "offset of the mean of a normal distribution from the middle of the range"),
        Key::number("shape", "p, q", {}, &D::shape, "[1, 1]",

@@ -33,13 +33,13 @@ const Quantities<LoadedSpreadView>& loaded_spread_quantities() {
       });
     }
     q.record<probability_quantities>(
-         "edge_carries", "an edge of a tooth carries load at some position",
+         "edge_carries", "samples in which an edge of a tooth carries load at some position",
          [](const V& v) -> const auto& { return v.loaded->edge_carries; })
         .always();
     q.record<probability_quantities>(
          "unsolved",
-         "no teeth touch at some position, or the forces do not converge there; these samples are "
-         "not in the distributions",
+         "samples in which no teeth touch at some position or the forces do not converge there; "
+         "these samples are not in the distributions",
          [](const V& v) -> const auto& { return v.loaded->unsolved; })
         .always();
   });

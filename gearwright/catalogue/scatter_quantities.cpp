@@ -28,10 +28,11 @@ Value listed(const std::vector<Estimate>& all, bool error) {
 const Quantities<SpreadView>& error_quantities() {
   using S = SpreadView;
   static const Quantities<S> kAll("scatter.standard_errors", [](Quantities<S>& q) {
-    q.number("mean", "standard error of the mean", "", "null for one replicate", [](const S& s) {
-      const auto& e = s.spread->mean.standard_error;
-      return e ? Value(s.entry->shown(*e)) : Value();
-    });
+    q.number("mean", "standard error of the mean", "", "null if there is only one replicate",
+             [](const S& s) {
+               const auto& e = s.spread->mean.standard_error;
+               return e ? Value(s.entry->shown(*e)) : Value();
+             });
     q.number("standard_deviation", "standard error of the standard deviation", "", "",
              [](const S& s) {
                const auto& e = s.spread->standard_deviation.standard_error;
@@ -77,11 +78,12 @@ const Quantities<V>& indices_quantities() {
         .always();
     for (const ScatterEntry& entry : scatter_entries()) {
       const auto at = static_cast<std::size_t>(entry.quantity);
-      q.record<index_quantities>(entry.key, "null if the quantity varies only by rounding",
-                                 [at](const V& v) {
-                                   const auto& found = v.scatter->indices[at];
-                                   return found ? Value(index_quantities().of({&*found})) : Value();
-                                 });
+      q.record<index_quantities>(
+          entry.key, "Sobol indices of the quantity; null if the quantity varies only by rounding",
+          [at](const V& v) {
+            const auto& found = v.scatter->indices[at];
+            return found ? Value(index_quantities().of({&*found})) : Value();
+          });
     }
   });
   return kAll;
@@ -106,9 +108,9 @@ const Quantities<V>& worsts_quantities() {
       return w ? Value(worst_quantities().of(*w)) : Value();
     };
     q.record<worst_quantities>("peak_to_peak_arcsec",
-                               "the greatest value found by a search, which is not a bound",
+                               "greatest value found by a search; there might be greater values",
                                [of](const V& v) { return of(v.worst_peak_to_peak); });
-    q.record<worst_quantities>("least_play_deg", "the least value found",
+    q.record<worst_quantities>("least_play_deg", "least value found by a search",
                                [of](const V& v) { return of(v.worst_least_play); });
   });
   return kAll;
@@ -117,16 +119,17 @@ const Quantities<V>& worsts_quantities() {
 const Quantities<V>& probabilities_quantities() {
   static const Quantities<V> kAll("scatter.probability", [](Quantities<V>& q) {
     q.record<probability_quantities>(
-         "edge_contact", "an edge of a tooth touches at some position",
+         "edge_contact", "samples in which an edge of a tooth touches at some position",
          [](const V& v) -> const auto& { return v.scatter->edge_contact; })
         .always();
     q.record<probability_quantities>(
-         "jam", "the least play is negative",
+         "jam", "samples in which the least play is negative",
          [](const V& v) -> const auto& { return v.scatter->jam; })
         .always();
     q.record<probability_quantities>(
          "contact_lost",
-         "no teeth touch at some position; these samples are not in the distributions",
+         "samples in which no teeth touch at some position; these samples are not in the "
+         "distributions",
          [](const V& v) -> const auto& { return v.scatter->contact_lost; })
         .always();
   });
@@ -137,19 +140,23 @@ const Quantities<JudgedView>& judged_quantities() {
   using J = JudgedView;
   static const Quantities<J> kAll("scatter.robust judged", [](Quantities<J>& q) {
     const auto arcsec = [](double rad) { return Value(Angle::radians(rad).arcsec()); };
-    q.number("percentile_arcsec", "percentile of the peak to peak", "", "minimised percentile",
+    q.number("percentile_arcsec", "percentile of the peak-to-peak transmission error", "",
+             "minimised percentile",
              [arcsec](const J& j) { return arcsec(j.family->percentile().estimate.value); })
         .always();
-    q.number("standard_error_arcsec", "its standard error", "",
+    q.number("standard_error_arcsec", "standard error of the percentile", "",
              "computed from the replicates [T14.9]", [arcsec](const J& j) {
                const auto& e = j.family->percentile().estimate.standard_error;
                return e ? arcsec(*e) : Value();
              });
-    q.record<spread_quantities>("peak_to_peak_arcsec", "its distribution", [](const J& j) {
-       return Value(spread_quantities().of(j.peak_to_peak));
-     }).always();
+    q.record<spread_quantities>(
+         "peak_to_peak_arcsec", "distribution of the peak-to-peak transmission error",
+         [](const J& j) { return Value(spread_quantities().of(j.peak_to_peak)); })
+        .always();
     q.record<probability_quantities>(
-         "edge_contact", "an edge of a tooth touches at some position or, under load, carries load",
+         "edge_contact",
+         "samples in which an edge of a tooth touches at some position or, under load, carries "
+         "load",
          [](const J& j) { return Value(probability_quantities().of(j.family->edge)); })
         .always();
     q.record<loaded_spread_quantities>(
@@ -179,11 +186,12 @@ const Quantities<RobustView>& robust_quantities() {
     q.number("percentile", "percentile", "p", "minimised percentile", [](const R& r) {
        return Value(r.percent);
      }).always();
-    q.record<judged_quantities>("before",
-                                "without corrections, computed with samples of the next seed",
-                                [](const R& r) { return Value(judged_quantities().of(r.before)); })
+    q.record<judged_quantities>(
+         "before", "result without corrections, computed with samples of the next seed",
+         [](const R& r) { return Value(judged_quantities().of(r.before)); })
         .always();
-    q.record<judged_quantities>("after", "with the corrections, computed with the same samples",
+    q.record<judged_quantities>("after",
+                                "result with the corrections, computed with the same samples",
                                 [](const R& r) { return Value(judged_quantities().of(r.after)); })
         .always();
   });
@@ -200,11 +208,11 @@ const Quantities<LooseningView>& change_quantities() {
   using L = LooseningView;
   static const Quantities<L> kAll("scatter.loosening input", [](Quantities<L>& q) {
     q.text("input", "name of the tolerance", [](const L& l) { return Value(*l.input); }).always();
-    q.number(
-        "factor", "factor until the percentile has grown by 5 %", "",
-        "null if the percentile grows by less than 5 % at every factor up to 8 for which the teeth "
-        "exist",
-        [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
+    q.number("factor",
+             "factor by which the tolerance can grow until the percentile has grown by 5 %", "",
+             "null if the percentile grows by less than 5 % at every factor up to 8 at which the "
+             "teeth can exist",
+             [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
     q.number("halved_arcsec", "percentile with half the tolerance", "", "",
              [](const L& l) { return Value(Angle::radians(l.change->halved).arcsec()); });
   });
@@ -217,7 +225,7 @@ const Quantities<V>& loosening_quantities() {
        return Value(v.scatter->loosening->percent);
      }).always();
     q.number("percentile_arcsec", "present percentile", "",
-             "for the first replicate, whose samples all rows share",
+             "percentile of the first replicate, whose samples are used for all rows",
              [](const V& v) {
                return Value(Angle::radians(v.scatter->loosening->percentile).arcsec());
              })
@@ -233,7 +241,8 @@ const Quantities<V>& loosening_quantities() {
         .list({0})
         .always();
     q.text("tighten_first",
-           "input whose halved tolerance lowers the percentile most; null if no input lowers it",
+           "input whose halved tolerance lowers the percentile most; null if no halved tolerance "
+           "lowers the percentile",
            [](const V& v) {
              const auto& first = v.scatter->loosening->tighten_first;
              return first ? Value(v.inputs[*first]) : Value();
@@ -282,7 +291,7 @@ void say(Quantities<V>& q) {
       .when([](const V& v) { return v.task->worst_case; })
       .doors(kJson);
   q.record<loosening_quantities>("loosening",
-                                 "factor by which each tolerance may grow; only with `loosening`",
+                                 "factors by which the tolerances can grow; only with `loosening`",
                                  [](const V& v) { return Value(loosening_quantities().of(v)); })
       .when([](const V& v) { return v.scatter->loosening.has_value(); })
       .doors(kJson);
@@ -298,7 +307,7 @@ void say(Quantities<V>& q) {
       .when([](const V& v) { return v.robust.has_value(); })
       .doors(kJson);
   q.add(Type::map, "spec", "spec", "",
-        "the whole spec with the corrections; only with `[scatter.robust]`",
+        "the complete spec with the corrections; only with `[scatter.robust]`",
         [](const V& v) { return v.robust->spec; })
       .when([](const V& v) { return v.robust.has_value(); })
       .doors(kJson);
@@ -321,7 +330,7 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
         "third harmonic of the transmission error"},
        Q::harmonic3},
       {{"mean_arcsec", "transmission error, mean", Unit::arcsec, 2,
-        "mean of the transmission error, which includes the play and has no effect on noise"},
+        "mean of the transmission error, which includes the play but does not affect noise"},
        Q::mean},
       {{"contact_along_face", "contact along the face", Unit::none, 4,
         "mean position of the contact along the face, −1 to 1 [T8.24]"},
@@ -333,10 +342,10 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
         "share of the positions of a pitch at which an edge touches, 0 to 1"},
        Q::edge_share},
       {{"least_play_deg", "least play of gear 2", Unit::deg, 5,
-        "least play of gear 2, from contact on one flank to contact on the other; < 0 if the gears "
-        "jam"},
+        "least play of gear 2 from contact on one flank to contact on the other flank; < 0 if the "
+        "gears jam"},
        Q::least_play},
-      {{"long_period_arcsec", "transmission error until the same teeth meet again", Unit::arcsec, 3,
+      {{"long_period_arcsec", "transmission error until the same teeth mesh again", Unit::arcsec, 3,
         "transmission error over all pairs of teeth, peak to peak over the positions [T14.22]; "
         "null without `pitch`"},
        Q::long_period},
@@ -370,13 +379,15 @@ const Quantities<SpreadView>& spread_quantities() {
              })
         .list({0})
         .always();
-    q.number("lower", "lower ends of their intervals", "", "null if there are too few samples",
+    q.number("lower", "lower ends of the intervals of the percentiles", "",
+             "null if there are too few samples",
              [](const S& s) {
                return listed(s.spread->percentiles, *s.entry,
                              [](const Percentile& p) { return p.lower; });
              })
         .list({0});
-    q.number("upper", "upper ends of their intervals", "", "null if there are too few samples",
+    q.number("upper", "upper ends of the intervals of the percentiles", "",
+             "null if there are too few samples",
              [](const S& s) {
                return listed(s.spread->percentiles, *s.entry,
                              [](const Percentile& p) { return p.upper; });
@@ -393,8 +404,8 @@ const Quantities<SpreadView>& spread_quantities() {
        return s.entry->shown(s.spread->greatest);
      }).always();
     q.add(Type::map, "samples", "samples", "",
-          "sample next to each percentile: `errors` as in a spec, and the increments of the other "
-          "inputs",
+          "sample next to each percentile, with `errors` as in a spec and the increments of the "
+          "other inputs",
           &S::samples)
         .list({0})
         .always();

@@ -17,7 +17,7 @@ constexpr std::size_t kMaxValues = 100'000;  // greatest number of values in a l
 constexpr double kMinShiftStep = 0.0025;     // a wide region then has half a million points
 constexpr ListOrder kBandOrder{
     .sentence =
-        "is an empty band, because nothing lies between {} and {}; write the least value first"};
+        "is an empty band, because no number lies between {} and {}; write the least value first"};
 constexpr KeyList kBand{.most = 2, .single = true, .order = kBandOrder};
 constexpr KeyList kNumbers{1, kMaxValues, true};
 
@@ -76,12 +76,12 @@ void set_shifts(SearchProblem& problem, const std::array<double, 2>& band) {
 std::vector<Key> trial_keys() {
   return {
       Key::number("ratio", "u", {}, &P::ratio, kRequired,
-                  "band of z2/z1, for example [1.9, 2.1], with z2 ≥ z1; negative for internal "
+                  "band of z2/z1 with z2 ≥ z1, for example [1.9, 2.1]; negative for internal "
                   "pairs, for example [-5, -4]")
           .with_list(kBand)
           .with_form(std::string("a number, z2/z1") + kBandForm),
       Key::number("pinion_teeth", "z1", Range::between(3, kMaxSearchTeeth), &P::pinion_teeth,
-                  "[12, 40]", "band of z1; wheels have at most 20 000 teeth")
+                  "[12, 40]", "band of z1; wheels with at most 20 000 teeth are possible")
           .with_list(kBand)
           .with_form(std::string("a whole number, z1") + kBandForm)
           .with_also({"teeth", "z"}),
@@ -95,12 +95,12 @@ std::vector<Key> trial_keys() {
        .meaning = "normal modules",
        .fields = {"modules"}},
       Key::positive("center_distance_mm", "a", &P::center_distance, "free",
-                    "centre distance; one number is the exact distance")
+                    "centre distance; a single number is the exact centre distance")
           .with_list(kBand)
           .with_form(std::string("a distance in mm") + kBandForm),
       Key::number("helix_angle_deg", "β", Range::inside(-89, 89), {},
                   "helix angle of `[gear1]`, otherwise 0; for crossed axes half the shaft angle",
-                  "helix angle of gear 1, or a closed band")
+                  "helix angle of gear 1, or a closed band of helix angles")
           .with_list(kBand)
           .with_form(std::string("an angle") + kBandForm)
           .with_fields({"helix"}),
@@ -108,7 +108,7 @@ std::vector<Key> trial_keys() {
           .with_needs({"helix_angle_deg"})
           .with_fields({"helix"}),
       Key::number("helix_angles_deg", "", Range::inside(-89, 89), {}, "",
-                  "list of helix angles, instead of the two keys above")
+                  "list of helix angles, instead of `helix_angle_deg` and `helix_step_deg`")
           .with_list(kNumbers)
           .with_form("a list of angles")
           .with_excludes({"helix_angle_deg"})
@@ -116,10 +116,11 @@ std::vector<Key> trial_keys() {
       Key::number("shaft_angle_deg", "Σ", Range::inside(-178, 178),
                   KeyPlace::by<P, double>(set_shaft_angle), "0",
                   "shaft angle of crossed axes, 0.1 to 178 with either sign, or 0 for parallel "
-                  "axes; gear 2 has β2 = Σ − β1"),
-      Key::word("racks", {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}, {},
-                "racks of `[gear1]` and `[gear2]`, otherwise α_n 20°, h_aP* 1, h_fP* 1.25",
-                "racks to try, each for both gears")
+                  "axes; the helix angle of gear 2 is β2 = Σ − β1"),
+      Key::word(
+          "racks", {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}, {},
+          "the racks of `[gear1]` and `[gear2]`, otherwise α_n = 20°, h_aP* = 1, h_fP* = 1.25",
+          "racks to try, each for both gears")
           .with_list(KeyList{1, 4})
           .with_form("a list of names, [\"ISO53-A\", \"ISO53-C\"]")};
 }
@@ -127,92 +128,96 @@ std::vector<Key> trial_keys() {
 std::vector<Key> limit_keys() {
   return {
       Key::number("profile_shift", "x", {}, KeyPlace::by<P, std::array<double, 2>>(set_shifts),
-                  "only undercut and tip thickness",
+                  "only undercut and tip thickness limit the profile shifts",
                   "lower and upper limit of x1 and x2, in addition to undercut and tip thickness")
           .with_list({.most = 2,
                       .order = kBandOrder,
                       .must = "must be a band [lower limit, upper limit], because a search "
                               "determines the profile shifts"})
-          .with_form(std::string("floor and ceiling of x") + kBandForm)
+          .with_form(std::string("limits of the profile shift") + kBandForm)
           .with_fields({"limits.min_shift", "limits.max_shift"}),
       Key::number("undercut_depth", "h_F", Range::between(0, 3), {},
                   "h_fP* − ρ_fP*(1 − sin α_n) of the given rack, otherwise 1",
-                  "depth of the straight edge of the rack in modules: 1 for a rounded tip, 1.25 "
-                  "for a sharp tip")
+                  "depth of the straight edge of the rack in modules, for example 1 for a rounded "
+                  "tip and 1.25 for a sharp tip")
           .with_fields({"racks.undercut_depth"}),
       limit("undercut_margin", "", Range::between(-5, 5), &SearchLimits::undercut_margin, "0",
             "least difference between x and its undercut limit"),
       limit("tip_thickness_min", "s_an", Range::between(0, 1.5), &SearchLimits::tip_thickness,
             "0.2", "least normal tip thickness, in modules"),
       limit("contact_ratio_min", "ε_α", Range::between(0, 10), &SearchLimits::contact_ratio, "1.2",
-            "least transverse contact ratio, by Eq. 10 and for the path clipped to the usable "
-            "flanks; for crossed axes AE/p_bn"),
+            "least transverse contact ratio, both by Eq. 10 and for the path clipped to the usable "
+            "flanks; for crossed axes least AE/p_bn"),
       limit("overlap_ratio_min", "ε_β", Range::between(0, 1000), &SearchLimits::overlap_ratio,
             "none", "least overlap ratio"),
       limit("sliding_max", "|ζ|", Range::between(0, 1000), &SearchLimits::sliding, "none",
-            "greatest specific sliding at A and E, for parallel axes"),
+            "greatest specific sliding at A and E; only for parallel axes"),
       limit("tip_clearance_min", "c", Range::between(-1, 1), &SearchLimits::tip_clearance,
-            "0.02; none with `interference = \"flag\"`", "least tip clearance, in modules"),
+            "0.02, but no limit with `interference = \"flag\"`", "least tip clearance, in modules"),
       limit("form_clearance_min", "c_F", Range::between(0, 1), &SearchLimits::form_clearance,
-            "0.02; 0 with `interference = \"flag\"`",
+            "0.02, but 0 with `interference = \"flag\"`",
             "least distance of a tip from the start of the mating flank along the line of action, "
             "in modules [T9.9]"),
       Key::word("interference", {"exclude", "flag"}, {}, "\"exclude\"",
-                "`\"exclude\"`: designs in which a tip passes the start of the mating flank are "
-                "excluded [T9.9], and shifts with a tip inside its own reference circle too; "
-                "`\"flag\"`: designs with interference are listed and marked")
+                "`\"exclude\"` excludes designs in which a tip passes the start of the flank of "
+                "the mating gear [T9.9], and profile shifts with a tip inside its own reference "
+                "circle; `\"flag\"` lists and marks designs with interference")
           .with_fields({"limits.avoid_interference"}),
-      Key::flag("avoid_interference", {}, "as `interference`",
-                "`interference` as a switch: true is `\"exclude\"`, false is `\"flag\"`")
+      Key::flag(
+          "avoid_interference", {}, "value of `interference`",
+          "another form of `interference`; true means `\"exclude\"`, and false means `\"flag\"`")
           .with_fields({"limits.avoid_interference"}),
       limit("safety_flank_min", "S_Hmin", Range::positive(), &SearchLimits::safety_flank,
-            "as in `[rating]` if designs are rated, otherwise none",
+            "value of `[rating]` if designs are rated, otherwise no limit",
             "least safety against pitting of both gears at the profile shifts of the design, "
             "computed as in `rate` with `[rating]` and `[gearN.material]`")
           .with_also({"sh_min", "safety_flank"}),
       limit("safety_root_min", "S_Fmin", Range::positive(), &SearchLimits::safety_root,
-            "as in `[rating]` if designs are rated, otherwise none",
+            "value of `[rating]` if designs are rated, otherwise no limit",
             "least safety against root breakage of both gears")
           .with_also({"sf_min", "safety_root"}),
       Key::flag("coprime", &P::coprime, "false",
-                "if true, only z1 and z2 without a common factor (hunting tooth) are allowed")};
+                "if true, z1 and z2 must have no common factor (hunting tooth)")};
 }
 
 std::vector<Key> design_keys() {
   return {
-      Key::word("mounting", {"extended", "tight"}, {},
-                "\"extended\"; for internal pairs and for designs that are drawn \"tight\"",
-                "`\"extended\"` is a = a_d + m_n Σx; `\"tight\"` is free of backlash"),
+      Key::word(
+          "mounting", {"extended", "tight"}, {},
+          "\"tight\" for internal pairs and for designs that are drawn, otherwise \"extended\"",
+          "kind of the centre distance; `\"extended\"` is a = a_d + m_n Σx, and `\"tight\"` is "
+          "free of backlash"),
       Key::flag("shorten_tips", &P::shorten_tips, "false",
-                "if true, tips are shortened by the clearance that a backlash-free centre distance "
-                "removes"),
-      Key::positive("face_width_mm", "b", &P::face_width, "as in `[gear1]`, otherwise 10 m_n",
+                "if true, tips are shortened by the amount by which a backlash-free centre "
+                "distance reduces the tip clearance"),
+      Key::positive("face_width_mm", "b", &P::face_width, "value of `[gear1]`, otherwise 10 m_n",
                     "face width of both gears; within a band, each design takes the least width "
                     "with the required safeties and overlap ratio")
           .with_list(kBand)
           .with_form(std::string("a width in mm") + kBandForm),
       Key::number("face_width_modules", "b/m_n", Range::between(0.1, 1000), &P::face_modules,
-                  "10 if no other width is given", "face width in modules")
+                  "10 if no other face width is given", "face width in modules")
           .with_list(kBand)
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_modules"}),
-      Key::number("face_width_diameters", "b/d_1", Range::between(0.01, 100), &P::face_diameters,
-                  "[0.2, 1] if a safety is required and no other width is given, otherwise none",
-                  "face width in reference diameters of the pinion")
+      Key::number(
+          "face_width_diameters", "b/d_1", Range::between(0.01, 100), &P::face_diameters,
+          "[0.2, 1] if a safety is required and no other face width is given, otherwise no limit",
+          "face width in reference diameters of the pinion")
           .with_list(kBand)
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_diameters"}),
       Key::positive("face_width_step_mm", "", &P::face_step, "1",
-                    "step of the face width; widths within a band are multiples of it")
+                    "step of the face width; face widths within a band are multiples of this step")
           .with_fields({"face_step"}),
       Key::text("thickness_series", {&P::allowances, &SearchAllowances::series},
-                "\"cd25\" for designs that are drawn and mounted tight",
+                "\"cd25\" for designs that are drawn and mounted with `mounting = \"tight\"`",
                 "thickness allowances of both gears by DIN 3967, for example `\"cd25\"`; "
                 "`\"none\"` gives nominal teeth")
           .with_fields({"allowances.series"}),
       Key::number(
           "backlash_mm", "j_n", Range::not_negative(),
-          {&P::allowances, &SearchAllowances::backlash}, "by `thickness_series`",
+          {&P::allowances, &SearchAllowances::backlash}, "backlash by `thickness_series`",
           "least and greatest normal backlash of every design, for which the teeth are thinned")
           .with_list(kBand)
           .with_form("a backlash in mm, or a band [least, greatest]")
@@ -224,24 +229,24 @@ std::vector<Key> design_keys() {
           .with_fields({"allowances.distance_tolerance"}),
       Key::number("lambda", "λ", Range::between(-10, 10), &P::lambda, "0.625",
                   "λ of the line of Eq. 11 [T2.18a] on which the profile shifts of a design are "
-                  "chosen; for internal pairs the pinion takes the whole shift"),
-      Key::word(
-          "objective", objective_words(), &P::objectives, "\"contact_ratio\"",
-          "criterion of the ranking: `contact_ratio` (greatest effective), `ratio` (nearest to "
-          "`target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least |Σx|), `area` (largest "
-          "region), `sliding` (least |ζ|), `formula_contact_ratio` (greatest by Eq. 10), `mass` "
-          "(least) or `safety` (greatest value of the lesser of S_H and S_F, each divided by its "
-          "required value; needs `[rating]`); a list of criteria gives a Pareto front")
+                  "chosen; for internal pairs the pinion has the whole profile shift"),
+      Key::word("objective", objective_words(), &P::objectives, "\"contact_ratio\"",
+                "criterion of the ranking: `contact_ratio` (greatest effective contact ratio), "
+                "`ratio` (nearest to `target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least "
+                "|Σx|), `area` (largest region), `sliding` (least |ζ|), `formula_contact_ratio` "
+                "(greatest contact ratio by Eq. 10), `mass` (least mass) or `safety` (greatest "
+                "value of the lesser of S_H and S_F, each divided by its required value; needs "
+                "`[rating]`); a list of criteria gives a Pareto front")
           .with_list({.most = kObjectiveNames.size(),
                       .single = true,
                       .noun = "objective",
                       .meant = objective_called})
           .with_fields({"objectives"}),
-      Key::number("target_ratio", "", {}, &P::target_ratio, "the middle of the band",
+      Key::number("target_ratio", "", {}, &P::target_ratio, "the middle of the band `ratio`",
                   "target of the objective `ratio`"),
-      Key::number(
-          "shift_step", "", Range::between(kMinShiftStep, 1), &P::shift_step, "none",
-          "step of a grid of profile shifts; its feasible points are written to `points.parquet`")};
+      Key::number("shift_step", "", Range::between(kMinShiftStep, 1), &P::shift_step, "none",
+                  "step of a grid of profile shifts; the feasible points of the grid are written "
+                  "to `points.parquet`")};
 }
 
 }  // namespace

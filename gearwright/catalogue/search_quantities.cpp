@@ -25,7 +25,9 @@ const Quantities<NearestChange>& change_quantities() {
     q.text("to", "value with which a design exists", [](const C& c) {
        return spelled_change(c).to;
      }).always();
-    q.number("effort", "effort", "", "changes are ordered by their effort", &C::effort).always();
+    q.number("effort", "effort", "", "effort of the change, by which the changes are ordered",
+             &C::effort)
+        .always();
   });
   return kAll;
 }
@@ -36,19 +38,23 @@ const Quantities<SearchProblem>& margin_quantities() {
            [](const P& p) { return Value(p.limits.avoid_interference ? "exclude" : "flag"); })
         .one_of({"exclude", "flag"})
         .always();
-    q.number("tip_clearance_min", "tip clearance", "c", "`null` if none is required",
+    q.number("tip_clearance_min", "tip clearance", "c",
+             "required tip clearance; `null` if there is no limit",
              [](const P& p) { return Value(p.limits.tip_clearance); });
-    q.number("form_clearance_min", "form clearance", "c_F", "along the line of action",
+    q.number("form_clearance_min", "form clearance", "c_F",
+             "required form clearance along the line of action",
              [](const P& p) { return Value(p.limits.form_clearance); })
         .always();
-    q.number("safety_flank_min", "safety against pitting", "S_Hmin", "only if a safety is required",
+    q.number("safety_flank_min", "safety against pitting", "S_Hmin",
+             "required safety; only if a safety is required",
              [](const P& p) { return Value(p.limits.safety_flank); })
         .when([](const P& p) { return p.limits.safety_flank.has_value(); });
     q.number("safety_root_min", "safety against root breakage", "S_Fmin",
-             "only if a safety is required", [](const P& p) { return Value(p.limits.safety_root); })
+             "required safety; only if a safety is required",
+             [](const P& p) { return Value(p.limits.safety_root); })
         .when([](const P& p) { return p.limits.safety_root.has_value(); });
     const auto drawn = [](const P& p) { return static_cast<bool>(p.draw); };
-    q.word("mounting", "mounting", "only for designs that are drawn",
+    q.word("mounting", "mounting", "limits of the drawing; only for designs that are drawn",
            [](const P& p) { return Value(p.mounting == Mounting::tight ? "tight" : "extended"); })
         .one_of({"extended", "tight"})
         .when(drawn);
@@ -98,19 +104,19 @@ void say_search(Quantities<SearchView>& q) {
         &SearchCounts::tested);
   count("feasible_count", "number of trials with a region of feasible shifts",
         &SearchCounts::feasible);
-  q.add(
-       Type::map, "rejected", "rejected", "",
-       "number of trials that each limit ruled out. The first limit that leaves nothing counts, in "
-       "the order `shift_limits`, `center_distance`, `contact_ratio`, `overlap_ratio`, `sliding`, "
-       "`tip_clearance`, `interference`, for a rated search `safety_flank` and `safety_root`, and "
-       "for drawn designs `verdict`. A trial without a working angle counts as `contact_ratio`",
-       [](const S& s) {
-         ValueMap map;
-         for (const Limit limit : s.problem->rejecting_limits())
-           map.emplace_back(name(limit),
-                            s.answer->counts.rejected[static_cast<std::size_t>(limit)]);
-         return Value(std::move(map));
-       })
+  q.add(Type::map, "rejected", "rejected", "",
+        "number of trials that each limit ruled out. A trial counts for the first limit that "
+        "leaves no profile shift, in the order `shift_limits`, `center_distance`, `contact_ratio`, "
+        "`overlap_ratio`, `sliding`, `tip_clearance`, `interference`, for a rated search "
+        "`safety_flank` and `safety_root`, and for drawn designs `verdict`. A trial without a "
+        "working pressure angle counts for `contact_ratio`",
+        [](const S& s) {
+          ValueMap map;
+          for (const Limit limit : s.problem->rejecting_limits())
+            map.emplace_back(name(limit),
+                             s.answer->counts.rejected[static_cast<std::size_t>(limit)]);
+          return Value(std::move(map));
+        })
       .always();
   q.record<margin_quantities>("margins",
                               "limits that every design satisfies; clearances in modules",
@@ -124,16 +130,16 @@ void say_search(Quantities<SearchView>& q) {
       .when(grid);
   q.record<change_quantities>(
        "changes",
-       "single changes of limits with which designs exist, the smallest first; only if no design "
-       "is feasible, and for at most 2 million trials",
+       "changes of a single limit with which designs exist, the smallest change first; only if no "
+       "design is feasible, and for at most 2 million trials",
        [](const S& s) { return change_quantities().each(*s.changes); })
       .always()
       .list({0})
       .when([](const S& s) { return s.answer->counts.feasible == 0; });
   q.record<design_quantities>(
        "safest",
-       "rated design, among at most 10 000, that comes nearest to the required safeties; only if "
-       "no design is feasible",
+       "rated design that comes nearest to the required safeties, among at most 10 000 designs; "
+       "only if no design is feasible",
        [](const S& s) {
          return s.safest ? Value(design_quantities().of({s.problem, s.safest})) : Value();
        })

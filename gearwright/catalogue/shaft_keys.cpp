@@ -18,10 +18,9 @@ std::optional<KeyFault> check_shaft(Shaft& shaft, const KeyGiven&) {
   return KeyFault{
       "steps_mm",
       diameters == 1
-          ? std::string(
-                "needs several diameters in diameter_mm, that is one diameter more than steps")
-          : fmt::format("must have one number less than diameter_mm, {} for {} diameters, because "
-                        "these are the places at which the diameter changes",
+          ? std::string("needs several diameters in diameter_mm, one diameter more than steps")
+          : fmt::format("must have one number less than diameter_mm ({} numbers for {} diameters), "
+                        "because the numbers are the places at which the diameter changes",
                         diameters - 1, diameters)};
 }
 
@@ -35,29 +34,31 @@ const KeyTable& shaft_keys() {
   using Range = KeyRange;
   static const KeyTable table{
       "shaft",
-      "The shaft of a gear on two bearings; positions are along the axis, from the middle of the "
-      "face",
+      "The shaft of a gear on two bearings; positions are measured along the axis from the middle "
+      "of the face",
       {Key::number("bearings_mm", "", Range::between(-kMaxInput, kMaxInput), &Shaft::bearings,
                    kRequired,
                    "positions of the two bearings along the axis, from the middle of the face "
-                   "towards +z; for an overhung gear, both are on the same side")
-           .with_list({.least = 2,
-                       .most = 2,
-                       .order = {true, "must be in rising order, first the bearing towards −z"}})
+                   "towards +z; for an overhung gear both bearings are on the same side")
+           .with_list(
+               {.least = 2,
+                .most = 2,
+                .order = {true, "must be in rising order, with the bearing towards −z first"}})
            .with_also({"bearings", "bearing_positions", "supports"}),
-       Key::positive("diameter_mm", "d_sh", &Shaft::diameters, kRequired,
-                     "diameter of the shaft, or of its sections from −z on; for a pinion that is "
-                     "integral with its shaft, for example its root diameter")
+       Key::positive(
+           "diameter_mm", "d_sh", &Shaft::diameters, kRequired,
+           "diameter of the shaft, or diameters of the sections of the shaft, starting at −z; for "
+           "a pinion that is integral with the shaft, the root diameter can be used")
            .with_list(KeyList{1, kMostShaftDiameters, true})
            .with_fields({"diameters"})
            .with_also({"diameters", "diameter", "d"}),
        Key::number("steps_mm", "", Range::between(-kMaxInput, kMaxInput), &Shaft::steps,
-                   "one diameter",
+                   "a shaft with a single diameter",
                    "places at which the diameter changes, one number less than `diameter_mm`")
            .with_list({.least = 1,
                        .most = kMostShaftDiameters - 1,
                        .single = true,
-                       .order = {true, "must be in rising order along the shaft, from −z on"}})
+                       .order = {true, "must be in rising order along the shaft, starting at −z"}})
            .with_also({"steps", "shoulders"}),
        Key::positive("youngs_modulus_MPa", "E", &Shaft::youngs_modulus, "206 000, for steel",
                      "Young's modulus of the shaft")
@@ -65,18 +66,19 @@ const KeyTable& shaft_keys() {
        Key::number("poisson_ratio", "ν", Range::between(0, 0.5), &Shaft::poisson_ratio, "0.3",
                    "Poisson's ratio of the shaft")
            .with_also({"nu", "poisson"}),
-       Key::positive("bearing_stiffness_N_per_um", "",
-                     KeyPlace::by<Shaft, std::vector<double>>(set_bearing_stiffness),
-                     "rigid bearings",
-                     "radial stiffness of the bearings: one number for both, or two numbers")
+       Key::positive(
+           "bearing_stiffness_N_per_um", "",
+           KeyPlace::by<Shaft, std::vector<double>>(set_bearing_stiffness), "rigid bearings",
+           "radial stiffness of the bearings, as one number for both bearings or two numbers")
            .with_list(KeyList{1, 2, true})
            .with_also({"bearing_stiffness", "stiffness"}),
        Key::word("torque_from", {"left", "right"}, &Shaft::torque_from, "\"left\"",
-                 "side on which the torque enters or leaves the shaft: `left` towards −z, `right` "
-                 "towards +z")
+                 "side on which the torque enters or leaves the shaft; `left` is towards −z, and "
+                 "`right` is towards +z")
            .with_also({"torque_side", "coupling"}),
        Key::flag("shear", &Shaft::shear, "true",
-                 "if true, with shear deformation (Timoshenko); if false, with bending only")},
+                 "if true, the deflection includes shear deformation (Timoshenko); if false, only "
+                 "bending")},
       check_shaft};
   return table;
 }

@@ -27,7 +27,7 @@ Key stage_key() {
 }
 
 Key gear_2_key() {
-  Key k = table_key("gear2", gear_keys, {}, "the second gear, or with `form` = \"rack\" a rack");
+  Key k = table_key("gear2", gear_keys, {}, "the second gear, or a rack if `form` = \"rack\"");
   k.tables.push_back(rack_bar_keys);
   return k;
 }
@@ -43,7 +43,7 @@ Key search_key() {
 const KeyTable& spec_keys() {
   static const KeyTable table{
       "spec",
-      "One gear, a pair of gears, or a search for them; lengths in mm and angles in degrees, as "
+      "One gear, a pair of gears, a drive or a search; lengths are in mm and angles in degrees, as "
       "the keys show",
       {Key::text("title", &SpecTables::title, "", "title of listings and of the report"),
        table_key("drawing", drawing_keys, &SpecTables::drawing,

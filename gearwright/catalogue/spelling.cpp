@@ -127,12 +127,13 @@ Error spelled(const Error& error, const GivenKeys& given) {
   // A default rack is not in the file, so the message states that the value is a default.
   const bool of_rack = !given.empty() && s->path.find(".rack.") != std::string::npos;
   if (of_rack && !worded.value.empty() && !given.contains(s->path))
-    worded.rule = "not given, and its default does not fit the other values: " + worded.rule;
+    worded.rule =
+        "this key is not given, and its default does not match the other values: " + worded.rule;
   const auto own = own_spelling(error.field, *s);
   if (!own) return worded;
   Error made = worded;
   made.field = own->path.substr(own->path.rfind('.') + 1);
-  return {s->path, "", "with it " + made.message(), error.kind};
+  return {s->path, "", "this value gives " + made.message(), error.kind};
 }
 
 }  // namespace gearwright

@@ -60,26 +60,26 @@ const Quantities<Finding>& finding_quantities() {
            "`contact_place`, `root_safety`, `flank_safety`",
            [](const F& f) { return to_string(f.code); })
         .always();
-    q.word("level", "level", "green is information only",
+    q.word("level", "level", "level of the finding; green is only information",
            [](const F& f) { return to_string(f.level); })
         .always()
         .one_of({"green", "amber", "red"});
-    q.term("gear", "1 or 2; null for the pair or the spec",
+    q.term("gear", "number of the gear, 1 or 2; null for the pair or the spec",
            [](const F& f) { return f.gear ? Value(f.gear) : Value(); });
     q.text("message", "sentence for users", &F::message).always();
     q.text("at",
-           "ends of the tolerances at which the finding occurs; null if it occurs at the nominal "
-           "values",
+           "ends of the tolerances at which the finding occurs; null if the finding occurs at the "
+           "nominal values",
            [](const F& f) { return f.at.empty() ? Value() : Value(f.at); });
     q.text("remedy",
-           "change that removes the finding, verified by computation; null if no single change was "
-           "found",
+           "change that removes the finding, verified by computation; null if no single change "
+           "that removes it was found",
            [](const F& f) { return f.remedy.empty() ? Value() : Value(f.remedy); });
     q.add(Type::map, "change", "change", "",
           "keys of the spec that the remedy sets, with their values", change_of)
         .always();
     q.add(Type::map, "values", "values", "",
-          "number that is too small, then its limit, under keys with their units", values_of)
+          "the number that is too small and its limit, under keys with units", values_of)
         .always();
   });
   return kAll;
@@ -91,16 +91,18 @@ const Quantities<Verdict>& verdict_quantities() {
   using V = Verdict;
   static const Quantities<V> kAll("verdict", [](Quantities<V>& q) {
     q.word("level", "verdict",
-           "green: the gears run without findings; amber: the gears run, but the user should check "
-           "the findings; red: the gears cannot be made as specified or do not run",
+           "green means that the gears run without findings, amber that the gears run but the "
+           "findings should be checked, and red that the gears cannot be made as specified or do "
+           "not run",
            [](const V& v) { return to_string(v.level); })
         .always()
         .one_of({"green", "amber", "red"});
     q.text("headline", "the verdict in words, with the worst finding and a remedy", &V::headline)
         .always();
-    q.record<finding_quantities>("findings",
-                                 "all warnings and all margins that are too small, the worst first",
-                                 &V::findings)
+    q.record<finding_quantities>(
+         "findings",
+         "all warnings and all margins that are too small, with the worst finding first",
+         &V::findings)
         .always()
         .list({0});
     q.add(Type::text, "not_judged", "not judged", "",

@@ -195,7 +195,8 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
   }
   mesh.arc_begin.push_back(n);
   if (mesh.flank_begin < 0)
-    return Error{"teeth", "", "has no flank to load", FailureKind::not_under_load};
+    return Error{"teeth", "", "the gear has no flank that can carry load",
+                 FailureKind::not_under_load};
   if (mesh.fillet_begin < 0) mesh.fillet_begin = mesh.flank_begin;
   measure(mesh);
 
@@ -210,11 +211,11 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
   const double out = mesh.outward;
   const double rim = out * (mesh.root_radius - ri);
   if (!(rim > kMinRim)) {
-    return refused(
-        "bore.diameter", 2 * bore_radius, {2 * module * (mesh.root_radius - out * kMinRim)},
-        out > 0.0 ? "must leave a rim under the teeth: at most {}"
-                  : "is the outside of an internal gear's rim, and must leave one around "
-                    "the teeth: at least {}");
+    return refused("bore.diameter", 2 * bore_radius,
+                   {2 * module * (mesh.root_radius - out * kMinRim)},
+                   out > 0.0 ? "must be at most {} mm, so that a rim is left under the teeth"
+                             : "must be at least {} mm, because it is the outside diameter of the "
+                               "rim of an internal gear, and a rim must be left around the teeth");
   }
   // `foot` is the base point on the tooth's centre line, and `body` the radius at which the body begins.
   const double foot = mesh.root_radius - out * std::min(1.125, 0.5 * rim);
@@ -316,11 +317,10 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
     if (std::abs(std::abs(mesh.nodes[i]) - ri) < kSameNode)
       mesh.bore.push_back(static_cast<int>(i));
   if (folds(mesh)) {
-    return Error{
-        "teeth", std::to_string(outline.teeth),
-        "has an outline that cannot be meshed, because elements would fold, as in undercut and "
-        "pointed teeth; a greater profile shift or a smaller tip diameter helps",
-        FailureKind::not_under_load};
+    return Error{"teeth", std::to_string(outline.teeth),
+                 "gives an outline whose finite elements would fold, as with undercut or pointed "
+                 "teeth; a greater profile shift or a smaller tip diameter would help",
+                 FailureKind::not_under_load};
   }
   return mesh;
 }

@@ -30,21 +30,22 @@ std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& 
         a, r1 + r2);
   }
   return fmt::format(
-      "no flank of gear 1 lies opposite a flank of gear 2 at any position (centre distance {:.6g} "
-      "mm, tip radii {:.6g} and {:.6g} mm): smaller errors, or faces that overlap, would help",
+      "at no position does a flank of gear 1 lie opposite a flank of gear 2 (centre distance "
+      "{:.6g} mm, tip radii {:.6g} and {:.6g} mm). Smaller errors, or faces that overlap, would "
+      "help",
       a, r1, r2);
 }
 
 }  // namespace
 
 Error nothing_touches(const ContactSetup& setup) {
-  return {"errors", "", "nothing touches; " + why_nothing_touches(setup, setup.place().errors),
+  return {"errors", "", "no teeth touch; " + why_nothing_touches(setup, setup.place().errors),
           FailureKind::nothing_touches};
 }
 
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors) {
-  return {"compensate.range", name, "nothing touches there; " + why_nothing_touches(setup, errors)};
+  return {"compensate.range", name, "no teeth touch there; " + why_nothing_touches(setup, errors)};
 }
 
 bool any_modification(const std::array<FlankModifications, 2>& flanks) {
@@ -140,7 +141,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     if (!gear) return of_gear(*which, gear.error());
     if (!gear->exists() || !gear->root_form_radius())
       return Error{"compensate.corrections", "tool_setting_mm",
-                   "this tool setting leaves no tooth"};
+                   "no tooth is left after this tool setting"};
     setup.gears_[*which - 1] = std::make_shared<const Gear>(std::move(gear).take());
   }
   return setup;
@@ -158,7 +159,8 @@ Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& err
     setup.gears_[i] = std::make_shared<const Gear>(pair.gear(i + 1));
     const Gear& gear = setup.gear(i + 1);
     if (!gear.root_form_radius())
-      return Error{gear_field(i + 1), "", "has no usable flank; see its warnings (gearwright gear)",
+      return Error{gear_field(i + 1), "",
+                   "has no usable flank; the warnings of the verb gear give the reason",
                    FailureKind::no_flank};
     if (auto error = check_cutter_lead(gear, i + 1, errors.cutter_lead[i])) return *error;
   }
@@ -207,19 +209,21 @@ std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change
   const double delta = change.deg();
   const std::string field = fmt::format("errors.cutter_lead[{}]", which - 1);
   if (gear.twist() == 0.0)
-    return refused(field, delta,
-                   "a spur gear has no lead that could change; give it a helix angle");
+    return refused(
+        field, delta,
+        "cannot be used for a spur gear, which has no lead; give the gear a helix angle");
   if (gear.cut_by)
-    return refused(field, delta,
-                   fmt::format("the gear is cut by a pinion cutter, whose guide determines the "
-                               "lead; use `errors.helix_twist[{}]` to change it",
-                               which - 1));
+    return refused(
+        field, delta,
+        fmt::format("cannot be used for a gear cut by a pinion cutter, whose guide determines the "
+                    "lead; give `errors.helix_twist[{}]` to change the lead",
+                    which - 1));
   const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + delta;
   if (lambda > kMinLead.deg() && lambda < kMaxLead.deg()) return std::nullopt;
   return refused(
       field, delta,
-      fmt::format("makes the lead angle {} degrees; it must stay between {} and {}, the ends "
-                  "excluded",
+      fmt::format("makes the lead angle {} degrees; the lead angle must lie between {} and {}, the "
+                  "ends excluded",
                   format_number(lambda, kMaxLead.deg()), kMinLead.deg(), kMaxLead.deg()));
 }
 

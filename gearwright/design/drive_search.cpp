@@ -216,15 +216,15 @@ Result<Ends> ends_of(const DriveSearchProblem& problem) {
   const auto single = [&](const std::vector<std::size_t>& list, const char* field) {
     return list.size() == 1 ? std::optional<Error>()
                             : Error{field, std::to_string(list.size()),
-                                    "must be one body: a search is for drives of one degree of "
-                                    "freedom"};
+                                    "must be a single body, because a search finds drives with one "
+                                    "degree of freedom only"};
   };
   if (auto error = single(graph->fixed, "drive.fixed")) return *error;
   if (auto error = single(graph->inputs, "drive.input")) return *error;
   const Ends ends{body(graph->fixed[0]), body(graph->inputs[0]), body(graph->output)};
   if (ends.input == ends.fixed || ends.input == ends.output || ends.output == ends.fixed)
     return Error{"drive.output", graph->bodies[graph->output].name,
-                 "what is held, what drives and what is driven must be three bodies"};
+                 "the fixed body, the input and the output must be three different bodies"};
   return ends;
 }
 

@@ -270,7 +270,8 @@ class Search {
 
   Made candidate(double x1, double x2) const {
     const auto beta = helix_of(x1, x2);
-    if (!beta) return stopped(1, "the centre distance, which no helix angle up to 75° gives");
+    if (!beta)
+      return stopped(1, "the centre distance, which requires a helix angle of more than 75°");
     const CylindricalSpec spec = cutter_spec(*beta, x1);
     auto cutter = make_gear(spec);
     if (!cutter) return stopped(2, "the pinion's fillets: " + cutter.error().quoted());
@@ -312,21 +313,24 @@ class Search {
     const auto g2 =
         make_pinion_cut_gear(cutter, {p_.teeth[1], distance, spec.face_width, wheel_tip});
     if (!g1 || !g2 || g1->pointed() || g2->pointed() || !g2->tooth->form_radius)
-      return stopped(8, "the clearance, which leaves no tooth");
+      return stopped(8, "the tip clearance, which leaves no tooth");
     for (const Gear* g : {&*g1, &*g2}) {
       const int which = g == &*g1 ? 1 : 2;
       const double land = tip_width(*g);
       if (land < p_.min_tip_land) {
-        return stopped(9,
-                       fmt::format("the land at the tip of gear {}: {:.3f} mm of {} mm", which,
-                                   land, p_.min_tip_land),
-                       p_.min_tip_land - land);
+        return stopped(
+            9,
+            fmt::format(
+                "the land at the tip of gear {}, which is {:.3f} mm instead of at least {} mm",
+                which, land, p_.min_tip_land),
+            p_.min_tip_land - land);
       }
       const double gap = gap_of(*g);
       if (gap < p_.min_gap) {
         return stopped(10,
-                       fmt::format("the gap at the root of gear {}: {:.3f} mm of {} mm", which, gap,
-                                   p_.min_gap),
+                       fmt::format("the tooth space at the root of gear {}, which is {:.3f} mm "
+                                   "wide instead of at least {} mm",
+                                   which, gap, p_.min_gap),
                        p_.min_gap - gap);
       }
     }
@@ -340,7 +344,8 @@ class Search {
       return stopped(12, "interference: " + pair->interference.front().message);
     if (!pair->beyond_flank.empty())
       return stopped(12, "contact beyond the flank: " + pair->beyond_flank.front().message);
-    if (!(pair->contact_ratio_true() > 0.0)) return stopped(13, "contact, because there is none");
+    if (!(pair->contact_ratio_true() > 0.0))
+      return stopped(13, "the condition that the teeth touch");
     return made(cut.pinion, cut.cutter, std::move(pair).take(), cut.distance, cut.mounted);
   }
 
@@ -350,13 +355,14 @@ class Search {
     double face = p_.face_width.value_or(0.0);
     if (!needed)
       return stopped(14,
-                     fmt::format("the contact ratio {:.3f}, which a helix angle would increase",
+                     fmt::format("the contact ratio of {:.3f}, which a helix angle would increase",
                                  pair.mesh.true_ratio),
                      p_.contact_ratio - pair.mesh.true_ratio);
     if (!p_.face_width) face = std::max(std::ceil(*needed * 10) / 10, p_.normal_module);
     if (face < *needed)
       return stopped(14,
-                     fmt::format("the face width: {:.2f} mm of {:.2f} mm for a contact ratio of {}",
+                     fmt::format("the face width, which is {:.2f} mm instead of {:.2f} mm, as a "
+                                 "contact ratio of {} requires",
                                  face, std::ceil(*needed * 100) / 100, p_.contact_ratio),
                      *needed - face);
     pinion.face_width = face;
@@ -400,7 +406,8 @@ class Search {
 Result<FewTeethAnswer> design_few_teeth(const FewTeethProblem& problem) {
   if (!problem.helix && !problem.center_distance) {
     return absent_input(gear_field(1, "helix_angle"),
-                        "; few teeth need a helix angle, or `pair.center_distance` to find one");
+                        "; a pinion with few teeth needs a helix angle, or `pair.center_distance`, "
+                        "from which the helix angle is computed");
   }
   if (problem.teeth[1] < 0 && -problem.teeth[1] <= problem.teeth[0]) {
     return refused(

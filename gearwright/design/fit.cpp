@@ -46,7 +46,7 @@ FitBranch branch_at(const FitProblem& p, const std::array<double, 2>& shift,
 
 Error one_condition_too_many() {
   return {"fit.working_normal_pressure_angle", "",
-          "overdetermines the pair; leave out this value or another one"};
+          "overdetermines the pair; leave out this value or another given value"};
 }
 
 // The position of known gears on parallel axes, which have only one backlash-free centre distance.
@@ -56,16 +56,16 @@ Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
   const auto alpha = transverse_angle_at_min_distance(gears);
   if (!alpha) {
     result.reason =
-        "the teeth leave no backlash-free centre distance; their profile shifts add up "
-        "to the wrong side";
+        "the teeth have no backlash-free centre distance, because the sum of their profile shifts "
+        "has the wrong sign";
     return result;
   }
   const double a = base_radius_sum(gears) / std::cos(*alpha);
   const double alpha_wn = std::asin(std::sin(*alpha) * std::cos(gears[0].helix_angle));
   if (p.center_distance && std::abs(*p.center_distance - a) > kSameDistance * a) {
     result.reason = fmt::format(
-        "on parallel axes these gears are free of backlash at {} mm only; leave out a profile "
-        "shift to have it follow from the centre distance",
+        "on parallel axes these gears are free of backlash at {} mm only; if a profile shift is "
+        "left out, it is computed from the centre distance",
         format_number(a, *p.center_distance));
     result.nearest_distance = a;
     result.nearest_shaft_angle = Angle();
@@ -92,12 +92,12 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
     result.nearest_shaft_angle = place.shaft_angle;
     result.reason = fmt::format(
         "the minimum centre distance of these gears is {} mm, at the shaft angle {}°; thinner "
-        "teeth (less profile shift) permit less",
+        "teeth (less profile shift) permit a smaller distance",
         format_number(place.center_distance, a), format_number(place.shaft_angle.deg()));
   } else {
     result.reason =
-        "these teeth are too thin to have a minimum centre distance, and no possible shaft angle "
-        "gives this one; more profile shift would help";
+        "these teeth are too thin to have a minimum centre distance, and no shaft angle gives the "
+        "centre distance of the spec; more profile shift would help";
   }
   return result;
 }
@@ -144,8 +144,8 @@ Result<Fit> place_of_gears(const FitProblem& p) {
     result.branches.clear();
     result.nearest_distance = a;
     result.reason = fmt::format(
-        "at this shaft angle these gears are free of backlash at {} mm only; leave out a profile "
-        "shift, the shaft angle or the centre distance to have it follow",
+        "at this shaft angle these gears are free of backlash at {} mm only; if a profile shift, "
+        "the shaft angle or the centre distance is left out, it is computed",
         format_number(a, *p.center_distance));
     return result;
   }
@@ -159,9 +159,10 @@ Result<Fit> place_of_gears(const FitProblem& p) {
 // Computes the sum of the shifts if helix angles and position are known.
 Result<Fit> shifts_of_place(const FitProblem& p) {
   if (!p.center_distance) {
-    return absent_input("pair.center_distance",
-                        "; it determines an absent profile shift (if both profile shifts are "
-                        "given, it is computed)");
+    return absent_input(
+        "pair.center_distance",
+        "; give the centre distance, from which an absent profile shift is computed, or give both "
+        "profile shifts, from which the centre distance is computed");
   }
   if (p.working_normal_pressure_angle) return one_condition_too_many();
   const BasePair<double> gears = base_gears(p);
@@ -210,10 +211,10 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
 
 Result<Fit> fit(const FitProblem& p) {
   if (p.teeth[1] < 0 && p.shaft_angle && p.shaft_angle->rad() != 0.0) {
-    return refused("pair.shaft_angle", p.shaft_angle->deg(),
-                   "a fit covers internal pairs on parallel axes only; 0 is allowed. With given "
-                   "helix angles and shifts, the verb pair computes the centre distance at this "
-                   "angle");
+    return refused(
+        "pair.shaft_angle", p.shaft_angle->deg(),
+        "must be 0, because a fit covers internal pairs on parallel axes only. If helix angles and "
+        "profile shifts are given, the verb pair computes the centre distance at this angle");
   }
   const bool helices = p.helix[0] && p.helix[1];
   const bool shifts = p.shift[0] && p.shift[1];
@@ -227,8 +228,8 @@ Result<Fit> fit(const FitProblem& p) {
        {std::pair{p.center_distance.has_value(), "pair.center_distance"},
         std::pair{p.shaft_angle.has_value(), "pair.shaft_angle"}}) {
     if (known) continue;
-    return absent_input(field,
-                        "; to find helix angles both centre distance and shaft angle are needed");
+    return absent_input(
+        field, "; both centre distance and shaft angle are needed to compute the helix angles");
   }
   return min_distance_designs(p);
 }

@@ -167,8 +167,8 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   const double t = designs.target(cos_wn);
   result.nearest_distance = *p.center_distance * H.min() / t;
   result.reason = refused("", *p.center_distance, {*result.nearest_distance},
-                          fmt::format("at the shaft angle {}° every such pair is at least {{}} mm "
-                                      "apart (working normal pressure angle {:.6g}°)",
+                          fmt::format("at the shaft angle {}° the centre distance of such a pair "
+                                      "is at least {{}} mm (working normal pressure angle {:.6g}°)",
                                       format_number(p.shaft_angle->deg()),
                                       Angle::radians(std::acos(cos_wn)).deg()))
                       .rule;
@@ -176,8 +176,8 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   // The least sum of pitch diameters is z1 + z2 and grows with |Σ|.
   if (!(t > p.teeth[0] + p.teeth[1])) {
     result.reason += fmt::format(
-        "; at this centre distance there is none at any shaft angle, not even on parallel axes, "
-        "which need {} mm",
+        "; at the given centre distance there is no such pair at any shaft angle, because even on "
+        "parallel axes {} mm are needed",
         *p.center_distance * (p.teeth[0] + p.teeth[1]) / t);
     return;
   }
@@ -195,8 +195,8 @@ std::optional<Error> contradiction(const FitProblem& p) {
   const std::string alpha_field = "fit.working_normal_pressure_angle";
   const auto too_many = [](const std::string& field, const std::string& other) {
     return Error{field, "",
-                 fmt::format("overdetermines the pair, together with {}, centre distance and shaft "
-                             "angle; leave out one of them",
+                 fmt::format("overdetermines the pair together with {}, centre distance and shaft "
+                             "angle; leave out one of these values",
                              other)};
   };
   if (p.working_normal_pressure_angle && shifts)
@@ -240,9 +240,9 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
       return d->helix[known] - p.helix[known]->rad();
     };
     for (const double b1 : roots(miss, H.lo(), H.hi())) add(b1);
-    result.reason =
-        fmt::format("no pair with `{}` = {} has its minimum centre distance there",
-                    gear_field(known + 1, "helix_angle"), format_number(p.helix[known]->deg()));
+    result.reason = fmt::format(
+        "there is no pair with `{}` = {} whose minimum centre distance is the given distance",
+        gear_field(known + 1, "helix_angle"), format_number(p.helix[known]->deg()));
   } else if (p.working_normal_pressure_angle || wanted_sum == 0.0) {
     // If x1 + x2 = 0 at the minimum centre distance, the working pressure angle is that of the rack.
     const Angle alpha = p.working_normal_pressure_angle.value_or(p.normal_pressure_angle);
@@ -260,8 +260,9 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
     for (const double b1 : roots(miss, H.lo(), H.hi())) add(b1, std::nullopt, wanted_sum);
     if (result.branches.empty()) {
       find_nearest(p, 1.0, result);
-      result.reason = fmt::format("no pair with x1 + x2 = {} has its minimum centre distance there",
-                                  format_number(wanted_sum));
+      result.reason = fmt::format(
+          "there is no pair with x1 + x2 = {} whose minimum centre distance is the given distance",
+          format_number(wanted_sum));
       result.nearest_distance.reset();
       result.nearest_shaft_angle.reset();
     }

@@ -336,8 +336,8 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
     const std::string& now = problem.rating->input.materials[0].name;
     for (const Material& steel : detail::stronger_steels(*problem.rating)) {
       constexpr double kAnotherSteel = 0.5;
-      if (switched(gear_field(1, "material.name"), now.empty() ? "the given one" : now, steel.name,
-                   kAnotherSteel, [&](SearchProblem& p) {
+      if (switched(gear_field(1, "material.name"), now.empty() ? "the given material" : now,
+                   steel.name, kAnotherSteel, [&](SearchProblem& p) {
                      p.rating->input.materials = {steel, steel};
                    }))
         break;

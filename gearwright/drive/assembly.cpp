@@ -115,7 +115,7 @@ Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, l
                                            int count) {
   if (degrees.size() != static_cast<std::size_t>(count))
     return Error{"drive.positions", std::to_string(degrees.size()),
-                 fmt::format("must be as many angles as there are planets, {}", count)};
+                 fmt::format("must contain one angle for each of the {} planets", count)};
   std::vector<Rational> turns;
   for (const double given : degrees) {
     const double u = (given - degrees.front()) / 360.0;
@@ -126,8 +126,8 @@ Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, l
     if (off > kSamePlace)
       return refused(
           "drive.positions", given,
-          fmt::format("teeth do not meet there; the {} places are multiples of {}°, and "
-                      "the next one is {}°",
+          fmt::format("a planet cannot be assembled there; the {} possible places are multiples of "
+                      "{}°, and the nearest place is {}°",
                       places, format_number(360.0 / static_cast<double>(places)),
                       format_number(degrees.front() + 360.0 * n / static_cast<double>(grid))));
     turns.push_back(Rational::of(static_cast<long long>(n), grid).frac());
@@ -202,10 +202,9 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
       return made;
     }
     if (!divides)
-      return Error{
-          "drive.spacing", "equal_clocked",
-          "only a stepped planet can be clocked, two gears on it with a central gear each; "
-          "use \"nearest\""};
+      return Error{"drive.spacing", "equal_clocked",
+                   "is possible only for a stepped planet with two gears that mesh with one "
+                   "central gear each; use \"nearest\""};
     return made;
   }
   if (divides) {
@@ -215,16 +214,16 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
   if (spacing == Spacing::equal) {
     const std::string others = teeth_that_assemble(graph, group);
     return Error{"drive.spacing", "equal",
-                 fmt::format("{} planets at equal pitch do not assemble: there are {} places in a "
-                             "turn, and {} does not divide that. These would: {}{} planets; or use "
-                             "\"nearest\"",
+                 fmt::format("{} planets cannot be assembled at equal pitch, because a turn has {} "
+                             "places, and {} is not a divisor of this number. One of these changes "
+                             "would help: {}{} planets; \"nearest\"",
                              n, made.places, n, others.empty() ? "" : others + "; ",
                              counts_that_assemble(made.places, n))};
   }
   if (spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
     return Error{"drive.spacing", "opposite",
-                 fmt::format("{} planets in {} places cannot be opposite each other: both numbers "
-                             "must be even; use \"nearest\"",
+                 fmt::format("{} planets in {} places cannot be opposite each other, because both "
+                             "numbers must be even; use \"nearest\"",
                              n, made.places)};
   for (long long i = 0; i < n; ++i)
     made.turns.push_back(Rational::of((2 * i * made.places + n) / (2 * n), made.places));

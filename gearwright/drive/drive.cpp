@@ -172,22 +172,22 @@ void find_facts(Drive& drive) {
     const std::string planet = drive.graph.bodies[set.group.riders.front()].name;
     if (set.neighbours && set.neighbours->clearance < 0.0)
       say(WarningCode::planets_collide,
-          fmt::format("Neighbouring copies of {} cut each other by {:.4f} mm; at most {} fit at "
+          fmt::format("Neighbouring copies of {} overlap by {:.4f} mm. At most {} copies fit at "
                       "equal pitch.",
                       planet, -set.neighbours->clearance, set.neighbours->most));
     if (set.assembly.places > 0 && set.group.count > set.assembly.places) {
       say(WarningCode::planets_collide,
-          fmt::format(
-              "{} copies of {} have only {} in a turn where their teeth meet: some would be in "
-              "the same place.",
-              set.group.count, planet,
-              set.assembly.places == 1 ? std::string("one place")
-                                       : fmt::format("{} places", set.assembly.places)));
+          fmt::format("{} copies of {} cannot be assembled, because a turn has only {} at which "
+                      "their teeth mesh.",
+                      set.group.count, planet,
+                      set.assembly.places == 1 ? std::string("one place")
+                                               : fmt::format("{} places", set.assembly.places)));
       continue;
     }
     if (!set.assembly.equal && set.group.count > 1)
       say(WarningCode::unequal_spacing,
-          fmt::format("{} copies of {} are unequally spaced: there are {} places in a turn.",
+          fmt::format("{} copies of {} are unequally spaced, because they must be at the {} places "
+                      "of a turn where their teeth mesh.",
                       set.group.count, planet, set.assembly.places));
   }
   if (!drive.motion.redundant.empty())
@@ -198,14 +198,15 @@ void find_facts(Drive& drive) {
             names_of(drive.graph, drive.motion.redundant)));
   if (drive.flow && drive.flow->self_locking())
     say(WarningCode::self_locking,
-        fmt::format("With this friction {} cannot drive {}: the drive locks itself.",
+        fmt::format("With this friction {} cannot drive {}, because the drive is self-locking.",
                     drive.graph.bodies[drive.graph.inputs.front()].name,
                     drive.graph.bodies[drive.graph.output].name));
   if (drive.backward && drive.backward->self_locking())
     say(WarningCode::self_locking,
-        fmt::format("With this friction {} cannot drive {} backwards: the drive locks itself.",
-                    drive.graph.bodies[drive.graph.output].name,
-                    drive.graph.bodies[drive.graph.inputs.front()].name));
+        fmt::format(
+            "With this friction {} cannot drive {} backwards, because the drive is self-locking.",
+            drive.graph.bodies[drive.graph.output].name,
+            drive.graph.bodies[drive.graph.inputs.front()].name));
 }
 
 }  // namespace

@@ -107,9 +107,10 @@ class Completion {
   }
 
   void fault(const DriveMesh& mesh, const Error& error) {
-    made_.faults.push_back({Fault::Kind::not_coaxial,
-                            fmt::format("No profile shift brings {} to its centre distance: {}.",
-                                        mesh.name, error.rule)});
+    made_.faults.push_back(
+        {Fault::Kind::not_coaxial,
+         fmt::format("No profile shift gives the mesh {} its centre distance: {}.", mesh.name,
+                     error.rule)});
   }
 
   const DriveGraph& graph_;
@@ -128,7 +129,7 @@ std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
   if (gear.double_helical) spec.face_width = (spec.face_width - gear.double_helical->gap) / 2;
   auto made = make_gear(spec);
   if (!made) {
-    faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} are impossible: {}.",
+    faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} cannot be made: {}.",
                                                         gear.name, made.error().message())});
     return std::nullopt;
   }
@@ -152,12 +153,11 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
   } else {
     std::string why = pair.error().rule;
     while (why.ends_with('.')) why.pop_back();
-    made.faults.push_back(
-        {Fault::Kind::no_pair,
-         fmt::format(
-             "{} cannot be mounted at {:.4f} mm with profile shifts of {:.4f} and {:.4f}: {}.",
-             mesh.name, *made.distance[m], *made.shift[mesh.gears[0]], *made.shift[mesh.gears[1]],
-             why)});
+    made.faults.push_back({Fault::Kind::no_pair,
+                           fmt::format("The mesh {} cannot be mounted at a centre distance of "
+                                       "{:.4f} mm with profile shifts of {:.4f} and {:.4f}: {}.",
+                                       mesh.name, *made.distance[m], *made.shift[mesh.gears[0]],
+                                       *made.shift[mesh.gears[1]], why)});
   }
 }
 
@@ -302,8 +302,8 @@ std::optional<std::vector<RiderPlace>> rider_places(
       const double cosine = (*a * *a + r * r - *between * *between) / (2 * *a * r);
       if (!(std::abs(cosine) <= 1.0)) {
         fault = {Fault::Kind::not_coaxial,
-                 fmt::format("{} and {} have no possible place on {}: no triangle has the sides "
-                             "{:.4f}, {:.4f} and {:.4f} mm.",
+                 fmt::format("{} and {} have no possible place on {}, because no triangle has the "
+                             "sides {:.4f}, {:.4f} and {:.4f} mm.",
                              graph.bodies[body].name, graph.bodies[group.riders[j]].name,
                              graph.bodies[group.carrier].name, *a, r, *between)};
         return std::nullopt;

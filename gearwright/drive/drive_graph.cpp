@@ -23,11 +23,12 @@ std::optional<Error> check_body(const DriveGraph& graph, std::size_t index) {
         fmt::format("body {} has copies but no carrier; only a planet can have copies", body.name));
   if (!body.carrier) return std::nullopt;
   if (*body.carrier == index)
-    return Error{"drive.body", body.name, "a body cannot ride on itself; name its carrier"};
+    return Error{"drive.body", body.name,
+                 "a body cannot be its own carrier; give another body as its carrier"};
   if (graph.bodies[*body.carrier].carrier)
     return Error{"drive.body", body.name,
-                 fmt::format("its carrier {} rides on another body; carriers of planets turn about "
-                             "a fixed axis here",
+                 fmt::format("its carrier {} is mounted on another body, but the carrier of a "
+                             "planet must turn about a fixed axis",
                              graph.bodies[*body.carrier].name)};
   return std::nullopt;
 }
@@ -37,40 +38,44 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
   const DriveGear& b = graph.gear(mesh, 1);
   const auto wrong = [&](std::string rule) { return Error{"drive.mesh", mesh.name, rule}; };
   if (a.body == b.body)
-    return wrong(fmt::format("both gears sit on body {}; a mesh joins gears of two bodies",
+    return wrong(fmt::format("both gears are on body {}, but a mesh needs gears of two bodies",
                              graph.body(a).name));
-  if (a.rack) return wrong("names a rack first; name its pinion first");
+  if (a.rack) return wrong("names the rack first; the pinion must come first");
   if (a.teeth < 0 && b.factor() < 0)
-    return wrong("neither gear is external; a ring or a rack meshes with an external gear");
+    return wrong(
+        "neither gear is external, but a ring or a rack can mesh only with an external gear");
   if (a.teeth + b.teeth == 0 && !b.rack)
     return wrong(
-        fmt::format("ring and gear have the same {} teeth and cannot turn against each "
-                    "other; give the ring more teeth",
+        fmt::format("ring and gear have the same number of teeth, {}, and cannot turn relative to "
+                    "each other; give the ring more teeth",
                     std::abs(a.teeth)));
   if (const int sum = a.teeth + b.teeth; !b.rack && (a.teeth < 0 || b.teeth < 0) && sum > 0)
-    return wrong(
-        fmt::format("the ring has fewer teeth than the gear inside it ({} and {}); no "
-                    "ring is smaller than its gear",
-                    -std::min(a.teeth, b.teeth), std::max(a.teeth, b.teeth)));
+    return wrong(fmt::format(
+        "the ring has fewer teeth than the gear inside it ({} and {}); give the ring more teeth",
+        -std::min(a.teeth, b.teeth), std::max(a.teeth, b.teeth)));
   const auto& carrier_a = graph.body(a).carrier;
   const auto& carrier_b = graph.body(b).carrier;
   if (carrier_a && carrier_b && carrier_a != carrier_b)
-    return wrong(
-        fmt::format("its planets ride on two carriers, {} and {}; meshed planets ride on one",
-                    graph.bodies[*carrier_a].name, graph.bodies[*carrier_b].name));
+    return wrong(fmt::format(
+        "its planets are on two carriers, {} and {}, but planets that mesh must be on one carrier",
+        graph.bodies[*carrier_a].name, graph.bodies[*carrier_b].name));
   if (carrier_a && carrier_b && graph.body(a).count != graph.body(b).count)
-    return wrong("its planets have different numbers of copies; meshed planets need equal numbers");
+    return wrong(
+        "its planets have different numbers of copies, but planets that mesh need equal numbers");
   if (b.rack && carrier_a)
-    return wrong("its pinion is on a carrier; a rack can only mesh with a gear on a fixed axis");
+    return wrong(
+        "its pinion is on a carrier, but a rack can mesh only with a gear on a fixed axis");
   if (b.rack && a.double_helical)
-    return wrong("its pinion is double-helical; a rack meshes with a spur or helical pinion");
+    return wrong(
+        "its pinion is double-helical, but a rack can mesh only with a spur or helical pinion");
   if ((a.double_helical || b.double_helical) && a.spec && b.spec) {
     const auto error =
         mates_error({a.double_helical, b.double_helical}, {a.spec->face_width, b.spec->face_width});
     if (error) {
       const bool first = error->field.starts_with("gear1");
-      return wrong(fmt::format("the halves do not fit: {}{} {}", first ? a.name : b.name,
-                               error->field.substr(error->field.find('.')), error->rule));
+      return wrong(fmt::format("the double-helical gears do not match: {}{} {}",
+                               first ? a.name : b.name, error->field.substr(error->field.find('.')),
+                               error->rule));
     }
   }
   if (mesh.efficiency && !(*mesh.efficiency > 0.0 && *mesh.efficiency <= 1.0))
@@ -97,19 +102,21 @@ bool DriveGraph::moves(std::size_t body) const {
 
 std::optional<Error> check_graph(const DriveGraph& graph) {
   if (graph.bodies.empty() || graph.meshes.empty())
-    return absent_input("drive.mesh", "; a drive has bodies, gears on them and meshes of gears");
+    return absent_input("drive.mesh",
+                        "; a drive needs bodies, gears on the bodies and meshes of the gears");
   for (std::size_t i = 0; i < graph.bodies.size(); ++i)
     if (auto error = check_body(graph, i)) return error;
   for (const DriveGear& gear : graph.gears) {
     if (!gear.rack && gear.teeth == 0)
-      return Error{"drive.gear", gear.name, "has no teeth; a ring's number is negative"};
+      return Error{"drive.gear", gear.name,
+                   "has 0 teeth; give a positive number of teeth, or a negative number for a ring"};
     if (gear.rack && graph.body(gear).carrier)
       return Error{"drive.gear", gear.name,
-                   "is a rack on a planet; the body of a rack must not have a carrier"};
+                   "is a rack on a planet, but the body of a rack must not have a carrier"};
     if (!gear.double_helical || !gear.spec) continue;
     if (gear.double_helical->stagger_pitches != 0.0)
       return Error{"drive.gear", gear.name,
-                   "has staggered halves, which the gears of a drive cannot have"};
+                   "has staggered halves, which are not supported in a drive"};
     if (auto error = half_error(*gear.double_helical, gear.spec->face_width))
       return Error{"drive.gear", gear.name, "has a gap that " + error->rule};
   }

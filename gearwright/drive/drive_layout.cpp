@@ -106,13 +106,13 @@ class Layout {
       if (!meets(placed(mesh, 0)))
         return Error{
             "drive.mesh", mesh.name,
-            "closes a loop of gears whose teeth do not meet at these angles of the shafts"};
+            "closes a loop of gears whose teeth do not mesh at these angles of the shafts"};
     for (const PlanetSet& set : drive_.sets)
       for (int copy = 1; copy < set.group.count; ++copy)
         if (!turn_copy(set, copy))
           return Error{
               "drive.body", graph_.bodies[set.group.riders.front()].name,
-              fmt::format("teeth of planet {} do not meet all their central gears", copy + 1)};
+              fmt::format("the teeth of planet {} do not mesh with all central gears", copy + 1)};
     return std::nullopt;
   }
 
@@ -244,10 +244,10 @@ Result<DriveLayout> drive_layout(const Drive& drive) {
   for (std::size_t g = 0; g < gears.size(); ++g)
     if (!gears[g])
       return Error{"drive.gear", drive.graph.gears[g].name,
-                   "has no teeth to be placed: its module or its profile shift is not known"};
+                   "has no teeth to be drawn, because its module or its profile shift is unknown"};
   auto places = drive_places(drive);
   if (!places) return places.error();
-  if (!places->true_scale) return Error{"drive.mesh", "", "there are gears that cannot be mounted"};
+  if (!places->true_scale) return Error{"drive.mesh", "", "some gears cannot be mounted"};
   return Layout(drive, std::move(places).take()).layout();
 }
 

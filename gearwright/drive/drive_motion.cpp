@@ -49,10 +49,9 @@ std::string locking_meshes(const DriveGraph& graph) {
 }
 
 Error too_large() {
-  return {
-      "drive.gear", "",
-      "the tooth numbers lead to ratios of more than 127 bits; a drive of fewer stages, or each "
-      "stage by itself, can be computed"};
+  return {"drive.gear", "",
+          "the numbers of teeth lead to ratios of more than 127 bits; a drive of fewer stages, or "
+          "each stage alone, can be computed"};
 }
 
 Error locked(const DriveGraph& graph) {
@@ -61,17 +60,18 @@ Error locked(const DriveGraph& graph) {
   const auto rank = rank_of(rows);
   if (!rank) return too_large();
   if (graph.fixed.size() > 1) {
-    return {"drive.fixed", names(graph, graph.fixed),
-            fmt::format("nothing can turn, because these held bodies leave no degree of freedom; "
-                        "if no body is held, there are {}. Hold fewer bodies",
-                        graph.bodies.size() - *rank)};
+    return {
+        "drive.fixed", names(graph, graph.fixed),
+        fmt::format("nothing can turn, because these fixed bodies leave no degree of freedom; "
+                    "without any fixed body the drive has {} degrees of freedom. Fix fewer bodies",
+                    graph.bodies.size() - *rank)};
   }
   const std::string culprits = locking_meshes(graph);
   std::string why = "nothing can turn, because no degree of freedom is left";
   if (!culprits.empty())
     why += fmt::format(
-        "; a closed loop has meshes whose ratios disagree, and without any one of "
-        "{} the drive turns",
+        "; the ratios of the meshes in a closed loop contradict each other. Without one of the "
+        "meshes {} the drive can turn",
         culprits);
   return {"drive.fixed", names(graph, graph.fixed), why};
 }
@@ -81,12 +81,11 @@ Error undetermined(const DriveGraph& graph, std::size_t freedom, std::size_t inp
   for (std::size_t b = 0; b < graph.bodies.size(); ++b)
     if (!graph.bodies[b].carrier && !graph.is_fixed(b) && !graph.is_input(b) && b != graph.output)
       free.push_back(b);
-  return {
-      "drive.fixed", names(graph, graph.fixed),
-      fmt::format("the speeds are not determined: {} degrees of freedom and {} input{}; hold {} "
-                  "more or drive as many{}",
-                  freedom, inputs, inputs == 1 ? "" : "s", freedom - inputs,
-                  free.empty() ? "" : fmt::format(" (free: {})", names(graph, free)))};
+  return {"drive.fixed", names(graph, graph.fixed),
+          fmt::format("the speeds are not determined, because the drive has {} degrees of freedom "
+                      "and {} input{}; fix {} more bodies or give as many more inputs{}",
+                      freedom, inputs, inputs == 1 ? "" : "s", freedom - inputs,
+                      free.empty() ? "" : fmt::format(" (free bodies: {})", names(graph, free)))};
 }
 
 Rational product_of_period(const std::vector<std::vector<Rational>>& speeds,
@@ -106,14 +105,14 @@ std::optional<Error> check_ends(const DriveGraph& graph) {
   for (const std::size_t in : graph.inputs) {
     if (graph.is_fixed(in))
       return Error{"drive.input", graph.bodies[in].name,
-                   "the input is held; an input turns, name another body or hold another one"};
+                   "the input is a fixed body; choose another input or another fixed body"};
     if (in == graph.output)
       return Error{"drive.output", graph.bodies[in].name,
-                   "input and output are the same body; name another output"};
+                   "input and output are the same body; choose another output"};
   }
   if (graph.is_fixed(graph.output))
     return Error{"drive.output", graph.bodies[graph.output].name,
-                 "the output is held; name a body that turns, or hold another one"};
+                 "the output is a fixed body; choose another output or another fixed body"};
   return std::nullopt;
 }
 
@@ -163,11 +162,11 @@ Result<DriveMotion> drive_motion(const DriveGraph& graph) {
   }
   const auto pivots = reduce_rows(rows, n);
   if (pivots.size() < n) {
-    return Error{"drive.input", names(graph, graph.inputs),
-                 inputs == 1 ? "the input cannot rotate in this drive; drive another body, or "
-                               "hold another one"
-                             : "the speeds of the inputs follow from each other; drive other "
-                               "bodies"};
+    return Error{
+        "drive.input", names(graph, graph.inputs),
+        inputs == 1
+            ? "the input cannot rotate in this drive; choose another input or another fixed body"
+            : "the speeds of the inputs depend on each other; choose other inputs"};
   }
   DriveMotion motion;
   motion.freedom = static_cast<int>(freedom);
@@ -181,9 +180,10 @@ Result<DriveMotion> drive_motion(const DriveGraph& graph) {
       motion.redundant.push_back(m);
   const auto& out = motion.speeds[graph.output];
   if (std::all_of(out.begin(), out.end(), [](const Rational& w) { return w.zero(); }))
-    return Error{"drive.output", graph.bodies[graph.output].name,
-                 "the output does not rotate when the input does, so the ratio would be infinite; "
-                 "change a tooth number of the gears before it, or name another output"};
+    return Error{
+        "drive.output", graph.bodies[graph.output].name,
+        "the output does not rotate when the input does, so the ratio would be infinite; change "
+        "the number of teeth of a gear before the output, or choose another output"};
   if (inputs == 1) {
     motion.ratio = Rational(1) / out[0];
     motion.period = product_of_period(motion.speeds, graph);

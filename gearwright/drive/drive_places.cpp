@@ -25,7 +25,7 @@ class Placing {
     for (const DriveGear& gear : graph_.gears)
       if (gear.rack)
         return Error{"drive.gear", gear.name,
-                     "is a rack, and a rack has no axis that could be placed"};
+                     "is a rack, so the drive cannot be drawn as a section"};
     measure();
     join_coaxial();
     if (auto error = place_axes()) return *error;
@@ -98,7 +98,7 @@ class Placing {
       const std::size_t from = open.front();
       std::vector<Link> fresh;
       for (const Link& link : links_of(from)) {
-        if (link.to == from) return unmeet(link.mesh, "its gears turn about one axis");
+        if (link.to == from) return unmeet(link.mesh, "its two gears turn about the same axis");
         if (!placed[link.to]) {
           fresh.push_back(link);
           placed[link.to] = 1;
@@ -123,8 +123,8 @@ class Placing {
       if (graph_.frame(graph_.meshes[m])) continue;
       const double apart = (made_.axes[gear(m, 0).body] - made_.axes[gear(m, 1).body]).norm();
       if (std::abs(apart - *distances_[m]) > kCloses * *distances_[m])
-        return unmeet(m, fmt::format("its axes lie {:.4f} mm apart and not {:.4f} mm; the other "
-                                     "meshes of the loop need another angle",
+        return unmeet(m, fmt::format("its axes are {:.4f} mm apart instead of {:.4f} mm; the other "
+                                     "meshes of the loop need another direction",
                                      apart, *distances_[m]));
     }
     return std::nullopt;

@@ -90,9 +90,9 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
   if (!drive.flow || drive.flow->self_locking())
     return Error{"drive.mesh", "",
                  drive.flow
-                     ? "locks the drive, which then carries no power that could be rated"
-                     : "has no torque: the drive lacks an efficiency, a geometry or a speed, or "
-                       "its meshes are redundant"};
+                     ? "cannot be rated, because the drive is self-locking and transmits no power"
+                     : "has no torque, because the drive has no efficiency, geometry or speed, or "
+                       "because its meshes are redundant"};
   std::vector<std::optional<MeshRating>> ratings(drive.graph.meshes.size());
   for (std::size_t m = 0; m < ratings.size(); ++m) {
     const auto& pair = drive.geometry.pairs[m];

@@ -174,9 +174,10 @@ Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>&
   if (loaded.size() > kMostSigns)
     return Error{
         "drive.mesh", "",
-        fmt::format("the directions of power in {} meshes do not converge, and all combinations "
-                    "can be tried for at most {} meshes; compute the drive in parts",
-                    loaded.size(), kMostSigns)};
+        fmt::format(
+            "the iteration for the directions of power in {} meshes does not converge, and all "
+            "combinations can be tried for at most {} meshes; divide the drive into parts",
+            loaded.size(), kMostSigns)};
   for (std::size_t pattern = 0; pattern < (std::size_t(1) << loaded.size()); ++pattern) {
     signs = lossless.driver;
     for (std::size_t k = 0; k < loaded.size(); ++k)

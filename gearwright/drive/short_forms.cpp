@@ -74,19 +74,21 @@ CylindricalSpec teeth_of(const PlanetarySpec& spec, M member) {
 std::optional<Error> check_set(const PlanetarySpec& spec) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   if (!has(M::planet))
-    return absent_input("planetary.planet", "; a set has planets, planet = 20 for example");
+    return absent_input("planetary.planet",
+                        "; a planetary set needs planets, for example planet = 20");
   if (has(M::idler) && !has(M::sun))
     return Error{"planetary.idler", std::to_string(*spec.z(M::idler)),
-                 "lies between the sun and the planet, and there is no sun"};
+                 "is an idler between the sun and the planet, but there is no sun"};
   if (has(M::planet2) && !has(M::sun2) && !has(M::ring2))
     return Error{"planetary.planet2", std::to_string(*spec.z(M::planet2)),
-                 "meshes with sun2 and ring2, and there is neither"};
+                 "needs sun2 or ring2 to mesh with"};
   if (meshes_of(spec).empty())
-    return absent_input("planetary.ring", "; planets mesh with a sun or a ring");
+    return absent_input("planetary.ring", "; planets need a sun or a ring to mesh with");
   for (const M m : kMembers) {
     if (!has(m) || is_ring(m) || *spec.z(m) > 0) continue;
-    return refused(fmt::format("planetary.{}", to_string(m)), *spec.z(m),
-                   "must be a number of teeth, at least 1; only that of a ring may be negative");
+    return refused(
+        fmt::format("planetary.{}", to_string(m)), *spec.z(m),
+        "must be a number of teeth of at least 1; only the number of a ring may be negative");
   }
   for (const SetMesh& mesh : meshes_of(spec)) {
     if (!is_ring(mesh.second) || std::abs(*spec.z(mesh.second)) > *spec.z(mesh.first)) continue;
@@ -95,12 +97,10 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
                                to_string(mesh.first), *spec.z(mesh.first)));
   }
   if (!spec.fixed && meshes_of(spec).size() == 1 && !has(M::ring) && !has(M::ring2))
-    return absent_input(
-        "planetary.ring",
-        "; a sun with planets alone has no default for the fixed and the driven body; give a ring, "
-        "a second sun, or fixed, input and output");
-  if (spec.planets < 1)
-    return refused("planetary.planets", spec.planets, "must be at least one planet");
+    return absent_input("planetary.ring",
+                        "; a set of only sun and planets has no default for fixed, input and "
+                        "output. Give a ring or a second sun, or give fixed, input and output");
+  if (spec.planets < 1) return refused("planetary.planets", spec.planets, "must be at least 1");
   return std::nullopt;
 }
 
@@ -224,7 +224,7 @@ Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
     known.push_back(graph.bodies[b].name);
   }
   return Error{field, name,
-               fmt::format("there is no such body; there are {}", fmt::join(known, ", "))};
+               fmt::format("there is no such body; the bodies are {}", fmt::join(known, ", "))};
 }
 
 Result<DriveGraph> graph_of(const PlanetarySpec& spec) {
@@ -281,15 +281,16 @@ Result<DriveInput> train_of(const std::vector<StageSpec>& stages) {
       own.friction = stages[k].friction;
     }
     if (k > 0 && own.inputs.size() != 1)
-      return Error{
-          "drive.input", std::to_string(own.inputs.size()),
-          fmt::format("stage {} must have one input, the output of the stage before it", k + 1)};
+      return Error{"drive.input", std::to_string(own.inputs.size()),
+                   fmt::format("stage {} must have exactly one input, because the output of the "
+                               "previous stage drives it",
+                               k + 1)};
     if (k > 0 && (!own.speeds_rpm.empty() || own.torque_Nm)) {
       const bool speed = !own.speeds_rpm.empty();
       return Error{speed ? "drive.speed" : "drive.torque",
                    format_number(speed ? own.speeds_rpm.front() : *own.torque_Nm),
-                   fmt::format("of stage {} follows from the first stage, which is the input; give "
-                               "it there",
+                   fmt::format("must not be given for stage {}, because the first stage determines "
+                               "it; give it in the first stage",
                                k + 1)};
     }
     append(made.graph, own, fmt::format("s{}_", k + 1), joined);

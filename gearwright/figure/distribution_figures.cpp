@@ -58,7 +58,7 @@ Figure histogram_figure(const DistributionScene& scene) {
   const double most = *std::max_element(count.begin(), count.end()) / all * 100;
   Figure f{.id = scene.id,
            .title = "Distribution: " + scene.words,
-           .description = "The share of the samples in equal steps of the value.",
+           .description = "A histogram of the share of the samples in equal steps of the value.",
            .caption = fmt::format(" over {} samples, with their percentiles.", scene.values.size()),
            .x = value_axis(scene),
            .y = {"share of the samples", "%", 0.0, 1.12 * most}};
@@ -78,9 +78,9 @@ Figure cumulative_figure(const DistributionScene& scene) {
   std::vector<double> sorted = scene.values;
   std::sort(sorted.begin(), sorted.end());
   Figure f{.id = scene.id + "-below",
-           .title = "Share below a value: " + scene.words,
-           .description = "The share of the samples that lie below each value, from 0 to 100 %.",
-           .caption = ": how many pairs stay below a limit.",
+           .title = "Cumulative distribution: " + scene.words,
+           .description = "The share of the samples below each value, from 0 to 100 %.",
+           .caption = ". The curve shows the share of the pairs whose value is below a limit.",
            .x = value_axis(scene),
            .y = {"share of the samples below", "%", 0.0, 112.0}};
   const std::size_t points = std::min(kMostPoints, sorted.size());
@@ -105,17 +105,18 @@ Figure index_figure(const IndexScene& scene) {
           "For each tolerance, the share of the variance that it explains alone, and its total "
           "share with interactions.",
       .caption =
-          ", by Sobol’s indices: the share that a tolerance explains alone, and its total share.",
+          ", by Sobol’s indices. For each tolerance, the left bar is the share that it explains "
+          "alone, and the right bar is its total share with interactions.",
       .x = {"tolerance", "", 0.3, n + 0.7, true},
       .y = {"share of the variance", "", 0.0, 1.0}};
-  f.keys = {{"alpha", "alone"}, {"beta", "in all"}};
+  f.keys = {{"alpha", "alone"}, {"beta", "total"}};
   for (std::size_t g = 0; g < scene.groups.size(); ++g) {
     const auto& [name, first, total] = scene.groups[g];
     const double at = static_cast<double>(g) + 1.0;
     f.bar({at - 0.36, 0.0}, {at, std::max(0.0, first)}, "bar alpha",
           fmt::format("{}, alone: {}", name, shown(first)));
     f.bar({at, 0.0}, {at + 0.36, std::max(0.0, total)}, "bar beta",
-          fmt::format("{}, in all: {}", name, shown(total)));
+          fmt::format("{}, total: {}", name, shown(total)));
     f.y.hi = std::max(f.y.hi, 1.06 * total);
   }
   return f;

@@ -223,12 +223,13 @@ class PowerDiagram {
     f_.id = "power";
     f_.title = "Power flow.";
     f_.description =
-        "Bands as wide as the power that they carry, from the inputs through bodies and meshes to "
-        "the output; losses leave downwards.";
+        "Bands from the inputs through bodies and meshes to the output, as wide as the power that "
+        "they carry; losses leave downwards.";
     f_.caption =
-        " Seen from the housing, in parts of the input power. The loss of a mesh leaves "
-        "downwards. Below the name of a mesh is the power that its teeth transmit, seen from its "
-        "frame. A band below everything else runs back and shows circulating power.";
+        " The bands show powers in the frame of the housing, relative to the input power. The loss "
+        "of a mesh leaves downwards. The number below the name of a mesh is the power that its "
+        "teeth transmit in the frame of the mesh. A band that runs back below all others shows "
+        "circulating power.";
     f_.bare = true;
     double low = low_ - 0.35;
     for (const Band& band : bands_) {

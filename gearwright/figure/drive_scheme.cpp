@@ -36,11 +36,12 @@ class Scheme {
     f_.id = "scheme";
     f_.title = "The kinematic scheme.";
     f_.description =
-        "Gears as sticks with their teeth as bars, shafts as lines, carriers with one planet each, "
-        "and fixed bodies, with speeds and torques at the ends of the shafts.";
+        "Gears are drawn as sticks with their teeth as bars, shafts as lines, and carriers with "
+        "one planet each. Fixed bodies are marked. Speeds and torques are at the ends of the "
+        "shafts.";
     f_.caption =
-        " A half section: sets are drawn above their axis, with one planet. Radii are to scale, "
-        "lengths along the axes are not.";
+        " The picture is a half section. Planetary sets are drawn above their axis, with one "
+        "planet each. Radii are to scale, but lengths along the axes are not.";
     f_.bare = true;
     measure();
     draw_gears();

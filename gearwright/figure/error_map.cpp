@@ -46,10 +46,10 @@ Figure error_map_figure(const ContactMap& both) {
   const auto& [across, up] = both.axes;
   Figure f{
       "error-map",
-      "Peak to peak over two errors",
+      "Peak-to-peak transmission error over two errors",
       fmt::format("Shades and contour lines of the peak-to-peak transmission error over {} and {}.",
                   across.name, up.name),
-      ", with all other errors as specified; brighter shades are greater values.",
+      ", with all other errors as specified. Brighter shades show greater values.",
       {across.name, across.unit, map.x.front(), map.x.back()},
       {up.name, up.unit, map.y.front(), map.y.back()},
       "",
@@ -68,7 +68,7 @@ Figure error_map_figure(const ContactMap& both) {
   f.shades = {levels, "≤ " + shown_arcsec(most) + "″",
               !gaps        ? ""
               : both.whole ? "no contact"
-                           : "not yet"};
+                           : "not yet computed"};
   // The whole area is drawn first, then each lower step on top of it.
   const std::size_t n = levels.size() + 1;
   f.bar({-kInfinity, -kInfinity}, {kInfinity, kInfinity}, "zone none");

@@ -92,7 +92,7 @@ std::string side_words(const ContactScene& scene, std::size_t which) {
   const bool right =
       which == 0 ? !scene.gear2_drives : scene.gear2_drives == scene.gears[1]->internal();
   return fmt::format("{} flank{}", right ? "right" : "left",
-                     ring ? " of the internal gear (its tip is the smaller diameter)" : "");
+                     ring ? " of the internal gear (whose tip is at the smaller diameter)" : "");
 }
 
 // The gap is drawn in bands, with their values if nothing else is drawn on the flank.
@@ -198,18 +198,18 @@ Figure flank_frame(std::string id, std::string title, const FlankRaster& extent,
   const double beyond = kBeyond * (d1 - d0);
   const double real = (d1 - d0) / 2 / (z1 - z0);
   const double tall = std::clamp(real, kLowFlank, kHighFlank);
-  Figure f{
-      std::move(id),
-      std::move(title),
-      "The developed usable flank: the face from left to right, the root below, the tip above.",
-      {},
-      {"along the face from its middle", "mm", z0, z1},
-      {"diameter", "mm", d0 - beyond, d1 + beyond}};
+  Figure f{std::move(id),
+           std::move(title),
+           "The developed usable flank, with the face from left to right, the root below and the "
+           "tip above.",
+           {},
+           {"along the face from its middle", "mm", z0, z1},
+           {"diameter", "mm", d0 - beyond, d1 + beyond}};
   if (internal) std::swap(f.y.lo, f.y.hi);
   f.tall = tall * (1 + 2 * kBeyond);
   f.caption =
       std::abs(tall / real - 1) < 0.02
-          ? "True proportions."
+          ? "The picture has true proportions."
           : fmt::format("Heights are drawn {} times larger than widths.", fixed(tall / real, 1));
   f.bar({z0, -kInfinity}, {z1, kInfinity}, "slice");
   f.bar({z0, d0}, {z1, d1}, "flank-ground");
@@ -235,10 +235,10 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
   const std::string proportions = std::move(f.caption);
   f.caption = gap_alone ? " on gear 1" : ", " + side_words(scene, which);
   if (layers.pattern) {
-    f.caption += fmt::format("; the marking covers {} % of it",
+    f.caption += fmt::format("; the marking covers {} % of the flank",
                              percent(pattern_share(*layers.pattern, scene.marking)));
     f.area(region_below(*layers.pattern, field_of(*layers.pattern), scene.marking), "marked");
-    f.keys.push_back({"marked", "marking rubbed off"});
+    f.keys.push_back({"marked", "marking pattern"});
   }
   const std::vector<PathPiece> pieces =
       layers.way ? path_on_tooth(scene) : std::vector<PathPiece>();
@@ -255,7 +255,7 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
       f.caption += fmt::format(
           "{} of tooth pair {} at rotation {}°: contour lines at 1, 2, 5, 10, 20 and 50 µm, as far "
           "as the mating gear reaches",
-          gap_alone ? "," : "; darker: the gap", pair_words(layers.now->pair),
+          gap_alone ? "," : "; the darker bands show the gap", pair_words(layers.now->pair),
           fixed(layers.now->rotation1.deg(), 3));
     if (layers.now->line)
       f.line(contact_line(scene, *layers.now, which), "action");
@@ -265,7 +265,8 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
       f.keys.push_back({"action", layers.now->line ? "contact line" : "contact point"});
   }
   f.caption +=
-      (layers.way ? ". It runs from the hollow dot to the filled dot. " : ". ") + proportions;
+      (layers.way ? ". The path of contact runs from the hollow dot to the filled dot. " : ". ") +
+      proportions;
   return f;
 }
 

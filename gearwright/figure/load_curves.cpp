@@ -85,9 +85,9 @@ std::optional<Figure> share_figure(const LoadScene& scene) {
   const double step = 1.0 / static_cast<double>(shown_torque(scene).positions.size());
   Figure f{.id = "load-share" + scene.part,
            .title = "Load share",
-           .description = "Share of the load of one tooth pair over its mesh.",
+           .description = "Share of the load that one tooth pair carries during its mesh.",
            .caption = " of one tooth pair while it carries load.",
-           .x = {"turn of the tooth pair from the centre line", "pitches"},
+           .x = {"rotation of the tooth pair from the centre line", "pitches"},
            .y = {"share of the load", ""}};
   f.pitch = scene.gear2_drives ? -1.0 : 1.0;
   f.keys = torque_keys(scene);
@@ -115,10 +115,10 @@ std::optional<Figure> stiffness_figure(const LoadScene& scene) {
           scene,
           {.id = "mesh-stiffness" + scene.part,
            .title = "Mesh stiffness",
-           .description =
-               fmt::format("Over the rotation of gear 1: {} divided by approach, for each torque.",
-                           points ? "force" : "line load"),
-           .caption = ", secant, including the twist of the bodies.",
+           .description = fmt::format(
+               "Stiffness ({} divided by approach) over the rotation of gear 1, for each torque.",
+               points ? "force" : "line load"),
+           .caption = ". The secant stiffness includes the twist of the bodies.",
            .x = {},
            .y = {"stiffness", points ? "N/µm" : "N/(mm µm)"}},
           [&](const LoadedTorque& t) {
@@ -146,9 +146,9 @@ std::optional<Figure> root_turn_figure(const LoadScene& scene) {
 
 std::optional<Figure> root_face_figure(const LoadScene& scene) {
   Figure f{.id = "root-stress-face" + scene.part,
-           .title = "Over the face",
+           .title = "Root stress over the face",
            .description = "Greatest stress along the fillet of both gears over the face.",
-           .caption = ": the greatest along the fillet.",
+           .caption = ", as the greatest value along the fillet.",
            .x = {"along the face from its middle", "mm"},
            .y = {"root stress", "N/mm²"}};
   f.keys = {{"g1", "gear 1"}, {"g2", "gear 2"}};
@@ -175,10 +175,11 @@ std::optional<Figure> harris_figure(const LoadScene& scene) {
   Figure f{.id = "harris",
            .title = "Harris map",
            .description =
-               "Peak to peak of the loaded transmission error and amplitudes of its first "
+               "Peak-to-peak value of the loaded transmission error and amplitudes of its first "
                "harmonics over the torque.",
-           .caption = fmt::format(". Of the given torques, {} has the least, {}″ peak to peak.",
-                                  torque_words(*quiet), shown_arcsec(quiet->peak_to_peak.arcsec())),
+           .caption = fmt::format(
+               ". Of the given torques, {} has the least transmission error, {}″ peak to peak.",
+               torque_words(*quiet), shown_arcsec(quiet->peak_to_peak.arcsec())),
            .x = {"torque on gear 1", "N m"},
            .y = {"transmission error", "arc seconds"}};
   const auto add = [&](auto of, const std::string& style, const std::string& words) {

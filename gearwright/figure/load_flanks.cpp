@@ -145,9 +145,10 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
   Figure f =
       flank_frame(fmt::format("pressure{}{}", which + 1, scene.part),
                   fmt::format("Gear {}", which + 1), raster, scene.gears[which]->internal(), which);
-  f.caption = fmt::format(" at {}: the greatest pressure over a mesh, N/mm². ", torque_words(t)) +
+  f.caption = fmt::format(" at {}. The shades show the greatest pressure during a mesh in N/mm². ",
+                          torque_words(t)) +
               f.caption;
-  f.keys.push_back({"bears", "teeth in contact now"});
+  f.keys.push_back({"bears", "teeth in contact at this position"});
   // The regions above a level are computed from the negated pressures.
   ContourField field = field_of(raster);
   for (double& v : field.value) v = -v;
@@ -178,7 +179,7 @@ Figure pressure_along_figure(const LoadScene& scene) {
            " of each loaded tooth pair, in its own colour.",
            {"along the face from its middle", "mm", s.lo, s.hi},
            {"pressure", "N/mm²", 0.0, 1.06 * t.max_pressure}};
-  f.keys.push_back({"before", "the greatest over a mesh"});
+  f.keys.push_back({"before", "greatest value during a mesh"});
   const auto heights = heights_of(scene, 0);
   std::vector<Vec2> greatest;
   for (std::size_t j = 0; j < heights.size(); ++j) {
@@ -188,7 +189,7 @@ Figure pressure_along_figure(const LoadScene& scene) {
         most = std::max(most, k.pressure[static_cast<Eigen::Index>(j)]);
     greatest.push_back({heights[j], most});
   }
-  f.line(std::move(greatest), "before", "greatest over a mesh");
+  f.line(std::move(greatest), "before", "greatest value during a mesh");
   add_frames(f, scene, [&](const LoadedPair& pair, int frame) {
     f.line(
         bearing_places(scene, pair,
@@ -215,11 +216,11 @@ Figure ellipse_figure(const LoadScene& scene, std::size_t which) {
       flank_frame(fmt::format("ellipses{}{}", which + 1, scene.part),
                   fmt::format("Gear {}", which + 1), {{lo, hi}, {-half, half}, {}}, false, which);
   f.caption = fmt::format(
-                  " at {}: the ellipses of contact of a tooth on its way through the mesh; "
-                  "the line joins their middles. ",
+                  " at {}. The contact ellipses are those of one tooth on its way through the "
+                  "mesh, and the line joins their centres. ",
                   torque_words(shown_torque(scene))) +
               f.caption;
-  f.keys = {{"action", "on the flank"}, {"before", "extending beyond an end of it"}};
+  f.keys = {{"action", "ellipse on the flank"}, {"before", "ellipse beyond an end of the flank"}};
   for (const auto& way : ways) {
     std::vector<Vec2> path;
     for (const Passing& p : way) path.push_back(middle_of(*p.point, which));
@@ -243,9 +244,9 @@ Figure ellipse_figure(const LoadScene& scene, std::size_t which) {
 std::optional<Figure> point_pressure_figure(const LoadScene& scene) {
   Figure f{"point-pressure" + scene.part,
            "Pressure",
-           "Greatest pressure over the mesh of one tooth pair.",
+           "Greatest pressure during the mesh of one tooth pair.",
            " in the middle of the ellipse, for one tooth pair while it carries load.",
-           {"turn of the tooth pair from the centre line", "pitches"},
+           {"rotation of the tooth pair from the centre line", "pitches"},
            {"pressure", "N/mm²"}};
   f.keys = torque_keys(scene);
   std::size_t shown = 0;

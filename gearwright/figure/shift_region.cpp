@@ -230,8 +230,9 @@ ShiftChart shift_chart(const ShiftGraph& graph, const Vec2& design) {
 Figure shift_limits_figure(const ShiftGraph& graph, const Bounds& window) {
   Figure f{
       "region",
-      "The profile shifts that the limits leave",
-      "Profile shift of gear 1 to the right, of gear 2 up, in modules. No shifts are feasible.",
+      "Profile shifts within the limits",
+           "The profile shift of gear 1 increases to the right and that of gear 2 upwards, in modules. No shifts are "
+           "feasible.",
       "",
       {"profile shift of gear 1", ""},
       {"profile shift of gear 2", ""}};
@@ -251,8 +252,9 @@ Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window) 
   const ShiftRegion& region = chart.region;
   Figure f = shift_limits_figure(chart.graph, window.box);
   f.description = fmt::format(
-      "Profile shift of gear 1 to the right, of gear 2 up, in modules. The feasible region has the "
-      "area {:.4g}, from {}, {} at the least sum to {}, {} at the greatest.",
+      "The profile shift of gear 1 increases to the right and that of gear 2 upwards, in modules. The feasible region "
+      "has the area {:.4g}. It extends from ({}, {}) at the least sum of the profile shifts to ({}, {}) at the greatest "
+      "sum.",
       region.area, shown_shift(region.lo.x()), shown_shift(region.lo.y()),
       shown_shift(region.hi.x()), shown_shift(region.hi.y()));
   add_region(f, chart);

@@ -174,11 +174,11 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
       other ? "Transmission error of the non-working flanks" : "Transmission error",
       "Transmission error in arc seconds over the rotation of gear 1, and below it the tooth pair "
       "in contact and its position on the flanks.",
-      fmt::format(
-          ", from its middle at {}″. The shaded pitch has {} positions and is repeated. Each tooth "
-          "pair has a colour and a number, counted from the pair nearest to the centre line. "
-          "Dashed: an edge touches. Dotted vertical lines: one pair hands over to the next.",
-          shown_arcsec(middle * kArcsecPerRad), result.positions.size()),
+      fmt::format(", measured from its middle at {}″. The shaded pitch has {} positions and is "
+                  "repeated. Each tooth pair has a colour and a number, counted from the pair "
+                  "nearest to the centre line. A dashed curve means that an edge touches. A dotted "
+                  "vertical line marks the change from one tooth pair to the next.",
+                  shown_arcsec(middle * kArcsecPerRad), result.positions.size()),
       {"rotation of gear 1", "°", -pitch, pitch},
       {"transmission error", "arc seconds", -half, half},
       "peak to peak " + shown_arcsec(peak) + "″"};
@@ -214,14 +214,13 @@ std::optional<Figure> spectrum_figure(const ContactResult& result) {
     return h < 1 || h > n ? 0.0 : arcsec[static_cast<std::size_t>(h - 1)];
   };
   const double most = *std::max_element(arcsec.begin(), arcsec.end());
-  Figure f{
-      "spectrum",
-      "Spectrum",
-      "Bars: amplitudes at the first, second, third order of the mesh frequency and so on, in arc "
-      "seconds.",
-      " of the transmission error: amplitude of each harmonic.",
-      {"order of mesh frequency", "", 0.3, n + 0.7, true},
-      {"amplitude", "arc seconds", 0.0, 1.15 * std::max(most, kFlat / 2)}};
+  Figure f{"spectrum",
+           "Spectrum",
+           "The bars show the amplitudes at the first, second, third and further orders of the "
+           "mesh frequency, in arc seconds.",
+           " of the transmission error, with the amplitude of each harmonic.",
+           {"order of mesh frequency", "", 0.3, n + 0.7, true},
+           {"amplitude", "arc seconds", 0.0, 1.15 * std::max(most, kFlat / 2)}};
   std::vector<int> by_size;
   for (int h = 1; h <= n; ++h) {
     const std::string told =

@@ -15,12 +15,14 @@ namespace {
 std::optional<Error> check_spec(const CylindricalSpec& spec) {
   const std::string why = "cannot be combined with a rack of arcs";
   if (spec.teeth < 0)
-    return refused("teeth", spec.teeth,
-                   "an internal gear cannot have circular-arc teeth, because a rack cuts them");
-  if (spec.profile_shift != 0.0) {
     return refused(
-        "profile_shift", spec.profile_shift,
-        why + "; the position of its arc centres (`rack.center_b`) determines the depth");
+        "teeth", spec.teeth,
+        "an internal gear cannot have circular-arc teeth, because a rack cuts such teeth");
+  if (spec.profile_shift != 0.0) {
+    return refused("profile_shift", spec.profile_shift,
+                   why +
+                       "; the position of the arc centres (`rack.center_b`) determines the depth "
+                       "of the cutter");
   }
   for (const auto* fillet :
        {spec.root_fillet ? "root_fillet" : nullptr, spec.tip_fillet ? "tip_fillet" : nullptr}) {

@@ -25,15 +25,17 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   if (!(rack.dedendum > 0.0)) {
     const double most = ring ? d - 2 * m * x_E : d + 2 * m * x_E;
     return refused("root_diameter", root_diameter, {most},
-                   ring ? "no rack tooth is left; it must be greater than {} mm"
-                        : "no rack tooth is left; it must be less than {} mm");
+                   ring ? "at this root diameter the rack has no teeth; the root diameter must be "
+                          "greater than {} mm"
+                        : "at this root diameter the rack has no teeth; the root diameter must be "
+                          "less than {} mm");
   }
   if (!root_form_diameter) return rack;
   const double d_Ff = *root_form_diameter;
   if (ring) {
     return refused("root_form_diameter", d_Ff,
-                   "the fillet of an internal gear depends on its pinion cutter, which is not "
-                   "supported here in this version");
+                   "is not supported for an internal gear in this version, because its root fillet "
+                   "depends on the pinion cutter");
   }
   const double sin_n = std::sin(spec.normal_pressure_angle.rad());
   const double sin_t = std::sin(g.transverse_pressure_angle);
@@ -50,8 +52,8 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   const bool undercut = rho_C - (sharp_depth - x_E) * m / sin_t < 0.0;
   if (!(d_Ff > g.base_diameter && d_Ff <= most && (undercut || d_Ff >= least))) {
     return refused("root_form_diameter", d_Ff, {undercut ? g.base_diameter : least, most},
-                   "no tip rounding of the rack gives it with this root diameter; it must lie "
-                   "between {} (sharp corner) and {} mm (full radius)");
+                   "together with the root diameter, no tip rounding of the rack gives this root "
+                   "form diameter; it must lie between {} (sharp corner) and {} mm (full radius)");
   }
   const double rho_F = std::sqrt((d_Ff / 2 - r_b) * (d_Ff / 2 + r_b));
   const double depth = x_E - (rho_F - rho_C) * sin_t / m;

@@ -13,13 +13,13 @@ std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   // The value is rounded up, so that the printed diameter is large enough.
   const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;
   const std::string need = fmt::format(
-      "the bore of an internal gear is the outside of its rim and must lie outside its roots; at "
-      "least {:.3f} mm",
+      "the bore of an internal gear is the outside diameter of its rim and must be at least {:.3f} "
+      "mm, so that it lies outside the roots",
       smallest);
   if (!bore) return Error{"bore.diameter", "", need};
   if (bore->keyway_width > 0.0) {
     return refused("bore.keyway_width", bore->keyway_width,
-                   "an internal gear has no keyway; leave it out");
+                   "an internal gear has no keyway; leave out its width");
   }
   if (!(bore->diameter / 2.0 >= room)) {
     return refused("bore.diameter", bore->diameter, need);
@@ -37,15 +37,16 @@ double bore_reach(const Bore& bore) {
 std::optional<Error> bore_error(const Bore& bore, double room) {
   if (!(bore.diameter > 0.0)) {
     return refused("bore.diameter", bore.diameter,
-                   "a bore must be greater than 0; leave it out for a solid body");
+                   "the bore must be greater than 0; leave out the bore for a solid body");
   }
   if (!(bore.keyway_width >= 0.0 && bore.keyway_width < bore.diameter)) {
-    return refused("bore.keyway_width", bore.keyway_width, {0.0, bore.diameter},
-                   "a keyway must be at least {} and narrower than the bore, {} mm");
+    return refused(
+        "bore.keyway_width", bore.keyway_width, {0.0, bore.diameter},
+        "the width of the keyway must be at least {} and less than the bore diameter {} mm");
   }
   if (bore.has_keyway() && !(bore.keyway_depth >= 0.0)) {
     return refused("bore.keyway_depth", bore.keyway_depth,
-                   "a keyway's depth, measured from the bore circle, must not be negative");
+                   "the depth of the keyway, measured from the bore circle, must not be negative");
   }
   if (bore_reach(bore) <= room) return std::nullopt;
 
@@ -59,8 +60,10 @@ std::optional<Error> bore_error(const Bore& bore, double room) {
   return refused(
       "bore.diameter", bore.diameter,
       printed > bore.keyway_width
-          ? fmt::format("the bore{} must stay inside the root: at most {:.3f} mm", with, printed)
-          : fmt::format("no bore{} stays inside the root", with));
+          ? fmt::format(
+                "the bore{} must be at most {:.3f} mm, so that it lies inside the root circle",
+                with, printed)
+          : fmt::format("no bore{} fits inside the root circle", with));
 }
 
 std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits,

@@ -33,10 +33,10 @@ std::optional<Error> mates_error(const std::array<std::optional<DoubleHelical>, 
   }
   const auto& [one, two] = halves;
   if (one->stagger_pitches != two->stagger_pitches) {
-    return refused(
-        gear_field(2, "double_helical.stagger_pitches"), two->stagger_pitches,
-        fmt::format("must be {}, as for gear 1, because both gears have the same stagger",
-                    format_number(one->stagger_pitches)));
+    return refused(gear_field(2, "double_helical.stagger_pitches"), two->stagger_pitches,
+                   fmt::format("must be {}, as for gear 1, because the halves of both gears must "
+                               "have the same stagger",
+                               format_number(one->stagger_pitches)));
   }
   const auto& [b_1, b_2] = faces;
   const double common = (std::min(b_1, b_2) - std::max(one->gap, two->gap)) / 2;
@@ -44,9 +44,10 @@ std::optional<Error> mates_error(const std::array<std::optional<DoubleHelical>, 
   if (common >= narrower * (1 - kSameLength)) return std::nullopt;
   return refused(
       gear_field(2, "double_helical.gap"), two->gap,
-      fmt::format("the halves are not opposite each other, because only {:.6g} mm of the {:.6g} mm "
-                  "of the narrower half touch; the wider gap must be on the narrower gear",
-                  common, narrower));
+      fmt::format(
+          "the halves are not opposite each other, because only {:.6g} mm of the {:.6g} mm of the "
+          "narrower half overlap with the other half; the wider gap must be on the narrower gear",
+          common, narrower));
 }
 
 }  // namespace gearwright

@@ -56,9 +56,9 @@ std::string without_undercut(const Gear& gear) {
         arcs->flank_begin.deg(), arcs->undercut_limit->deg());
   }
   const auto free_shift = gear.involute()->undercut_free_profile_shift;
-  if (!free_shift) return "its pinion cutter reaches below the involute.";
+  if (!free_shift) return "the pinion cutter reaches below the involute.";
   const double shift = std::ceil(1e4 * shift_for(gear, *free_shift)) / 1e4;  // rounded up
-  return fmt::format("a profile shift of at least {:.4f} avoids it.", shift);
+  return fmt::format("a profile shift of at least {:.4f} avoids undercut.", shift);
 }
 
 void warn_about_tip(Gear& gear) {
@@ -66,14 +66,15 @@ void warn_about_tip(Gear& gear) {
   if (gear.pointed()) {
     const double end = gear.tooth ? 2 * gear.tooth->tip_radius : *gear.pointed_diameter;
     warn(gear, WarningCode::pointed,
-         fmt::format(
-             "Pointed: the tooth ends at {:.4f} mm diameter, before the tip diameter {:.4f} mm.",
-             end, gear.tip_diameter));
+         fmt::format("The tooth is pointed and ends at a diameter of {:.4f} mm, before the tip "
+                     "diameter of {:.4f} mm.",
+                     end, gear.tip_diameter));
   } else if (s_an && *s_an < 0.2 * gear.spec.normal_module &&
              !(gear.tooth && gear.tooth->rounded_tip)) {
     warn(gear, WarningCode::thin_tip,
-         fmt::format("Thin tip: {:.4f} mm, less than 0.2 modules ({:.4f} mm).", *s_an,
-                     0.2 * gear.spec.normal_module));
+         fmt::format("The tip of the tooth is only {:.4f} mm thick, which is less than 0.2 modules "
+                     "({:.4f} mm).",
+                     *s_an, 0.2 * gear.spec.normal_module));
   }
 }
 
@@ -83,13 +84,13 @@ void warn_about_ring(Gear& gear) {
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||
       rack.protuberance > 0.0) {
     warn(gear, WarningCode::rack_not_used,
-         "An internal gear is not cut by a rack: `rack.tip_fillet_radius`, `rack.tool_addendum`, "
-         "`rack.semi_topping_angle` and `rack.protuberance` have no effect on it.");
+         "An internal gear is not cut by a rack, so `rack.tip_fillet_radius`, "
+         "`rack.tool_addendum`, `rack.semi_topping_angle` and `rack.protuberance` have no effect.");
   }
   if (gear.tip_diameter < gear.reference().base_diameter) {
     warn(gear, WarningCode::tip_below_base,
-         fmt::format("The internal gear's tip {:.4f} mm lies inside its base circle {:.4f} mm: the "
-                     "flank has no involute there.",
+         fmt::format("The tip diameter of the internal gear, {:.4f} mm, lies inside its base "
+                     "circle of {:.4f} mm, where the flank has no involute.",
                      gear.tip_diameter, gear.reference().base_diameter));
   }
   warn_about_tip(gear);
@@ -99,23 +100,24 @@ void warn_about_tooth(Gear& gear) {
   const GeneratedTooth& tooth = *gear.tooth;
   if (tooth.through_axis) {
     warn(gear, WarningCode::through_axis,
-         fmt::format(
-             "The cutter passes through the axis of the gear (root diameter {:.4f} mm), so no gear "
-             "is left.",
-             gear.root_diameter));
+         fmt::format("The cutter passes through the axis of the gear (root diameter {:.4f} mm), so "
+                     "nothing is left of the gear.",
+                     gear.root_diameter));
     return;
   }
   if (tooth.severed) {
     warn(gear, WarningCode::severed,
          "The root fillets of both flanks meet, so the tooth is cut off." +
-             (gear.undercut ? " There is undercut: " + without_undercut(gear) : std::string()));
+             (gear.undercut ? " There is undercut; " + without_undercut(gear) : std::string()));
     return;
   }
   if (gear.undercut) {
     warn(gear, WarningCode::undercut,
-         fmt::format("Undercut: the usable flank starts at {}; {}",
-                     tooth.form_radius ? fmt::format("{:.4f} mm diameter", 2 * *tooth.form_radius)
-                                       : std::string("no diameter"),
+         fmt::format("There is undercut, so {}; {}",
+                     tooth.form_radius
+                         ? fmt::format("the usable flank starts at a diameter of {:.4f} mm",
+                                       2 * *tooth.form_radius)
+                         : std::string("no usable flank is left"),
                      without_undercut(gear)));
   }
   if (!tooth.form_radius) {
@@ -126,10 +128,9 @@ void warn_about_tooth(Gear& gear) {
   warn_about_tip(gear);
   if (tooth.tip_cut_by_rack) {
     warn(gear, WarningCode::tip_cut_by_rack,
-         fmt::format(
-             "The cutter's bottom land tops the tooth at {:.4f} mm diameter, below the blank's "
-             "{:.4f} mm.",
-             2 * tooth.tip_radius, gear.tip_diameter));
+         fmt::format("The bottom land of the cutter ends the tooth at a diameter of {:.4f} mm, "
+                     "below the tip diameter of the blank, {:.4f} mm.",
+                     2 * tooth.tip_radius, gear.tip_diameter));
   }
 }
 
@@ -141,8 +142,8 @@ void find_tip_bulge(Gear& gear) {
   warn(gear, WarningCode::tip_bulge,
        fmt::format(
            "The tip projects by {:.4g} mm beyond the involute above a diameter of {:.4f} mm, where "
-           "the flank of the cutter ends. Mating gears other than the cutter may collide with it. "
-           "A `tip_diameter` of at {} that value removes it.",
+           "the flank of the cutter ends. Mating gears other than the cutter may collide with this "
+           "projection. A `tip_diameter` of at {} that value removes the projection.",
            bulge.amount, bulge.from_diameter, gear.internal() ? "least" : "most"));
 }
 

@@ -45,11 +45,12 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
   const auto within = [](double v, double lo, double hi) {
     return v >= lo && v <= hi;
   };  // false for NaN
-  if (spec.teeth == 0) return refused("teeth", 0, "must not be 0; negative for an internal gear");
+  if (spec.teeth == 0)
+    return refused("teeth", 0, "must not be 0; the number is negative for an internal gear");
   if (std::abs(spec.teeth) > kMaxTeeth) {
-    return refused(
-        "teeth", spec.teeth,
-        fmt::format("must be at most {} (an internal gear: at least -{})", kMaxTeeth, kMaxTeeth));
+    return refused("teeth", spec.teeth,
+                   fmt::format("must be at most {}, or for an internal gear at least -{}",
+                               kMaxTeeth, kMaxTeeth));
   }
   const double m = spec.normal_module;
   if (!within(m, kMinModule, kMaxModule)) {
@@ -174,24 +175,22 @@ Result<Gear> make_involute_gear(const CylindricalSpec& spec, const StraightRack&
   if (rack_edge->became_full_radius) {
     detail::warn(
         gear, WarningCode::full_radius_root,
-        fmt::format(
-            "The rack's root fillet radius {} does not fit at this pressure angle; the full "
-            "radius {:.6f} is used.",
-            rack.root_fillet_radius, full_radius(rack, spec.normal_pressure_angle)));
+        fmt::format("The root fillet radius {} of the rack does not fit at this pressure angle. "
+                    "The full radius {:.6f} is used instead.",
+                    rack.root_fillet_radius, full_radius(rack, spec.normal_pressure_angle)));
   }
   if (gear.internal()) {
     if (!(gear.tip_diameter > 0.0 && gear.tip_diameter < gear.root_diameter)) {
       return refused(
           "tip_diameter", gear.tip_diameter, {0.0, gear.root_diameter},
-          "must be greater than {} and less than the internal gear's root diameter {} mm");
+          "must be greater than {} and less than the root diameter of the internal gear, {} mm");
     }
     for (const auto* fillet :
          {spec.root_fillet ? "root_fillet" : nullptr, spec.tip_fillet ? "tip_fillet" : nullptr}) {
       if (!fillet) continue;
-      return Error{
-          fillet, "",
-          "the cutter determines the root and tip of an internal gear; write the fillet of the "
-          "cutter into `cut_by`"};
+      return Error{fillet, "",
+                   "is not available for an internal gear, because the cutter determines its root "
+                   "and tip; give the fillet of the cutter in `cut_by`"};
     }
   } else if (auto error = cut(gear, edge)) {
     return *error;

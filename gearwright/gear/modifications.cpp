@@ -44,13 +44,13 @@ double length(double rho, double r0) { return std::sqrt(std::max(0.0, (rho - r0)
 
 // Amounts in messages are in µm.
 constexpr const char* kTenth =
-    "must lie between {} and {} µm, a tenth of the depth of this gear's usable flank";
+    "must lie between {} and {} µm, because a tenth of the depth of the usable flank is allowed";
 
 std::optional<Error> check_amount(std::string field, double amount, double greatest) {
   if (std::abs(amount) <= greatest) return std::nullopt;  // false for NaN
   return refused(
       std::move(field), in_um(amount), {-greatest / kMmPerUm, greatest / kMmPerUm},
-      std::string(kTenth) + "; for a larger change use the rack or the thickness allowance");
+      std::string(kTenth) + "; for a larger change give another rack or thickness allowance");
 }
 
 std::string amount_of(const std::string& relief) { return relief + ".amount"; }
@@ -59,11 +59,12 @@ std::string reach_of(const std::string& relief) { return relief + ".reach"; }
 std::optional<Error> check_steepness(const std::string& name, const Relief& relief, double over) {
   const double greatest = kSteepest * over / (relief.shape == ReliefShape::parabolic ? 2 : 1);
   if (relief.amount <= greatest) return std::nullopt;
-  return refused(amount_of(name), in_um(relief.amount), {greatest / kMmPerUm},
-                 fmt::format("must be at most {{}} µm over {} mm, a slope of 1 in 5; a longer "
-                             "relief (`{}`) may remove more; for a chamfer use the rack "
-                             "(`rack.semi_topping_angle`)",
-                             format_number(over), reach_of(name)));
+  return refused(
+      amount_of(name), in_um(relief.amount), {greatest / kMmPerUm},
+      fmt::format(
+          "must be at most {{}} µm over a length of {} mm, which is a slope of 1 in 5; a longer "
+          "relief (`{}`) may remove more; for a chamfer give `rack.semi_topping_angle`",
+          format_number(over), reach_of(name)));
 }
 
 std::optional<Error> check_relief(const std::string& name, const Relief& relief) {
@@ -73,7 +74,7 @@ std::optional<Error> check_relief(const std::string& name, const Relief& relief)
                    "and `lead_crowning` may be negative (hollow)");
   }
   if (relief.amount > 0.0 && !relief.reach)
-    return absent_input(reach_of(name), fmt::format(" beside `{}`", amount_of(name)));
+    return absent_input(reach_of(name), fmt::format(", although `{}` is given", amount_of(name)));
   return std::nullopt;
 }
 
@@ -86,8 +87,8 @@ std::optional<Error> check_profile_relief(const std::string& name, const Relief&
   const double slack = kSameDiameter * rho_far;
   if (!(*relief.reach >= lo - slack && *relief.reach <= hi + slack)) {
     return refused(reach_of(name), *relief.reach, {lo, hi},
-                   fmt::format("must lie on the usable flank, between {{}} and {{}} mm diameter, "
-                               "and not on the end that it relieves, {} mm",
+                   fmt::format("must lie on the usable flank, between the diameters {{}} and {{}} "
+                               "mm, and not at the relieved end of the flank, {} mm",
                                format_number(2 * rho_end, *relief.reach)));
   }
   return check_steepness(name, relief, std::abs(rho_end - *relief.reach / 2));
@@ -100,8 +101,8 @@ std::optional<Error> check_end_relief(const Relief& relief, double b) {
   const double l = *relief.reach;
   if (!(l >= kMinReach * b && l <= b / 2)) {
     return refused(reach_of(name), l, {kMinReach * b, b / 2},
-                   "must lie between {} mm and half the face width, {} mm; `lead_crowning` applies "
-                   "to the whole face");
+                   "must lie between {} mm and half the face width, {} mm; for the whole face give "
+                   "`lead_crowning`");
   }
   return check_steepness(name, relief, l);
 }
@@ -118,7 +119,7 @@ std::optional<Error> check_topography(const FlankModifications& m, const FlankEx
     return error;
   };
   const auto range = [](double lo, double hi, double value) {
-    return fmt::format("the grid must cover the usable flank, {} to {} mm",
+    return fmt::format("the grid must cover the usable flank from {} to {} mm",
                        format_number(lo, value), format_number(hi, value));
   };
   const double first = t.diameters.front(), last = t.diameters.back();
@@ -135,7 +136,7 @@ std::optional<Error> check_topography(const FlankModifications& m, const FlankEx
   for (const double c : t.removed) {
     if (std::abs(c) <= greatest) continue;
     return refused("topography", in_um(c), {-greatest / kMmPerUm, greatest / kMmPerUm},
-                   std::string("µm to remove: ") + kTenth);
+                   std::string("the removed material in µm ") + kTenth);
   }
   return std::nullopt;
 }

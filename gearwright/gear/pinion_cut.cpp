@@ -47,14 +47,13 @@ double base_distance(const Gear& cutter, int teeth) {
 
 std::optional<Error> check_cutter(const Gear& cutter, int teeth) {
   const int z_0 = cutter.spec.teeth;
-  if (teeth == 0) return refused("teeth", 0, "must not be 0; negative for an internal gear");
+  if (teeth == 0)
+    return refused("teeth", 0, "must not be 0; the number is negative for an internal gear");
   if (teeth < 0 && -teeth <= z_0) {
-    return refused(
-        "teeth", teeth,
-        fmt::format(
-            "the cutter with its {} teeth is larger than the internal gear; an internal gear of at "
-            "least {} teeth, or a cutter of at most {}, is needed",
-            z_0, -(z_0 + 1), -teeth - 1));
+    return refused("teeth", teeth,
+                   fmt::format("the cutter with {} teeth does not fit into the internal gear; the "
+                               "internal gear needs at least {} teeth, or the cutter at most {}",
+                               z_0, -(z_0 + 1), -teeth - 1));
   }
   return std::nullopt;
 }
@@ -72,7 +71,7 @@ Result<double> generating_distance(const Gear& cutter, int teeth, double profile
     const double least = shift_at(cutter, teeth, 0.0);
     return refused("profile_shift", profile_shift, {least},
                    fmt::format("this cutter cannot generate such a gear, because there is no "
-                               "working pressure angle; {} {{}} is allowed",
+                               "working pressure angle; the profile shift must be {} {{}}",
                                teeth > 0 ? "at least" : "at most"));
   }
   return r / std::cos(inverse_involute(inv_w));

@@ -63,8 +63,8 @@ std::optional<Gear> cut_with(const Gear& ring, const Cutter& cutter) {
   detail::warn(
       with, WarningCode::default_cutter,
       fmt::format(
-          "`cut_by` is not given. The fillets of the internal gear are those of a pinion cutter of "
-          "{} teeth without profile shift that reaches the root diameter.",
+          "`cut_by` is not given, so the fillets of the internal gear are those of a pinion cutter "
+          "with {} teeth and without profile shift that reaches the root diameter.",
           cutter.gear.spec.teeth));
   return with;
 }

@@ -18,16 +18,15 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "contact is lost at some positions"},
     // The gear does not exist.
     {C::through_axis, "through_axis", kProblem,
-     "the cutter passes through the axis of the gear; no outline",
+     "the cutter passes through the axis of the gear, so the gear has no outline",
      "the cutter passes through the axis"},
     {C::severed, "severed", kProblem,
-     "the root fillets of both sides meet below the tip; no outline",
+     "the root fillets of both sides meet below the tip, so the gear has no outline",
      "the teeth are cut off at their roots"},
     {C::no_body, "no_body", kProblem,
      "the bore or its keyway reaches the roots or the groove of a double-helical gear, or the rim "
-     "of "
-     "an internal gear lies inside them",
-     "a bore leaves no body of its gear"},
+     "of an internal gear does not enclose its roots",
+     "a bore leaves no body of the gear"},
     {C::no_flank, "no_flank", kProblem, "no usable involute is left between root fillet and tip",
      "a gear has no usable flank"},
     // The gears do not run.
@@ -50,8 +49,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "have no numbers",
      "some positions under load have no result"},
     {C::interference, "interference", kProblem,
-     "circular arcs: the flanks cut into each other at the contact; there is also an entry of "
-     "interference",
+     "circular arcs: the flanks cut into each other at the contact; there is also an entry in "
+     "`interference`",
      "the flanks cut into each other"},
     {C::contact_off_flank, "contact_off_flank", kProblem,
      "circular arcs: at this centre distance the contact lies outside the usable flanks",
@@ -84,7 +83,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "undercut has removed; nothing collides, but contact ends earlier",
      "contact is lost where undercut has removed the flank"},
     {C::beyond_flank, "beyond_flank", kCaution,
-     "parts of the outlines meet before the flanks do; there is also an entry of beyond_flank",
+     "parts of the outlines meet before the flanks do, and the result has the entry beyond_flank",
      "teeth meet beyond their flanks, where the transmission ratio is not constant"},
     {C::saddle_gap, "saddle_gap", kCaution,
      "internal gears on crossed axes: the flanks overlap beside the line of action, so that edges "
@@ -107,7 +106,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "an edge touches"},
     {C::no_tip_clearance, "no_tip_clearance", kCaution,
      "a tip has no clearance to the mating gear's root, because one gear has cut the other",
-     "a tip without clearance to the mating root"},
+     "a tip without clearance to the root of the mating gear"},
     {C::beyond_hertz, "beyond_hertz", kCaution,
      "verb load: the contact is wider than a tenth of its radius of curvature",
      "the contact is outside the range of Hertz’ formulas"},
@@ -126,7 +125,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "", kGearUnnamed},
     {C::tip_below_base, "tip_below_base", kCaution,
      "internal gear: d_a is less than d_b, so the involute does not reach the tip",
-     "a tip inside its base circle", "", kGearUnnamed},
+     "a tip inside the base circle", "", kGearUnnamed},
     {C::trimming, "trimming", kCaution,
      "internal pairs: the pinion can be mounted axially only [T2.28]; when mounted, nothing "
      "collides",
@@ -142,24 +141,24 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "under the errors the contact lies farther out than 0.7 of half the face width",
      "the contact lies near the end of the face"},
     {C::thickened_for_backlash, "thickened_for_backlash", kCaution,
-     "the centre distance leaves more backlash than the spec gives, so the teeth are thicker than "
-     "their profile shifts make them",
+     "the centre distance leaves more backlash than given, so the teeth are made thicker than "
+     "their profile shifts require",
      "teeth thickened for the backlash"},
     {C::hob_run_out, "hob_run_out", kCaution,
-     "the gap between the halves of a double-helical gear is less than the run-out of the hob "
-     "needs [T2.43]",
+     "the gap between the halves of a double-helical gear is too narrow for the run-out of the hob "
+     "[T2.43]",
      "a gap too narrow for the hob"},
     {C::stagger_without_gap, "stagger_without_gap", kCaution,
-     "the halves of a double-helical gear are staggered, and no gap separates them; there are no "
-     "files of the gear",
+     "the halves of a double-helical gear are staggered, and no gap separates them, so files of "
+     "the gear cannot be written",
      "staggered halves without a gap"},
     // The user should check numbers of the result or of the spec.
     {C::no_outline, "no_outline", kCaution,
-     "a gear without an outline has no CAD files (teeth cut off, cutter through the axis, internal "
-     "gear that no default cutter can generate)",
+     "no CAD files are written for a gear without an outline (teeth cut off, cutter through the "
+     "axis, internal gear that no default cutter can generate)",
      "a gear without an outline", "", kGearUnnamed},
     {C::no_corrections, "no_corrections", kCaution,
-     "verb run: there are no corrections for this spec; the message gives the reason",
+     "verb run: corrections cannot be computed for this spec; the message gives the reason",
      "no corrections"},
     {C::ellipse_beyond_flank, "ellipse_beyond_flank", kCaution,
      "verb load: the contact ellipse extends beyond an end of the flank, and the pressure there is "
@@ -176,30 +175,30 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "verb compensate: a correction is at the end of the searched range",
      "a correction at its bound", "Align the housing better."},
     {C::rack_not_used, "rack_not_used", kCaution,
-     "internal gear: some numbers of its rack have no effect",
+     "internal gear: some numbers of the rack have no effect",
      "numbers of a rack that have no effect", "Leave out these numbers of the rack.", kGearUnnamed},
     {C::default_shaft_angle, "default_shaft_angle", kCaution,
      "the axes cross at the angle of the minimum centre distance, because no shaft angle is given",
      "a default shaft angle", "Give the shaft angle, or equal helix angles of opposite hand."},
     {C::pressure_angle, "pressure_angle", kCaution,
      "circular arcs: the pair touches at a pressure angle different from that of its rack",
-     "a pressure angle that does not fit",
+     "a pressure angle that does not match the rack",
      "Leave out the pressure angle, or write the angle at which the flanks touch.", kGearUnnamed},
     {C::unequal_lead, "unequal_lead", kCaution,
-     "circular arcs: the gears do not have matching leads; contacts are omitted", "unequal leads",
-     "The verb contact computes where the teeth touch."},
+     "circular arcs: the gears do not have matching leads, so their contacts are not computed",
+     "unequal leads", "The verb contact computes where the teeth touch."},
     {C::rating_contact_ratio, "rating_contact_ratio", kCaution,
      "the transverse contact ratio is outside 1 to 2.5, the range of ISO 6336",
      "a contact ratio that the standard does not cover"},
     {C::rating_helix_angle, "rating_helix_angle", kCaution,
-     "the helix angle is above 30°, up to which ISO 6336 is confirmed",
+     "the helix angle is greater than 30°, the limit of the range for which ISO 6336 is confirmed",
      "a helix angle that the standard does not cover"},
     {C::rating_pressure_angle, "rating_pressure_angle", kCaution,
      "the normal pressure angle is outside 15° to 25°, for which ISO 6336 is confirmed",
      "a pressure angle that the standard does not cover"},
     {C::rating_stiffness, "rating_stiffness", kCaution,
      "the profile shifts are outside the range of the formula of the tooth stiffness c'",
-     "shifts that the standard’s stiffness does not cover"},
+     "profile shifts outside the range of the standard’s tooth stiffness"},
     {C::rating_resonance, "rating_resonance", kCaution,
      "the pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15",
      "a speed in the main resonance"},
@@ -209,9 +208,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "an offset that the standard does not cover"},
     {C::rating_notch, "rating_notch", kCaution,
      "the notch parameter q_s is outside 1 to 8, the range of Y_S",
-     "a fillet that the stress correction does not cover", "", kGearUnnamed},
-    {C::rating_rim, "rating_rim", kCaution, "the rim is thinner than the rim factor Y_B allows",
-     "a rim that the rim factor does not cover", "", kGearUnnamed},
+     "a root fillet outside the range of the stress correction factor", "", kGearUnnamed},
+    {C::rating_rim, "rating_rim", kCaution,
+     "the rim is thinner than the rim thickness factor Y_B allows",
+     "a rim thinner than the rim thickness factor allows", "", kGearUnnamed},
     {C::rating_plastic, "rating_plastic", kCaution,
      "plastic teeth: wear, deformation and static peaks, which VDI 2736 covers too, are not rated",
      "wear and deformation that are not rated"},
@@ -232,7 +232,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the clipped ε_α is below 1, and the overlap compensates for it; the message gives the least "
      "face width"},
     {C::self_locking, "self_locking", kNote,
-     "the named gear, or the end of a drive, cannot drive with this friction"},
+     "with this friction, the named gear or the input or output of a drive cannot drive"},
     {C::full_radius_root, "full_radius_root", kNote,
      "the root radius of a named rack does not fit; the full radius is used"},
     {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
@@ -270,7 +270,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "verb load: an internal gear has no rim diameter and is held at the rim diameter of its CAD "
      "files"},
     {C::no_load, "no_load", kNote,
-     "verb run: there is no analysis under load for these gears; the message gives the reason"},
+     "verb run: an analysis under load cannot be computed for these gears; the message gives the "
+     "reason"},
     {C::stiffness_differs, "stiffness_differs", kNote,
      "verb load: the mesh stiffness differs from c_γα of ISO 6336-1; the message gives the "
      "reasons"},

@@ -156,13 +156,13 @@ std::optional<Error> amiss(const std::vector<Branch>& chain, const ToothEnds& en
     GW_ENSURES(root || tooth.tip_fillet);
     return Error{root ? "root_fillet.offset" : "tip_fillet", "",
                  "leaves no flank between the root fillet and the tip cut by the rack; use a "
-                 "smaller one, or a rack without semi-topping and tip rounding"};
+                 "smaller fillet, or a rack without semi-topping and tip rounding"};
   }
   if (!chain.empty() && is_continuous(chain)) return std::nullopt;
-  return Error{"cut_by", "",
-               "a sharp edge of the cutter outside its rolling circle generates a loop that does "
-               "not meet the tooth; use a cutter without undercut or another generating centre "
-               "distance"};
+  return Error{
+      "cut_by", "",
+      "a sharp edge of the cutter outside its rolling circle generates a loop that does not touch "
+      "the tooth; use a cutter without undercut or another generating centre distance"};
 }
 
 }  // namespace

@@ -90,14 +90,15 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
                    "less profile shift or a greater tip diameter would help");
   }
   if (!(xi < most)) {
-    return refused(field, root.offset, {ruler.l(most) - l_zero},
-                   "leaves no flank between the root fillet and the tip; it must be under {} mm");
+    return refused(
+        field, root.offset, {ruler.l(most) - l_zero},
+        "leaves no flank between the root fillet and the tip; the offset must be less than {} mm");
   }
   const auto arc = root_fillet_at(flank, teeth, xi);
   if (!arc || !(arc->end > 0.0)) {
     return refused(field, root.offset, {ruler.l(most) - l_zero},
-                   "no circle centred in the space touches the flank there; it must be less than "
-                   "{} mm");
+                   "no circle centred in the tooth space touches the flank there; the offset must "
+                   "be less than {} mm");
   }
   return CircularFillet{xi, *arc};
 }
@@ -137,14 +138,14 @@ Result<CircularFillet> tip_corner(const FlankRuler& ruler, double radius, double
   const double sharp = kSharp * tip_radius;
   if (!(most > sharp && room(sharp) > 0.0)) {
     return Error{"tip_fillet.corner_radius", "",
-                 "there is no tip corner to round: the tooth is pointed, or no flank is left below "
-                 "the tip; less profile shift or a smaller tip diameter would help"};
+                 "there is no tip corner to round, because the tooth is pointed or no flank is "
+                 "left below the tip; less profile shift or a smaller tip diameter would help"};
   }
   if (radius < most && room(radius) > 0.0) return tip_corner_at(flank, tip_radius, radius);
   const double greatest = room(most) > 0.0 ? most : find_root(room, sharp, most).x;
-  return refused("tip_fillet.corner_radius", radius, {greatest},
-                 "does not fit into the tip between flank and centre line; it must be less than {} "
-                 "mm");
+  return refused(
+      "tip_fillet.corner_radius", radius, {greatest},
+      "does not fit between flank and centre line at the tip; the radius must be less than {} mm");
 }
 
 Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, double least) {
@@ -167,12 +168,12 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
       const char* const field = "tip_fillet.radius";
       if (std::isinf(r_max)) {
         return refused(field, tip.value, {r_min},
-                       "no such circle touches both flanks of the tooth; it must be greater than "
-                       "{} mm");
+                       "no circle of this radius touches both flanks of the tooth; the radius must "
+                       "be greater than {} mm");
       }
       return refused(field, tip.value, {r_min, r_max},
-                     "no such circle touches both flanks of the tooth; it must be greater than {} "
-                     "mm, and the largest that fits is {} mm");
+                     "no circle of this radius touches both flanks of the tooth; the radius must "
+                     "be greater than {} mm and at most {} mm");
     }
     case TipFilletSpec::By::l: {
       const double xi = ruler.roll(tip.value);
@@ -187,12 +188,11 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
       if (xi && *xi > least && *xi < most) return *xi;
       const auto from = tip_fillet_at(flank, std::max(least, flank.base_half_angle()));
       const auto to = tip_fillet_at(flank, most);
-      return refused(
-          "tip_fillet.end_radius", tip.value,
-          {from ? from->end : flank.base_radius(),
-           to ? to->end : flank.base_radius() * std::hypot(1.0, roll_of_point(flank))},
-          "no circle that touches both flanks ends the tooth at this radius; it could lie between "
-          "{} and {} mm");
+      return refused("tip_fillet.end_radius", tip.value,
+                     {from ? from->end : flank.base_radius(),
+                      to ? to->end : flank.base_radius() * std::hypot(1.0, roll_of_point(flank))},
+                     "no circle that touches both flanks ends the tooth at this radius; the radius "
+                     "must lie between {} and {} mm");
     }
   }
   GW_ENSURES(false);
@@ -239,7 +239,8 @@ Result<CircularFillets> circular_fillets(const FlankRuler& ruler, int teeth,
     if (!xi) return xi.error();
     const auto arc = tip_fillet_at(ruler.flank, *xi);
     if (!arc) {
-      return Error{"tip_fillet", "", "it would touch the tooth where the rack leaves no flank"};
+      return Error{"tip_fillet", "",
+                   "the fillet would touch the tooth where the rack leaves no flank"};
     }
     fillets.tip = CircularFillet{*xi, *arc};
     top = std::min(top, *xi);

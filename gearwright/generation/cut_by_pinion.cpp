@@ -223,8 +223,8 @@ Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionM
   cutting.run();
   if (cutting.misses_flank) {
     return refused("cut_by", motion.distance,
-                   "at this generating centre distance the centrode lies inside the base circle of "
-                   "the cutter, so its flanks do not cut; increase it");
+                   "at this generating centre distance the generating pitch circle of the cutter "
+                   "lies inside its base circle, so its flanks do not cut; increase the distance");
   }
   if (cutting.branches.empty())
     return Error{"cut_by", "", "the cutter leaves no tooth at this centre distance"};

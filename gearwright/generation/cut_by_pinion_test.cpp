@@ -334,7 +334,7 @@ TEST(CutByPinion, refusals) {
   const auto inside = cut_by_pinion(cutter, {20, 45, base * (1 - 1e-9)}, kInfinity);
   ASSERT_FALSE(inside);
   EXPECT_EQ(inside.error().field, "cut_by");
-  EXPECT_NE(inside.error().message().find("increase it"), std::string::npos);
+  EXPECT_NE(inside.error().message().find("increase the distance"), std::string::npos);
   EXPECT_TRUE(cut_by_pinion(cutter, {20, 45, base * (1 + 1e-3)}, kInfinity));
   const double root = 32.5 - cutter.tip_radius;
   const auto small = cut_by_pinion(cutter, {20, 45, 32.5}, root * (1 - 1e-12));

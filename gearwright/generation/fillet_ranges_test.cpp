@@ -155,7 +155,7 @@ TEST(FewTeethRanges, greatest_offset_of_the_root_fillet) {
                             with_tip(two_teeth(), By::radius, 0.332)}) {
     const double most =
         named_limit([&](double x) { return refusal(with_root(s, x), "root_fillet.offset"); }, 1e3,
-                    "must be under ");
+                    "must be less than ");
     ASSERT_GT(most, 0.0);
     expect_stands(with_root(s, most * (1 - kJust)));
     expect_refused(with_root(s, most * (1 + kJust)), "root_fillet.offset");
@@ -166,7 +166,7 @@ TEST(FewTeethRanges, largest_radius_of_the_tip_fillet) {
   const char* key = "tip_fillet.radius";
   for (CylindricalSpec s : {spur(5, 0.4), spur(8, 0.3), spur(17, 0.0), spur(30, 0.2)}) {
     const double most = named_limit(
-        [&](double x) { return refusal(with_tip(s, By::radius, x), key); }, 1e3, "that fits is ");
+        [&](double x) { return refusal(with_tip(s, By::radius, x), key); }, 1e3, "and at most ");
     ASSERT_GT(most, 0.0);
     expect_stands(with_tip(s, By::radius, most * (1 - kJust)));
     expect_refused(with_tip(s, By::radius, most * (1 + kJust)), key);

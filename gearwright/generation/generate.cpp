@@ -67,7 +67,7 @@ std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
                                      const CircularFillet& root, GeneratedTooth& tooth) {
   Branch& flank = branches.front();
   if (!(root.roll < flank.t_hi)) {
-    return Error{"root_fillet", "", "no circle centred in the space touches the flank there"};
+    return Error{"root_fillet", "", "no circle centred in the tooth space touches the flank there"};
   }
   const double gamma = std::numbers::pi / teeth;
   auto circle = std::make_shared<OffsetCircle>(root.arc.distance, gamma, root.arc.radius);
@@ -90,7 +90,8 @@ std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const Circula
                                     GeneratedTooth& tooth) {
   Branch& flank = branches.back();
   if (!(tip.roll > flank.t_lo && tip.roll <= flank.t_hi)) {
-    return Error{"tip_fillet", "", "it would touch the tooth where the rack leaves no flank"};
+    return Error{"tip_fillet", "",
+                 "the fillet would touch the tooth where the rack leaves no flank"};
   }
   flank.t_hi = tip.roll;
   flank.height_hi = flank.height(tip.roll);
@@ -115,7 +116,7 @@ std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
                                   [](const Branch& b) { return b.name == ArcName::flank; });
   if (flank == branches.end()) {
     return Error{fillets.root ? "root_fillet" : "tip_fillet", "",
-                 "the rack leaves no involute that it could touch"};
+                 "the rack leaves no involute that the fillet could touch"};
   }
   // The tip is treated first, because removing arcs at the front changes the index of the flank.
   if (fillets.tip) {

@@ -86,11 +86,15 @@ bool hits_root(const Gear& gear, const BallSeat& seat) {
 Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
   GW_EXPECTS(ball > 0.0);
   if (!gear.involute())
-    return no_ball(ball, "balls are measured on involute flanks; these are circular arcs");
+    return no_ball(ball,
+                   "balls are used on involute flanks only, and these flanks are circular arcs");
   const auto flank = usable_flank(gear);
-  if (!flank) return no_ball(ball, "there is no usable flank to measure; see the gear's warnings");
+  if (!flank)
+    return no_ball(ball,
+                   "there is no usable flank to measure, as the warnings of the gear explain");
   if (std::abs(gear.spec.teeth) < 2)
-    return no_ball(ball, "a gear with one tooth space has no opposite space for the second ball");
+    return no_ball(
+        ball, "a gear with a single tooth space has no opposite tooth space for the second ball");
   const std::string sizes = sizes_text(gear, *flank);
   const auto seat = seat_of(gear, *flank, ball);
   // The spaces of an internal gear become wider towards the tip, so a ball that is too large touches no
@@ -103,18 +107,19 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
                              sizes);
   }
   if (seat->place == ContactPlace::beyond_tip)
-    return no_ball(ball,
-                   fmt::format("rests on the tips: it would touch the flanks at {} mm, beyond "
-                               "the tip at {} mm; {}",
-                               format_number(seat->contact_diameter, flank->tip),
-                               format_number(flank->tip, seat->contact_diameter), sizes));
+    return no_ball(ball, fmt::format("rests on the tips, because it would touch the flanks at a "
+                                     "diameter of {} mm, beyond the tip diameter of {} mm; {}",
+                                     format_number(seat->contact_diameter, flank->tip),
+                                     format_number(flank->tip, seat->contact_diameter), sizes));
   if (hits_root(gear, *seat))
-    return no_ball(ball, fmt::format("touches the root at {} mm before it touches both flanks; {}",
-                                     format_number(gear.root_diameter), sizes));
+    return no_ball(
+        ball,
+        fmt::format("touches the root, at a diameter of {} mm, before it touches both flanks; {}",
+                    format_number(gear.root_diameter), sizes));
   const double proud = seat->radial - flank->tip / 2;
   if (gear.side() * proud <= 0.0)
     return no_ball(ball, fmt::format("does not project beyond the tip, because it ends at {} mm "
-                                     "and the tip at {} mm from the axis; {}",
+                                     "from the axis, and the tip at {} mm; {}",
                                      format_number(seat->radial, flank->tip / 2),
                                      format_number(flank->tip / 2, seat->radial), sizes));
   return *seat;

@@ -27,16 +27,16 @@ Result<FlankRange> flank_range(const Gear& gear, double diameter) {
   const double d_Fa = 2 * gear.tip_form_radius();
   if (gear.internal()) {
     return FlankRange{std::max(d_Fa, d_b), gear.root_diameter,
-                      fmt::format("at least the base diameter {} mm, from d_Fa = {} mm to the "
-                                  "internal gear's root diameter {} mm",
+                      fmt::format("at least the base diameter {} mm, and between d_Fa = {} mm and "
+                                  "the root diameter {} mm of the internal gear",
                                   format_number(d_b, diameter), format_number(d_Fa, diameter),
                                   format_number(gear.root_diameter, diameter))};
   }
   const auto form = gear.root_form_radius();
   if (!gear.exists() || !form) {
-    return off_flank(diameter,
-                     "there is no usable flank to measure, neither here nor at another diameter; "
-                     "see the gear's warnings");
+    return off_flank(
+        diameter,
+        "there is no usable flank to measure at any diameter, as the warnings of the gear explain");
   }
   return FlankRange{std::max(2 * *form, d_b), d_Fa,
                     fmt::format("at least the base diameter {} mm, on the usable flank from d_Ff = "
@@ -67,22 +67,19 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
     return off_flank(diameter, "must be " + range->ends);
   const ToothArc<double> arc = tooth_arc(gear, diameter);
   if (!(arc.half_angle >= kMinHalfAngle)) {
-    return off_flank(
-        diameter,
-        fmt::format("the two flanks meet at {} mm, there is no tooth {} that; the diameter must be "
-                    "{}",
-                    format_number(gear.pointed_diameter.value_or(diameter)),
-                    gear.internal() ? "inside" : "beyond", range->ends));
+    return off_flank(diameter, fmt::format("the two flanks meet at a diameter of {} mm, so there "
+                                           "is no tooth {} this diameter; the diameter must be {}",
+                                           format_number(gear.pointed_diameter.value_or(diameter)),
+                                           gear.internal() ? "inside" : "beyond", range->ends));
   }
   if (arc.half_angle < std::numbers::pi) {
     const auto chord = shortest_chord(arc);
     if (chord.half_angle_used <= std::numbers::pi / 2) return chord;
   }
-  return off_flank(
-      diameter,
-      fmt::format("the tooth covers {} degrees about the axis, too much for a calliper; try a "
-                  "greater diameter; it must be {}",
-                  format_number(2 * arc.half_angle * kDegPerRad), range->ends));
+  return off_flank(diameter,
+                   fmt::format("the tooth spans {} degrees about the axis, which is too much for a "
+                               "calliper; use a greater diameter, which must be {}",
+                               format_number(2 * arc.half_angle * kDegPerRad), range->ends));
 }
 
 }  // namespace gearwright

@@ -269,7 +269,7 @@ std::optional<Contradiction> contradiction(const IdentifyProblem& p,
 Result<Identification> identify(const IdentifyProblem& problem) {
   if (problem.teeth == 0 || std::abs(problem.teeth) < 3)
     return refused("teeth", problem.teeth,
-                   "must be 3 or more, or negative for an internal gear; count the teeth");
+                   "must be at least 3, or at most -3 for an internal gear; count the teeth");
   const std::vector<Observation> readings = observations(problem);
   const bool sized = std::any_of(readings.begin(), readings.end(), [](const Observation& o) {
     return o.kind != Observation::Kind::lead && o.kind != Observation::Kind::helix;
@@ -285,9 +285,9 @@ Result<Identification> identify(const IdentifyProblem& problem) {
   if (!fits) answer.contradiction = contradiction(problem, readings, found);
   found = without_doubles(found);
   if (found.empty() || (!fits && !answer.contradiction)) {
-    answer.reason = found.empty()
-                        ? "no standard gear with this number of teeth has this size"
-                        : "no standard gear has these readings, even if one of them is left out";
+    answer.reason =
+        found.empty() ? "no standard gear with this number of teeth has the measured size"
+                      : "no standard gear matches these readings, even if one reading is left out";
   }
   answer.candidates = candidates_of(problem, found);
   answer.next = next_measurement(problem, answer.candidates);

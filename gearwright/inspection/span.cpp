@@ -62,7 +62,7 @@ Teeth touching_teeth(const Gear& gear, const UsableFlank& flank, bool within_fac
 
 std::string range_text(const Gear& gear, const UsableFlank& flank) {
   const Teeth k = touching_teeth(gear, flank, true);
-  const char* what = gear.internal() ? "spaces" : "teeth";
+  const char* what = gear.internal() ? "tooth spaces" : "teeth";
   if (k.most < k.least)
     return fmt::format("no number of {} can be measured on this flank and face", what);
   return k.least == k.most ? fmt::format("{} {} can be measured", k.least, what)
@@ -84,18 +84,21 @@ double thickness_per_span(const Gear& gear) {
 
 Result<Span> span_over(const Gear& gear, int k) {
   const auto no = [&](const std::string& why) { return refused("span_teeth", k, why); };
-  if (!gear.involute()) return no("spans are measured on involute flanks; these are circular arcs");
+  if (!gear.involute())
+    return no("spans can be measured on involute flanks only, and these flanks are circular arcs");
   if (!measurable(gear))
     return no(
-        "plane anvils do not reach into the spaces of an internal helical gear; measure "
+        "plane anvils do not fit into the tooth spaces of an internal helical gear; measure "
         "between balls");
   const auto flank = usable_flank(gear);
-  if (!flank) return no("there is no usable flank to measure; see the gear's warnings");
+  if (!flank) return no("there is no usable flank to measure, as the warnings of the gear explain");
   const int z = std::abs(gear.spec.teeth);
-  if (k < 1 || k > z) return no(fmt::format("must be 1 to {}; {}", z, range_text(gear, *flank)));
+  if (k < 1 || k > z)
+    return no(fmt::format("must lie between 1 and {}; {}", z, range_text(gear, *flank)));
   const Span span = span_of(gear, *flank, k);
   if (!(span.length > 0.0))
-    return no("the flanks face the other way there; " + range_text(gear, *flank));
+    return no("the flanks over this number of teeth do not face the anvils; " +
+              range_text(gear, *flank));
   // For the numbers of teeth next to the range, a span is returned, so that a warning can give its length.
   const Teeth on_flank = touching_teeth(gear, *flank, false);
   const bool near = k >= on_flank.least - 1 && k <= on_flank.most + 1;

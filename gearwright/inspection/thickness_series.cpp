@@ -113,14 +113,14 @@ Result<std::array<double, 2>> thickness_allowances(std::string_view series,
   const int column = number.value_or(0) - kFirstTolerance;
   if (name == kSeries.end() || column < 0 || column >= 10) {
     return Error{"series", std::string(series),
-                 "must be a series of DIN 3967 (a, ab, b, bc, c, cd, d, e, f, g or h) and a "
-                 "tolerance series from 21 to 30, cd25 for example"};
+                 "must be a series of DIN 3967 (a, ab, b, bc, c, cd, d, e, f, g or h) with a "
+                 "tolerance series from 21 to 30, for example cd25"};
   }
   const std::size_t row = row_of(kDiameters, reference_diameter);
   if (row == kDiameters.size())
     return Error{"series", std::string(series),
-                 fmt::format("DIN 3967 ends at a reference diameter of 10000 mm; this gear's is {} "
-                             "mm",
+                 fmt::format("DIN 3967 covers reference diameters of at most 10000 mm, and that of "
+                             "this gear is {} mm",
                              format_number(reference_diameter))};
   const double upper = -kAllowance[row][static_cast<std::size_t>(name - kSeries.begin())];
   const double tolerance = kTolerance[row][static_cast<std::size_t>(column)];
@@ -133,7 +133,9 @@ Result<double> js_deviation(std::string_view tolerance, double center_distance) 
   if (grade < 1 || grade > kMaxGrade)
     return Error{"tolerance", std::string(tolerance), "must be JS1 to JS12 of ISO 286"};
   const auto it = tolerance_grade(grade, center_distance);
-  if (!it) return refused("center_distance", center_distance, "ISO 286 ends at 3150 mm");
+  if (!it)
+    return refused("center_distance", center_distance,
+                   "is outside the range of ISO 286, which ends at 3150 mm");
   return *it / 2;
 }
 
@@ -147,9 +149,9 @@ Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size)
   const auto it = tolerance_grade(grade, size);
   const std::size_t row = row_of(kSizes, size);
   if (!it || (keyway && row >= kDeviationP.size()))
-    return refused(
-        "size", size,
-        keyway ? "N9 and P9 are for keyways, at most 120 mm wide" : "ISO 286 ends at 3150 mm");
+    return refused("size", size,
+                   keyway ? "N9 and P9 are fits of keyways, which are at most 120 mm wide"
+                          : "is outside the range of ISO 286, which ends at 3150 mm");
   if (zone == "H") return std::array{0.0, *it};
   if (zone == "JS") return std::array{-*it / 2, *it / 2};
   const double upper = -(zone == "P" ? kDeviationP[row] : row == 0 ? kDeviationN : 0.0) / kUmPerMm;
@@ -165,9 +167,9 @@ Result<std::array<double, 2>> tip_deviations(std::string_view fit, double size, 
   if (!known || (!hole && hole.error().field == "fit"))
     return Error{"fit", std::string(fit),
                  internal ? "must be H1 to H12 or JS1 to JS12 of ISO 286, because the tip of an "
-                            "internal gear is a hole; H9 for example"
+                            "internal gear is a hole, for example H9"
                           : "must be h1 to h12 or js1 to js12 of ISO 286, because the tip of an "
-                            "external gear is a shaft; h9 for example"};
+                            "external gear is a shaft, for example h9"};
   if (!hole || internal) return hole;
   return std::array{-(*hole)[1], -(*hole)[0] + 0.0};
 }

@@ -158,7 +158,7 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   return Warning{
       WarningCode::correction_at_bound,
       fmt::format("These corrections are at the end of the searched range: {}. Larger corrections "
-                  "might be better, but the errors are large for flank modifications.",
+                  "might be better, but such errors are too large for flank modifications.",
                   list),
       0};
 }
@@ -211,8 +211,8 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, int curves) {
   if (!can_minimise()) {
     return Error{"compensate", "",
-                 "this build has no minimiser (NLopt) and cannot compute corrections; use the "
-                 "installed program",
+                 "corrections cannot be computed by this build, which has no minimiser (NLopt); "
+                 "use the installed program",
                  FailureKind::not_in_build};
   }
   if (auto error = missing_error(SpecUse::compensate, job.spec)) return *error;
@@ -280,17 +280,18 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     return w.code == WarningCode::contact_lost || w.code == WarningCode::contact_lost_to_undercut;
   };
   if (answer.after.lost && std::none_of(job.warnings.begin(), job.warnings.end(), contact_lost)) {
-    job.warnings.push_back({WarningCode::contact_lost,
-                            "Contact is lost at some positions, and no correction in the searched "
-                            "range restores it; the error covers the remaining positions.",
-                            0});
+    job.warnings.push_back(
+        {WarningCode::contact_lost,
+         "Contact is lost at some positions, and no correction in the searched range restores "
+         "contact. The transmission error covers the remaining positions.",
+         0});
   }
   if (load) answer.loads = aimed_loads(*load, task, result.value);
   for (const AimedLoad& l : answer.loads)
     if (std::isnan(l.after.max_pressure))
       job.warnings.push_back(
           {WarningCode::load_unfinished,
-           fmt::format("At {} N m the corrected teeth have no result at a position, because no "
+           fmt::format("At {} N m the corrected teeth have a position without result, because no "
                        "teeth touch there or the forces do not converge.",
                        format_number(newton_metres(l.torque))),
            0});

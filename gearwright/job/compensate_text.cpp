@@ -23,16 +23,16 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
     out += fmt::format("  {:<44}{}\n", what, value);
   };
   out += quantity_listing(compensate_quantities().table(), {compensate_quantities().of(a)}, {});
-  head("Corrections together, for the worst of the errors");
+  head("All corrections together, for the worst of the errors");
   for (const FoundCorrection& c : a.corrections) {
     row(c.words, fmt::format("{:>11} {}{}", fixed_decimals(c.value, 4), c.shown_unit,
-                             c.at_bound ? "  (the bound)" : ""));
-    if (c.value != 0.0) row("  in the spec: " + c.spec_key, "");
+                             c.at_bound ? "  (at the end of the range)" : ""));
+    if (c.value != 0.0) row("  key in the spec: " + c.spec_key, "");
   }
   if (a.nothing_to_correct)
     out += fmt::format(
-        "  nothing to correct: no correction in the searched range improves the result "
-        "by {}\n",
+        "  There is nothing to correct, because no correction in the searched range improves the "
+        "result by {}.\n",
         least_gain(a.aim));
   for (const AimedLoad& l : a.loads) {
     const auto& quantities = loaded_score_quantities();

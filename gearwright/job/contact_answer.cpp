@@ -39,8 +39,8 @@ void warn_of_jam(Angle least_play, const char* touched, std::vector<Warning>& wa
   constexpr Angle kTouching = Angle::radians(1e-12);  // rounding; teeth without backlash do not jam
   if (!(least_play < -kTouching)) return;
   warnings.push_back({WarningCode::jam,
-                      fmt::format("The gears jam: {} in contact at once, and gear 2 would have to "
-                                  "yield by {:.6f} degrees.",
+                      fmt::format("The gears jam, because {} in contact at once. Gear 2 would have "
+                                  "to yield by {:.6f} degrees.",
                                   touched, -least_play.deg()),
                       0});
 }
@@ -60,9 +60,9 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
     if (!below[i] || gear.undercut) continue;
     warn(WarningCode::contact_below_form,
          fmt::format(
-             "Contact reaches the end of the usable flank of gear {}, {:.4f} mm diameter, where "
-             "the root fillet begins. The tip of the mating gear enters the fillet, and the true "
-             "transmission error there is larger than the computed one.",
+             "Contact reaches the end of the usable flank of gear {} at a diameter of {:.4f} mm, "
+             "where the root fillet begins. The tip of the mating gear enters the fillet, and the "
+             "true transmission error there is larger than the computed error.",
              i + 1, 2 * *gear.root_form_radius()),
          i + 1);
   }
@@ -72,8 +72,8 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
   if (answer.min_play) warn_of_jam(*answer.min_play, "both flanks of a tooth space are", warnings);
   if (answer.driving.unfinished + answer.other.unfinished > 0) {
     warn(WarningCode::contact_search_unfinished,
-         fmt::format("{} searches for a contact point did not converge; their positions use the "
-                     "best point found.",
+         fmt::format("{} searches for a contact point did not converge. The best point found is "
+                     "used at these positions.",
                      answer.driving.unfinished + answer.other.unfinished));
   }
 }
@@ -81,12 +81,13 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
 void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>& warnings) {
   warnings.push_back(
       {WarningCode::fillet_contact,
-       fmt::format("Under these errors the tip of gear {} meets the root fillet of gear {} {:.4g} "
-                   "mm before the {}flanks do, at {:.3f}° of gear 1, on {:.4f} mm diameter: {}.",
-                   3 - touch.gear, touch.gear, touch.early, other ? "non-working " : "",
-                   touch.point.rotation1.deg(), touch.point.diameter[touch.gear - 1],
-                   other ? "this reduces the backlash by that amount"
-                         : "the transmission error there does not come from the flanks"),
+       fmt::format(
+           "Under these errors the tip of gear {} touches the root fillet of gear {} {:.4g} mm "
+           "before the {}flanks touch, at {:.3f}° of gear 1, on a diameter of {:.4f} mm. {}.",
+           3 - touch.gear, touch.gear, touch.early, other ? "non-working " : "",
+           touch.point.rotation1.deg(), touch.point.diameter[touch.gear - 1],
+           other ? "The backlash is reduced by this amount"
+                 : "The transmission error there is not determined by the flanks"),
        touch.gear});
 }
 
@@ -107,9 +108,9 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
   if (!driving_outlines || !other_outlines) {
     warnings.push_back(
         {WarningCode::fillets_not_asked,
-         "Contact of tips with root fillets under these errors was not checked. With a changed "
-         "lead of the cutter, this check is available for roots cut by a rack, not for those of a "
-         "pinion cutter or circular fillets."});
+         "Contact of tips with root fillets under these errors was not checked. If the lead of the "
+         "cutter is changed, this check is available only for roots cut by a rack, not for roots "
+         "cut by a pinion cutter and not for circular fillets."});
     return;
   }
   // Only one pitch is examined. All pitches are equal, and positions in several pitches might have the same phase.

@@ -236,7 +236,8 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
     const Error why = spelled(made.error(), job.spec.given);
     const bool whole_pair = made.error().kind == FailureKind::nothing_touches;
     const std::string reason = whole_pair ? why.rule : why.message();
-    job.warnings.push_back({WarningCode::no_contact, "No contact analysis: " + reason + ".", 0});
+    job.warnings.push_back(
+        {WarningCode::no_contact, "The contact analysis cannot be computed: " + reason + ".", 0});
     return std::optional<ContactPart>();
   }
   ContactAnswer answer = std::move(made).take();

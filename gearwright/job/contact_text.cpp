@@ -89,7 +89,9 @@ std::string halves_listing(const ContactAnswer& answer) {
                 fixed_decimals(a.diameter[0], 4), fixed_decimals(a.height[0], 4), to_string(b.kind),
                 fixed_decimals(b.diameter[0], 4), fixed_decimals(b.height[0], 4));
   }
-  return out + "\n  axial float: of gear 1 relative to gear 2; z 1: from the middle of the half\n";
+  return out +
+         "\n  axial float: movement of gear 1 relative to gear 2; z 1: height from the middle of "
+         "the half\n";
 }
 
 }  // namespace

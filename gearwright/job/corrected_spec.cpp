@@ -15,14 +15,14 @@ namespace {
 const char* needs(CorrectionOf what) {
   switch (what) {
     case CorrectionOf::tool_setting:
-      return "is the setting of a circular-arc rack F, which cuts neither gear";
+      return "is a setting of the circular-arc rack F, but this rack cuts neither gear";
     case CorrectionOf::cutter_lead: return "needs a helical gear cut by a rack";
     case CorrectionOf::end_relief:
-      return "needs end_relief_length_mm in the modifications of the gear, for the position of "
-             "the relief; its amount may be 0";
+      return "needs end_relief_length_mm in the modifications of the gear, because this key "
+             "determines the position of the relief; the amount of the relief may be 0";
     default:
       return "needs the start of the relief in the modifications of the gear, for example "
-             "tip_relief_start_mm; its amount may be 0";
+             "tip_relief_start_mm; the amount of the relief may be 0";
   }
 }
 

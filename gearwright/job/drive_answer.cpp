@@ -46,7 +46,7 @@ std::string body_listing(const Drive& drive) {
   bool racks = false;
   std::string out =
       fmt::format("\nBodies\n  {:<14}{:<8}{:>16}{:>14}{:>14}{:>12}{:>14}\n", "", "", "speed ratio",
-                  "", "to its frame", "1/min", torque ? "torque N m" : "torque ratio");
+                  "", "in its frame", "1/min", torque ? "torque N m" : "torque ratio");
   for (std::size_t b = 0; b < drive.graph.bodies.size(); ++b) {
     const bool one = drive.graph.inputs.size() == 1;
     const double t = powered ? drive.flow->torque[b] * torque.value_or(1.0) : 0.0;

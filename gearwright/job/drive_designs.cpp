@@ -215,8 +215,9 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
 Result<DriveDesigns> drive_designs(const JobSpec& spec, const DriveSearchProblem& problem,
                                    const DriveSearchResult& result, std::size_t top, int threads) {
   if (rates_drives(spec, problem) && problem.modules.empty())
-    return absent_input("search.normal_module_mm",
-                        "; rated drives need a module, normal_module_mm = [1, 1.5, 2] for example");
+    return absent_input(
+        "search.normal_module_mm",
+        "; drives can be rated only with a module, for example normal_module_mm = [1, 1.5, 2]");
   DriveDesigns designs;
   Candidates candidates(spec, problem, result.found, threads);
   const auto may_compute = [&](std::size_t count) {

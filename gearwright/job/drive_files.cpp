@@ -67,7 +67,7 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
   const std::string text = json_text(result, 2) + "\n";
   if (options.wants("result"))
     files.insert(files.begin(),
-                 {folder / "result.json", "result", std::nullopt, "every number, as JSON", text});
+                 {folder / "result.json", "result", std::nullopt, "all numbers, as JSON", text});
   return RunFiles{std::move(files), text, job.verdict};
 }
 

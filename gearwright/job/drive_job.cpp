@@ -107,10 +107,9 @@ MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive) {
 
 Result<DriveJob> solve_drive(const JobSpec& spec) {
   if (!spec.drive) {
-    return absent_input(
-        "planetary",
-        "; a drive is [planetary], [[stage]] or [drive]: [planetary] with sun = 20, "
-        "planet = 25, ring = 70 and planets = 3 for example");
+    return absent_input("planetary",
+                        "; a drive is described by [planetary], [[stage]] or [drive], for example "
+                        "by [planetary] with sun = 20, planet = 25, ring = 70 and planets = 3");
   }
   auto made = make_drive(*spec.drive);
   if (!made) return of_drive_table(made.error(), spec.tree->tables);
@@ -125,7 +124,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.layout = std::move(layout).take();
   } else {
     const Error& why = layout.error();
-    job.why_no_layout = fmt::format("The drive cannot be assembled here: {}{}.",
+    job.why_no_layout = fmt::format("The drive cannot be assembled: {}{}.",
                                     why.value.empty() ? "" : why.value + " ", why.rule);
   }
   job.verdict = judge(job);
@@ -140,14 +139,15 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
   const auto& rated = spec.rating.torque;
   if (!own && !rated)
     return absent_input("rating.torque_Nm",
-                        "; a rating needs a load: torque_Nm on the input of the drive, or in "
-                        "[rating] torque_Nm, or power_kW with speed_rpm");
+                        "; a rating needs a load. Give torque_Nm on the input of the drive or in "
+                        "[rating], or give power_kW with speed_rpm in [rating]");
   constexpr double kSameTorque = 1e-9;  // relative rounding error of a power and a speed
   if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameTorque * std::abs(*own))
-    return Error{"rating.torque_Nm", format_number(*rated),
-                 fmt::format("contradicts the {} N m on the input of the drive; leave one of them "
-                             "out",
-                             format_number(*own))};
+    return Error{
+        "rating.torque_Nm", format_number(*rated),
+        fmt::format(
+            "contradicts the torque of {} N m on the input of the drive; leave out one of the two",
+            format_number(*own))};
   load.torque = std::abs(rated.value_or(own.value_or(0.0)));
   if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
   if (spec.rating.input.speed) {
@@ -216,10 +216,11 @@ Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job) {
     const Gear& gear = *job.drive.geometry.gears[placed.gear];
     const std::string& name = job.drive.graph.gears[placed.gear].name;
     if (!gear.tooth || !gear.exists())
-      return Error{"", "",
-                   fmt::format("{} has no outline: {}", name,
-                               gear.tooth ? gear.warnings.back().message
-                                          : std::string("no default cutter generates it"))};
+      return Error{
+          "", "",
+          fmt::format("{} has no outline: {}", name,
+                      gear.tooth ? gear.warnings.back().message
+                                 : std::string("no default cutter can generate the gear"))};
     auto made = body_of(job, placed);
     if (!made) return made.error();
     ToothedBody body = std::move(made).take();

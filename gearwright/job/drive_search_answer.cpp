@@ -39,14 +39,14 @@ std::string advice(const FoundDrives& f) {
   const auto& left_out = f.designs.left_out;
   const auto most = std::max_element(left_out.begin(), left_out.end());
   if (f.result.found.empty() || *most == 0)
-    return "No drive is within all limits. Widen the band of the ratio, the bands of teeth, or "
-           "coaxial_teeth, or use spacing = \"nearest\".";
+    return "No drive satisfies all limits. Widen the band of the ratio, the bands of numbers of "
+           "teeth, or coaxial_teeth, or use spacing = \"nearest\".";
   switch (static_cast<DriveFault>(most - left_out.begin())) {
     case DriveFault::safety:
       return "No drive has the required safeties. Try greater modules, a greater face_width_mm, "
              "more planets or a stronger material.";
     case DriveFault::neighbours:
-      return "The planets of every set are too close. Try fewer planets or a smaller "
+      return "In every set the planets are too close to each other. Try fewer planets or a smaller "
              "neighbour_clearance_min.";
     case DriveFault::no_teeth:
     case DriveFault::verdict: break;
@@ -101,20 +101,21 @@ std::string design_cell(const FoundDrive& d, std::string_view name) {
 
 std::string drives_listing(const FoundDrives& f) {
   const DriveDesigns& designs = f.designs;
-  std::string text = fmt::format("{} sets of numbers of teeth, {} within all limits\n",
-                                 f.result.tested, f.result.found.size());
-  constexpr const char* kWords[] = {"the ratio", "places at which the planets assemble",
+  std::string text =
+      fmt::format("{} sets of numbers of teeth were tested, and {} satisfy all limits\n",
+                  f.result.tested, f.result.found.size());
+  constexpr const char* kWords[] = {"the ratio", "the places at which planets can be assembled",
                                     "the clearance of neighbouring planets", "the class of phasing",
                                     "the greatest size"};
   for (std::size_t i = 0; i < std::size(kWords); ++i)
     if (f.result.rejected[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kWords[i], f.result.rejected[i]);
   if (designs.computed > 0)
-    text += fmt::format("{} computed with their teeth, {} of them without a fault\n",
+    text += fmt::format("{} sets were computed with their teeth, and {} of them can be used\n",
                         designs.computed, designs.list.size());
   constexpr const char* kFaults[] = {"teeth that cannot be made or mounted",
-                                     "planets too close with their profile shifts", "the safeties",
-                                     "the verdict"};
+                                     "planets that are too close with their profile shifts",
+                                     "the safeties", "the verdict"};
   for (std::size_t i = 0; i < std::size(kFaults); ++i)
     if (designs.left_out[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);
@@ -126,11 +127,11 @@ std::string drives_listing(const FoundDrives& f) {
     text += design_row(f, fmt::format("{}{}", front ? "*" : "", i + 1),
                        [&](const char* name) { return design_cell(designs.list[i], name); });
   }
-  if (!designs.pareto.empty()) text += "  *  on the Pareto front of the objectives\n";
+  if (!designs.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
   if (designs.list.size() > kListedDrives)
     text += fmt::format(
-        "  … {} more; --json lists them all, --top N computes more, --take N writes one as a "
-        "spec\n",
+        "  … {} more designs; --json lists all of them, --top N computes more, --take N writes the "
+        "spec of one design\n",
         designs.list.size() - kListedDrives);
   return text;
 }
@@ -176,7 +177,7 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
       to_json(drive_search_quantities().of({&found->problem, &found->result, &found->designs}));
   for (const FoundDrive& d : found->designs.list)
     answer.specs.push_back(drive_spec(spec, problem, d.candidate));
-  answer.why_none = "no drive is within all limits";
+  answer.why_none = "no drive satisfies all limits";
   answer.listing = [found] { return drives_listing(*found); };
   answer.csv = [found] { return drives_csv(*found); };
   return answer;

@@ -16,7 +16,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kMaxContact = 20.0;  // more than any real pair
-constexpr const char* kChosen = "is determined by `fit.few_teeth`; leave it out";
+constexpr const char* kChosen =
+    "cannot be combined with `fit.few_teeth` = true, which determines this value; leave it out";
 
 std::optional<Error> out_of_place(const JobSpec& spec) {
   const auto fail = [](const std::string& field, const std::string& why) {
@@ -37,7 +38,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   for (const GearInput* g : {&pinion, &wheel}) {
     if (g->cylindrical.thickness_allowance != 0.0) {
       return fail(gear_field(g == &pinion ? 1 : 2, "thickness_allowance"),
-                  "`fit.backlash` determines the backlash; leave this out");
+                  "cannot be combined with `fit.few_teeth` = true; give `fit.backlash` instead");
     }
   }
   if (differs(pinion.cylindrical.normal_module, wheel.cylindrical.normal_module))
@@ -45,24 +46,26 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   if (differs(pinion.cylindrical.normal_pressure_angle.deg(),
               wheel.cylindrical.normal_pressure_angle.deg()))
     return fail("gear2.normal_pressure_angle", "must equal the value of gear 1, which cuts gear 2");
-  if (wheel.helix_given) return fail("gear2.helix_angle", "follows from gear 1; leave it out");
+  if (wheel.helix_given) return fail("gear2.helix_angle", "is determined by gear 1; leave it out");
   if (wheel.face_width_given)
-    return fail("gear2.face_width", "equals the value of gear 1; leave it out");
+    return fail("gear2.face_width", "is the face width of gear 1; leave it out");
   if (spec.pair.shorten_tips || spec.pair.mounting == Mounting::extended)
     return fail(spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
-                "`fit.few_teeth` = true computes tips and centre distance; leave this out");
+                "cannot be combined with `fit.few_teeth` = true, which determines tips and centre "
+                "distance; leave it out");
   if (spec.fit.working_normal_pressure_angle)
     return fail("fit.working_normal_pressure_angle", "cannot be combined with `few_teeth` = true");
   if (spec.fit.contact_ratio && *spec.fit.contact_ratio > kMaxContact)
     return fail("fit.contact_ratio", fmt::format("must be at most {}", kMaxContact));
   if (wheel.cylindrical.root_fillet)
-    return fail("gear2.root_fillet", "the pinion cuts the root of the wheel; leave it out");
+    return fail("gear2.root_fillet",
+                "is determined by the pinion, which cuts the root of the wheel; leave it out");
   if (wheel.profile_shift) return fail("gear2.profile_shift", kChosen);
   if (spec.gears[0]->cylindrical.teeth < 0)
     return fail("gear1.teeth", "the internal gear of a pair is gear 2; exchange the two gears");
   if (spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0)
     return fail("pair.shaft_angle",
-                "gears of few teeth are designed for parallel axes; leave it out");
+                "must be 0 or absent, because gears with few teeth are designed for parallel axes");
   return std::nullopt;
 }
 
@@ -147,7 +150,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress) {
   FitAnswer answer;
   if (!found->design) {
     answer.fit.reason = fmt::format(
-        "none of {} pairs of profile shifts is feasible; the best of them is ruled out by {}",
+        "none of {} pairs of profile shifts is feasible, and the best pair is ruled out by {}",
         found->candidates, spelled(found->limit, spec.given, "gear1"));
     return answer;
   }

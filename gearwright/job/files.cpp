@@ -47,7 +47,7 @@ std::string without_modifications(const std::vector<ToothedBody>& bodies) {
   std::string note;
   for (const ToothedBody& body : bodies)
     if (!body.same_as && !body.unmodified.empty())
-      note += fmt::format("; {} without its flank modifications, because {}", body.name,
+      note += fmt::format("; {} is without its flank modifications, because {}", body.name,
                           body.unmodified);
   return note;
 }
@@ -105,8 +105,8 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
   for (const ToothedBody& body : bodies) {
     if (body.pose.linear()(2, 2) == 1.0) continue;
     return Error{"pair.shaft_angle", "",
-                 "gears on crossed axes have no common plane section; draw each of them, --gear 1 "
-                 "and --gear 2"};
+                 "gears on crossed axes have no common plane section; write each gear separately, "
+                 "with --gear 1 and --gear 2"};
   }
   const auto style =
       options.drawing_splines ? ContourOptions::Style::splines : ContourOptions::Style::biarcs;
@@ -137,14 +137,13 @@ std::optional<Error> beyond(const SolvedJob& job) {
   for (const auto& [table, given] : parts) {
     if (!given) continue;
     if (halves)
-      return Error{
-          table, "",
-          "is for single-helical gears, and these are double-helical; without this table, run "
-          "writes their report and files"};
+      return Error{table, "",
+                   "is not supported for double-helical gears; if this table is left out, run "
+                   "writes the report and the files"};
     return Error{table, "",
-                 "needs two gears, and gear 2 is a rack; without this table, run writes the report "
-                 "and the files of the rack and its pinion. A gear 2 with teeth = 1000 in place of "
-                 "the rack differs from it by the order of 1/teeth"};
+                 "needs two gears, but gear 2 is a rack; if this table is left out, run writes the "
+                 "report and the files of the rack and its pinion. A gear 2 with teeth = 1000 can "
+                 "replace the rack, and its results differ by the order of 1/teeth"};
   }
   return std::nullopt;
 }
@@ -157,7 +156,8 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   if (answer) return std::optional<CompensateView>(*answer);
   const FailureKind kind = answer.error().kind;
   const auto none = [&](const std::string& why) {
-    job.warnings.push_back({WarningCode::no_corrections, "No corrections: " + why + ".", 0});
+    job.warnings.push_back(
+        {WarningCode::no_corrections, "Corrections cannot be computed: " + why + ".", 0});
     return std::optional<CompensateView>();
   };
   if (kind == FailureKind::not_in_build) return none(answer.error().rule);
@@ -167,7 +167,8 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   const auto is_said = [](const Warning& w) { return w.code == WarningCode::no_contact; };
   if (std::none_of(job.warnings.begin(), job.warnings.end(), is_said)) {
     const Error why = spelled(answer.error(), job.spec.given);
-    job.warnings.push_back({WarningCode::no_contact, "No corrections: " + why.message() + ".", 0});
+    job.warnings.push_back(
+        {WarningCode::no_contact, "Corrections cannot be computed: " + why.message() + ".", 0});
   }
   return std::optional<CompensateView>();
 }
@@ -247,8 +248,8 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
   const Gear& gear = job.gear(which);
   if (!gear.tooth) {
     return absent_input(name + ".cut_by",
-                        "; a pinion cutter generates the outline of an internal gear; give its "
-                        "number of teeth, or name the mating gear, gear1");
+                        "; a pinion cutter generates the outline of an internal gear; give the "
+                        "number of teeth of the cutter, or \"gear1\" for the mating gear");
   }
   if (!gear.exists() && !gear.involute()) {
     return Error{name + ".rack", "", gear.warnings.back().message};
@@ -408,7 +409,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   const std::string text = json_text(result, 2) + "\n";
   if (options.wants("result")) {
     all.insert(all.begin(),
-               {folder / "result.json", "result", std::nullopt, "every number, as JSON", text});
+               {folder / "result.json", "result", std::nullopt, "all numbers, as JSON", text});
   }
   return RunFiles{std::move(all), text, std::move(report.verdict)};
 }

@@ -57,8 +57,8 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
       const std::string full = gear_field(i + 1, key);
       if (!spec.given.contains(full)) continue;
       return Error{full, "",
-                   "needs a helix angle, which is unknown here; give normal module and normal "
-                   "pressure angle of the rack"};
+                   "needs a helix angle, but the helix angle is unknown; give the normal module "
+                   "and the normal pressure angle of the rack instead"};
     }
   }
   return std::nullopt;
@@ -81,13 +81,13 @@ void mark_refused(FitAnswer& answer) {
 }  // namespace
 
 Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
-  if (!spec.gears[0]) return absent_input("gear1", "; fit needs two gears");
+  if (!spec.gears[0]) return absent_input("gear1", "; the verb fit needs two gears");
   for (const int which : {1, 2}) {
     if (!spec.has(which) || !has_arcs(spec.gear(which))) continue;
     return Error{gear_field(which, "rack"), "",
-                 "the verb fit supports involute gears only; these teeth are circular arcs"};
+                 "the verb fit supports involute gears only, and these teeth are circular arcs"};
   }
-  if (!spec.gears[1]) return absent_input("gear2", "; fit needs two gears");
+  if (!spec.gears[1]) return absent_input("gear2", "; the verb fit needs two gears");
   if (spec.fit.few_teeth) {
     auto made = answer_few_teeth(spec, progress);
     if (!made) return made.error();
@@ -98,8 +98,8 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
   for (const int i : {0, 1}) {
     if (!spec.gears[i]->cut_by) continue;
     return Error{gear_field(i + 1, "cut_by"), "",
-                 "fit computes gears cut by racks or, with `fit.few_teeth` = true, by their "
-                 "pinion, and chooses the cutter; leave this out"};
+                 "must be left out, because the verb fit chooses the cutter, which is a rack or, "
+                 "with `fit.few_teeth` = true, the pinion"};
   }
   if (auto error = unknown_module(spec)) return *error;
   const CylindricalSpec& c1 = spec.gears[0]->cylindrical;
@@ -127,8 +127,8 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
   } else if (!same(c1.normal_module, c2.normal_module) ||
              !same(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad())) {
     return refused("gear2.normal_module", c2.normal_module, {c1.normal_module},
-                   fmt::format("to find helix angles or profile shifts, both gears need the same "
-                               "module ({{}} mm) and pressure angle ({}°)",
+                   fmt::format("both gears need the same module ({{}} mm) and pressure angle ({}°) "
+                               "if helix angles or profile shifts are to be computed",
                                format_number(c1.normal_pressure_angle.deg())));
   }
   if (p.teeth[0] < 0) {
@@ -189,11 +189,11 @@ std::string fit_listing(const FitAnswer& answer) {
         ++number, b.helix[0].deg(), b.helix[1].deg(), b.shift[0], b.shift[1], b.center_distance,
         b.shaft_angle.deg(), b.working_normal_pressure_angle.deg());
     if (const auto& error = answer.refused[static_cast<std::size_t>(number - 1)])
-      text += fmt::format("          rejected by pair: {}\n", error->message());
+      text += fmt::format("          rejected by the verb pair: {}\n", error->message());
   }
   if (answer.transverse_contact_ratio)
     text += fmt::format("\n  transverse contact ratio {:.4f}\n", *answer.transverse_contact_ratio);
-  return text + "\nTo write the spec of a branch: --take NUMBER > pair.toml\n";
+  return text + "\nThe option --take NUMBER > pair.toml writes the spec of a branch.\n";
 }
 
 }  // namespace gearwright

@@ -76,10 +76,10 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
   const int which = spec.measured[0] || !spec.measured[1] ? 1 : 2;
   const auto& problem = spec.measured[static_cast<std::size_t>(which - 1)];
   if (!problem)
-    return absent_input("gear1.measured",
-                        "; identify needs readings of an unknown gear: its number of teeth in "
-                        "[gear1], and spans, dimensions over balls and diameters in "
-                        "[gear1.measured]");
+    return absent_input(
+        "gear1.measured",
+        "; the verb identify needs the number of teeth of the unknown gear in [gear1], and "
+        "readings such as spans, dimensions over balls and diameters in [gear1.measured]");
   auto found = identify(*problem);
   if (!found) return of_gear(which, found.error());
   IdentifyAnswer answer{which, std::move(found).take(), {}, {}};
@@ -103,8 +103,8 @@ std::string identify_listing(const IdentifyAnswer& answer) {
   if (const auto& c = found.contradiction) {
     const std::string unit = unit_of(c->reading);
     text += fmt::format(
-        "\nThe {} disagrees with the other readings: it is {}{} instead of {}{}. The gears below "
-        "agree with all other readings.\n",
+        "\nThe {} contradicts the other readings, because it is {}{} instead of {}{}. The gears "
+        "below agree with all other readings.\n",
         tool_text(c->reading, c->tool), format_number(c->value), unit,
         format_number(c->expected, c->value), unit);
   }
@@ -123,11 +123,12 @@ std::string identify_listing(const IdentifyAnswer& answer) {
     text += (i == 1 ? "\n" : "") + answer.notes.front()[i] + "\n";
   if (const auto& n = found.next) {
     const std::string unit = unit_of(n->reading);
-    text += fmt::format("\nTo decide between 1 and {}, measure the {}: {:.3f}{} or {:.3f}{}.\n",
-                        n->rival + 1, tool_text(n->reading, n->tool), n->expect[0], unit,
-                        n->expect[1], unit);
+    text += fmt::format(
+        "\nTo decide between the candidates 1 and {}, measure the {}, which is {:.3f}{} or "
+        "{:.3f}{}.\n",
+        n->rival + 1, tool_text(n->reading, n->tool), n->expect[0], unit, n->expect[1], unit);
   }
-  return text + "\nTo write the spec of a candidate: --take NUMBER > gear.toml\n";
+  return text + "\nThe option --take NUMBER > gear.toml writes the spec of a candidate.\n";
 }
 
 }  // namespace gearwright

@@ -80,7 +80,7 @@ std::string verdict_listing(std::string_view level, std::string_view headline) {
 std::string verdict_listing(const Verdict& verdict) {
   std::string text = verdict.headline;
   if (!verdict.not_judged.empty())
-    text += fmt::format(" Not judged: {}.", fmt::join(verdict.not_judged, ", "));
+    text += fmt::format(" Parts that are not judged: {}.", fmt::join(verdict.not_judged, ", "));
   return verdict_listing(to_string(verdict.level), text);
 }
 

@@ -98,7 +98,7 @@ std::string interval_listing(const SolvedJob& job, std::size_t gear, const Quant
   const auto allowance = [&](const Arranged& end) {
     return fixed_decimals(end.gears[gear].spec.thickness_allowance, 4);
   };
-  return fmt::format("\nBetween the thickness allowances {} and {} mm of {}\n",
+  return fmt::format("\nValues at the thickness allowances {} and {} mm of {}\n",
                      allowance(job.ends->lower), allowance(job.ends->upper), subject) +
          quantity_listing(table, differing(lower, upper), {subject + " lower", subject + " upper"});
 }
@@ -146,9 +146,9 @@ std::string pair_interval_listing(const SolvedJob& job) {
   // Each end has a listing of its own, because the values of two gears already need two columns.
   const auto both = differing(pair_quantities().of(*job.ends->lower.pair),
                               pair_quantities().of(*job.ends->upper.pair));
-  return "\nWith the thinnest teeth and the most backlash\n" +
+  return "\nValues with the thinnest teeth and the most backlash\n" +
          quantity_listing(pair_quantities().table(), {both[0]}, {}) +
-         "\nWith the thickest teeth and the least backlash\n" +
+         "\nValues with the thickest teeth and the least backlash\n" +
          quantity_listing(pair_quantities().table(), {both[1]}, {});
 }
 

@@ -184,7 +184,7 @@ load = { torque_Nm = 50, slices = 128 }
     const auto task = load_task(job);
     ASSERT_FALSE(task);
     EXPECT_EQ(task.error().field, "load.slices");
-    EXPECT_NE(task.error().rule.find("is sufficient"), std::string::npos);
+    EXPECT_NE(task.error().rule.find("slices are sufficient"), std::string::npos);
   }
   SolvedJob points = loaded_job(crossed_draft(
       "teeth = 24, normal_module_mm = 2.5, helix_angle_deg = 35.06, face_width_mm = 12",

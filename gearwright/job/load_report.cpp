@@ -56,7 +56,8 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
     if (std::any_of(job.warnings.begin(), job.warnings.end(), is_said))
       return std::optional<LoadPart>();
     const Error why = spelled(made.error(), job.spec.given);
-    job.warnings.push_back({code, "No analysis under load: " + why.message() + ".", 0});
+    job.warnings.push_back(
+        {code, "The analysis under load cannot be computed: " + why.message() + ".", 0});
     return std::optional<LoadPart>();
   }
   LoadPart part{std::move(made).take(), std::nullopt};

@@ -61,8 +61,9 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
   for (std::size_t i = 0; i < answer.probes.size(); ++i) {
     const LoadProbeInput& input = job.spec.load.probes[i];
     const ProbeAnswer& p = answer.probes[i];
-    out += fmt::format("  Probe {}: gear {}, diameter {} mm: {:.6g} µm per {}\n", i + 1, input.gear,
-                       format_number(input.diameter), p.own * kUmPerMm, input.z ? "N" : "N/mm");
+    out +=
+        fmt::format("  Probe {} on gear {}, diameter {} mm: {:.6g} µm per {}\n", i + 1, input.gear,
+                    format_number(input.diameter), p.own * kUmPerMm, input.z ? "N" : "N/mm");
     for (std::size_t k = 0; k < p.profile.size(); ++k)
       out += fmt::format("    z = {:>9} mm{:>16.6g} µm per N\n", format_number(input.read_z[k]),
                          p.profile[k] * kUmPerMm);

@@ -96,10 +96,10 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
     if (expanded.contains(name) && !(halves && name == "scatter")) spec[name] = expanded[name];
   if (spec.contains("load") && drive.flow->driver[mesh] == 1) spec["contact"]["driver"] = 2;
 
-  std::vector<std::string> notes{fmt::format(
-      "Mesh {} of the drive as a pair. Numbers have all their digits, so that the results of the "
-      "pair and of the drive agree to the last bit.",
-      printable(m.name))};
+  std::vector<std::string> notes{
+      fmt::format("This pair is the mesh {} of the drive. Numbers have all their digits, so that "
+                  "the results of the pair and of the drive agree to the last bit.",
+                  printable(m.name))};
   if (job.verdict.level == Level::red) notes.push_back(job.verdict.headline);
   if (locks) {
     for (const Warning& w : drive.findings)
@@ -121,7 +121,8 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
             "[rating] are those of the gear with the more severe use.",
             rated.use[0].engagements, rated.use[1].engagements));
       if (expanded["rating"].contains("spectrum"))
-        notes.push_back("The spectrum of [rating] is left out, because it is that of the drive.");
+        notes.push_back(
+            "The spectrum of [rating] is left out, because it applies to the whole drive.");
     } else {
       const char* why = rack      ? "a rack is not rated"
                         : carries ? "the drive has no load"

@@ -44,7 +44,9 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
     const int which = static_cast<int>(i) + 1;
     const Gear& gear = job.gears[i];
     const auto ranges = evaluation_ranges(gear);
-    if (!ranges) return Error{gear_field(which), "", "has no usable involute flank for points"};
+    if (!ranges)
+      return Error{gear_field(which), "",
+                   "has no usable involute flank on which points could be computed"};
     for (const FlankSide side : {FlankSide::right, FlankSide::left}) {
       const bool right = side == FlankSide::right;
       const char* const flank = right ? "right" : "left";
@@ -54,7 +56,8 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
       append(text, which, flank, nominal_points(gear, *field, side, *ranges, grid));
       if (!fillet) continue;
       const auto points = fillet_points(gear, side, *ranges, {*fillet, grid.helix});
-      if (points.empty()) return Error{gear_field(which), "", "has no root fillet for points"};
+      if (points.empty())
+        return Error{gear_field(which), "", "has no root fillet on which points could be computed"};
       append(text, which, std::string(flank) + "_fillet", points);
     }
   }

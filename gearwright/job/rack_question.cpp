@@ -50,7 +50,8 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text) {
 
 Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question) {
   if (!gear.involute())
-    return Error{"--as-rack", "", "only involute teeth have racks of other angles"};
+    return Error{"--as-rack", "",
+                 "only involute teeth can be described by a rack of another angle"};
   const BaseGear<double> base = base_gear(gear.spec.teeth, gear.reference());
   const double m_cos = normal_base_pitch(base) / std::numbers::pi;
   const auto bad = [](const std::string& value, const std::string& why) {
@@ -61,34 +62,33 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
     const double m = *question.normal_module;
     if (!(m > m_cos)) {
       return bad(format_number(m, m_cos) + ",",
-                 fmt::format("no rack of this module fits the gear; m_n cos α_n is {} mm, and the "
-                             "module must be greater",
+                 fmt::format("no rack of this module describes the gear; the module must be "
+                             "greater than m_n cos α_n = {} mm",
                              format_number(m_cos, m)));
     }
     const double of_module = std::acos(m_cos / m);
     const double m_max = m_cos / std::cos(kMaxRackAngle * kRadPerDeg);
     if (m > m_max) {
       return bad(format_number(m, m_max) + ",",
-                 fmt::format("at this base pitch the angle would be {}°; at most {}° is allowed, "
-                             "with a module of {} mm",
+                 fmt::format("at this base pitch the pressure angle would be {}°; at most {}° is "
+                             "allowed, which requires a module of at most {} mm",
                              format_number(deg(of_module), kMaxRackAngle), kMaxRackAngle,
                              format_number(m_max, m)));
     }
     if (!question.normal_pressure_angle) {
       alpha = of_module;
     } else if (std::abs(m * std::cos(alpha) - m_cos) > kSameRack * m_cos) {
-      return bad(
-          fmt::format("{:.9g},{:.9g}", m, deg(alpha)),
-          fmt::format("this rack has another base pitch; at {:.9g}° the module is {:.9g} mm, and "
-                      "at {:.9g} mm the angle is {:.9g}°",
-                      deg(alpha), m_cos / std::cos(alpha), m, deg(of_module)));
+      return bad(fmt::format("{:.9g},{:.9g}", m, deg(alpha)),
+                 fmt::format("this rack has another base pitch; at {:.9g}° the module must be "
+                             "{:.9g} mm, or at {:.9g} mm the angle must be {:.9g}°",
+                             deg(alpha), m_cos / std::cos(alpha), m, deg(of_module)));
     }
   }
   if (!has_rack(base, alpha)) {
     const double limit = 90 - std::abs(deg(base.helix_angle));
     return bad("," + format_number(deg(alpha), limit),
-               fmt::format("no rack of this angle fits the gear; it must be less than {}°, 90° "
-                           "minus the base helix angle",
+               fmt::format("no rack of this angle describes the gear; the angle must be less than "
+                           "{}°, which is 90° minus the base helix angle",
                            format_number(limit, deg(alpha))));
   }
   return as_rack(base, alpha);

@@ -177,10 +177,10 @@ Json result_schema() {
   properties["pair"] = {{"anyOf", Json{schema.reference(pair_quantities().table()),
                                        schema.reference(rack_pair_quantities().table())}}};
   // Results within tolerances also have an interval, which has the same keys with two numbers each.
-  const Json interval{
-      {"type", "object"},
-      {"description",
-       "numbers that differ within the tolerances, at the lower and at the upper end"}};
+  const Json interval{{"type", "object"},
+                      {"description",
+                       "numbers that depend on the tolerances, each at the lower and at the upper "
+                       "end of the tolerances"}};
   for (const QuantityTable* table :
        {&gear_quantities().table(), &measure_quantities().table(), &pair_quantities().table()})
     schema.definitions()[definition_name(*table)]["properties"]["interval"] = interval;

@@ -131,10 +131,9 @@ class Writer {
 // The reason why REXS cannot describe this gear, or nothing if it can.
 std::optional<Error> not_in_rexs(const Gear& gear, const std::string& name) {
   if (!gear.involute() || gear.spec.root_fillet || gear.spec.tip_fillet)
-    return Error{
-        name, "",
-        "has circular-arc teeth or circular fillets, and REXS describes involute gears cut "
-        "by racks or pinion cutters"};
+    return Error{name, "",
+                 "has circular-arc teeth or circular fillets, but REXS describes only involute "
+                 "gears cut by racks or pinion cutters"};
   return std::nullopt;
 }
 
@@ -145,10 +144,11 @@ Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& pat
     return Error{"gear2", "", "is needed for a REXS file, which describes stages of two gears"};
   if (job.pair->crossed())
     return Error{"pair.shaft_angle", "",
-                 "crosses the axes; a cylindrical stage of REXS has parallel axes"};
+                 "makes the axes cross, but a cylindrical stage of REXS has parallel axes"};
   if (job.halves[0])
-    return Error{"gear1.double_helical", "",
-                 "is not described by the cylindrical stage of REXS, whose gears have one helix"};
+    return Error{
+        "gear1.double_helical", "",
+        "cannot be described by a cylindrical stage of REXS, whose gears have a single helix"};
   Writer writer(job.spec.title);
   std::array<std::string, 2> gears, shafts;
   for (const int which : {1, 2}) {
@@ -172,10 +172,9 @@ Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {
     const std::string& name = graph.gears[g].name;
     if (graph.gears[g].rack)
-      return Error{name, "", "is a rack, and a REXS file describes stages of two gears"};
+      return Error{name, "", "is a rack, but a REXS file describes stages of two gears"};
     if (!geometry.gears[g])
-      return Error{name, "",
-                   "has no teeth yet; a REXS file needs `normal_module_mm` of every gear"};
+      return Error{name, "", "has no module; a REXS file needs `normal_module_mm` of every gear"};
     if (auto error = not_in_rexs(*geometry.gears[g], name)) return *error;
   }
   Writer writer(job.spec.title);

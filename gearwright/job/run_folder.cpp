@@ -17,8 +17,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kHeading =
-    "Files written by the last gearwright run: checksum, bytes, name. The next run removes "
-    "those\nthat it does not write again and that were not changed.\n";
+    "Files written by the last gearwright run, with checksum, number of bytes and name. The next "
+    "run\nremoves each file of this list that it does not write again, unless the file was "
+    "changed.\n";
 
 struct Listed {
   unsigned long checksum = 0;

@@ -168,7 +168,7 @@ std::optional<Error> add_gear(const SolvedJob& job, int which, const ScatterGear
     if (!m.placed(flanks[0]) || !m.placed(flanks[1])) {
       return Error{"scatter." + name, "",
                    fmt::format("needs {}modifications.{}{}, which determines the position of the "
-                               "relief; its amount may be 0",
+                               "relief; the amount of the relief may be 0",
                                table, m.name, m.reach)};
     }
     all.push_back({name, kMmPerUm, distribution_of(*gear.modifications[i]),
@@ -217,10 +217,10 @@ Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
       if (at == names.end())
         return Error{
             field, name,
-            fmt::format("is not an input of this spec; its inputs are {}", fmt::join(names, ", "))};
+            fmt::format("is not an input of this spec; the inputs are {}", fmt::join(names, ", "))};
       const auto index = static_cast<std::size_t>(at - names.begin());
       if (taken[index])
-        return Error{field, name, "can be in one group only; leave it out of the other groups"};
+        return Error{field, name, "can be in one group only; remove it from the other groups"};
       taken[index] = true;
       group.tolerances.push_back(index);
     }
@@ -246,8 +246,8 @@ ProfileTarget profile_target(const Pair& pair) {
 Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& input) {
   if (!can_minimise()) {
     return Error{"scatter.robust", "",
-                 "this build has no minimiser (NLopt) and cannot search corrections; use the "
-                 "installed program",
+                 "corrections cannot be computed by this build, which has no minimiser (NLopt); "
+                 "use the installed program",
                  FailureKind::not_in_build};
   }
   auto corrections = corrections_of(setup, input.corrections, "scatter.robust.corrections");
@@ -268,8 +268,8 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   const int driver = job.spec.load.driver;
   if (driver != job.spec.contact.driver)
     return Error{"load.driver", std::to_string(driver),
-                 fmt::format("must be that of [contact] for a scatter under load, which is {}; "
-                             "write driver = {} in [contact] to have gear {} drive in both",
+                 fmt::format("must equal the driver of [contact], which is {}, for a scatter under "
+                             "load; give driver = {} in [contact] if gear {} drives",
                              job.spec.contact.driver, driver, driver)};
   auto made = load_task(job);
   if (!made) return made.error();

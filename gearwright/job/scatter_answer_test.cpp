@@ -45,7 +45,7 @@ TEST(ScatterAnswer, RefusesRangesThatAreNone) {
   const auto error = [](const std::string& value) {
     return R"({"errors": {"crossing_deg": )" + value + "}}";
   };
-  expect_refused(error("[0.02, -0.02]"), crossing, "the least value, then the greatest");
+  expect_refused(error("[0.02, -0.02]"), crossing, "the least value before the greatest");
   expect_refused(error("0.02"), crossing, "[-0.02, 0.02]");
   expect_refused(error("[0.02]"), crossing, "[least, greatest]");
   expect_refused(error("[-20, 20]"), crossing, "10");
@@ -135,7 +135,7 @@ TEST(ScatterAnswer, NamesWhatItDoesNotCompute) {
   for (const char* key : {"correlations"}) {
     expect_refused(
         std::string("{\"") + key + R"(": true, "errors": {"crossing_deg": [-0.02, 0.02]}})",
-        std::string("scatter.") + key, "are not");
+        std::string("scatter.") + key, "is not supported");
   }
 }
 
@@ -247,7 +247,7 @@ TEST(ScatterAnswer, AGradeGivesWhatIsNotGiven) {
   by_gear["gear2"]["tolerance"]["quality"] = 12;
   expect_spec_refused(by_gear, "gear2.tolerance.quality", "1 to 11");
   expect_refused(R"({"quality": 6, "gear1": {"helix_waves": [4, 1]}})", "scatter.gear1.helix_waves",
-                 "lower one first");
+                 "in rising order");
 }
 
 TEST(ScatterAnswer, TablesHaveARowForEachSample) {

@@ -179,8 +179,8 @@ std::string loaded_listing(const ScatterAnswer& a) {
     out += spread_head(a.task);
     for (const LoadedEntry& entry : loaded_entries())
       if (const auto& spread = loaded.*entry.spread) out += spread_rows(entry, *spread);
-    out += share_row("an edge carries", loaded.edge_carries);
-    if (loaded.unsolved.count > 0) out += share_row("without a solution", loaded.unsolved);
+    out += share_row("an edge carries load", loaded.edge_carries);
+    if (loaded.unsolved.count > 0) out += share_row("samples without a solution", loaded.unsolved);
   }
   return out;
 }
@@ -199,12 +199,12 @@ std::string index_listing(const ScatterAnswer& a) {
     out += head(fmt::format("Share of the variance: {}", entry.words));
     if (!indices) {
       out +=
-          "  no indices, because the quantity varies only by rounding or contact is lost in some "
-          "samples\n";
+          "  There are no indices, because the quantity varies only by rounding or contact is lost "
+          "in some samples.\n";
       continue;
     }
-    out += fmt::format("  {:<44}{:>12}{:>12}{:>12}{:>12}\n", "", "alone", "± s.e.", "in all",
-                       "± s.e.");
+    out +=
+        fmt::format("  {:<44}{:>12}{:>12}{:>12}{:>12}\n", "", "alone", "± s.e.", "total", "± s.e.");
     const auto text = [](const std::optional<double>& x) {
       return x ? fmt::format("{:>12.4f}", *x) : fmt::format("{:>12}", "–");
     };
@@ -219,13 +219,14 @@ std::string index_listing(const ScatterAnswer& a) {
 }
 
 std::string worst_listing(const ScatterView& view) {
-  std::string out = head("Worst within all ranges, found by search");
+  std::string out = head("Worst values within all ranges, found by a search");
   for (const auto& worst : {view.worst_peak_to_peak, view.worst_least_play}) {
     if (!worst) continue;
     const ScatterEntry& entry = *worst->entry;
     out += fmt::format("  {:<38}{:>12} {}{}\n", entry.words,
                        fixed_decimals(entry.shown(worst->worst->value), entry.digits),
-                       unit_text(entry.unit), worst->worst->corner ? ", at a corner" : "");
+                       unit_text(entry.unit),
+                       worst->worst->corner ? ", at a corner of the ranges" : "");
     for (const auto& [name, value] : worst->at) {
       const ValueList* list = value.list();
       const auto number = [](const Value& v) { return format_number(v.number().value_or(0.0)); };
@@ -245,10 +246,10 @@ std::string loosening_listing(const ScatterAnswer& a) {
   };
   const std::string percent = format_number(l.percent);
   std::string out =
-      head(fmt::format("How far each tolerance may grow until the {} % point of the peak to peak, "
-                       "{} ″, grows by {:g} %",
+      head(fmt::format("Factor by which each tolerance may grow until the {} % point of the "
+                       "peak-to-peak transmission error, {} ″, grows by {:g} %",
                        percent, arcsec(l.percentile), 100 * kLooser));
-  out += fmt::format("  {:<44}{:>12}{:>22}\n", "", "factor", "if it is halved  ″");
+  out += fmt::format("  {:<44}{:>12}{:>22}\n", "", "factor", "point if halved  ″");
   for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {
     const Loosening::Change& c = l.by_tolerance[i];
     out += fmt::format(
@@ -258,7 +259,7 @@ std::string loosening_listing(const ScatterAnswer& a) {
   }
   if (l.tighten_first) {
     const std::size_t i = *l.tighten_first;
-    out += fmt::format("  Tighten {} first: half of this tolerance gives {} ″.\n",
+    out += fmt::format("  Tighten {} first, because half of this tolerance gives {} ″.\n",
                        a.task.tolerances[i].name, arcsec(l.by_tolerance[i].halved));
   } else {
     out += "  No tolerance lowers the percentile if it is halved.\n";
@@ -292,11 +293,13 @@ std::string robust_load_listing(const RobustView& r) {
 std::string robust_listing(const RobustView& r) {
   std::string out = head(fmt::format(
       "Corrections for the {} % point of the {}", format_number(r.percent),
-      r.under_load ? "loaded peak to peak under the worst of the torques" : "peak to peak"));
+      r.under_load ? "loaded transmission error, peak to peak, under the worst of the torques"
+                   : "transmission error, peak to peak"));
   for (const FoundCorrection& c : r.corrections)
     out += fmt::format("  {:<44}{:>11} {}{}\n", c.words, fixed_decimals(c.value, 4), c.shown_unit,
-                       c.at_bound ? "  (the bound)" : "");
-  for (const auto& [words, j] : {std::pair{"without them", &r.before}, {"with them", &r.after}}) {
+                       c.at_bound ? "  (at the end of the range)" : "");
+  for (const auto& [words, j] :
+       {std::pair{"without corrections", &r.before}, {"with corrections", &r.after}}) {
     const Estimate& e = j->family->percentile().estimate;
     const auto shown = [](double rad) {
       return fixed_decimals(scatter_entries()[0].shown(rad), scatter_entries()[0].digits);

@@ -54,10 +54,11 @@ Json rack_of(const Json& tree, int rack, int which) {
 
 // A sentence about the safest design: "The safest of them has S_H = 0.93 and S_F = 1.21: module 2, 20:60".
 std::string safest_line(const DesignRow& row) {
-  return fmt::format("The safest of them has S_H = {:.3f} and S_F = {:.3f}: module {:g}, {}:{}",
-                     std::min(*row.flank_safety[0], *row.flank_safety[1]),
-                     std::min(*row.root_safety[0], *row.root_safety[1]), row.trial.module,
-                     row.trial.z1, row.trial.z2);
+  return fmt::format(
+      "The safest rejected design (module {2:g}, {3}:{4}) has S_H = {0:.3f} and S_F = {1:.3f}",
+      std::min(*row.flank_safety[0], *row.flank_safety[1]),
+      std::min(*row.root_safety[0], *row.root_safety[1]), row.trial.module, row.trial.z1,
+      row.trial.z2);
 }
 
 // Sentences that the page shows beside the counts.
@@ -107,9 +108,10 @@ std::string face_words(const SearchProblem& p) {
   const auto add = [&](const std::optional<std::array<double, 2>>& band, const char* unit) {
     if (!band) return;
     if (!words.empty()) words += " and ";
-    words += (*band)[0] == (*band)[1] ? fmt::format("{:g}{}", (*band)[0], unit)
-                                      : fmt::format("the least that holds of {:g} … {:g}{}",
-                                                    (*band)[0], (*band)[1], unit);
+    words += (*band)[0] == (*band)[1]
+                 ? fmt::format("{:g}{}", (*band)[0], unit)
+                 : fmt::format("the least sufficient width from {:g} to {:g}{}", (*band)[0],
+                               (*band)[1], unit);
   };
   add(p.face_width, " mm");
   add(p.face_modules, " modules");
@@ -156,24 +158,24 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   };
   if (a.cut) {
     warn(WarningCode::designs_cut,
-         fmt::format("The best {1} of {0} feasible designs are listed; search.parquet in --out DIR "
-                     "contains all.",
+         fmt::format("The best {1} of {0} feasible designs are listed. The file search.parquet in "
+                     "--out DIR contains all designs.",
                      a.counts.feasible, a.designs.size()));
   }
   if (run.pair_not_read) {
     warn(WarningCode::not_read,
-         "[pair] has no effect on a search, which uses center_distance_mm and mounting of "
-         "[search].");
+         "The table [pair] has no effect on a search, which uses center_distance_mm and mounting "
+         "of [search].");
   }
   if (run.rating_not_read) {
     warn(WarningCode::not_read,
-         "[rating] has no effect on this search; safety_flank_min, safety_root_min or objective = "
-         "\"safety\" in [search] would use it.");
+         "The table [rating] has no effect on this search. It is used only with safety_flank_min, "
+         "safety_root_min or objective = \"safety\" in [search].");
   }
   if (!edges) {
     warn(WarningCode::edges_left_out,
-         fmt::format("With more than {} designs the borders of the regions are omitted; use --top "
-                     "N for fewer designs.",
+         fmt::format("The borders of the regions are omitted, because there are more than {} "
+                     "designs. Use --top N for fewer designs.",
                      kMaxBoundaries));
   }
   if (!run.changes_left_out.empty())
@@ -192,16 +194,16 @@ Json unfinished_json(const SearchRun& run) {
 
 std::vector<std::string> rejected_lines(const SearchCounts& counts) {
   constexpr const char* kWords[kLimits] = {
-      "limits of profile shift (undercut, tip, floor, ceiling)",
+      "limits of the profile shifts (undercut, tip, given limits)",
       "centre distance",
       "contact ratio",
       "overlap ratio",
       "specific sliding",
       "tip clearance",
       "interference",
-      "safety against pitting, at the shifts of the design",
-      "safety against root breakage, at the shifts of the design",
-      "the verdict over the drawing, at all ends of its tolerances"};
+      "safety against pitting at the profile shifts of the design",
+      "safety against root breakage at the profile shifts of the design",
+      "verdict on the drawn pair at all ends of its tolerances"};
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < counts.rejected.size(); ++i)
     if (counts.rejected[i] > 0)
@@ -212,9 +214,10 @@ std::vector<std::string> rejected_lines(const SearchCounts& counts) {
 std::string margin_line(const SearchLimits& limits) {
   std::string text =
       limits.avoid_interference
-          ? fmt::format("every design runs without interference, form clearance ≥ {:g} modules",
-                        limits.form_clearance)
-          : "designs with interference are listed too";
+          ? fmt::format(
+                "every design runs without interference and has a form clearance ≥ {:g} modules",
+                limits.form_clearance)
+          : "the list includes designs with interference";
   if (limits.tip_clearance)
     text += fmt::format(", tip clearance ≥ {:g} modules", *limits.tip_clearance);
   return text;
@@ -260,15 +263,16 @@ std::vector<std::string> change_lines(const SearchRun& run) {
 std::string search_listing(const Search& search, const SearchRun& run, std::size_t most) {
   const SearchAnswer& a = run.answer;
   const SearchProblem& p = search.problem();
-  std::string text = fmt::format("{} candidates (module, z1, z2{}), {} feasible\n", a.counts.tested,
-                                 p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
+  std::string text =
+      fmt::format("{} candidates (module, z1, z2{}) were tested, and {} are feasible\n",
+                  a.counts.tested, p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
   for (const std::string& line : rejected_lines(a.counts)) text += "  ruled out by " + line + "\n";
   text += margin_line(p.limits) + "\n";
   if (p.rating) text += rating_line(p) + "\n";
   if (p.rating_unused) text += std::string(kRatingUnused) + "\n";
   if (p.draw) text += drawing_line(p) + "\n";
   if (p.shift_step) {
-    text += fmt::format("{} of {} points of the grid of shifts are feasible (step {})\n",
+    text += fmt::format("{} of {} points of the grid of profile shifts are feasible (step {})\n",
                         a.counts.points_feasible, a.counts.points_tested, *p.shift_step);
   }
   if (a.counts.feasible == 0) {
@@ -280,7 +284,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
     } else {
       text += run.changes_left_out.empty()
                   ? "\nNo design is feasible, and no change of a single number would help.\n"
-                  : "\nNothing is feasible; " + run.changes_left_out + ".\n";
+                  : "\nNo design is feasible; " + run.changes_left_out + ".\n";
     }
     return text;
   }
@@ -307,7 +311,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
   }
   if (a.counts.feasible > static_cast<std::int64_t>(most)) {
     text += fmt::format(
-        "  … {} more; --out DIR writes all of them, and --take N writes one as the "
+        "  … {} more designs; --out DIR writes all of them, and --take N writes one design as the "
         "spec of a pair\n",
         a.counts.feasible - static_cast<std::int64_t>(most));
   }

@@ -45,7 +45,7 @@ std::optional<Error> refuse_other_search(const std::filesystem::path& folder, co
   if (!was) return std::nullopt;
   const auto old = read_spec(*was, SpecFormat::json);
   constexpr std::int64_t kAnyChunk = 0;  // the result does not depend on the size of chunks
-  std::string changed = "its spec belongs to another version";
+  std::string changed = "the spec of that search belongs to another version";
   if (old) {
     const std::string before = search_fingerprint(*old, kAnyChunk);
     const std::string now = search_fingerprint(spec, kAnyChunk);
@@ -54,8 +54,8 @@ std::optional<Error> refuse_other_search(const std::filesystem::path& folder, co
   }
   return Error{
       "--out", folder.string(),
-      fmt::format("the folder contains the finished search of another spec ({}), whose files would "
-                  "be replaced; use another folder, or remove {} first",
+      fmt::format("the folder contains a finished search with another spec ({}), and the files of "
+                  "that search would be replaced; use another folder, or remove {} first",
                   changed, kDesignsFile)};
 }
 

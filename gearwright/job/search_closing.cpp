@@ -27,7 +27,8 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
   if (run.answer.counts.feasible > 0) return true;
   if (*search.space().size() > kMaxForChange) {
     run.changes_left_out = fmt::format(
-        "with more than {} candidates the nearest change is not searched", kMaxForChange);
+        "the smallest change that would help is not searched if there are more than {} candidates",
+        kMaxForChange);
     return true;
   }
   SearchProgress progress{.stage = SearchProgress::Stage::changes};
@@ -47,8 +48,8 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
   if (found.safest) run.safest = search.whole(*found.safest);
   if (!found.bounded.empty()) {
     run.changes_left_out = fmt::format(
-        "the search for the smallest change of {} ended after {} trials each; a smaller change may "
-        "exist",
+        "the search for the smallest change of {} ended after {} trials for each key, so a smaller "
+        "change may exist",
         spelled_list(found.bounded), most);
   }
   return !run.stopped;

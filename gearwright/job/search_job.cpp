@@ -121,10 +121,10 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
   if (chunks > kMaxChunks) {
     return Error{
         "search", fmt::format("{:.3g}", static_cast<double>(trials)),
-        fmt::format("the search has {:.3g} chunks of candidates, and at most {} are possible; "
-                    "divide the list of modules or the band of `pinion_teeth` among several "
-                    "searches{}",
-                    chunks, kMaxChunks, options.chunk ? ", or use a larger --chunk" : "")};
+        fmt::format(
+            "the search has {:.3g} chunks of candidates, but at most {} are allowed; divide the "
+            "list of modules or the band of `pinion_teeth` among several searches{}",
+            chunks, kMaxChunks, options.chunk ? ", or use a larger --chunk" : "")};
   }
   if (trials == 0) return no_tooth_numbers();
   const std::int64_t chunk = options.chunk.value_or(chunk_size(search.problem(), trials));

@@ -18,7 +18,7 @@ Error no_search() {
 
 Error no_tooth_numbers() {
   return {"search.ratio", "",
-          "no tooth numbers within `pinion_teeth` have this ratio; widen one of the two bands"};
+          "no numbers of teeth within `pinion_teeth` give this ratio; widen one of the two bands"};
 }
 
 RegionDetail detail_of(const SearchProblem& problem, bool files) {
@@ -75,10 +75,11 @@ std::optional<Error> refuse_many_points(const Search& search, const SearchOption
   constexpr double kPointBytes = 66;  // measured: 16 in the table, 50 in the chunks
   constexpr std::size_t kSample = 1000;
   if (search.space().approximate_size() > kMaxTrials) {
-    return Error{"search.shift_step", fmt::format("{}", step),
-                 fmt::format("with more than {:g} candidates its points cannot be counted "
-                             "beforehand; leave it out, narrow the search, or add --yes-large",
-                             kMaxTrials)};
+    return Error{
+        "search.shift_step", fmt::format("{}", step),
+        fmt::format("the points of the grid cannot be counted beforehand for more than {:g} "
+                    "candidates; leave out this key, narrow the search, or add --yes-large",
+                    kMaxTrials)};
   }
   const auto stopped = [&] { return options.stop && *options.stop; };
   std::vector<std::int64_t> trials;
@@ -106,10 +107,11 @@ std::optional<Error> refuse_many_points(const Search& search, const SearchOption
   const double enough = std::sqrt(area / kManyPoints);
   return Error{
       "search.shift_step", fmt::format("{}", step),
-      fmt::format("the regions of {}{:.0f} designs contain about {:.2g} points of that grid, or "
-                  "{:.0f} GB; use a step of {:.2g} or more, narrow the search, or add --yes-large",
-                  asked < trials.size() ? "about " : "", static_cast<double>(designs) * share,
-                  points, points * kPointBytes * 1e-9, enough * 1.01)};
+      fmt::format(
+          "the regions of {}{:.0f} designs contain about {:.2g} points of this grid, which need "
+          "{:.0f} GB; use a step of at least {:.2g}, narrow the search, or add --yes-large",
+          asked < trials.size() ? "about " : "", static_cast<double>(designs) * share, points,
+          points * kPointBytes * 1e-9, enough * 1.01)};
 }
 
 }  // namespace
@@ -117,10 +119,9 @@ std::optional<Error> refuse_many_points(const Search& search, const SearchOption
 std::optional<Error> refuse_large(const Search& search, const SearchOptions& options) {
   const double size = search.space().approximate_size();
   if (!search.space().size()) {
-    return Error{
-        "search", fmt::format("{:.3g}", size),
-        "the number of candidates is too large; narrow the bands of teeth and ratio, or the lists "
-        "of modules and helix angles"};
+    return Error{"search", fmt::format("{:.3g}", size),
+                 "there are too many candidates; narrow the bands of teeth and ratio, or shorten "
+                 "the lists of modules and helix angles"};
   }
   if (options.yes_large) return std::nullopt;
   if (size <= kLargeSearch) return refuse_many_points(search, options);
@@ -128,9 +129,9 @@ std::optional<Error> refuse_large(const Search& search, const SearchOptions& opt
   const double rate = measured_rate(search, *search.space().size(), options.stop) * threads;
   return Error{
       "--yes-large", fmt::format("{:.3g}", size),
-      fmt::format("{:.3g} candidates would take about {} here, at {:.3g} a second on {} thread{}. "
-                  "Narrow the bands, or add --yes-large (with --out DIR the search can be stopped "
-                  "and resumed, and --shard i/N divides it among machines)",
+      fmt::format("{:.3g} candidates would take about {} on this machine, at {:.3g} candidates per "
+                  "second on {} thread{}. Narrow the bands, or add --yes-large. With --out DIR the "
+                  "search can be stopped and resumed, and --shard i/N divides it among machines",
                   size, duration_text(size / rate), rate, threads, threads == 1 ? "" : "s")};
 }
 

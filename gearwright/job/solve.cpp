@@ -23,7 +23,9 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
     text += fmt::format("{}`{}`{}", text.empty() ? "" : ", ", key, value);
   }
   if (text.empty()) return std::nullopt;
-  return Warning{WarningCode::inherited, fmt::format("Taken from gear 1: {}.", text), 2};
+  return Warning{WarningCode::inherited,
+                 fmt::format("These values are absent and therefore those of gear 1: {}.", text),
+                 2};
 }
 
 // Notes about fits of the drawing that apply to no gear of the spec.
@@ -39,7 +41,7 @@ std::vector<Warning> note_unused_fits(const JobSpec& spec) {
     if (fit.empty()) return;
     notes.push_back({WarningCode::not_read,
                      fmt::format("`drawing.{}` = {} has no effect, because no external gear of the "
-                                 "spec has a {}; `gear1.bore` with {} gives one.",
+                                 "spec has a {}. Give `gear1.bore` with {} to define it.",
                                  key, printable(fit), of, with),
                      0});
   };
@@ -64,26 +66,26 @@ std::optional<Error> find_halves(SolvedJob& job) {
   const bool any = job.halves[0] || job.halves[1];
   if (!any || !job.pair || !job.pair->crossed()) return std::nullopt;
   return Error{"pair.shaft_angle", "",
-               "crosses the axes; double-helical gears run on parallel axes, with opposite hands"};
+               "makes the axes cross, but double-helical gears run on parallel axes only, with "
+               "opposite hands"};
 }
 
 // Solves the gears and the pair. For double-helical gears, these are the gears and the pair of one half.
 Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
     return absent_input("gear1.normal_module",
-                        "; the spec contains readings of an unknown gear; run gearwright identify, "
-                        "whose --take 1 writes a spec for this verb");
+                        "; the spec contains readings of an unknown gear. The command gearwright "
+                        "identify with --take 1 writes a spec for this verb");
   }
   if (spec.drive) {
-    return Error{
-        "", "",
-        "the spec describes a drive; use the verb drive, rate, run or export, or run gearwright "
-        "drive, whose --take 1 writes the spec of its first mesh for this verb"};
+    return Error{"", "",
+                 "the spec describes a drive; use the verb drive, rate, run or export. The command "
+                 "gearwright drive with --take 1 writes the spec of the first mesh for this verb"};
   }
   if (!spec.has(1)) {
     return absent_input("gear1.teeth",
-                        "; the spec describes a search; run gearwright search, whose --take 1 "
-                        "writes a spec for this verb");
+                        "; the spec describes a search. The command gearwright search with --take "
+                        "1 writes a spec for this verb");
   }
   GivenPair given = spec;
   if (auto note = note_inherited(spec)) given.notes.push_back(*note);
@@ -94,8 +96,8 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
     Error error = arranged.error();
     if (finder_of(spec, error) == "fit")
       error.rule +=
-          "; the spec leaves values open; run gearwright fit, whose --take 1 writes a spec for "
-          "this verb";
+          "; some values of the spec are absent. The command gearwright fit with --take 1 computes "
+          "them and writes a spec for this verb";
     return error;
   }
   SolvedJob job{std::move(arranged).take(), spec};
@@ -111,10 +113,10 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
 std::optional<Error> one_helix_error(const SolvedJob& job) {
   if (!job.halves[0]) return std::nullopt;
   return Error{"gear1.double_helical", "",
-               "makes double-helical gears, which have contact and load by the verbs contact, load "
-               "and run; corrections, scatter and the interactive analysis are for single-helical "
-               "gears. For one half, give its face width and half of the torque, without "
-               "`double_helical`"};
+               "makes the gears double-helical, and this analysis supports single-helical gears "
+               "only. The verbs contact, load and run compute double-helical gears without "
+               "corrections and scatter. To analyse one half alone, leave out `double_helical` and "
+               "give the face width of the half and half of the torque"};
 }
 
 std::string_view finder_of(const JobSpec& spec, const Error& error) {
@@ -132,9 +134,9 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
   if (spec.rack && scope != Scope::gears) {
     return Error{"gear2.form", "rack",
-                 "makes a rack and pinion, which the verbs gear, pair, outline, export and run "
-                 "compute; this verb is for two gears. A gear 2 with teeth = 1000 in place of the "
-                 "rack differs from it by the order of 1/teeth"};
+                 "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, "
+                 "outline, export and run compute a rack and its pinion. A gear 2 with teeth = "
+                 "1000 can replace the rack, and its results differ by the order of 1/teeth"};
   }
   return solve_gears(spec, scope);
 }

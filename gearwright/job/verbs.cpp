@@ -169,7 +169,7 @@ Result<Answer> run_scatter(const JobSpec& spec, Progress* progress) {
   Answer found = std::move(answer).take();
   if (found.specs.empty())
     found.why_none =
-        "the table [scatter.robust], which lists the corrections to search, is missing";
+        "the spec has no table [scatter.robust], which would list the corrections to compute";
   return found;
 }
 
@@ -247,30 +247,30 @@ Result<Answer> run_drive(const JobSpec& spec, Progress* progress) {
 using Take = Verb::Take;
 
 constexpr Verb kVerbs[] = {
-    {"gear", "Geometry of each gear: diameters, thicknesses, limits, flags",
+    {"gear", "Geometry of each gear: diameters, tooth thicknesses, limits",
      "gearwright gear examples/helical_pair.toml --json", SpecUse::geometry, true, true, false,
      Take::none, "", run_gear},
     {"pair", "The mounted pair: distances, angles, contact ratios, backlash, sliding",
      "gearwright pair examples/helical_pair.toml", SpecUse::pair, true, true, false, Take::none, "",
      run_pair},
     {"contact",
-     "Tooth contact under the spec's [errors]: transmission error, contact points, edges, ellipses",
+     "Tooth contact under [errors] of the spec: transmission error, contact points, edges, "
+     "ellipses",
      "gearwright contact examples/misaligned_pair.toml", SpecUse::pair, true, true, true,
      Take::none, "", run_contact},
-    {"compensate", "Tool settings, leads and crowning that cancel the spec's [errors]",
+    {"compensate",
+     "Corrections of tool settings, leads and flanks that compensate [errors] of the spec",
      "gearwright compensate examples/misaligned_pair.toml --take", SpecUse::compensate, false, true,
-     true, Take::flag, "Print the corrected spec and nothing else", run_compensate},
+     true, Take::flag, "Print only the corrected spec", run_compensate},
     {"propose",
      "Tip and root relief, helix crowning and slope for the load, and the effect of each proposal",
      "gearwright propose examples/quiet_pair.toml", SpecUse::propose, true, true, true,
-     Take::number, "Print the spec of this proposal and nothing else; 1 is the spec as given",
-     run_propose},
+     Take::number, "Print only the spec of this proposal; 1 is the spec as given", run_propose},
     {"scatter",
      "Effect of tolerances on the pair: percentiles, probabilities, influence of each tolerance, "
      "worst case",
      "gearwright scatter examples/scattered_pair.toml", SpecUse::scatter, true, true, true,
-     Take::flag, "Print the spec with the corrections of [scatter.robust] and nothing else",
-     run_scatter},
+     Take::flag, "Print only the spec with the corrections of [scatter.robust]", run_scatter},
     {"load",
      "Teeth under torque: load sharing, loaded transmission error, stiffness, pressure, root "
      "stress",
@@ -281,20 +281,21 @@ constexpr Verb kVerbs[] = {
      "gearwright rate examples/rated_pair.toml", SpecUse::rate, true, true, false, Take::none, "",
      run_rate},
     {"drive",
-     "Whole drives: planetary sets and trains, their ratios, power, assembly, phases, backlash, "
-     "error",
+     "Whole drives (planetary sets and trains): ratios, power, assembly, phases, backlash, "
+     "transmission error",
      "gearwright drive examples/drives/planetary_set.toml", SpecUse::geometry, true, true, false,
-     Take::number, "Print the spec of this mesh as a pair and nothing else; 1 is the first mesh",
-     run_drive},
+     Take::number,
+     "Print only the spec of the mesh with this number as a pair; 1 is the first mesh", run_drive},
     {"measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
      "gearwright measure examples/helical_pair.toml", SpecUse::geometry, false, true, false,
      Take::none, "", run_measure},
-    {"identify", "The gears that agree with the readings of an unknown gear, likeliest first",
+    {"identify", "The gears that match the readings of an unknown gear, the likeliest first",
      "gearwright identify examples/broken_gear.toml", SpecUse::geometry, false, false, false,
-     Take::number, "Print the spec of this candidate and nothing else", run_identify},
-    {"fit", "Absent numbers of a spec: gears for given shafts, or shaft positions for given gears",
+     Take::number, "Print only the spec of the candidate with this number", run_identify},
+    {"fit",
+     "Computation of absent values: gears for given shafts, or shaft positions for given gears",
      "gearwright fit examples/crossed_fit.toml", SpecUse::geometry, false, false, true,
-     Take::number, "Print the spec of this branch and nothing else", run_fit},
+     Take::number, "Print only the spec of the branch with this number", run_fit},
 };
 
 }  // namespace

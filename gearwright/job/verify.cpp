@@ -57,30 +57,33 @@ const Json* follow(const Json& root, const std::string& path) {
 
 std::string compare(const std::string& path, const Json* got, const Json& want,
                     const Tolerance& tolerance) {
-  if (!got) return fmt::format("{}: there is no such value; expected {}", path, json_text(want));
+  if (!got)
+    return fmt::format("{}: there is no such value, but {} is expected", path, json_text(want));
   if (want.is_number() && got->is_number()) {
     const double w = want.get<double>();
     const double g = got->get<double>();
     const double allowed = std::max(tolerance.relative * std::abs(w), tolerance.absolute);
     if (std::abs(g - w) <= allowed) return {};
-    return fmt::format("{}: got {}, expected {}, difference {:.3g}, allowed {:.3g}", path, g, w,
-                       g - w, allowed);
+    return fmt::format(
+        "{}: the result is {}, but {} is expected; the difference is {:.3g}, and {:.3g} is allowed",
+        path, g, w, g - w, allowed);
   }
   if (*got == want) return {};
-  return fmt::format("{}: got {}, want {}", path, json_text(*got), json_text(want));
+  return fmt::format("{}: the result is {}, but {} is expected", path, json_text(*got),
+                     json_text(want));
 }
 
 Error malformed(const std::string& id, const std::string& why) { return {id, "", why}; }
 
 Result<CaseOutcome> run_case(const Json& c) {
-  const std::string id = c.value("id", std::string("without id"));
+  const std::string id = c.value("id", std::string("(case without id)"));
   if (!c.contains("spec") || !c["spec"].is_object())
-    return malformed(id, "needs \"spec\", an object");
+    return malformed(id, "needs an object \"spec\"");
   if (!c.contains("expected") || !c["expected"].is_object() || c["expected"].empty()) {
     return malformed(id, "needs \"expected\" with at least one value");
   }
   if (!c.contains("source") || !c["source"].is_string())
-    return malformed(id, "needs \"source\": where the numbers are printed");
+    return malformed(id, "needs \"source\", which names the publication of the numbers");
   const std::string verb = c.value("verb", std::string("pair"));
   const Verb* const row = find_verb(verb);
   if (!row) return malformed(id, fmt::format("verb \"{}\": {}", verb, verb_names()));
@@ -113,12 +116,13 @@ Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text) {
     return Error{"", "", "the case file cannot be read: " + why};
   };
   if (json_depth(json_text) > kDeepest)
-    return unreadable(fmt::format("it has more than {} nested levels", kDeepest));
+    return unreadable(fmt::format("the file has more than {} nested levels", kDeepest));
   try {
     const Json file = parse_json(json_text);
     if (!file.is_object() || !file.contains("cases") || !file["cases"].is_array() ||
         file["cases"].empty()) {
-      return Error{"cases", "", "a case file is {\"cases\": [...]} with at least one case"};
+      return Error{"cases", "",
+                   "a case file must have the form {\"cases\": [...]} with at least one case"};
     }
     std::vector<CaseOutcome> outcomes;
     for (const Json& c : file["cases"]) {

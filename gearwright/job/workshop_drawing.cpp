@@ -94,7 +94,7 @@ class Group {
 };
 
 void add_rack(Group& group, const Gear& gear) {
-  if (!gear.involute()) return group.row("Basic rack", "", "of circular arcs");
+  if (!gear.involute()) return group.row("Basic rack", "", "with circular arcs");
   if (gear.cut_by) return;
   const StraightRack& rack = gear.spec.straight_rack();
   for (const char* name : {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}) {
@@ -186,11 +186,12 @@ Group thickness(bool ring, const Records& gear, const Records& measure) {
   group.row(gear, "reference_tooth_thickness_normal_mm");
   group.row(gear, "thickness_allowance_mm");
   if (const auto teeth = measure.value("span.teeth"))
-    group.row(fmt::format("Span over {} {}", *teeth, ring ? "spaces" : "teeth"), "W_" + *teeth,
-              *measure.value("span.length_mm"));
+    group.row(fmt::format("Span over {} {}", *teeth, ring ? "tooth spaces" : "teeth"),
+              "W_" + *teeth, *measure.value("span.length_mm"));
   group.row(measure, "over_balls.ball_diameter_mm");
   if (const auto dimension = measure.value("over_balls.dimension_mm"))
-    group.row(ring ? "Between two balls" : "Over two balls", "M_dK", *dimension);
+    group.row(ring ? "Dimension between two balls" : "Dimension over two balls", "M_dK",
+              *dimension);
   return group;
 }
 
@@ -216,7 +217,7 @@ Group modifications(const std::array<FlankModifications, 2>& flanks) {
     }
   }
   if (flanks[0].topography || flanks[1].topography)
-    group.row("Topography", "", "by a table of its own");
+    group.row("Topography", "", "by a separate table");
   return group;
 }
 
@@ -339,8 +340,8 @@ Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<in
   const bool pdf = format == SheetFormat::pdf;
   const int unknown = pdf ? letters_not_in_pdf(made->sheets) : 0;
   if (unknown > 0)
-    note += fmt::format("; {} letters are not in the fonts of a PDF and appear as question marks",
-                        unknown);
+    note += fmt::format(
+        "; {} letters are missing in the fonts of the PDF and appear as question marks", unknown);
   std::string bytes = pdf                          ? sheets_pdf(made->sheets, about)
                       : format == SheetFormat::svg ? sheets_svg(made->sheets, about)
                                                    : sheets_dxf(made->sheets);

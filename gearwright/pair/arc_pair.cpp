@@ -36,8 +36,8 @@ std::optional<Error> check_gears(const std::array<Gear, 2>& gears) {
     const Gear& gear = gears[static_cast<std::size_t>(which - 1)];
     if (gear.involute()) {
       return Error{gear_field(which, "rack"), "",
-                   "an involute gear and one with circular-arc teeth do not mesh; give both a rack "
-                   "of arcs"};
+                   "an involute gear does not mesh with a circular-arc gear; give both gears a "
+                   "rack of arcs"};
     }
     if (!gear.exists()) {
       return Error{gear_field(which, "rack.dedendum"), "", gear.warnings.back().message};
@@ -46,13 +46,13 @@ std::optional<Error> check_gears(const std::array<Gear, 2>& gears) {
   const CylindricalSpec &s_1 = gears[0].spec, &s_2 = gears[1].spec;
   if (s_1.helix_angle.rad() == 0.0) {
     return refused(gear_field(1, "helix_angle"), 0.0,
-                   "circular-arc teeth touch in points that run along the teeth; a pair needs a "
-                   "helix, usually 10° to 35°");
+                   "must not be 0, because the contact points of circular-arc teeth move along a "
+                   "helix; usual angles are 10° to 35°");
   }
   if (!(std::abs(s_2.normal_module / s_1.normal_module - 1.0) <= kNearModule)) {
-    return refused(gear_field(2, "normal_module"), s_2.normal_module, {s_1.normal_module},
-                   "must equal that of gear 1, {} mm, because racks of different pitch do not "
-                   "mesh");
+    return refused(
+        gear_field(2, "normal_module"), s_2.normal_module, {s_1.normal_module},
+        "must equal the module of gear 1, {} mm, because racks of different pitch do not mesh");
   }
   if (!(std::abs((s_1.helix_angle + s_2.helix_angle).rad()) <= kNearHelix.rad())) {
     return refused(gear_field(2, "helix_angle"), s_2.helix_angle.deg(), {-s_1.helix_angle.deg()},
@@ -127,8 +127,8 @@ std::optional<Error> find_contacts(ArcPair& pair) {
           const double m = concave.spec.normal_module;
           reason = refused(gear_field(by_gear_2 ? 1 : 2, radius_field(concave)), c.radius / m,
                            {v.radius / convex.spec.normal_module},
-                           "a concave flank must have a greater radius than the convex one of its "
-                           "mating gear, {} modules");
+                           "a concave flank must have a greater radius than the convex flank of "
+                           "the mating gear, {} modules");
           continue;
         }
         const ArcMeshInput in = mesh_of(convex, concave, v, c, pair.center_distance);
@@ -137,9 +137,9 @@ std::optional<Error> find_contacts(ArcPair& pair) {
           const double free = pair.reference_center_distance + c.b - v.b;
           reason = refused(
               "pair.center_distance", pair.center_distance, {free - (c.radius - v.radius), free},
-              fmt::format("the arcs have no common normal there; with radii {:.6g} and {:.6g} mm "
-                          "and centres {:.6g} and {:.6g} mm from the pitch plane it must lie "
-                          "between {{}} mm and {{}} mm",
+              fmt::format("the arcs have no common normal at this centre distance; with radii of "
+                          "{:.6g} and {:.6g} mm and centres at {:.6g} and {:.6g} mm from the pitch "
+                          "plane, the centre distance must lie between {{}} mm and {{}} mm",
                           v.radius, c.radius, v.b, c.b));
           continue;
         }
@@ -154,8 +154,8 @@ std::optional<Error> find_contacts(ArcPair& pair) {
   if (!pair.contacts.empty()) return std::nullopt;
   if (reason) return reason;
   return Error{gear_field(2, "rack"), "",
-               "no convex flank of one gear meets a concave flank of the other; combine racks F "
-               "and P, or use the same double-arc rack for both"};
+               "no convex flank of one gear touches a concave flank of the other gear; combine "
+               "racks F and P, or use the same double-arc rack for both gears"};
 }
 
 // The longest distance along z without a contact point. The contact points repeat with the axial
@@ -196,8 +196,8 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
   const std::string where = fmt::format("convex flank of gear {}", c.convex_gear);
   if (!(c.at.gap[0] > 0.0)) {
     warn(pair, WarningCode::interference,
-         fmt::format("At the {} the surfaces cut into each other: relative curvatures {:.4g} and "
-                     "{:.4g} per mm. The arcs' radii differ by too little.",
+         fmt::format("At the {} the surfaces cut into each other, because the radii of the arcs "
+                     "differ by too little. The relative curvatures are {:.4g} and {:.4g} per mm.",
                      where, c.at.gap[0], c.at.gap[1]));
   }
   const auto off = [&](const Gear& gear, double side, double radius) {
@@ -206,12 +206,11 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
            radius > gear.tip_form_radius();
   };
   if (off(convex, 1.0, c.at.radius_convex) || off(concave, -1.0, c.at.radius_concave)) {
-    warn(
-        pair, WarningCode::contact_off_flank,
-        fmt::format("The contact on the {}, at a normal angle of {:.4f}°, lies off the usable "
-                    "flanks: the teeth touch with an edge. The reference centre distance is {:.4f} "
-                    "mm.",
-                    where, c.at.theta.deg(), pair.reference_center_distance));
+    warn(pair, WarningCode::contact_off_flank,
+         fmt::format(
+             "The contact on the {}, at a normal angle of {:.4f}°, lies outside the usable flanks, "
+             "so an edge of a tooth touches. The reference centre distance is {:.4f} mm.",
+             where, c.at.theta.deg(), pair.reference_center_distance));
   }
   for (const int which : {1, 2}) {
     const Gear& gear = pair.gears[static_cast<std::size_t>(which - 1)];
@@ -224,12 +223,12 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
     if (!written) continue;
     if (c.nominal_theta && abs(*written - *c.nominal_theta) <= kSamePressureAngle) continue;
     const std::string is = c.nominal_theta
-                               ? fmt::format("they touch at {:.4f}°", c.nominal_theta->deg())
-                               : "they have no common normal";
+                               ? fmt::format("the flanks touch at {:.4f}°", c.nominal_theta->deg())
+                               : "the flanks have no common normal";
     pair.warnings.push_back(
         {WarningCode::pressure_angle,
-         fmt::format("The rack's pressure angle is written as {:.4f}°, but with these radii and "
-                     "centres {} at the reference centre distance.",
+         fmt::format("The given pressure angle of the rack is {:.4f}°, but with the given radii "
+                     "and centres {} at the reference centre distance.",
                      written->deg(), is),
          which});
   }
@@ -249,15 +248,16 @@ void warn_about_pair(ArcPair& pair) {
   const double face = std::min(s_1.face_width, s_2.face_width);
   if (!pair.contacts.empty() && face < pair.face_for_contact) {
     warn(pair, WarningCode::contact_ratio,
-         fmt::format("Contact is not continuous: the common face width is {:.4f} mm, less than the "
-                     "spacing of the contact points, {:.4f} mm.",
+         fmt::format("Contact is not continuous, because the common face width of {:.4f} mm is "
+                     "less than the spacing of the contact points, {:.4f} mm.",
                      pair.whole_face(face), pair.whole_face(pair.face_for_contact)));
   }
   constexpr double kRounding = 1e-9;  // modules: rounding of a given backlash-free distance
   if (pair.backlash_rotation && pair.backlash_normal < -kRounding * s_1.normal_module) {
     warn(pair, WarningCode::negative_backlash,
-         fmt::format("The teeth are too thick for this centre distance: normal backlash {:.4f} mm.",
-                     pair.backlash_normal));
+         fmt::format(
+             "The teeth are too thick for this centre distance; the normal backlash is {:.4f} mm.",
+             pair.backlash_normal));
   }
   for (const int which : {1, 2}) {
     const double c = pair.tip_clearance[static_cast<std::size_t>(which - 1)];

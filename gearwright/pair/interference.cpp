@@ -26,13 +26,11 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
                     const std::string& where) {
   const int mate = 3 - gear;
   if (p.gears[gear - 1].undercut) {
-    p.warnings.push_back(
-        {WarningCode::contact_lost_to_undercut,
-         fmt::format(
-             "The tip of gear {} reaches {:.4f} mm {} of gear {}: contact is lost there, because "
-             "undercut has removed the flank.",
-             mate, -amount, where, gear),
-         gear});
+    p.warnings.push_back({WarningCode::contact_lost_to_undercut,
+                          fmt::format("The tip of gear {} reaches {:.4f} mm {} of gear {}, where "
+                                      "contact is lost, because undercut has removed the flank.",
+                                      mate, -amount, where, gear),
+                          gear});
     return;
   }
   p.interference.push_back(
@@ -112,12 +110,13 @@ void find_tip_clearance(InvolutePair& p) {
       p.warnings.push_back(
           {WarningCode::no_tip_clearance,
            fmt::format(
-               "The tip of gear {} has no clearance to the root of gear {}; 0.2 m_n + 0.05 mm = "
-               "{:.3f} mm is usual.{}",
+               "The tip of gear {} has no clearance to the root of gear {}. A clearance of 0.2 m_n "
+               "+ 0.05 mm = {:.3f} mm is usual.{}",
                i + 1, 2 - i, 0.2 * m + 0.05,
                p.gears[1 - i].cut_by
-                   ? fmt::format(" If this tip has cut gear {}, name a longer cutter in `{}`.",
-                                 2 - i, gear_field(2 - i, "cut_by"))
+                   ? fmt::format(
+                         " If this tip has cut gear {}, give a cutter with a longer tip in `{}`.",
+                         2 - i, gear_field(2 - i, "cut_by"))
                    : ""),
            i + 1});
     } else if (p.tip_clearance[i] < 0.0) {
@@ -175,11 +174,10 @@ void find_internal_margins(ParallelPair& p) {
   }
   if (margins.trimming && margins.trimming->rad() < 0.0) {
     // This concerns assembly only. Mounted gears do not collide.
-    p.warnings.push_back(
-        {WarningCode::trimming,
-         "Trimming interference: the pinion cannot be mounted radially with a tooth space on the "
-         "centre line; mount it axially.",
-         2});
+    p.warnings.push_back({WarningCode::trimming,
+                          "Trimming interference: the pinion cannot be mounted radially with a "
+                          "tooth space on the centre line. Mount the pinion axially.",
+                          2});
   }
 }
 

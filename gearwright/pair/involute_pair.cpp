@@ -25,22 +25,21 @@ constexpr double kNearlyParallel = 1.0;  // degrees
 void warn_about_axes(CrossedPair& p) {
   if (std::abs(p.shaft_angle.deg()) < kNearlyParallel) {
     const double wanted = -p.side() * p.gears[0].spec.helix_angle.deg();
-    warn(
-        p, WarningCode::nearly_parallel,
-        fmt::format("The axes cross at {:.4g}°: the teeth touch in points. Parallel axes need the "
-                    "helix angle {:.6f}° on gear 2 (with the module and pressure angle of gear 1).",
-                    p.shaft_angle.deg(), wanted));
+    warn(p, WarningCode::nearly_parallel,
+         fmt::format(
+             "The axes cross at {:.4g}°, so the teeth touch in points. Parallel axes need the "
+             "helix angle {:.6f}° on gear 2 (with the module and pressure angle of gear 1).",
+             p.shaft_angle.deg(), wanted));
   }
   for (int i : {0, 1}) {
     const double b = p.gears[i].spec.face_width;
     const double wanted = p.face_widths.both_flanks[i];
     if (p.flanks_meet() && wanted > b) {
-      warn(
-          p, WarningCode::face_width,
-          fmt::format("The line of action runs beyond the face of gear {}; both flanks need {:.2f} "
-                      "mm about the centre line, the face is {:.2f} mm wide.",
-                      i + 1, wanted, b),
-          i + 1);
+      warn(p, WarningCode::face_width,
+           fmt::format("The line of action runs beyond the face of gear {}. Both flanks need "
+                       "{:.2f} mm about the centre line, but the face is {:.2f} mm wide.",
+                       i + 1, wanted, b),
+           i + 1);
     }
   }
 }
@@ -49,30 +48,31 @@ void warn_about_contact(InvolutePair& p, const char* limits, const char* ratio_o
   const double ratio = p.contact_ratio_true();
   if (ratio == 0.0) {
     warn(p, WarningCode::no_contact,
-         p.flanks_meet()
-             ? fmt::format("No contact: the part of the line of action within the tips lies "
-                           "outside the usable flanks{}.",
-                           limits)
-             : "No contact: at this centre distance the teeth do not reach each other.");
+         p.flanks_meet() ? fmt::format("The teeth do not touch, because the part of the line of "
+                                       "action within the tips lies outside the usable flanks{}.",
+                                       limits)
+                         : "The teeth do not touch, because they do not reach each other at this "
+                           "centre distance.");
   } else if (ratio < 1.0) {
     warn(p, WarningCode::contact_ratio,
-         fmt::format("{} {:.3f}: contact is not continuous below 1.", ratio_of_all, ratio));
+         fmt::format("The {} is {:.3f}, and contact is not continuous below 1.", ratio_of_all,
+                     ratio));
   }
 }
 
 void warn_about_line(ParallelPair& p) {
-  warn_about_contact(p, "", "Total contact ratio");
+  warn_about_contact(p, "", "total contact ratio");
   if (p.contact_ratio_true() >= 1.0 && p.mesh.true_ratio < 1.0) {
-    warn(p, WarningCode::transverse_contact_ratio,
-         fmt::format(
-             "Transverse contact ratio {:.3f}: contact is continuous only through the overlap of "
-             "helical teeth; a face width of at least {:.2f} mm is needed.",
-             p.mesh.true_ratio, *face_width_needed(p)));
+    warn(
+        p, WarningCode::transverse_contact_ratio,
+        fmt::format("The transverse contact ratio is {:.3f}, so contact is continuous only through "
+                    "the overlap of helical teeth. A face width of at least {:.2f} mm is needed.",
+                    p.mesh.true_ratio, *face_width_needed(p)));
   }
 }
 
 void warn_about_line(CrossedPair& p) {
-  warn_about_contact(p, " or the faces", "Contact ratio");
+  warn_about_contact(p, " or the faces", "contact ratio");
   warn_about_axes(p);
 }
 
@@ -83,22 +83,25 @@ void warn_about_backlash(InvolutePair& p) {
   const double noise =
       kOfPitch * p.gears[0].reference().base_pitch_normal + kOfDistance * p.center_distance;
   if (p.mesh.backlash.normal_base < -noise) {
-    const std::string distance = p.backlash_free_center_distance
-                                     ? fmt::format("{:.4f} mm", *p.backlash_free_center_distance)
-                                     : "none";
+    const std::string distance =
+        p.backlash_free_center_distance
+            ? fmt::format("The backlash-free centre distance is {:.4f} mm.",
+                          *p.backlash_free_center_distance)
+            : "There is no backlash-free centre distance.";
     warn(p, WarningCode::negative_backlash,
-         fmt::format(
-             "Negative backlash: the teeth are too thick by {:.4f} mm (normal) at this centre "
-             "distance; the backlash-free one is {}.",
-             -p.mesh.backlash.normal, distance));
+         fmt::format("The backlash is negative, because the teeth are too thick by {:.4f} mm "
+                     "(normal) at this centre distance. {}",
+                     -p.mesh.backlash.normal, distance));
   }
 }
 
 void warn_about_friction(InvolutePair& p) {
   if (p.efficiency && !(p.efficiency->gear1_drives && p.efficiency->gear2_drives)) {
     const int gear = p.efficiency->gear1_drives ? 2 : 1;
-    warn(p, WarningCode::self_locking,
-         fmt::format("Self-locking with this friction: gear {} cannot drive.", gear), gear);
+    warn(
+        p, WarningCode::self_locking,
+        fmt::format("With this friction the pair is self-locking, and gear {} cannot drive.", gear),
+        gear);
   }
 }
 
@@ -126,9 +129,9 @@ std::optional<Error> check_place_inside(const CrossedPair& p, const CommonRack<d
   const double a = p.center_distance;
   if (!(least < most)) {
     return refused("pair.shaft_angle", Angle::radians(*p.input.shaft_angle).deg(),
-                   "at this angle the flanks of the pinion are nowhere more curved than those of "
-                   "the internal gear; a smaller helix angle of the pinion, or more teeth on the "
-                   "internal gear, would help");
+                   "at this shaft angle the flanks of the pinion are nowhere more curved than "
+                   "those of the internal gear; a smaller helix angle of the pinion, or more teeth "
+                   "on the internal gear, would help");
   }
   if (a > least && a < most) return std::nullopt;
   return refused("pair.center_distance", a, {least, most},
@@ -152,10 +155,12 @@ std::optional<Error> check_place(const ParallelPair& p) {
   const double a = p.center_distance;
   const double least = base_radius_sum(p.input.gears);
   if (a > least && a <= kMaxDistance * least) return std::nullopt;
-  return refused("pair.center_distance", a, {least, kMaxDistance * least},
-                 fmt::format("there is no working pressure angle; it must be greater than {{}} mm "
-                             "and at most {{}} mm, {} times that",
-                             kMaxDistance));
+  return refused(
+      "pair.center_distance", a, {least, kMaxDistance * least},
+      fmt::format(
+          "at this centre distance there is no working pressure angle; the centre distance must be "
+          "greater than {{}} mm and at most {{}} mm, which is {} times the lower limit",
+          kMaxDistance));
 }
 
 std::optional<double> backlash_free_distance(const ParallelPair& p) {

@@ -29,20 +29,21 @@ constexpr std::array kCauses{
     CauseMeaning{CollisionCause::tip_to_fillet, "tip_to_fillet",
                  "a part of the mating gear's tip and a root fillet"},
     CauseMeaning{CollisionCause::tip_corner, "tip_corner", "a tip corner and a flank"},
-    CauseMeaning{CollisionCause::trochoid, "trochoid",
-                 "internal pairs: the pinion's tip corner and the internal gear, on its way in or "
-                 "out"},
+    CauseMeaning{
+        CollisionCause::trochoid, "trochoid",
+        "internal pairs: the tip corner of the pinion and the internal gear, at entry or exit"},
     CauseMeaning{CollisionCause::root, "root",
-                 "a tip below the mating gear's root circle; nothing else is computed then, not "
-                 "even the free rotation"},
+                 "a tip below the root circle of the mating gear; in this case no other cause and "
+                 "no free rotation is computed"},
     CauseMeaning{CollisionCause::negative_backlash, "negative_backlash",
-                 "the flanks themselves: the teeth are too thick for this centre distance"},
+                 "the flanks themselves, because the teeth are too thick for this centre distance"},
     CauseMeaning{CollisionCause::outline, "outline", "other parts of the outlines"},
     CauseMeaning{CollisionCause::form_circle, "form_circle",
-                 "without overlap: the mating tip passes the form circle, and no arc meets early"},
+                 "without overlap: the tip of the mating gear passes the form circle, and no other "
+                 "arc touches early"},
     CauseMeaning{CollisionCause::base_tangent, "base_tangent",
-                 "without overlap: the mating tip passes the base tangent point, and no arc "
-                 "meets early"}};
+                 "without overlap: the tip of the mating gear passes the base tangent point, and "
+                 "no other arc touches early"}};
 
 }  // namespace
 
@@ -129,8 +130,8 @@ Collision overlapping(const MountedGears& p, const OutlineTouch& touch) {
 Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early) {
   const Cause cause = cause_of(p, touch);
   return {cause.what, cause.gear, early, touch,
-          fmt::format("The {} and the {} meet {:.4g} mm before the flanks do, {}: the ratio is not "
-                      "constant there.{}",
+          fmt::format("The {} and the {} touch {:.4g} mm before the flanks touch, {}, so the ratio "
+                      "is not constant there.{}",
                       part(touch, 1), part(touch, 2), early, at(touch), bulge(p, cause))};
 }
 
@@ -155,8 +156,8 @@ Collision in_root(const MountedGears& p, int tip) {
 Collision too_thick(double normal_play, const std::optional<OutlineTouch>& touch) {
   const double depth = -normal_play / 2;
   return {CollisionCause::negative_backlash, 0, depth, touch,
-          fmt::format("The flanks overlap by {:.4g} mm on either side: the teeth are too thick for "
-                      "this centre distance.",
+          fmt::format("The flanks overlap by {:.4g} mm on either side, because the teeth are too "
+                      "thick for this centre distance.",
                       depth)};
 }
 

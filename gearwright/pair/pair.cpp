@@ -50,7 +50,7 @@ Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec) {
   if (!gear_1.involute() || !gear_2.involute()) {
     if (spec.shaft_angle && spec.shaft_angle->rad() != 0.0) {
       return refused("pair.shaft_angle", spec.shaft_angle->deg(),
-                     "circular-arc gears run on parallel axes; leave it out");
+                     "circular-arc gears run on parallel axes only; leave out this key");
     }
     return either(mount_arcs(std::move(gear_1), std::move(gear_2), spec.center_distance), spec);
   }

@@ -125,7 +125,7 @@ TEST(Mount, kinds_do_not_mix) {
   const Gear arcs = gear(40, DoubleArcRack{}, -20_deg);
   for (const auto& pair : {mount(involute, arcs, {125.0, {}, {}}), mount(arcs, involute)}) {
     ASSERT_FALSE(pair);
-    EXPECT_NE(pair.error().message().find("do not mesh"), std::string::npos);
+    EXPECT_NE(pair.error().message().find("does not mesh"), std::string::npos);
   }
   EXPECT_EQ(mount(involute, arcs).error().field, "gear1.rack");
   EXPECT_EQ(mount(arcs, arcs, {125.0, 90_deg, {}}).error().field, "pair.shaft_angle");

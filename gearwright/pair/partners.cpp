@@ -29,12 +29,13 @@ struct Hands {
   const char* parallel;     ///< the relation of the hands on parallel axes
   const char* shaft_angle;  ///< the sign rule of the shaft angle, and a remedy
 };
-constexpr Hands kExternal{"opposite",
-                          "right hand > 0, two left hands cross at a negative angle); more helix "
-                          "angle on either gear widens that"};
+constexpr Hands kExternal{
+    "opposite",
+    "the angle of two right-hand gears is positive, that of two left-hand gears negative); a "
+    "greater helix angle on either gear widens this range"};
 constexpr Hands kInternal{"of the same hand",
-                          "helix angle of gear 1 minus that of the internal gear, right hand > 0); "
-                          "another helix angle on either gear moves that"};
+                          "the angle is the helix angle of gear 1 minus that of the internal gear, "
+                          "right hand > 0); another helix angle on either gear shifts this range"};
 
 // `rule` ends with kReach, or with kReach and more text, and takes the two ends of the range.
 Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {
@@ -50,34 +51,33 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
   if (parallel) {
     return refused(
         "pair.shaft_angle", deg(sigma),
-        fmt::format("these base helices are equal and {}, so that the axes are parallel for every "
-                    "centre distance; 0 is allowed, or another helix angle on one gear",
-                    hands.parallel));
+        fmt::format(
+            "must be 0, because the base helix angles are equal and {}, so that the axes are "
+            "parallel at every centre distance; for crossed axes give one gear another helix angle",
+            hands.parallel));
   }
   const auto range = shaft_angle_range(gears);
   if (sigma == 0.0) {
     return beyond(
         range, 0.0,
-        fmt::format(
-            "parallel axes need equal and opposite base helix angles; with the same module, "
-            "gear 2 needs a helix angle of {}°; {}",
-            format_number(0.0 - gear_1.helix_angle.deg()), kReach));
+        fmt::format("parallel axes need equal and opposite base helix angles, so with the same "
+                    "module gear 2 needs a helix angle of {}°; with the given angles {}",
+                    format_number(0.0 - gear_1.helix_angle.deg()), kReach));
   }
   if (range.contains(sigma)) {
     const RackAngles<double> angles = angles_at_shaft_angle(gears, sigma);
     const int g = limiting_gear(gears);
     const double helix = deg(std::atan2(std::abs(std::sin(gears[g].helix_angle)), angles.u[g]));
     if (helix <= kMaxWorkingHelix && angles.sin_alpha > 0.0) return std::nullopt;
-    return beyond(
-        range, sigma,
-        fmt::format("too close to a limit of these gears (the working helix angle of gear {} would "
-                    "be {:.6g}°; at most {} is allowed); {}",
-                    g + 1, helix, kMaxWorkingHelix, kReach));
+    return beyond(range, sigma,
+                  fmt::format("is too close to a limit of these gears, because the working helix "
+                              "angle of gear {} would be {:.6g}°, and at most {}° is allowed; {}",
+                              g + 1, helix, kMaxWorkingHelix, kReach));
   }
   const double miss = std::min(std::abs(sigma - range.from), std::abs(sigma - range.to));
-  return beyond(
-      range, sigma,
-      fmt::format("out of reach by {:.6g}°; {} ({}", deg(miss), kReach, hands.shaft_angle));
+  return beyond(range, sigma,
+                fmt::format("is outside the possible range by {:.6g}°; {} ({}", deg(miss), kReach,
+                            hands.shaft_angle));
 }
 
 }  // namespace
@@ -119,9 +119,9 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
     return refused(
         gear_field(2, "normal_module"), g2.normal_module,
         fmt::format(
-            "the normal base pitches differ by {:.6g} mm: gear 1 has {} mm, gear 2 {} mm; gears "
-            "mesh only with equal m_n cos α_n. At this pressure angle the module would have to be "
-            "{:.9g} mm, at this base helix the base diameter {:.9g} mm",
+            "the normal base pitches differ by {:.6g} mm, because gear 1 has {} mm and gear 2 has "
+            "{} mm; gears mesh only with equal m_n cos α_n. Gear 2 needs the module {:.9g} mm at "
+            "its pressure angle, or the base diameter {:.9g} mm at its base helix angle",
             p2 - p1, format_number(p1, p2), format_number(p2, p1), g2.normal_module * p1 / p2,
             2 * gears[1].radius * p1 / p2));
   }
@@ -131,9 +131,9 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
     // only if the user gives a shaft angle.
     return refused(
         gear_field(2, "helix_angle"), g2.helix_angle.deg(),
-        fmt::format("the axes of this internal pair would cross ({:.6g}°); parallel axes need {}° "
-                    "(the same hand) on an internal gear of the same module, and crossed axes need "
-                    "`pair.shaft_angle`",
+        fmt::format("the axes of this internal pair would cross at {:.6g}°; for parallel axes the "
+                    "helix angle must be {}° (the same hand) on an internal gear of the same "
+                    "module; for crossed axes give `pair.shaft_angle`",
                     deg(gears[0].helix_angle - gears[1].helix_angle),
                     format_number(g1.helix_angle.deg(), g2.helix_angle.deg())));
   }
@@ -159,12 +159,12 @@ Result<PairPlace> complete_place(const BasePair<double>& nominal, std::optional<
     place.shaft_angle =
         Angle::radians(common_rack(nominal, angles_at_transverse(nominal, *least)).shaft_angle);
   } else {
-    Error error = beyond(
-        shaft_angle_range(nominal), 0.0,
-        fmt::format("is missing, and the pair has no minimum centre distance that would determine "
-                    "it, because the teeth are too thin by {:.6g} mm on the base cylinders "
-                    "(normal); give the shaft angle, or more profile shift. {}",
-                    -excess, kReach));
+    Error error =
+        beyond(shaft_angle_range(nominal), 0.0,
+               fmt::format("is missing and cannot be computed, because the pair has no minimum "
+                           "centre distance; the teeth are too thin by {:.6g} mm on the base "
+                           "cylinders (normal). Give the shaft angle, or more profile shift; {}",
+                           -excess, kReach));
     error.value.clear();
     return error;
   }
@@ -177,11 +177,10 @@ Result<PairPlace> complete_place(const BasePair<double>& nominal, std::optional<
   if (place.center_distance > 0.0) return place;
   return Error{
       "profile_shift", "",
-      fmt::format(
-          "the teeth are too thin for any backlash-free centre distance at this shaft angle "
-          "(working normal pressure angle {:.4f}°); more profile shift of either gear would help, "
-          "or a centre distance with backlash in `pair.center_distance`",
-          deg(rack.normal_pressure_angle))};
+      fmt::format("the teeth are too thin for any backlash-free centre distance at this shaft "
+                  "angle (working normal pressure angle {:.4f}°); give either gear more profile "
+                  "shift, or give `pair.center_distance` for a pair with backlash",
+                  deg(rack.normal_pressure_angle))};
 }
 
 }  // namespace gearwright

@@ -49,8 +49,8 @@ Result<Outline> rack_outline(const RackGeometry& rack) {
       rack.bar.thickness_allowance > greatest + none) {
     return refused(gear_field(2, "thickness_allowance"), rack.bar.thickness_allowance,
                    {least, greatest},
-                   "must be from {} mm, where the tooth is pointed at its tip, to {} mm, where the "
-                   "space closes at its root");
+                   "must lie between {} mm, at which the tooth is pointed, and {} mm, at which the "
+                   "tooth space closes at the root");
   }
   const double rho = rack.fillet_radius, middle = rack.normal_pitch / 2;
   const double x_c = rho - rack.dedendum;

@@ -73,14 +73,14 @@ void find_faults(RackPair& p) {
   const double least = kNoLength * p.rack.normal_module;
   if (p.approach + p.recess <= least) {
     warn(p, WarningCode::no_contact, 0,
-         "The teeth of pinion and rack do not reach each other: a smaller centre distance or "
-         "longer tips would help.");
+         "The teeth of pinion and rack do not reach each other. A smaller centre distance or "
+         "longer teeth would help.");
     return;
   }
   if (p.normal_backlash() < -least) {
     warn(p, WarningCode::negative_backlash, 0,
-         fmt::format("Pinion and rack jam: the normal backlash is {:.4f} mm; they are free of "
-                     "backlash at a centre distance of {} mm.",
+         fmt::format("Pinion and rack jam, because the normal backlash is {:.4f} mm. They are free "
+                     "of backlash at a centre distance of {} mm.",
                      p.normal_backlash(), format_number(p.backlash_free_center_distance)));
   }
   for (const int tip : {1, 2}) {
@@ -91,10 +91,9 @@ void find_faults(RackPair& p) {
                      tip == 1 ? "pinion" : "rack", -c, tip == 1 ? "rack" : "pinion"));
   }
   if (!p.contact_root_diameter) {
-    warn(
-        p, WarningCode::base_tangent, 1,
-        "The tip of the rack reaches past the base tangent point of the pinion; more profile shift "
-        "or a greater centre distance would help.");
+    warn(p, WarningCode::base_tangent, 1,
+         "The tip of the rack reaches past the base tangent point of the pinion. More profile "
+         "shift or a greater centre distance would help.");
   } else if (p.form_clearance && *p.form_clearance < -kRoundedFillet * p.rack.normal_module) {
     warn(p, WarningCode::form_circle, 1,
          fmt::format("The tip of the rack reaches {:.4f} mm below the start of the usable flank of "
@@ -161,13 +160,13 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
   GW_EXPECTS(!center_distance || *center_distance > 0.0);
   if (pinion.internal())
     return refused(gear_field(1, "teeth"), pinion.spec.teeth,
-                   "a rack meshes with an external gear only");
+                   "the pinion of a rack must be an external gear");
   if (!pinion.involute())
     return Error{gear_field(1, "rack"), "",
-                 "cuts circular arcs; a rack as gear 2 has straight flanks"};
+                 "cuts circular arcs, but a rack as gear 2 has straight flanks"};
   if (!pinion.exists())
     return Error{gear_field(1), "",
-                 "has no tooth that could mesh with a rack: the cutter severs it"};
+                 "has no teeth that could mesh with a rack, because the cutter cuts them off"};
   RackPair p;
   p.rack = geometry(pinion, bar);
   p.pinion = std::move(pinion);

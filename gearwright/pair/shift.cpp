@@ -12,11 +12,12 @@ namespace gearwright {
 namespace {
 
 Error no_working_angle(double a, double least, bool external, double a_d) {
-  return refused("pair.center_distance", a, {least, kMaxDistance * least},
-                 fmt::format("there is no working pressure angle; it must be greater than {{}} mm, "
-                             "the {} of the base radii, and at most {{}} mm, {} times that "
-                             "(reference centre distance: {} mm)",
-                             external ? "sum" : "difference", kMaxDistance, format_number(a_d)));
+  return refused(
+      "pair.center_distance", a, {least, kMaxDistance * least},
+      fmt::format("at this centre distance there is no working pressure angle; the centre distance "
+                  "must be greater than {{}} mm, the {} of the base radii, and at most {{}} mm, "
+                  "which is {} times the lower limit (the reference centre distance is {} mm)",
+                  external ? "sum" : "difference", kMaxDistance, format_number(a_d)));
 }
 
 // Divides the sum into two shifts. A shift that the problem gives is kept.
@@ -104,16 +105,16 @@ Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
     if (s.center_distance > least) return s;
     return Error{
         "profile_shift", format_number(sum),
-        fmt::format("the sum of both gears, {}, gives the extended centre distance {} mm, at which "
-                    "there is no working pressure angle; that must exceed {} mm",
+        fmt::format("the sum of both profile shifts, {}, gives the extended centre distance {} mm, "
+                    "at which there is no working pressure angle; this distance must exceed {} mm",
                     format_number(sum), format_number(s.center_distance, least),
                     format_number(least, s.center_distance))};
   }
   if (!(nominal_working_involute(p.z1, p.z2, alpha_n, alpha_t, sum) >= 0.0)) {
     const double limit = -involute(alpha_t) * (p.z1 + p.z2) / (2 * std::tan(alpha_n));
     return refused("profile_shift", sum, {limit},
-                   fmt::format("the sum of both gears, {}, leaves the teeth too {} for any "
-                               "backlash-free centre distance; it must be {} than {{}}",
+                   fmt::format("with the sum of both profile shifts, {}, the teeth are too {} for "
+                               "any backlash-free centre distance; the sum must be {} than {{}}",
                                format_number(sum, limit), external ? "thin" : "thick",
                                external ? "greater" : "less"));
   }

@@ -90,7 +90,7 @@ Factor face_load_root(const RatedPair& pair, double K_Hbeta) {
   if (low) slender = 3.0;
   const double q = 1 / slender;
   return {std::pow(K_Hbeta, 1 / (1 + q + q * q)), "ISO 6336-1, 7.6",
-          low ? "b/h < 3: taken as 3" : "b/h ≥ 3"};
+          low ? "b/h < 3, so 3 is used" : "b/h ≥ 3"};
 }
 
 TransverseLoad transverse_load(const RatedPair& pair, double c_gamma_alpha, double deviation,
@@ -100,7 +100,7 @@ TransverseLoad transverse_load(const RatedPair& pair, double c_gamma_alpha, doub
   const bool low = e <= 2.0;
   const double k = low ? e / 2 * (0.9 + 0.4 * q) : 0.9 + 0.4 * std::sqrt(2 * (e - 1) / e) * q;
   const auto limited = [&](double most) {
-    if (k < 1.0) return Factor{1.0, "ISO 6336-1, 8.3", "below 1: taken as 1"};
+    if (k < 1.0) return Factor{1.0, "ISO 6336-1, 8.3", "below 1, so 1 is used"};
     if (k > most)
       return Factor{std::max(1.0, most), "ISO 6336-1, 8.3",
                     "one tooth pair carries the whole load"};

@@ -37,6 +37,6 @@ inline bool is_there(const Factor& f) { return !std::isnan(f.value); }
 using FactorPair = std::array<Factor, 2>;
 
 inline constexpr const char* kGivenFactor = "given by the user";
-inline constexpr const char* kNotAsked = "not given: 1";
+inline constexpr const char* kNotAsked = "not given, so 1 is used";
 
 }  // namespace gearwright

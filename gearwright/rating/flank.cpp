@@ -54,7 +54,7 @@ FactorPair single_contact_factors(const RatedPair& pair) {
     return product > 0.0 ? std::tan(pair.alpha_wt) / std::sqrt(product) : 1.0;
   };
   const auto factor = [&](std::size_t own) -> Factor {
-    if (own == 1 && pair.internal()) return {1.0, formula, "internal gear: 1"};
+    if (own == 1 && pair.internal()) return {1.0, formula, "1 for an internal gear"};
     const double m_i = m(own, 1 - own);
     if (pair.spur())
       return {std::max(1.0, m_i), formula, m_i > 1.0 ? "spur, M > 1" : "spur, M ≤ 1"};
@@ -117,7 +117,7 @@ Factor roughness_factor(const RatedPair& pair, const Film& film) {
 FactorPair work_hardening_factors(const RatedPair& pair, const std::array<Material, 2>& materials,
                                   const Film& film) {
   constexpr const char* formula = "ISO 6336-2, clause 13";
-  const Factor one{1.0, formula, "surfaces of one kind: 1"};
+  const Factor one{1.0, formula, "1 for surfaces of the same kind"};
   FactorPair z{one, one};
   for (std::size_t soft = 0; soft < 2; ++soft) {
     const std::size_t hard = 1 - soft;
@@ -125,7 +125,7 @@ FactorPair work_hardening_factors(const RatedPair& pair, const std::array<Materi
     const auto hardness = materials[soft].hardness_HB();
     if (materials[hard].surface_hardened()) {
       if (!hardness) {
-        z[soft] = {1.0, formula, "softer gear without surface_hardness_HV: 1"};
+        z[soft] = {1.0, formula, "1, because surface_hardness_HV of the softer gear is not given"};
         continue;
       }
       const double hb = std::clamp(*hardness, 130.0, 470.0);

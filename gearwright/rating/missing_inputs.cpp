@@ -10,35 +10,33 @@ std::vector<Error> missing_inputs(const RatingInput& in, int halves) {
   if (in.edition == RatingEdition::vdi_2736) return missing_plastic_inputs(in);
   std::vector<Error> missing;
   if (!in.quality && (!in.dynamic_factor || !in.transverse_load_factor)) {
-    missing.push_back(absent_input(
-        "rating.quality",
-        "; K_v and K_Hα depend on the accuracy grade of ISO 1328, 0 to 12; give it, `quality` = 6 "
-        "for example, or give both factors"));
+    missing.push_back(
+        absent_input("rating.quality",
+                     "; K_v and K_Hα depend on the accuracy grade of ISO 1328 (0 to 12). Give the "
+                     "grade, for example `quality` = 6, or give both factors"));
   } else if (!in.quality && !in.face_load_factor &&
              (in.mounting ? !in.mounting->manufacture : in.shafts && !in.misalignment)) {
     missing.push_back(
         absent_input("rating.quality",
-                     "; the face load factor needs the helix slopes; give the accuracy grade of "
-                     "ISO 1328, `quality` = 6 for example, or the misalignment"));
+                     "; the face load factor depends on the helix slopes. Give the accuracy grade "
+                     "of ISO 1328, for example `quality` = 6, or give the misalignment"));
   }
   if (in.quality)
     for (const int grade : *in.quality)
       if (!has_class(tolerance_edition(in.edition), grade))
         missing.push_back({"rating.quality", std::to_string(grade), kClassesOfEditions});
   if (!in.speed && !in.dynamic_factor) {
-    missing.push_back(
-        absent_input("rating.speed",
-                     "; the dynamic factor needs it; give the speed, `speed` = 1500 for example, "
-                     "or the factor itself"));
+    missing.push_back(absent_input("rating.speed",
+                                   "; the dynamic factor depends on the speed. Give the speed, for "
+                                   "example `speed` = 1500, or give the dynamic factor"));
   }
   if (!in.face_load_factor && !in.mounting && !in.shafts) {
     missing.push_back(absent_input(
         "rating.face_load_factor",
-        halves == 1
-            ? "; give it, `face_load_factor` = 1.2 for example, or the arrangement of the "
-              "pinion, `mounting`"
-            : "; give it, `face_load_factor` = 1.2 for example; for double-helical gears it "
-              "does not follow from the arrangement of the pinion"));
+        halves == 1 ? "; give the factor, for example `face_load_factor` = 1.2, or give the "
+                      "arrangement of the pinion in `mounting`"
+                    : "; give the factor, for example `face_load_factor` = 1.2; for double-helical "
+                      "gears it cannot be computed from the arrangement of the pinion"));
   }
   return missing;
 }

@@ -42,14 +42,15 @@ Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemper
   if (const auto value = at_temperature(list, celsius)) return *value;
   return refused(gear_field(gear_at(pair, place), "material.temperatures"), celsius,
                  {list.front()[0], list.back()[0]},
-                 std::string("is how warm the ") + what +
-                     " runs, °C; the values of this plastic are given from {} to {} °C");
+                 std::string("°C is the temperature of the ") + what +
+                     ", but the values of this plastic are given from {} to {} °C only");
 }
 
 Factor given_or_one(const std::optional<double>& factor) {
   return factor ? Factor{*factor, "", kGivenFactor}
                 : Factor{1.0, "VDI 2736-2",
-                         "not given: 1; the guideline gives 1 … 1.25 for the product"};
+                         "not given, so 1 is used; the guideline gives 1 to 1.25 for the product "
+                         "of these factors"};
 }
 
 // Marks the factors of ISO 6336 that the guideline does not contain as absent.
@@ -63,7 +64,8 @@ void leave_out(Rating& r) {
 }
 
 const char* strength_branch(const Material& m, const ByTemperature& list) {
-  if (!plastic(m)) return "metal with a plastic mating gear: reference strength of ISO 6336";
+  if (!plastic(m))
+    return "reference strength of ISO 6336, for a metal gear with a plastic mating gear";
   return list.empty() ? "as given, for this life and temperature" : "as given, at its temperature";
 }
 
@@ -114,8 +116,8 @@ ToothTemperatures tooth_temperatures(const RatedPair& pair, const PlasticInput& 
 std::vector<Error> missing_plastic_inputs(const RatingInput& in) {
   if (!plastic(in.materials[0]) && !plastic(in.materials[1])) {
     return {Error{"rating.edition", std::string(name(in.edition)),
-                  "rates plastics, and neither gear is made of plastic; give a `kind` of "
-                  "\"plastic\" in [gearN.material], or an edition of ISO 6336"}};
+                  "rates plastics, but neither gear is made of plastic; give `kind` = \"plastic\" "
+                  "in [gearN.material], or give an edition of ISO 6336"}};
   }
   const PlasticInput& p = in.plastic;
   if (p.flank_temperature && p.root_temperature) return {};
@@ -123,22 +125,21 @@ std::vector<Error> missing_plastic_inputs(const RatingInput& in) {
   if (!p.ambient_temperature || !p.friction) {
     missing.push_back(absent_input(
         p.ambient_temperature ? "rating.plastic.friction" : "rating.plastic.ambient_temperature",
-        "; the strength of a plastic depends on the temperature of the teeth; give "
-        "`flank_temperature` and `root_temperature`, or `ambient_temperature` = 23 and `friction` "
-        "= 0.2 for example"));
+        "; the strength of a plastic depends on the temperature of the teeth. Give "
+        "`flank_temperature` and `root_temperature`, or give `ambient_temperature` and `friction`, "
+        "for example 23 and 0.2"));
   }
   if (!in.speed)
-    missing.push_back(
-        absent_input("rating.speed",
-                     "; the temperature of the teeth depends on it; give it, `speed` = 1500 for "
-                     "example"));
+    missing.push_back(absent_input("rating.speed",
+                                   "; the temperature of the teeth depends on the speed. Give the "
+                                   "speed, for example `speed` = 1500"));
   return missing;
 }
 
 Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
   if (pair.internal()) {
     return Error{"rating.edition", std::string(name(in.edition)),
-                 "covers external pairs only; gear 2 is internal"};
+                 "covers external pairs only, but gear 2 is internal"};
   }
   const auto materials = turned(pair, in.materials);
   const RatedGear& driven_by = pair.gears[pair.place(1)];
@@ -199,11 +200,11 @@ Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
     const auto section = critical_section(pair, g, LoadPoint::tip);
     if (!section) {
       return Error{gear_field(gear_at(pair, i), "rack"), "",
-                   "has a root without a tangent at 30°, for which there is no form factor"};
+                   "has a root without a tangent at 30°, so there is no form factor"};
     }
     r.section[i] = *section;
     r.Y_F[i] = form_factor(RatingEdition::iso_2006, pair, *section);
-    r.Y_F[i].branch = "Y_Fa: the load at the tip";
+    r.Y_F[i].branch = "Y_Fa, for the load at the tip";
     r.Y_S[i] = stress_correction_factor(*section);
     r.Y_beta[i] = root_helix_factor(RatingEdition::iso_2006, pair);
     r.Y_ST[i] = {2.0, kRootStress, ""};
@@ -215,8 +216,8 @@ Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
     r.S_F[i] = {r.sigma_FG[i].value / r.sigma_F[i].value, kRootStress, ""};
   }
   r.limits.push_back({WarningCode::rating_plastic,
-                      "VDI 2736 also covers wear, deformation and static peaks of plastic teeth; "
-                      "these are not rated."});
+                      "Wear, deformation and static peaks of plastic teeth, which VDI 2736 also "
+                      "covers, are not rated."});
   return r;
 }
 

@@ -65,11 +65,13 @@ RatedGear rated_gear(const Gear& gear, double bore, double beta, double beta_b) 
 }
 
 Result<RatedPair> rated(const ArcPair&, const std::array<double, 2>&) {
-  return Error{gear_field(1, "rack"), "", "cuts circular arcs; ISO 6336 rates involute gears only"};
+  return Error{gear_field(1, "rack"), "",
+               "cuts circular arcs, but ISO 6336 rates involute gears only"};
 }
 
 Result<RatedPair> rated(const CrossedPair&, const std::array<double, 2>&) {
-  return Error{"pair.shaft_angle", "", "ISO 6336 rates gears on parallel axes; these axes cross"};
+  return Error{"pair.shaft_angle", "",
+               "ISO 6336 rates gears on parallel axes only, and these axes cross"};
 }
 
 Result<RatedPair> rated(const ParallelPair& pair, const std::array<double, 2>& bore) {

@@ -59,7 +59,7 @@ void Rater::load() {
            in.application_factor == 1.0 ? kNotAsked : kGivenFactor};
   r.K_gamma = {in.mesh_load_factor, "ISO 6336-1, 4.2",
                in.mesh_load_factor != 1.0 ? kGivenFactor
-               : pair.halves == 2         ? "two halves that carry equally"
+               : pair.halves == 2         ? "two halves that carry equal loads"
                                           : "one mesh"};
   if (!in.speed) return;
   pinion_speed = *in.speed * std::abs(driven_by.teeth / static_cast<double>(pair.gears[0].teeth));
@@ -191,7 +191,7 @@ std::optional<Error> Rater::root() {
     const auto section = critical_section(pair, g);
     if (!section) {
       return Error{gear_field(pair.place(1) == i ? 1 : 2, "rack"), "",
-                   "has a root without a tangent at 30° (internal gear: 60°), for which the "
+                   "has a root without a tangent at 30° (for an internal gear at 60°), so the "
                    "standard has no form factor"};
     }
     r.section[i] = *section;
@@ -230,33 +230,38 @@ void Rater::check_limits() {
     if (bad) r.limits.push_back({code, text, gear});
   };
   say(!(pair.epsilon_alpha > 1.0 && pair.epsilon_alpha < 2.5), WarningCode::rating_contact_ratio,
-      "ISO 6336 applies to transverse contact ratios between 1 and 2.5, and the ratio of this pair "
-      "is outside.");
+      "ISO 6336 applies to transverse contact ratios between 1 and 2.5, but the ratio of this pair "
+      "is outside this range.");
   say(pair.beta > 30 * kRadPerDeg, WarningCode::rating_helix_angle,
-      "ISO 6336 is confirmed up to a helix angle of 30°, and that of this pair is greater.");
+      "ISO 6336 is confirmed up to a helix angle of 30°, but the helix angle of this pair is "
+      "greater.");
   say(pair.alpha_n < 15 * kRadPerDeg || pair.alpha_n > 25 * kRadPerDeg,
       WarningCode::rating_pressure_angle,
-      "ISO 6336 is confirmed for normal pressure angles of 15° to 25°, and that of this pair is "
-      "outside.");
+      "ISO 6336 is confirmed for normal pressure angles of 15° to 25°, but the pressure angle of "
+      "this pair is outside this range.");
   say(!r.stiffness.in_range, WarningCode::rating_stiffness,
-      "The formula of the tooth stiffness c' applies to x1 ≥ x2 and −0.5 ≤ x1 + x2 ≤ 2, and the "
-      "shifts of this pair are outside.");
+      "The formula of the tooth stiffness c' applies to x1 ≥ x2 and −0.5 ≤ x1 + x2 ≤ 2, but the "
+      "profile shifts of this pair are outside this range.");
   say(r.N && r.N->value > 0.85 && r.N->value <= 1.15 && !in.dynamic_factor,
       WarningCode::rating_resonance,
       "The pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15; ISO 6336-1 requires a "
       "detailed analysis there.");
   say(!r.face.offset_in_range, WarningCode::rating_mounting,
-      "The offset s of the pinion is greater than the mounting's figure allows.");
+      "The offset s of the pinion is greater than the standard allows for this arrangement of the "
+      "bearings.");
   for (const int which : {1, 2}) {
     const std::size_t i = pair.place(which);
     const double q = r.section[i].q_s;
     say(!(q >= 1.0 && q < 8.0), WarningCode::rating_notch,
-        "The stress correction factor Y_S applies to 1 ≤ q_s < 8; this fillet is outside.", which);
+        "The stress correction factor Y_S applies to 1 ≤ q_s < 8, but this root fillet is outside "
+        "this range.",
+        which);
     const auto rim = in.rim[static_cast<std::size_t>(which - 1)];
     const RatedGear& g = pair.gears[i];
     const bool thin =
         rim && (g.internal() ? *rim <= 1.75 * pair.normal_module : *rim <= 0.5 * g.tooth_height);
-    say(thin, WarningCode::rating_rim, "The rim is thinner than the rim factor Y_B allows.", which);
+    say(thin, WarningCode::rating_rim,
+        "The rim is thinner than the rim thickness factor Y_B allows.", which);
   }
 }
 
@@ -282,8 +287,8 @@ namespace {
 std::optional<Error> two_halves_error(const RatedPair& pair, const RatingInput& in) {
   if (pair.halves == 1 || in.face_load_factor || !(in.mounting || in.shafts)) return std::nullopt;
   return Error{in.mounting ? "rating.mounting" : gear_field(in.shafts->of[0] ? 1 : 2, "shaft"), "",
-               "gives the face load factor of single-helical gears; for double-helical gears give "
-               "rating.face_load_factor"};
+               "determines the face load factor of single-helical gears only; for double-helical "
+               "gears give rating.face_load_factor"};
 }
 
 }  // namespace

@@ -122,13 +122,13 @@ Factor root_helix_factor(RatingEdition edition, const RatedPair& pair) {
   }
   return {y, "ISO 6336-3, clause 8",
           pair.spur()               ? "spur"
-          : pair.epsilon_beta > 1.0 ? "ε_β > 1: taken as 1"
+          : pair.epsilon_beta > 1.0 ? "ε_β > 1, so 1 is used"
                                     : "ε_β ≤ 1"};
 }
 
 Factor rim_factor(const RatedGear& gear, double normal_module, std::optional<double> rim) {
   constexpr const char* formula = "ISO 6336-3, clause 9";
-  if (!rim) return {1.0, formula, "no rim given: thick"};
+  if (!rim) return {1.0, formula, "thick rim, because no rim is given"};
   if (gear.internal()) {
     const double s = *rim / normal_module;
     if (s >= 3.5) return {1.0, formula, "internal, s_R/m_n ≥ 3.5"};

@@ -49,8 +49,9 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
   f.line({p - n, p + n}, "action-line");
   f.dot(p, 4.0, "mark action-dot");
   f.caption = fmt::format(
-      ", section z = {} mm, gear 1 driving clockwise. {} {} Tip circles full, working pitch "
-      "circles dash-dot, root circles dashed. The point runs along the face, parallel to the axes.",
+      ", section z = {} mm, gear 1 driving clockwise. {} {} Tip circles are full, working pitch "
+      "circles dash-dotted and root circles dashed. The contact point moves along the face, "
+      "parallel to the axes.",
       fixed(at.z(), kLengthDigits), caption_of_gears(), caption_key("action", "common normal"));
   return figure_html(f, kWidth);
 }

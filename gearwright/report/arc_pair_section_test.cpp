@@ -52,7 +52,7 @@ TEST(ArcPairSection, page_is_sound_and_speaks_of_no_involute) {
   }
   for (const char* word : {"Circular-arc gear pair", "Contact on the convex flank of gear 1",
                            "Contact on the convex flank of gear 2", "Overlap ratio",
-                           "Basic rack of arcs", "The pair runs: contact is continuous"}) {
+                           "Basic rack of arcs", "The pair runs with continuous contact"}) {
     EXPECT_NE(page.find(word), page.npos) << word;
   }
 }

@@ -71,7 +71,7 @@ void add_dimension(Figure& f, double x_1, double x_2, const std::string& words) 
 }
 
 Figure before_figure(const Centrodes& c, double half) {
-  Figure f = with_axes("centrodes-before", "Before the shift",
+  Figure f = with_axes("centrodes-before", "Without profile shift",
                        "The reference circles of both gears near the mesh, touching on the centre "
                        "line at I.",
                        c, half, c.a_d);
@@ -80,7 +80,7 @@ Figure before_figure(const Centrodes& c, double half) {
 }
 
 Figure after_figure(const Centrodes& c, double half) {
-  Figure f = with_axes("centrodes-after", "After it",
+  Figure f = with_axes("centrodes-after", "With profile shift",
                        "Reference circles and working pitch circles of both gears near the mesh; "
                        "the pitch circles touch on the centre line at the pitch point I′.",
                        c, half, c.a);
@@ -108,12 +108,12 @@ std::string centrode_figures(const InvolutePair& pair) {
   const double half = half_height(pair, c);
   const double sum = pair.gears[0].spec.profile_shift + pair.gears[1].spec.profile_shift;
   Figure before = before_figure(c, half), after = after_figure(c, half);
-  before.caption =
-      fmt::format(": at {} = {} mm the reference circles touch at I and roll on each other.",
-                  symbol_html("a_d"), fixed(c.a_d, kLengthDigits));
+  before.caption = fmt::format(
+      ", with the axes {} = {} mm apart. The reference circles touch at I and roll on each other.",
+      symbol_html("a_d"), fixed(c.a_d, kLengthDigits));
   after.caption = fmt::format(
-      ": with {} + {} = {} the axes are {} = {} mm apart. The working pitch circles (full) roll on "
-      "each other at I′ in the same ratio; the reference circles (dash-dot) {} by {} mm.",
+      " {} + {} = {}, with the axes {} = {} mm apart. The working pitch circles (full) roll on "
+      "each other at I′ in the same ratio, and the reference circles (dash-dotted) {} by {} mm.",
       symbol_html("x_1"), symbol_html("x_2"), fixed(sum, kRatioDigits), symbol_html("a"),
       fixed(c.a, kLengthDigits), (c.a - c.a_d) * c.side_1 > 0.0 ? "are apart" : "overlap",
       fixed(std::abs(c.a - c.a_d), kLengthDigits));

@@ -125,10 +125,9 @@ Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   f.x.lo += 0.12 * m;
   f.x.hi += 0.12 * m;
   f.caption = fmt::format(
-      ", with coincident pitch lines (dash-dot). They touch at M, with the normal at {} = {}° to "
-      "the "
-      "pitch line. The centres O lie {} beyond the middle of the tooth and {} below the pitch "
-      "line.<br>{}<br>{}",
+      ", with coincident pitch lines (dash-dotted). The arcs touch at M, where the angle of the "
+      "normal to the pitch line is {} = {}°. The centres O lie {} beyond the middle of the tooth "
+      "and {} below the pitch line.<br>{}<br>{}",
       symbol_html("ψ_c"), fixed(theta * kDegPerRad, 3), symbol_html("a"), symbol_html("b"),
       arc_key(arcs.convex, "convex", arcs.v), arc_key(arcs.concave, "concave", arcs.c));
   const double deep = 3.0 * m;
@@ -171,7 +170,7 @@ Figure teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
                       "with the common normal.",
                       m, 0.0);
   f.caption = fmt::format(
-      ", in the plane normal to the tooth, as mounted without errors: normal angle {}°.",
+      ", in the plane normal to the tooth, as mounted without errors, with a normal angle of {}°.",
       fixed(contact.at.theta.deg(), 3));
   f.keys = {{"g1", "gear 1, below"}, {"g2", "gear 2, above"}, {"action", "common normal"}};
   const double deep = 4.0 * m;

@@ -8,7 +8,7 @@ namespace gearwright {
 
 std::string contact_words(const ContactResult& contact) {
   if (contact.contact_lost) {
-    return "At some positions no tooth pair touches: the teeth would separate and collide. This "
+    return "At some positions no tooth pair touches, so the teeth would separate and collide. This "
            "pair needs a wider face, more teeth in mesh or smaller errors.";
   }
   const auto all = static_cast<double>(contact.positions.size());
@@ -36,8 +36,8 @@ std::string contact_words(const ContactResult& contact) {
     return text;
   }
   return text + fmt::format(
-                    "During {:.0f} % of the rotation an edge touches where a flank should; "
-                    "crowning, reliefs or smaller errors would keep the contact inside.",
+                    "During {:.0f} % of the rotation an edge touches instead of a flank. Crowning, "
+                    "reliefs or smaller errors would keep the contact inside the flanks.",
                     100 * edges);
 }
 

@@ -79,8 +79,8 @@ std::string te_part(const ContactReport& report) {
       "gear 2 turns evenly too. The <em>transmission error</em> is the angle by which gear 2 is "
       "ahead (above zero) or behind. A constant part is a small shift without effect. The part "
       "that repeats with every tooth excites the shafts at the tooth frequency and causes gear "
-      "whine. The lower and smoother the curve, the quieter the pair. A sharp corner causes an "
-      "impact. The teeth are rigid here and carry no load.</p>\n" +
+      "whine. A low and smooth curve means a quiet pair. A sharp corner causes an impact. The "
+      "teeth are rigid here and carry no load.</p>\n" +
       side_by_side(html_of(transmission_error_figure(report, report.driving)) +
                    html_of(transmission_error_figure(report, report.other)));
   if (spectrum.empty())
@@ -92,16 +92,16 @@ std::string te_part(const ContactReport& report) {
                          "A periodic curve is a sum of harmonics. The first bar belongs to the "
                          "tooth frequency, teeth × revolutions per second, and the next bars to "
                          "its multiples. One tall bar at the left is a pure, low tone. Bars that "
-                         "decrease slowly are caused by sharp corners, where one tooth pair hands "
-                         "over to the next, and sound harsh. A tall bar near a resonance of the "
-                         "housing should be lowered.");
+                         "decrease slowly are caused by sharp corners of the curve, where contact "
+                         "passes from one tooth pair to the next. Such a pair sounds harsh. A tall "
+                         "bar near a resonance of the housing should be lowered.");
 }
 
 std::string pattern_part(const ContactReport& report) {
   // Conjugate flanks touch in all their tooth pairs at the same time.
   const char* several = report.driving.peak_to_peak.arcsec() < kConjugate
-                            ? " Here all tooth pairs in mesh touch at once; the path is drawn over "
-                              "the pitch in which a pair is nearest to the centre line."
+                            ? " Here all tooth pairs in mesh touch at the same time. The path is "
+                              "drawn over the pitch in which a pair is nearest to the centre line."
                             : "";
   return fmt::format(
              "<h3>Bearing contact: where the teeth touch</h3>\n"
@@ -124,10 +124,11 @@ std::string gap_part(const ContactReport& report) {
   const FlankLayers gap{.gap = &report.middle_gap, .now = &*report.middle, .way = false};
   return "<h3>Gap between the flanks</h3>\n" +
          beside(figure_html(flank_figure(report, 0, gap)),
-                "The gap between two teeth at one position, as contour lines. It is zero at the "
-                "contact point. Lines far apart mean flanks that are close over a wide area, so "
-                "the load spreads. Lines close together mean a small spot under high pressure. "
-                "Misaligned shafts tilt the map, so the gap grows towards one end of the face.");
+                "The contour lines show the gap between two teeth at one position. The gap is zero "
+                "at the contact point. Where the lines are far apart, the flanks are close over a "
+                "wide area and share the load. Where the lines are close together, a small spot is "
+                "under high pressure. Misaligned shafts tilt the map, so the gap grows towards one "
+                "end of the face.");
 }
 
 std::string multiples_part(const ContactReport& report) {
@@ -138,13 +139,13 @@ std::string multiples_part(const ContactReport& report) {
     Figure f = small_pattern("under" + std::to_string(&u - report.under.data()), u.name, u.pattern,
                              report.marking);
     f.caption =
-        std::isnan(peak) ? "<br>nothing touches" : "<br>peak to peak " + shown_arcsec(peak) + "″";
+        std::isnan(peak) ? "<br>no teeth touch" : "<br>peak to peak " + shown_arcsec(peak) + "″";
     pictures += figure_html(f, 240.0, u.as_specified ? " class=\"own\"" : "");
   }
-  return "<h3>Which error moves the pattern</h3>\n<p>The pattern on gear 1 under each error "
-         "alone, in both directions, and under all of them together. The pattern on the real gears "
-         "can be compared with these pictures. The one that resembles it shows the error to "
-         "correct.</p>\n<div class=\"multiples contact\">\n" +
+  return "<h3>Which error moves the pattern</h3>\n<p>The pictures show the pattern on gear 1 under "
+         "each error alone, in both directions, and under all errors together. The picture that "
+         "resembles the pattern on the real gears shows the error to correct.</p>\n<div "
+         "class=\"multiples contact\">\n" +
          pictures + "</div>\n";
 }
 
@@ -152,10 +153,10 @@ std::string map_part(const ContactReport& report) {
   if (!report.map) return {};
   return "<h3>Permissible misalignment</h3>\n" +
          beside(figure_html(error_map_figure(*report.map)),
-                "Each point is a pair with these two errors, and its shade shows the transmission "
-                "error. A wide area of low values means a pair that tolerates errors of housings "
-                "and bearings. A narrow area requires accurate mounting. An oblique valley means "
-                "that one error can be compensated by the other.");
+                "Each point of the map is the pair with these two errors, and its shade shows the "
+                "transmission error. If the area of low values is wide, the pair tolerates errors "
+                "of housings and bearings. If it is narrow, the pair requires accurate mounting. "
+                "An oblique valley means that one error can be compensated by the other.");
 }
 
 std::string arc_part(const ContactReport& report) {

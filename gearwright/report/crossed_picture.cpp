@@ -100,8 +100,8 @@ Figure plan_figure(const InvolutePair& pair) {
                    "tangent points.",
                    {-half, half});
   f.caption = " seen along the centre line from gear 2. " + line_key() +
-              " Rectangles: pitch cylinders from face to face, thin: tip cylinders; dashed: the "
-              "common direction of the teeth.";
+              " The rectangles are the pitch cylinders from face to face, and the thin rectangles "
+              "the tip cylinders. The dashed line is the common direction of the teeth.";
   for (const std::size_t i : {0u, 1u}) {
     add_face(f, pair, i, pair.mesh.rack.sides[i].pitch_radius, "face ");
     add_face(f, pair, i, pair.gears[i].actual_tip_radius(), "thin ");
@@ -172,9 +172,9 @@ Figure whole_figure(const InvolutePair& pair) {
                                       front + 1),
                           {-half, half});
   f.caption = fmt::format(
-      ", gear {} in front: shaft angle {}°, centre distance {} mm{}.", front + 1,
+      ", with gear {} in front, shaft angle {}°, centre distance {} mm{}.", front + 1,
       fixed(pair.shaft_angle.deg(), kAngleDigits), fixed(pair.center_distance, kLengthDigits),
-      plan_is_within(pair) ? "; the frame is the picture of the lines of action" : "");
+      plan_is_within(pair) ? "; the frame marks the picture of the lines of action" : "");
   for (const std::size_t i : {1 - front, front}) {
     add_face(f, pair, i, pair.gears[i].actual_tip_radius(), "solid ");
     add_teeth(f, pair, i);

@@ -110,7 +110,7 @@ std::vector<Approximation> approximations(const CrossedPair& pair) {
   add("2 terms", "2", series.pressure_angle(2));
   add("3 terms", "3", series.pressure_angle(3));
   add("Virtual spur pair", "v", series.virtual_pressure_angle());
-  add("Virtual, corrected", "v′", series.corrected_virtual_pressure_angle());
+  add("Virtual spur pair, corrected", "v′", series.corrected_virtual_pressure_angle());
   std::erase_if(
       all, [&](const Approximation& a) { return !crossed_sample(pair, a.normal_pressure_angle); });
   return all;

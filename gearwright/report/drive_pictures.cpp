@@ -193,9 +193,8 @@ class Pictures {
       text += fmt::format(
           "<div class=\"phases\"><h3>Phases of the planets of {}</h3>\n<p>Every planet is shown in "
           "the frame of its carrier, turned upright. Planets with equal pictures touch at the same "
-          "time. γ is the part of a period by which a mesh lags behind that of the first "
-          "planet.</p>\n<div class=\"multiples\">\n{}"
-          "</div>\n{}</div>\n",
+          "time. γ is the part of a period by which the mesh of a planet lags behind the mesh of "
+          "the first planet.</p>\n<div class=\"multiples\">\n{}</div>\n{}</div>\n",
           escaped(graph_.bodies[set.group.carrier].name), pictures, resultants(set));
     }
     return text;
@@ -250,7 +249,7 @@ class Pictures {
         "Resultant of each harmonic of the mesh frequency, relative to the contribution of one "
         "planet times the number of planets",
         {"Harmonic", "Torque, axial force", "Force turning with the sun",
-         "Force turning against it"},
+         "Force turning against the sun"},
         rows);
   }
 

@@ -56,7 +56,7 @@ std::string beyond(const CrossedPair& pair) {
     const double more = (pair.face_widths.both_flanks[i] - pair.input.face_width[i]) / 2;
     if (more > 0.0)
       text +=
-          fmt::format(" Gear {}: its lines reach {} mm beyond the face.", i + 1, fixed(more, 2));
+          fmt::format(" The lines of gear {} reach {} mm beyond the face.", i + 1, fixed(more, 2));
   }
   return text.empty() ? " Both lines lie within both faces." : text;
 }
@@ -86,17 +86,19 @@ double along_line(const CrossedPair& pair, double rho1) {
 
 Figure face_width_figure(const CrossedPair& pair) {
   const std::vector<CrossedSample> samples = crossed_samples(pair);
-  Figure f{"widths",
-           "Face widths",
-           "Face widths that one flank and both flanks of each gear need, over the normal pressure "
-           "angle of the common rack, with the actual face widths as lines.",
-           fmt::format(" required by the lines of action, free of backlash: full for one flank "
-                       "({}), dashed for both flanks about the common perpendicular ({}). {}{}{}",
-                       symbol_html("f"), symbol_html("f′"), caption_of_gears(),
-                       pair.flanks_meet() ? " Dots: as mounted." : "",
-                       pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : ""),
-           {},
-           {"face width", "mm", 0.0, max_shown(pair, samples)}};
+  Figure f{
+      "widths",
+      "Face widths",
+      "Face widths required by one flank and by both flanks of each gear, over the normal pressure "
+      "angle of the common rack, with the actual face widths as lines.",
+      fmt::format(
+          " required by the lines of action of the pair free of backlash. Full curves are for one "
+          "flank ({}), dashed curves for both flanks about the common perpendicular ({}). {}{}{}",
+          symbol_html("f"), symbol_html("f′"), caption_of_gears(),
+          pair.flanks_meet() ? " The dots show the pair as mounted." : "",
+          pair.contact_ratio_range ? " In the shaded range the contact ratio is at least 1." : ""),
+      {},
+      {"face width", "mm", 0.0, max_shown(pair, samples)}};
   const double most = f.y.hi;
   add_angles(f, pair, samples);
   for (const std::size_t i : {0u, 1u}) {
@@ -142,7 +144,7 @@ Figure face_use_figure(const CrossedPair& pair) {
       "Use of the faces",
       "For each gear its face from end to end, and the parts that the leading and the trailing "
       "line of action use.",
-      fmt::format(" as mounted. {} {} Thick: within usable flanks and faces.{}",
+      fmt::format(" as mounted. {} {} Thick parts lie within the usable flanks and the faces.{}",
                   caption_key("action", "leading flanks A–E"),
                   caption_key("trailing", "trailing flanks A′–E′"), beyond(pair)),
       {"along the axis of each gear from the common perpendicular", "mm", -1.1 * reach,
@@ -166,9 +168,9 @@ Figure speed_figure(const CrossedPair& pair) {
   const Mesh<double>& m = pair.mesh;
   Figure f{"speeds",
            "Sliding of the flanks",
-           "Sliding speeds across and along the teeth and in total, over the line of action from A "
-           "to E.",
-           ", gear 1 over gear 2.",
+           "Sliding speeds across the teeth, along the teeth and in total, over the line of action "
+           "from A to E.",
+           " of gear 1 over gear 2.",
            {"distance from the pitch point C along the line of action", "mm"},
            {"sliding", "mm per radian of gear 1"}};
   std::array<std::vector<Vec2>, 3> curves;
@@ -180,12 +182,11 @@ Figure speed_figure(const CrossedPair& pair) {
     curves[1].push_back({at, s.across});
     curves[2].push_back({at, s.along});
   }
-  f.line(std::move(curves[0]), "curve ink", "altogether");
+  f.line(std::move(curves[0]), "curve ink", "total");
   f.line(std::move(curves[1]), "curve action-curve", "across the teeth");
   f.line(std::move(curves[2]), "curve trailing-curve dash", "along the teeth");
-  f.keys = {{"action", "across the teeth"},
-            {"trailing", "along the teeth (dashed)"},
-            {"ink", "altogether"}};
+  f.keys = {
+      {"action", "across the teeth"}, {"trailing", "along the teeth (dashed)"}, {"ink", "total"}};
   fit_axes(f, 0.1);
   f.y.lo = std::min(f.y.lo, 0.0);
   std::vector<LetterAt> letters;

@@ -18,7 +18,7 @@ TEST(FacePicture, SaysWhatLiesBeyondTheFaces) {
   const std::string text = face_use_figure(askew).caption;
   const double more = (askew.face_widths.both_flanks[0] - 20.0) / 2;
   char words[80];
-  std::snprintf(words, sizeof words, "Gear 1: its lines reach %.2f mm beyond the face.", more);
+  std::snprintf(words, sizeof words, "The lines of gear 1 reach %.2f mm beyond the face.", more);
   EXPECT_NE(text.find(words), std::string::npos) << words;
   EXPECT_EQ(text.find("Both faces"), std::string::npos);
 }
@@ -40,9 +40,9 @@ TEST(FacePicture, EqualFacesShareALine) {
 }
 
 TEST(FacePicture, WithoutContactThereAreNoDots) {
-  EXPECT_EQ(figure_html(face_width_figure(testing::crossed_apart())).find("Dots"),
+  EXPECT_EQ(figure_html(face_width_figure(testing::crossed_apart())).find("The dots show"),
             std::string::npos);
-  EXPECT_NE(figure_html(face_width_figure(testing::crossed_pair())).find("Dots"),
+  EXPECT_NE(figure_html(face_width_figure(testing::crossed_pair())).find("The dots show"),
             std::string::npos);
 }
 

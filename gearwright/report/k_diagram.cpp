@@ -40,8 +40,8 @@ Figure trace_figure(const std::string& id, const std::string& title, const Flank
   const auto ends = widened(lo - spare, hi + spare, 0.15);
   Figure f{id,
            title,
-           title + ": the design flank, and the band of its tolerance where it is evaluated.",
-           ": the design",
+           title + ", with the design flank and the tolerance band over the evaluation range.",
+           ", with the design",
            {across, "mm", trace.design.front().x(), trace.design.back().x()},
            {"deviation out of the material", "µm", ends[0], ends[1]}};
   if (trace.tolerance) {

@@ -122,7 +122,8 @@ void add_lines_of_action(Figure& f, const InvolutePair& pair,
 std::string line_key() {
   return caption_key("action", "leading line A–E") + " " +
          caption_key("trailing", "trailing line A′–E′") +
-         " A: tip of gear 2, E: tip of gear 1, C: pitch point of gear 1, T: base tangent points.";
+         " Contact starts at A, at the tip of gear 2, and ends at E, at the tip of gear 1. C is "
+         "the pitch point of gear 1, and T are the base tangent points.";
 }
 
 }  // namespace gearwright

@@ -29,7 +29,7 @@ std::string finding(const LoadScene& report) {
                        : "",
       fixed(t.max_root_stress[0], 0), fixed(t.max_root_stress[1], 0));
   if (const LoadedTorque* quiet = quietest(report.contact); quiet && quiet != &t)
-    text += fmt::format(" The pair is quietest at {}: {}″.", torque_words(*quiet),
+    text += fmt::format(" The pair is quietest at {}, with {}″.", torque_words(*quiet),
                         shown_arcsec(quiet->peak_to_peak.arcsec()));
   return text;
 }
@@ -55,7 +55,7 @@ std::string facts(const LoadScene& report) {
       table.row(*row.info, texts);
     }
   }
-  return table.str() + "<p>Of two values, the first is for gear 1.</p>\n";
+  return table.str() + "<p>If a row has two values in a column, the first is for gear 1.</p>\n";
 }
 
 std::string te_part(const LoadScene& report) {
@@ -64,12 +64,11 @@ std::string te_part(const LoadScene& report) {
          "The deflection is less where two tooth pairs share the load than where one pair carries "
          "it alone, so gear 2 oscillates at the tooth frequency even if the flanks are perfect. A "
          "tip relief compensates this oscillation at one torque. At lower torques the relief "
-         "itself causes noise, at higher torques the deflection does.</p>\n" +
+         "itself causes noise, and at higher torques the deflection causes noise.</p>\n" +
          side_by_side(html_of(loaded_te_figure(report)) + harris) +
-         (harris.empty()
-              ? "<p>With several torques a Harris map shows at which of them the pair is "
-                "quietest.</p>\n"
-              : "");
+         (harris.empty() ? "<p>If several torques are given, a Harris map shows the torque at "
+                           "which the pair is quietest.</p>\n"
+                         : "");
 }
 
 bool at_points(const LoadScene& report) { return report.contact.regime == LoadRegime::point; }

@@ -62,13 +62,12 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   const double half = 0.5 * kAspect * (hi - lo);
   Figure figure = plane_figure(fmt::format("root-stress{}{}", which + 1, report.part),
                                fmt::format("{}: {} N/mm²", name, fixed(most, 1)),
-                               "The tooth in the transverse section; bars on the fillet in tension "
-                               "show the greatest principal "
-                               "stress over a mesh.",
+                               "The tooth in the transverse section. Bars on the fillet in tension "
+                               "show the greatest principal stress during a mesh.",
                                {{worst.y() - half, lo}, {worst.y() + half, hi}});
   figure.caption = fmt::format(
-      " at the dot, on a diameter of {} mm, {} mm along the face from its middle. Bars: the "
-      "greatest principal stress at each point of the fillet over a mesh.",
+      " at the dot, on a diameter of {} mm, {} mm along the face from its middle. The bars show "
+      "the greatest principal stress at each point of the fillet during a mesh.",
       fixed(2 * worst.norm(), 2),
       fixed(report.contact.slices[which].middle(static_cast<int>(f.slice)), 2));
   add_upright_gear(figure, gear, shape, fmt::format("body g{}", which + 1));

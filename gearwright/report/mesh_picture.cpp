@@ -36,8 +36,8 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
   Figure mesh = mesh_figure(scene, window);
   mesh.caption = fmt::format(
       " C, gear 1 driving clockwise. {} {} {} <span class=\"key turn-key\" hidden><i "
-      "class=\"swatch touch\"></i>flanks touch, once turned</span> Tip circles full, pitch circles "
-      "dash-dot, base circles dashed; T: base tangent points.{}",
+      "class=\"swatch touch\"></i>flanks touch, once turned</span> Tip circles are full, pitch "
+      "circles dash-dotted and base circles dashed. T are the base tangent points.{}",
       caption_of_gears(), caption_key("action", "path of contact A–E"),
       caption_key("trailing", "line of action of the trailing flanks"), about_ring(pair.gears[1]));
   // The picture is no higher than the pair requires.
@@ -45,8 +45,9 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
   const double tall = mesh_window(scene, MeshFrame::whole, kLeastAspect).size().x();
   const double aspect = std::clamp(tall / size.y(), kLeastAspect, kMostAspect);
   Figure whole = whole_figure(scene, mesh_window(scene, MeshFrame::whole, aspect), window);
-  whole.caption = fmt::format(", centre distance {} mm; the frame is the picture of the mesh.",
-                              fixed(pair.center_distance, kLengthDigits));
+  whole.caption =
+      fmt::format(", with centre distance {} mm. The frame marks the picture of the mesh.",
+                  fixed(pair.center_distance, kLengthDigits));
   return {std::move(mesh), std::move(whole)};
 }
 

@@ -32,8 +32,8 @@ struct Dot {
 Quantity quantity_of(Objective objective) {
   const ObjectiveWords w = words_of(objective);
   FigureAxis axis{std::string(w.name), std::string(w.unit)};
-  axis.unit +=
-      fmt::format("{}{} is better", w.unit.empty() ? "" : ", ", w.greater ? "greater" : "less");
+  axis.unit += fmt::format("{}{} values are better", w.unit.empty() ? "" : ", ",
+                           w.greater ? "greater" : "smaller");
   axis.symbol = w.symbol;
   return {axis, Along::objective, w.greater};
 }
@@ -120,24 +120,26 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
   Figure f = designs_figure(
       across.axis, upright.axis, drawn,
       plane ? staircase(best, {across.greater, upright.greater}) : std::vector<Vec2>());
-  f.caption = ", one dot each; the pointer shows module, teeth and shifts. ";
+  f.caption =
+      ", with one dot for each design. Point at a dot to see module, teeth and profile shifts. ";
   if (!plane && dots.front().row == &answer.designs.front())
     f.dot(dots.front().value, 7.0, "design-ring");
 
   if (plane) {
-    f.caption += problem.objectives.size() == 2
-                     ? "Joined: the Pareto front, designs that no other dominates. "
-                     : "Filled: the Pareto front over all objectives; the staircase joins those "
-                       "that no other dominates in these two. ";
+    f.caption +=
+        problem.objectives.size() == 2
+            ? "The line joins the Pareto front, the designs that no other design dominates. "
+            : "Filled dots are the Pareto front over all objectives. The staircase joins the "
+              "designs that no other design dominates in these two objectives. ";
   } else {
-    f.caption += "Ringed: the best. ";
+    f.caption += "The ring marks the best design. ";
   }
   if (unranked)
     f.caption +=
-        "Hollow: designs whose teeth cannot be made about equally strong within the limits; they "
-        "come last. ";
+        "Hollow dots are designs whose teeth cannot be made about equally strong within the "
+        "limits. They come last. ";
   if (dots.size() < static_cast<std::size_t>(answer.counts.feasible))
-    f.caption += fmt::format("Shown are {} of {} feasible designs. ",
+    f.caption += fmt::format("The picture shows {} of {} feasible designs. ",
                              counted(std::int64_t(dots.size())), counted(answer.counts.feasible));
   return figure_html(f);
 }

@@ -74,11 +74,12 @@ TEST(ParetoPicture, AxesSayWhatTheyAre) {
   const auto has = [](const SearchSample& sample, const char* words) {
     return pareto_figure(sample.search->problem(), *sample.answer).find(words) != std::string::npos;
   };
-  EXPECT_TRUE(has(testing::spur_search(), "greater is better"));
+  EXPECT_TRUE(has(testing::spur_search(), "greater values are better"));
   EXPECT_TRUE(has(testing::spur_search(), ", mm</text>"));
   EXPECT_TRUE(has(testing::exact_search(), "Designs by gear ratio and contact ratio"));
-  EXPECT_TRUE(has(testing::ring_search(), "mm², less is better"));
-  EXPECT_TRUE(has(testing::pareto_search(), "Filled: the Pareto front over all objectives"));
+  EXPECT_TRUE(has(testing::ring_search(), "mm², smaller values are better"));
+  EXPECT_TRUE(
+      has(testing::pareto_search(), "Filled dots are the Pareto front over all objectives"));
   // modules of 1 to 5 mm give sizes of 1 to 30, on a logarithmic axis
   EXPECT_TRUE(has(testing::pareto_search(), ">1\u202f000</text>"));
 }
@@ -98,7 +99,7 @@ TEST(ParetoPicture, NoMoreDotsThanAReaderTellsApart) {
   answer.counts.feasible = static_cast<std::int64_t>(answer.designs.size());
   const std::string figure = pareto_figure(problem, answer);
   EXPECT_EQ(count_of(figure, "class=\"dot-design\""), kMaxDots);
-  EXPECT_NE(figure.find("Shown are 2\u202f000 of 2\u202f050"), figure.npos);
+  EXPECT_NE(figure.find("The picture shows 2\u202f000 of 2\u202f050"), figure.npos);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ void add_lanes(Figure& f, const Mesh<double>& mesh) {
         {from_C(mesh.rho1_true_begin), from_C(mesh.rho1_true_end), "lane inside", "touch"});
   else
     usable.blocks.push_back(
-        {from_C(mesh.rho1_A), from_C(mesh.rho1_E), "zone none", "nowhere on both gears"});
+        {from_C(mesh.rho1_A), from_C(mesh.rho1_E), "zone none", "not on both gears"});
   f.lanes.push_back(std::move(usable));
 }
 
@@ -137,10 +137,11 @@ Figure ratio_figure(const InvolutePair& pair) {
   const bool differs = std::abs(e_alpha - e_true) > 1e-9;
   Figure f{"ratios",
            "Contact ratios",
-           "Bars of the transverse contact ratio, the overlap ratio and their sum; a line marks 1.",
-           fmt::format("; from 1 on contact never stops.{}",
-                       differs ? " Filled: of the usable flanks; outlined: from tip to tip, as in "
-                                 "the formula."
+           "The bars show the transverse contact ratio, the overlap ratio and their sum. A line "
+           "marks 1.",
+           fmt::format(". If the ratio is at least 1, contact is continuous.{}",
+                       differs ? " Filled bars are for the usable flanks, and outlined bars for "
+                                 "the path from tip to tip, as in the formula."
                                : ""),
            {.words = "contact ratio", .unit = {}, .lo = 0.0, .hi = 2.0, .whole = true},
            {"", "", 0.0, 3.0}};

@@ -25,8 +25,9 @@ std::string rack_figure(const RackPair& pair, const std::string& shape) {
   }
   Figure figure = std::move(made).take();
   figure.caption = fmt::format(
-      " C, the pinion driving clockwise, the rack moving down. {} {} Tip circle and tip line full, "
-      "pitch circle and datum line dash-dot, base circle dashed; T: base tangent point.",
+      " C, with the pinion driving clockwise and the rack moving down. {} {} Tip circle and tip "
+      "line are full, pitch circle and datum line dash-dotted, and the base circle is dashed. T is "
+      "the base tangent point.",
       caption_key("action", "path of contact A–E"),
       caption_key("trailing", "line of action of the trailing flanks"));
   return figure_html(figure, kRackWidth);

@@ -40,7 +40,7 @@ std::vector<Quantity> quantities(const CrossedPair& pair) {
            pair.shaft_angle.deg(),
            4},
           {"range-ratio",
-           {.words = "contact ratio tip to tip", .unit = {}, .symbol = "ε"},
+           {.words = "contact ratio from tip to tip", .unit = {}, .symbol = "ε"},
            [](const CrossedSample& s) { return s.contact_ratio; },
            pair.contact_ratio(),
            3}};
@@ -65,9 +65,9 @@ Figure range_panel(const CrossedPair& pair, const std::vector<CrossedSample>& sa
   Figure f{q.id,
            "Possible positions of the pair: " + q.axis.words,
            "The " + q.axis.words +
-               " of the pair free of backlash over the normal pressure angle of the common rack; "
-               "shaded where the contact ratio is at least 1, with lines at the least centre "
-               "distance and where the pair is mounted.",
+               " of the pair free of backlash over the normal pressure angle of the common rack. "
+               "In the shaded range the contact ratio is at least 1. Lines mark the least centre "
+               "distance and the pair as mounted.",
            "",
            {},
            q.axis};
@@ -121,13 +121,14 @@ std::optional<Figure> zoom_figure(const CrossedPair& pair, const std::vector<App
   if (most < kWorthShowing) return std::nullopt;
   const double reach = std::max(box.size().x(), 1e-9);
   Figure f{"least",
-           "The least centre distance, approximately",
-           "Centre distance above the least one over the normal pressure angle of the common rack, "
-           "near the least centre distance; marks at the exact and the approximate solutions.",
-           ": 0 exact, 1 to 3 terms of the series, v the virtual spur pair, v′ the same corrected. "
-           "The curve is the exact distance at each angle: near its least it hardly changes.",
+           "Approximations of the least centre distance",
+           "Excess of the centre distance over the least centre distance, over the normal pressure "
+           "angle of the common rack, with marks at the exact and the approximate solutions.",
+           ". Mark 0 is the exact solution, 1 to 3 are the terms of the series, v is the virtual "
+           "spur pair and v′ the corrected virtual spur pair. The curve is the exact centre "
+           "distance at each angle, which hardly changes near its least value.",
            angle_axis(box.lo.x() - 0.12 * reach, box.hi.x() + 0.12 * reach),
-           {.words = "above the least centre distance",
+           {.words = "excess over the least centre distance",
             .unit = "µm",
             .lo = -0.06 * most,
             .hi = 1.25 * most,
@@ -138,7 +139,7 @@ std::optional<Figure> zoom_figure(const CrossedPair& pair, const std::vector<App
     const double v = f.x.lo + k * (f.x.hi - f.x.lo) / kZoomSteps;
     if (crossed_sample(pair, Angle::degrees(v))) curve.push_back({v, above_min(pair, v)});
   }
-  f.line(std::move(curve), "curve ink", "above the least");
+  f.line(std::move(curve), "curve ink", "excess");
   add_letters(f, letters);
   for (const LetterAt& l : letters)
     f.dot(l.at, &l == &letters.front() ? 3.4 : 4.0, &l == &letters.front() ? "mark" : "mark ring");
@@ -172,9 +173,9 @@ std::string range_figure(const CrossedPair& pair) {
           "<strong>Possible positions of the pair</strong> free of backlash. {} {} {}{}",
           caption_key("action", "as mounted"), caption_key("ink", "least centre distance"),
           pair.side() < 0.0          ? ""
-          : pair.contact_ratio_range ? "Shaded: the contact ratio is at least 1."
+          : pair.contact_ratio_range ? "In the shaded range the contact ratio is at least 1."
                                      : "The contact ratio is below 1 everywhere.",
-          by_hand ? " Hollow dots: approximate solutions of the least centre distance." : ""));
+          by_hand ? " Hollow dots are approximate solutions for the least centre distance." : ""));
 }
 
 std::string min_distance_figure(const CrossedPair& pair) {
@@ -198,7 +199,7 @@ std::string min_distance_table(const CrossedPair& pair) {
   for (const Approximation& a : all)
     rows.push_back(table_row(pair, a.name, a.normal_pressure_angle));
   const std::string alpha = symbol_html("α_wn"), a = symbol_html("a");
-  return value_table("Least centre distance, exact and by approximation",
+  return value_table("Least centre distance, exact and approximate",
                      {"Solution", alpha + ", °", "Δ" + alpha + ", ″", symbol_html("Σ") + ", °",
                       a + ", mm", "Δ" + a + ", µm"},
                      rows);
@@ -208,7 +209,7 @@ std::string min_distance_part(const CrossedPair& pair) {
   const std::string table = min_distance_table(pair);
   const std::string figure = min_distance_figure(pair);
   if (figure.empty()) return table;
-  return "<details><summary>The least centre distance, by approximation</summary>\n" +
+  return "<details><summary>Approximations of the least centre distance</summary>\n" +
          in_columns(table, figure) + "</details>\n";
 }
 

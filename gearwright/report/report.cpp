@@ -139,15 +139,16 @@ std::string foot(const ReportInput& input) {
   const bool by_pinion = std::any_of(input.gears.begin(), input.gears.end(),
                                      [](const Gear* gear) { return gear->cut_by.has_value(); });
   return fmt::format(
-      "<footer>\n<p>Gearwright{}. Nominal geometry of the teeth as cut by the given {}; symbols "
-      "and terms of ISO 21771. Lengths in mm, angles in degrees, “{}”: there is no such "
-      "value.{}</p>\n<p>Accuracy: numbers come from closed formulas or are solved to rounding, in "
-      "double precision, and are shown rounded to {} decimals of a millimetre and {} of a degree; "
-      "outlines of teeth follow the exact curves within {:g} normal modules. Manufacturing "
-      "deviations{} temperature are not considered{}.</p>\n</footer>\n",
+      "<footer>\n<p>Gearwright{}. The geometry is the nominal geometry of the teeth as cut by the "
+      "given {}. Symbols and terms are those of ISO 21771. Lengths are in mm and angles in "
+      "degrees; “{}” means that there is no such value.{}</p>\n<p>Numbers are computed in double "
+      "precision, by closed formulas or by iteration to rounding, and are shown rounded to {} "
+      "decimals of a millimetre and {} of a degree. Outlines of teeth follow the exact curves "
+      "within {:g} normal modules. Manufacturing deviations{} temperature are not "
+      "considered{}.</p>\n</footer>\n",
       version, by_pinion ? "racks and pinion cutters" : "racks", kNoValue,
-      crossed ? " On crossed axes teeth touch in points; the contact ratio counts them along the "
-                "line of action."
+      crossed ? " On crossed axes teeth touch in points, and the contact ratio counts these points "
+                "along the line of action."
               : "",
       kLengthDigits, kAngleDigits, kOutlineTolerance,
       input.load ? " and, except in the part under load, load, deflection and"
@@ -189,7 +190,7 @@ std::string pair_section(const CrossedPair& pair, const std::array<std::string, 
   return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_part(pair) +
          in_columns(pair_table(pair) + interference_table(pair),
                     wide(section_figure(pair)) + flanks + path_table(pair)) +
-         "<h3>Other places for these gears</h3>\n" +
+         "<h3>Other positions of these gears</h3>\n" +
          in_columns(range_figure(pair), wide(face_width_figure(pair))) + min_distance_part(pair) +
          "</section>\n";
 }
@@ -197,8 +198,8 @@ std::string pair_section(const CrossedPair& pair, const std::array<std::string, 
 std::string file_section(const std::vector<ReportFile>& files) {
   if (files.empty()) return {};
   std::string text =
-      "<section>\n<h2>Files</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">"
-      "File</th><th scope=\"col\">What it is</th><th "
+      "<section>\n<h2>Files</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th "
+      "scope=\"col\">File</th><th scope=\"col\">Content</th><th "
       "scope=\"col\">Note</th></tr></thead>\n<tbody>\n";
   for (const ReportFile& file : files) {
     text += fmt::format(

@@ -36,15 +36,17 @@ std::string finding_under_load(const CompensateView& v) {
   };
   const char* unit = pressure ? " N/mm²" : "″";
   return fmt::format(
-      "Under {:.6g} N m the {} is then {}{} instead of {}{}.", worst->torque / kMmPerM,
+      "With these corrections the {1} under {0:.6g} N m is {2}{3} instead of {4}{5}.",
+      worst->torque / kMmPerM,
       pressure ? "greatest pressure on the flanks" : "peak-to-peak transmission error",
       text(worst->after), unit, text(worst->before), unit);
 }
 
 std::string finding(const CompensateView& v) {
   if (v.nothing_to_correct)
-    return fmt::format("Nothing to correct: none of these corrections improves the pair by {}.",
-                       least_gain(v.aim));
+    return fmt::format(
+        "There is nothing to correct, because none of these corrections improves the pair by {}.",
+        least_gain(v.aim));
   if (!v.loads.empty()) return finding_under_load(v);
   // The position of the pattern along the face, or along the profile if that is the aim.
   const bool face = v.before.along_face != 0.0 || v.after.along_face != 0.0;
@@ -52,9 +54,9 @@ std::string finding(const CompensateView& v) {
     return percent(face ? s.along_face : s.along_profile);
   };
   return fmt::format(
-      "At worst the peak-to-peak transmission error is then {}″ instead of {}″, the contact is {} "
-      "% off the middle of the {} instead of {} %, and an edge touches at {} % of the positions "
-      "instead of {} %.",
+      "With these corrections and the worst of the errors, the peak-to-peak transmission error is "
+      "{}″ instead of {}″, the contact is {} % off the middle of the {} instead of {} %, and an "
+      "edge touches at {} % of the positions instead of {} %.",
       arcsec(v.after), arcsec(v.before), place(v.after), face ? "face" : "profile", place(v.before),
       percent(v.after.edge_share), percent(v.before.edge_share));
 }
@@ -62,10 +64,10 @@ std::string finding(const CompensateView& v) {
 const char* aim_words(CompensateAim aim) {
   switch (aim) {
     case CompensateAim::loaded_transmission_error:
-      return "The objective is the transmission error of the loaded teeth, at the worst of the "
+      return "The objective is the transmission error of the loaded teeth under the worst of the "
              "torques.";
     case CompensateAim::pressure:
-      return "The objective is the greatest pressure on the flanks, at the worst of the torques.";
+      return "The objective is the greatest pressure on the flanks under the worst of the torques.";
     case CompensateAim::transmission_error: break;
   }
   return "The objective is the transmission error and, if it is equal, the contact nearest to the "
@@ -95,7 +97,7 @@ std::string in_words(std::string_view errors) {
 }
 
 std::string corrections(const CompensateView& v) {
-  TableBuilder t("Corrections", {"In addition to the drawing"});
+  TableBuilder t("Corrections", {"Change of the drawing"});
   for (const FoundCorrection& c : v.corrections)
     t.row(capitalised(c.words), "", c.shown_unit, {fixed(c.value, kLengthDigits)});
   return t.str();
@@ -104,7 +106,7 @@ std::string corrections(const CompensateView& v) {
 std::string scores(const CompensateView& v) {
   const auto& quantities = score_quantities();
   const auto& loaded = loaded_score_quantities();
-  TableBuilder t("The aims, at the worst of the errors", {"Before", "After"});
+  TableBuilder t("Results for the worst of the errors", {"Before", "After"});
   for (const AimedLoad& l : v.loads) {
     t.group(fmt::format("Under {:.6g} N m", l.torque / kMmPerM));
     for (const TextGroup& g :
@@ -120,7 +122,7 @@ std::string scores(const CompensateView& v) {
     for (const TextGroup& g : unloaded) t.rows(g);
   }
   if (v.scenarios.size() > 1) {
-    t.group("Transmission error, peak to peak, one by one");
+    t.group("Transmission error, peak to peak, for each combination of errors");
     for (const Scenario& s : v.scenarios)
       t.row(capitalised(in_words(s.errors)), "", "″", {arcsec(s.before), arcsec(s.after)});
   }
@@ -130,7 +132,7 @@ std::string scores(const CompensateView& v) {
 // The additional results in closed form for circular-arc teeth.
 std::string closed_forms(const CompensateView& v) {
   if (!v.setting && !v.lead) return {};
-  TableBuilder t("In closed form, one by one", {"Value"});
+  TableBuilder t("Results in closed form", {"Value"});
   const auto& quantities = compensate_quantities();
   t.groups(text_groups(quantities.table(), {quantities.of(v)}, kPage));
   return t.str();
@@ -142,9 +144,9 @@ std::string finding(const Rating& r) {
                        f[0].value <= f[1].value ? 1 : 2);
   };
   return fmt::format(
-      "Least safety against root breakage {}, against pitting {}. Allowable stress numbers "
-      "from the table of materials are the standard’s reference values: check them against the "
-      "material’s certificate.",
+      "The least safety against root breakage is {}, and that against pitting is {}. Allowable "
+      "stress numbers from the table of materials are reference values of the standard. Compare "
+      "them with the certificate of the material.",
       least(r.S_F), least(r.S_H));
 }
 
@@ -176,13 +178,14 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
   const auto groups = text_groups(measure_quantities().table(), measures, kPage);
   if (groups.empty()) return {};
   const std::vector<std::string> columns = gear_headings(measures.size());
-  TableBuilder table("Inspection dimensions, thickness allowances included", columns);
+  TableBuilder table("Inspection dimensions, including the thickness allowances", columns);
   table.groups(groups);
   std::string text = table.str();
   for (std::size_t i = 0; i < std::min(ends.size(), columns.size()); ++i) {
     const auto differing = text_groups(measure_quantities().table(), ends[i], kPage);
     if (differing.empty()) continue;
-    TableBuilder interval(columns[i] + " between its thickness allowances", {"Lower", "Upper"});
+    TableBuilder interval(columns[i] + " at the limits of the thickness allowance",
+                          {"Lower", "Upper"});
     interval.groups(differing);
     text += interval.str();
   }
@@ -192,9 +195,9 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
 std::string compensate_section(const CompensateView& view) {
   GW_EXPECTS(!view.before.nothing_touches() && !view.corrections.empty());
   const std::string what = fmt::format(
-      "\n<p>Changes for the workshop that compensate the errors of this pair. {} <code>gearwright "
-      "compensate --take</code> prints the specification with the corrections.</p>\n"
-      "<p><strong>{}</strong></p>\n{}",
+      "\n<p>These changes in the workshop compensate the errors of this pair. {} <code>gearwright "
+      "compensate --take</code> prints the specification with the "
+      "corrections.</p>\n<p><strong>{}</strong></p>\n{}",
       aim_words(view.aim), finding(view), corrections(view));
   return "<section class=\"compensate\">\n<h2>Corrections</h2>\n" +
          in_columns(what, "\n" + scores(view)) + closed_forms(view) + "</section>\n";
@@ -207,7 +210,8 @@ std::string rating_section(const RatingView& view) {
   return fmt::format(
       "<section class=\"rating\">\n<h2>Strength</h2>\n<p>Rated by {}. Scuffing and "
       "micropitting are not rated{}.</p>\n<p><strong>{}</strong></p>\n{}</section>\n",
-      method, plastic ? ", nor are wear and deformation" : "", finding(view.rating), table(view));
+      method, plastic ? ", and wear and deformation are not rated either" : "",
+      finding(view.rating), table(view));
 }
 
 std::string halves_part(std::string_view shared, std::string_view alike,

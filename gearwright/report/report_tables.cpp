@@ -43,7 +43,7 @@ void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
         [](const StraightRack& r) { return std::optional(r.root_fillet_radius); }},
        {"Tip fillet radius", "ρ_1*", "",
         [](const StraightRack& r) { return unless_zero(r.tip_fillet_radius); }},
-       {"Height of the tool’s straight flank", "", "",
+       {"Height of the straight flank of the tool", "", "",
         [](const StraightRack& r) { return r.tool_addendum; }},
        {"Semi-topping angle", "", "°",
         [](const StraightRack& r) {
@@ -77,7 +77,7 @@ void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
   std::size_t most = 0;
   for (const Gear* g : gears) most = std::max(most, g->arcs() ? g->arcs()->rack.arcs.size() : 0);
   if (most == 0) return;
-  table.group("Basic rack of arcs, in normal modules; from the cutter’s tip on");
+  table.group("Basic rack of arcs, in normal modules, starting at the tip of the cutter");
   const auto row = [&](const char* words, const char* symbol, const char* unit, const auto& value) {
     std::vector<std::string> values;
     for (const Gear* g : gears) values.push_back(g->arcs() ? value(g->arcs()->rack) : none());
@@ -92,11 +92,12 @@ void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
       };
     };
     const std::string n = std::to_string(i + 1);
-    row(("Arc " + n + ": radius, > 0 convex, < 0 concave tooth").c_str(), "q*", "",
+    row(("Arc " + n + ": radius (> 0 for a convex, < 0 for a concave tooth)").c_str(), "q*", "",
         of(&RackArc::radius));
     row("  height of its centre", "x*", "", of(&RackArc::center_height));
-    row("  distance of its centre from the tooth’s middle", "y*", "", of(&RackArc::center_offset));
-    row("  normal angle, root … tip", "τ", "°", [i](const RackOfArcs& r) {
+    row("  distance of its centre from the middle of the tooth", "y*", "",
+        of(&RackArc::center_offset));
+    row("  normal angle from root to tip", "τ", "°", [i](const RackOfArcs& r) {
       if (i >= r.arcs.size()) return none();
       return fixed(r.arcs[i].begin.deg(), kRackDigits) + " … " +
              fixed(r.arcs[i].end.deg(), kRackDigits);
@@ -115,24 +116,26 @@ std::vector<TextGroup> gear_groups(const std::vector<const Gear*>& gears,
 // The parts that were checked, if no interference was found.
 std::string nothing_strikes(const InvolutePair& p) {
   if (p.overlap && p.crossed_inside()) {
-    return "<p>No interference of tips. They keep clear of roots, fillets and flanks. Whether the "
-           "flanks overlap beside the line of action depends on the lead crowning.</p>\n";
+    return "<p>There is no interference of tips, which keep clear of roots, fillets and flanks. "
+           "Whether the flanks overlap beside the line of action depends on the lead "
+           "crowning.</p>\n";
   }
   if (p.overlap) {
     return fmt::format(
-        "<p>No interference. In every position of a pitch, and over the whole backlash, the two "
-        "finished {}.</p>\n",
-        p.crossed() ? "gears meet flank on flank only; tips keep clear of roots and fillets"
-                    : "outlines meet flank on flank only");
+        "<p>There is no interference. In every position of a pitch and over the whole backlash, "
+        "{}.</p>\n",
+        p.crossed() ? "the two finished gears touch only with their flanks, and tips keep clear of "
+                      "roots and fillets"
+                    : "the two finished outlines touch only with their flanks");
   }
   const bool lost = std::any_of(p.warnings.begin(), p.warnings.end(), [](const Warning& w) {
     return w.code == WarningCode::contact_lost_to_undercut;
   });
   return fmt::format(
-      "<p>No interference was found. Tips keep clear of roots, and {}. The internal gear’s root "
-      "fillet is not checked.</p>\n",
+      "<p>No interference was found. Tips keep clear of roots, and {}. The root fillet of the "
+      "internal gear is not checked.</p>\n",
       lost ? "nothing collides where undercut removed the flank"
-           : "none reaches below the mating gear’s usable flank");
+           : "no tip reaches below the usable flank of the mating gear");
 }
 
 struct CollisionRow {
@@ -144,9 +147,9 @@ struct CollisionRow {
 std::string strike_rows(const std::string& caption, const std::vector<CollisionRow>& rows) {
   if (rows.empty()) return "";
   std::string text = fmt::format(
-      "<div class=\"scroll\"><table>\n<caption>{}</caption>\n<thead><tr><th scope=\"col\">What</th>"
-      "<th scope=\"col\">Gear</th><th scope=\"col\" class=\"value\">Depth</th>"
-      "<th scope=\"col\">Meaning</th></tr></thead>\n<tbody>\n",
+      "<div class=\"scroll\"><table>\n<caption>{}</caption>\n<thead><tr><th "
+      "scope=\"col\">Code</th><th scope=\"col\">Gear</th><th scope=\"col\" "
+      "class=\"value\">Depth</th><th scope=\"col\">Meaning</th></tr></thead>\n<tbody>\n",
       caption);
   for (const CollisionRow& row : rows) {
     text += fmt::format(
@@ -227,7 +230,7 @@ std::string few_teeth_table(const std::vector<const Gear*>& gears) {
     return g.title != kUndercut && g.title != kRootFillet && g.title != kTipFillet;
   });
   if (groups.empty()) return {};
-  TableBuilder table("Points and fillets; l runs along the rack’s straight flank",
+  TableBuilder table("Points and fillets; l is the position along the straight flank of the rack",
                      gear_headings(gears.size()));
   table.groups(groups);
   return table.str();
@@ -249,11 +252,11 @@ std::string path_table(const InvolutePair& p) {
   };
   const bool crossed = p.crossed();
   const std::array<Mark, 5> marks{
-      {{"A", "contact begins: tip of gear 2", m.rho1_A},
+      {{"A", "start of contact, at the tip of gear 2", m.rho1_A},
        {"B", crossed ? "one pitch before E" : "one base pitch before E", m.rho1_B},
        {"C", crossed ? "pitch point of gear 1" : "pitch point", m.rho1_C},
        {"D", crossed ? "one pitch after A" : "one base pitch after A", m.rho1_D},
-       {"E", "contact ends: tip of gear 1", m.rho1_E}}};
+       {"E", "end of contact, at the tip of gear 1", m.rho1_E}}};
   std::vector<std::vector<std::string>> rows;
   for (const Mark& mark : marks) {
     const SpecificSliding<double> s = specific_sliding(p.input, m, mark.rho1);
@@ -261,8 +264,8 @@ std::string path_table(const InvolutePair& p) {
                     length((mark.rho1 - m.rho1_C) / m.line_cosine), length(mark.rho1),
                     length(m.rho2(mark.rho1)), ratio(s.zeta_1), ratio(s.zeta_2)});
   }
-  return value_table(crossed ? "Points of the line of action; ζ: mm of sliding per mm that the "
-                               "contact travels on the flank"
+  return value_table(crossed ? "Points of the line of action; ζ is the sliding in mm per mm that "
+                               "the contact travels on the flank"
                              : "Points of the path of contact",
                      {"Point", "from C, mm", symbol_html("ρ_1") + ", mm",
                       symbol_html("ρ_2") + ", mm", symbol_html("ζ_1"), symbol_html("ζ_2")},
@@ -274,10 +277,10 @@ std::string interference_table(const InvolutePair& p) {
       p.overlap ? rows_of(*p.overlap) : std::vector<CollisionRow>{};
   if (overlap.empty() && p.interference.empty() && p.beyond_flank.empty())
     return nothing_strikes(p);
-  return strike_rows("Overlap of the outlines, in the middle of the backlash", overlap) +
-         strike_rows(p.overlap ? "What explains it" : "Interference",
+  return strike_rows("Overlap of the outlines in the middle of the backlash", overlap) +
+         strike_rows(p.overlap ? "Causes of the overlap" : "Interference",
                      rows_of(p.interference, overlap)) +
-         strike_rows("Contact beyond the flanks, before they meet", rows_of(p.beyond_flank));
+         strike_rows("Contact beyond the flanks, before the flanks touch", rows_of(p.beyond_flank));
 }
 
 }  // namespace gearwright

@@ -155,12 +155,12 @@ TEST(Report, PairNumbersAreThePairs) {
   EXPECT_EQ(row(page, "Circumferential backlash"),
             (Values{printed(m.backlash.circumferential[0], 4),
                     printed(m.backlash.circumferential[1], 4)}));
-  EXPECT_EQ(row(page, "Angular backlash (mating gear fixed)"),
+  EXPECT_EQ(row(page, "Angular backlash with the mating gear fixed"),
             (Values{printed(degree * m.backlash.rotation[0], 5),
                     printed(degree * m.backlash.rotation[1], 5)}));
   EXPECT_EQ(row(page, "Tip clearance"),
             (Values{printed(pair.tip_clearance[0], 4), printed(pair.tip_clearance[1], 4)}));
-  EXPECT_EQ(row(page, "<strong>E</strong> contact ends: tip of gear 1"),
+  EXPECT_EQ(row(page, "<strong>E</strong> end of contact, at the tip of gear 1"),
             (Values{printed(m.rho1_E - m.rho1_C, 4), printed(m.rho1_E, 4),
                     printed(m.base_tangent_distance - m.rho1_E, 4),
                     printed(*pair.sliding_E.zeta_1, 4), printed(*pair.sliding_E.zeta_2, 4)}));
@@ -176,7 +176,7 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
   EXPECT_EQ(row(page, "Centre distance"), (Values{"50.0100"}));
   EXPECT_EQ(row(page, "Working normal pressure angle"), (Values{"18.68383"}));
   EXPECT_EQ(row(page, "Length of path of contact"), (Values{printed(pair.path_length(), 4)}));
-  EXPECT_EQ(row(page, "Minimum face width, one flank"),
+  EXPECT_EQ(row(page, "Minimum face width for one flank"),
             (Values{printed(pair.face_widths.one_flank[0], 4),
                     printed(pair.face_widths.one_flank[1], 4)}));
   const std::string least = page.substr(page.find("Minimum centre distance, free of backlash"));
@@ -184,9 +184,11 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
   // The points of the path are measured along the line, which is inclined to the transverse section
   // by β_b1.
   const double pitch = pair.gears[0].reference().base_pitch_normal;
-  const double A = std::stod(row(page, "<strong>A</strong> contact begins: tip of gear 2")[0]);
+  const double A =
+      std::stod(row(page, "<strong>A</strong> start of contact, at the tip of gear 2")[0]);
   const double D = std::stod(row(page, "<strong>D</strong> one pitch after A")[0]);
-  const double E = std::stod(row(page, "<strong>E</strong> contact ends: tip of gear 1")[0]);
+  const double E =
+      std::stod(row(page, "<strong>E</strong> end of contact, at the tip of gear 1")[0]);
   const double B = std::stod(row(page, "<strong>B</strong> one pitch before E")[0]);
   EXPECT_NEAR(D - A, pitch, 1.01e-4);
   EXPECT_NEAR(E - B, pitch, 1.01e-4);
@@ -317,7 +319,7 @@ TEST(Report, GearsThatDoNotExistSayWhy) {
   for (const Gear* gear : {&through, &severed}) {
     const std::string page = report_html(report_input(*gear));
     EXPECT_EQ(page.find("<svg class=\"zoom\""), page.npos);
-    EXPECT_NE(page.find("Gear 1: no picture."), page.npos);
+    EXPECT_NE(page.find("Gear 1: there is no picture."), page.npos);
     EXPECT_NE(report_input(*gear).verdict.headline.find("cannot be made"), std::string::npos);
   }
 }

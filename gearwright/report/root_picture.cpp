@@ -124,11 +124,11 @@ std::vector<FigureLeader> marks_of(const Gear& gear) {
 
 Figure root_of(const Gear& gear, const std::optional<Gear>& rack, const std::string& shape,
                const std::string& name) {
-  Figure f = plane_figure(
-      "root-" + shape, name + ": its root",
-      "The tooth in the transverse section with its arcs in colours; dashed behind it the root "
-      "that the rack alone would leave, the base circle, and the points F, C and J on the flank.",
-      window(gear, rack));
+  Figure f = plane_figure("root-" + shape, name + ": root of the tooth",
+                          "The tooth in the transverse section with its arcs in colours. Behind "
+                          "the tooth, dashed lines show the root that the rack alone would leave, "
+                          "and the base circle. F, C and J are points on the flank.",
+                          window(gear, rack));
   add_upright_gear(f, gear, shape, "neighbour");
   f.line({{0.0, f.y.lo}, {0.0, f.y.hi}}, "thin dashdot");
   const double space = kPi / gear.spec.teeth, far = 2 * gear.actual_tip_radius();
@@ -152,8 +152,8 @@ Figure root_of(const Gear& gear, const std::optional<Gear>& rack, const std::str
 std::string behind_words(const Gear& gear, const std::optional<Gear>& rack) {
   const auto key = [](const char* words) { return caption_key("before", words) + " "; };
   if (rack && has_outline(*rack)) {
-    return key(rack->undercut ? "as the rack alone would cut it: undercut"
-                              : "as the rack alone would cut it");
+    return key(rack->undercut ? "the undercut tooth as cut by the rack alone"
+                              : "the tooth as cut by the rack alone");
   }
   if (gear.tooth->root_fillet || gear.tooth->tip_fillet)
     return "The rack alone would leave no tooth. ";
@@ -188,16 +188,17 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
   const std::optional<Gear> rack = by_rack_alone(gear);
   std::string words = behind_words(gear, rack);
   words +=
-      fmt::format("<b>F</b>: {}.", gear.involute()->undercut_l < 0.0
-                                       ? "the flank could begin here at the earliest, but the rack "
-                                         "does not reach this point, so there is no undercut"
-                                       : "the rack reaches this point and undercuts the flank");
+      fmt::format("At <b>F</b>, {}.", gear.involute()->undercut_l < 0.0
+                                          ? "the flank could begin at the earliest, but the rack "
+                                            "does not reach this point, so there is no undercut"
+                                          : "the flank could begin at the earliest, but the rack "
+                                            "reaches this point and undercuts the flank");
   if (gear.tooth->root_fillet) {
-    words += fmt::format(" <b>C</b>: the root fillet, {} = {} mm, touches the flank.",
+    words += fmt::format(" At <b>C</b>, the root fillet with {} = {} mm touches the flank.",
                          symbol_html("r_r"), fixed(gear.tooth->root_fillet->radius, kLengthDigits));
   }
   if (gear.tooth->tip_fillet) {
-    words += fmt::format(" <b>J</b>: the tip fillet, {} = {} mm, touches the flank.",
+    words += fmt::format(" At <b>J</b>, the tip fillet with {} = {} mm touches the flank.",
                          symbol_html("r_t"), fixed(gear.tooth->tip_fillet->radius, kLengthDigits));
   }
   Figure f = root_of(gear, rack, shape, name);

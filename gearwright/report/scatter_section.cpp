@@ -74,7 +74,7 @@ std::string robust_load_part(const RobustView& r) {
   for (std::size_t k = 0; k < r.before.loaded.size(); ++k) {
     TableBuilder table(fmt::format("{} % points under {} N m", format_number(r.percent),
                                    format_number(newton_metres(r.before.loaded[k].loaded->torque))),
-                       {"Without the corrections", "With them"});
+                       {"Without the corrections", "With the corrections"});
     for (std::size_t i = 0; i < loaded_entries().size(); ++i) {
       const LoadedEntry& entry = loaded_entries()[i];
       const auto& before = r.before.loaded[k].spread[i];
@@ -99,8 +99,8 @@ std::string robust_part(const ScatterView& view) {
     return shown(scatter_entries()[0], j.family->percentile().estimate.value);
   };
   return fmt::format(
-             "<p>Corrections that lower the {} % point of the {}: {}. It is then {}″ instead of "
-             "{}″, computed with samples that the search did not use.</p>\n",
+             "<p>These corrections lower the {} % point of the {}: {}. The point is then {}″ "
+             "instead of {}″, computed with samples that the search did not use.</p>\n",
              format_number(r.percent),
              r.under_load ? "transmission error under the worst of the torques"
                           : "transmission error",
@@ -115,7 +115,7 @@ std::string loosening_part(const ScatterView& view) {
   TableBuilder table(
       fmt::format("Factor by which each tolerance may grow until the {} % point grows by {:g} %",
                   format_number(l.percent), 100 * kLooser),
-      {"Factor", "The point with half the tolerance"});
+      {"Factor", fmt::format("{} % point with half the tolerance", format_number(l.percent))});
   for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {
     const Loosening::Change& c = l.by_tolerance[i];
     table.row(view.inputs[i], "", "″",
@@ -153,8 +153,8 @@ std::string scatter_section(const ScatterView& view) {
   if (const auto play = distribution_scene(view, ScatterQuantity::least_play, "scatter-play"))
     figures += figure_html(histogram_figure(*play));
   return fmt::format(
-             "<section class=\"scatter\">\n<h2>Scatter</h2>\n<p>Effect of the tolerances on {} "
-             "random pairs. {}; {}; {}.</p>\n",
+             "<section class=\"scatter\">\n<h2>Scatter</h2>\n<p>The table shows the effect of the "
+             "tolerances on {} random pairs. {}, {}, and {}.</p>\n",
              counted(static_cast<std::int64_t>(s.samples.size())),
              event("An edge of a tooth touches", s.edge_contact), event("the gears jam", s.jam),
              event("contact is lost", s.contact_lost)) +

@@ -63,7 +63,7 @@ std::string rejected_table(const SearchCounts& counts) {
     rows.push_back({std::string(words_of(static_cast<Limit>(i))), counted(n),
                     fixed(share, share < 1.0 ? 3 : 1) + "\u00a0%"});
   }
-  return value_table("Ruled out by: the first limit that leaves no profile shift",
+  return value_table("Rejected trials, by the first limit that leaves no profile shift",
                      {"Limit", "Trials", "Share of all"}, rows, "tally");
 }
 
@@ -79,7 +79,7 @@ std::string tried_section(const SearchReport& report) {
   const std::string lists = reason_list(report.reasons) + rejected_table(report.answer.counts);
   if (lists.empty()) return {};
   return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n",
-                     none ? "Why nothing fits" : "What was rejected", lists);
+                     none ? "Why no design is feasible" : "Rejected trials", lists);
 }
 
 std::string table_section(const SearchReport& report) {
@@ -91,20 +91,21 @@ std::string table_section(const SearchReport& report) {
                                       [](const DesignRow& row) { return row.interference; });
   const bool all = static_cast<std::int64_t>(shown) == answer.counts.feasible;
   return fmt::format(
-      "<section>\n<h2>Designs</h2>\n<p>{} {}; profile shifts in modules.{}<span id=\"sort-hint\" "
-      "hidden> A heading sorts by its column, once more the other way round.</span></p>\n{}{}"
-      "</section>\n",
+      "<section>\n<h2>Designs</h2>\n<p>{} {}; profile shifts are in modules.{}<span "
+      "id=\"sort-hint\" hidden> Click a heading to sort by its column, and click again to reverse "
+      "the order.</span></p>\n{}{}</section>\n",
       all ? fmt::format("All {}", counted(answer.counts.feasible))
           : fmt::format("The best {} of {}", counted(static_cast<std::int64_t>(shown)),
                         counted(answer.counts.feasible)),
-      escaped(order_in_words(problem)), interferes ? "" : " None of these interferes.",
+      escaped(order_in_words(problem)),
+      interferes ? "" : " None of these designs has interference.",
       design_table(problem, answer, report.rows), design_table_key(problem, answer, report.rows));
 }
 
 std::string picture_section(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
   const DesignRow& best = report.answer.designs.front();
-  return "<section>\n<h2>The best design and the others</h2>\n" + picture_hint() +
+  return "<section>\n<h2>The best design and the other designs</h2>\n" + picture_hint() +
          side_by_side(shift_region_figure(report.search.graph(best.trial), best) +
                       pareto_figure(problem, report.answer)) +
          "</section>\n";
@@ -114,10 +115,10 @@ std::string thumbnail_section(const SearchReport& report) {
   const std::size_t n = std::min({kRegionPictures, report.rows, report.answer.designs.size()});
   if (n < 2) return {};
   std::string text = fmt::format(
-      "<section>\n<h2>Room for the profile shifts of the best {}</h2>\n<p>{} to the right, {} up, "
-      "each in its own window. The filled region contains the shifts within the limits, and the "
-      "dot is the design. A large region allows later changes. A narrow region or a line allows "
-      "hardly any other shifts.</p>\n<div class=\"multiples\">\n",
+      "<section>\n<h2>Feasible profile shifts of the best {} designs</h2>\n<p>In each picture {} "
+      "increases to the right and {} upwards. The filled region contains the shifts within the "
+      "limits, and the dot is the design. A large region allows later changes. A narrow region or "
+      "a line allows hardly any other profile shifts.</p>\n<div class=\"multiples\">\n",
       n, symbol_html("x_1"), symbol_html("x_2"));
   for (std::size_t i = 0; i < n; ++i) {
     const DesignRow& row = report.answer.designs[i];
@@ -134,7 +135,7 @@ std::string chart_section(const SearchReport& report) {
   Trial trial;  // for the first rack and helix, if there is no design
   trial.helix = {problem.helix.front(), Angle()};
   if (best != nullptr) trial = best->trial;
-  return "<section>\n<h2>What tooth numbers allow</h2>\n" + (best ? "" : picture_hint()) +
+  return "<section>\n<h2>Limits for each number of teeth</h2>\n" + (best ? "" : picture_hint()) +
          side_by_side(shift_limits_figure(problem, trial, best) +
                       identical_gears_figure(problem, trial)) +
          "</section>\n";
@@ -143,12 +144,12 @@ std::string chart_section(const SearchReport& report) {
 std::string foot(const SearchReport& report) {
   const std::string version = report.version.empty() ? "" : " " + escaped(report.version);
   return fmt::format(
-      "<footer>\n<p>Gearwright{}. Nominal geometry of gears cut by racks; symbols and terms of ISO "
-      "21771. Lengths in mm, angles in degrees, profile shifts and regions in normal modules, "
-      "“{}”: "
-      "there is no such value.</p>\n<p>Every combination of module and tooth numbers is tried. Its "
-      "profile shifts are not sampled, because their region within the limits is solved exactly. "
-      "Manufacturing deviations, load and strength are not considered.</p>\n</footer>\n",
+      "<footer>\n<p>Gearwright{}. The geometry is the nominal geometry of gears cut by racks. "
+      "Symbols and terms are those of ISO 21771. Lengths are in mm, angles in degrees, profile "
+      "shifts and regions in normal modules; “{}” means that there is no such value.</p>\n<p>Every "
+      "combination of module and numbers of teeth is tried. The profile shifts of a combination "
+      "are not sampled, because their region within the limits is computed exactly. Manufacturing "
+      "deviations, load and strength are not considered.</p>\n</footer>\n",
       version, kNoValue);
 }
 
@@ -157,13 +158,14 @@ std::string foot(const SearchReport& report) {
 std::string search_verdict(const SearchReport& report) {
   const SearchCounts& counts = report.answer.counts;
   std::string text = fmt::format(
-      "{} combinations of module and tooth numbers were tried; {} of them can be made "
-      "within the limits.",
+      "{} combinations of module and numbers of teeth were tried, and {} of them satisfy the "
+      "limits.",
       counted(counts.tested), counts.feasible == 0 ? "none" : counted(counts.feasible));
   if (report.answer.designs.empty()) return text;
   const DesignRow& best = report.answer.designs.front();
   text += fmt::format(
-      " The best by {}: module {:.10g} mm, {}:{} teeth, {}\u00a0=\u00a0{}, {}\u00a0=\u00a0{}",
+      " The best design by {} has module {:.10g} mm, {}:{} teeth, {}\u00a0=\u00a0{}, "
+      "{}\u00a0=\u00a0{}",
       words_of(report.search.problem().objectives.front()).name, best.trial.module, best.trial.z1,
       best.trial.z2, symbol_html("x_1"), fixed(best.shift[0], 4), symbol_html("x_2"),
       fixed(best.shift[1], 4));

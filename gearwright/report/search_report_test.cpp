@@ -35,12 +35,12 @@ TEST(SearchReport, CountsInWords) {
   const SearchSample sample = testing::spur_search();
   const std::string page = search_report(sample.report());
   EXPECT_TRUE(has(page,
-                  "2\u202f754 combinations of module and tooth numbers were tried; 56 of "
-                  "them can be made"));
+                  "2\u202f754 combinations of module and numbers of teeth were tried, and 56 of "
+                  "them satisfy"));
   EXPECT_TRUE(has(page,
                   "<th scope=\"row\">centre distance out of reach</th><td "
                   "class=\"value\">2\u202f698</td>"));
-  EXPECT_FALSE(has(page, "sliding too fast"));  // this limit rejected no trial
+  EXPECT_FALSE(has(page, "specific sliding too great"));  // this limit rejected no trial
   const DesignRow& best = sample.answer->designs.front();
   EXPECT_TRUE(has(page, "contact ratio " + fixed(best.contact_ratio, 3) + "."));
   EXPECT_TRUE(has(page, "All 56 by contact ratio"));
@@ -70,8 +70,8 @@ TEST(SearchReport, WhenNothingFitsItSaysWhy) {
   report.reasons = {"no pair <is> so small & near", "the nearest is 17.5 mm"};
   const std::string page = search_report(report);
   for (const std::string& fault : testing::StrictHtml::read(page).faults) ADD_FAILURE() << fault;
-  EXPECT_TRUE(has(page, "none of them can be made"));
-  EXPECT_TRUE(has(page, ">Why nothing fits</h2>"));
+  EXPECT_TRUE(has(page, "none of them satisfy"));
+  EXPECT_TRUE(has(page, ">Why no design is feasible</h2>"));
   EXPECT_TRUE(has(page, "<li>no pair &lt;is&gt; so small &amp; near</li>"));
   EXPECT_TRUE(has(page, "Design search, ratio 1.9 … 2.1"));
   EXPECT_FALSE(has(page, "<table class=\"designs\""));
@@ -98,7 +98,7 @@ TEST(SearchReport, SeveralObjectivesAreSaid) {
   EXPECT_TRUE(has(page,
                   "the Pareto front over size m²(z₁² + z₂²), contact ratio and area of the "
                   "region first"));
-  EXPECT_TRUE(has(page, "The best by size"));
+  EXPECT_TRUE(has(page, "The best design by size"));
 }
 
 }  // namespace

@@ -32,23 +32,24 @@ constexpr Entry kEntries[] = {
     {"center_distance_mm", ""},
     {"profile_shift", "in modules"},
     {"point",
-     "balanced: on the line where the teeth of both gears are about equally strong; middle: in the "
-     "middle of the region, if the line misses the region"},
+     "balanced is on the line where the teeth of both gears are about equally strong; middle is in "
+     "the middle of the region, if the line misses the region"},
     {"contact_ratio", "from tip to tip, by the formula"},
-    {"contact_ratio_true", "over that part of the path where both flanks are usable"},
+    {"contact_ratio_true", "for the part of the path on which both flanks are usable"},
     {"overlap_ratio", ""},
     {"working_normal_pressure_angle_deg", ""},
     {"working_transverse_pressure_angle_deg", ""},
     {"backlash_normal_mm", ""},
     {"tip_thickness_mm", ""},
-    {"tip_clearance_mm", "from its tip to the root of the mating gear"},
+    {"tip_clearance_mm", "from the tip of this gear to the root of the mating gear"},
     {"sliding_max",
-     "at the ends of the path of contact; – if a flank reaches its base tangent point"},
+     "at the ends of the path of contact; there is no value (–) if a flank reaches its base "
+     "tangent point"},
     {"face_width_mm", "of both gears"},
     {"S_H", ""},
     {"S_F", ""},
     {"mass_kg", {}},
-    {"area", "in modules²: size of the region of profile shifts within the limits"}};
+    {"area", "size of the region of profile shifts within the limits, in modules²"}};
 
 struct Cell {
   std::string text;
@@ -154,8 +155,8 @@ std::string design_table(const SearchProblem& problem, const SearchAnswer& answe
       "data-first=\"ascending\" title=\"rank\">#</th>";
   if (fronts)
     text +=
-        "<th scope=\"col\" class=\"value\" title=\"on the Pareto front: no other design is better "
-        "in every objective\" data-first=\"descending\">front</th>";
+        "<th scope=\"col\" class=\"value\" title=\"design on the Pareto front, which means that no "
+        "other design is better in every objective\" data-first=\"descending\">front</th>";
   for (const Column& c : columns) text += heading(c);
   text += "</tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < records.size(); ++i) {
@@ -174,11 +175,11 @@ std::string design_table_key(const SearchProblem& problem, const SearchAnswer& a
   std::string text;
   if (problem.objectives.size() > 1)
     text +=
-        "<dt>front</dt><dd>● on the Pareto front: no other design is better in every "
-        "objective</dd>\n";
+        "<dt>front</dt><dd>● design on the Pareto front, which means that no other design is "
+        "better in every objective</dd>\n";
   for (const Column& c : columns_of(records_of(problem, answer, rows)))
     text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", symbol_of(c), escaped(words_of(c)));
-  return "<details class=\"column-key\"><summary>What the columns mean</summary>\n<dl>\n" + text +
+  return "<details class=\"column-key\"><summary>Meaning of the columns</summary>\n<dl>\n" + text +
          "</dl></details>\n";
 }
 

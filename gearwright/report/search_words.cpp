@@ -14,16 +14,16 @@ namespace {
 
 // The order is that of Limit.
 constexpr std::array<std::string_view, kLimits> kLimitWords{
-    "no profile shift between undercut and a thin tip",
+    "no profile shift without undercut or a thin tip",
     "centre distance out of reach",
     "contact ratio too small",
     "overlap ratio too small",
-    "sliding too fast",
+    "specific sliding too great",
     "tip clearance too small",
     "interference",
     "safety against pitting too small",
     "safety against root breakage too small",
-    "a finding of the verdict over the drawing"};
+    "a finding in the verdict on the drawn pair"};
 
 }  // namespace
 
@@ -35,11 +35,11 @@ ObjectiveWords words_of(Objective objective) {
     case Objective::formula_contact_ratio: return {"contact ratio by formula", "ε_α", "", true};
     case Objective::ratio: return {"error of the ratio", "", "", false};
     case Objective::size: return {"size m²(z₁² + z₂²)", "", "mm²", false};
-    case Objective::shift: return {"sum of shifts", "Σx", "modules", false};
+    case Objective::shift: return {"sum of profile shifts", "Σx", "modules", false};
     case Objective::area: return {"area of the region", "", "modules²", true};
-    case Objective::sliding: return {"greatest sliding", "ζ", "", false};
+    case Objective::sliding: return {"greatest specific sliding", "ζ", "", false};
     case Objective::mass: return {"mass", "m", "kg", false};
-    case Objective::safety: return {"least safety over the required one", "", "", true};
+    case Objective::safety: return {"least ratio of safety to required safety", "", "", true};
   }
   contract_failed("postcondition", "known objective", __FILE__, __LINE__);
 }

@@ -133,10 +133,10 @@ Figure section_figure(const InvolutePair& pair) {
   const Mesh<double>& m = pair.mesh;
   Figure f = section_of(pair);
   f.caption = fmt::format(
-      " of the common rack, through the leading line, {}: the lines at their true length "
-      "under {} = {}°. Tip cylinders full, pitch cylinders dash-dot, base cylinders dashed; the "
-      "pitch planes lie {} = {} mm apart, the lines {} mm on either side of the centre line, along "
-      "the teeth.",
+      " of the common rack, through the leading line, with {}. The lines have their true length "
+      "and the angle {} = {}°. Tip cylinders are full, pitch cylinders dash-dotted and base "
+      "cylinders dashed. The pitch planes are {} = {} mm apart, and the lines are {} mm on either "
+      "side of the centre line, along the teeth.",
       pair.side() > 0.0 ? "gear 1 below" : "both axes above", symbol_html("α_wn"),
       fixed(Angle::radians(m.rack.normal_pressure_angle).deg(), kAngleDigits), symbol_html("X"),
       fixed(m.pitch_plane_distance, kLengthDigits), fixed(std::abs(m.line_offset), kLengthDigits));

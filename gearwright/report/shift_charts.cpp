@@ -71,8 +71,8 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
       {.id = "chart-limits",
        .title = "Limits of the profile shift",
        .description =
-           "Over the number of teeth: the shift below which gears are undercut, and the shifts at "
-           "which tips are pointed, 0.2 and 0.4 modules thick.",
+           "For each number of teeth, the profile shift below which gears are undercut, and the "
+           "profile shifts at which tips are pointed, 0.2 and 0.4 modules thick.",
        .caption = {},
        .x = {},
        .y = {.words = "profile shift",
@@ -81,7 +81,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
              .hi = std::min(std::max(highest, 1.4), 3.0) + 0.25,
              .symbol = "x"}});
   f.area(room_of(chart), "room");
-  f.keys.push_back({"room", "what this search allows"});
+  f.keys.push_back({"room", "profile shifts that this search allows"});
   const auto limit = [&](const char* name, const char* style, const auto& of) {
     std::vector<Vec2> points;
     for (const ShiftLimits& row : chart)
@@ -107,7 +107,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
            symbol_svg("z") + fmt::format(" ≥ {}: {}", meet->fewest, kTipNames[i]), Anchor::start,
            "halo", {5.0, 4.0});
     fewest += fmt::format("{}{} teeth {}", fewest.empty() ? "" : ", ", meet->fewest,
-                          i == 0 ? "with a pointed tip" : fmt::format("for {:g}", kChartTips[i]));
+                          i == 0 ? "for a pointed tip" : fmt::format("for {:g}", kChartTips[i]));
   }
   for (const std::size_t i : {0u, 1u}) {
     if (design == nullptr) break;
@@ -120,11 +120,11 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
            {9.0, i == 0 ? -8.0 : 18.0});
   }
   f.caption = fmt::format(
-      " of gear 1’s rack{}. Below the line “undercut” the cutter undercuts the root. Above the tip "
-      "lines the tooth is thinner at its tip than 0, 0.2 and 0.4 modules. The lines meet at the "
-      "least number of teeth that can be made{}{}.{}",
+      " of the rack of gear 1{}. Below the line “undercut” the cutter undercuts the root. Above "
+      "the tip lines the tip of the tooth is thinner than 0, 0.2 and 0.4 modules. The lines meet "
+      "at the least number of teeth that can be made{}{}.{}",
       helix_words(trial), fewest.empty() ? "" : ": ", fewest,
-      design != nullptr ? " Ringed: the best design." : "");
+      design != nullptr ? " The rings mark the best design." : "");
   return figure_html(f);
 }
 
@@ -132,14 +132,15 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
   if (problem.crossed() || problem.internal()) return {};
   const auto chart =
       identical_gears_chart(problem, trial.rack, trial.helix[0], kChartMin, kChartMax);
-  Figure f = over_teeth({.id = "chart-identical",
-                         .title = "Contact ratio of two identical gears",
-                         .description =
-                             "Over the number of teeth, one curve for each of five shifts between "
-                             "the least and the greatest that the search allows.",
-                         .caption = {},
-                         .x = {},
-                         .y = {.words = "contact ratio", .unit = {}, .symbol = "ε_α"}});
+  Figure f = over_teeth(
+      {.id = "chart-identical",
+       .title = "Contact ratio of two identical gears",
+       .description =
+           "Contact ratio over the number of teeth, with one curve for each of five profile shifts "
+           "between the least and the greatest profile shift that the search allows.",
+       .caption = {},
+       .x = {},
+       .y = {.words = "contact ratio", .unit = {}, .symbol = "ε_α"}});
   constexpr std::array kNames{"least shift", "¼ of the way", "½", "¾", "greatest shift"};
   double lowest = 1.0;
   double highest = 1.8;
@@ -173,12 +174,15 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
            "halo", {6.0, -10.0});
   }
   f.caption = fmt::format(
-      "{}, at shifts 0, ¼, ½, ¾ and 1 of the way from the least to the greatest that this search "
-      "allows. The straight line is 1.2, below which spur gears require unusual care{}. {}A "
-      "smaller shift gives a greater contact ratio. With few teeth, both are limited.",
+      "{}, at profile shifts 0, ¼, ½, ¾ and 1 of the way from the least to the greatest shift that "
+      "this search allows. The straight line marks a contact ratio of 1.2, below which spur gears "
+      "require unusual care{}. {}A smaller profile shift gives a greater contact ratio. With few "
+      "teeth, profile shift and contact ratio are limited.",
       helix_words(trial),
-      asked != kSoundContactRatio ? fmt::format("; dashed: {:g}, required here", asked) : "",
-      first ? fmt::format("From {} teeth on, some shift reaches it. ", *first) : "");
+      asked != kSoundContactRatio
+          ? fmt::format(". The dashed line marks the required contact ratio of {:g}", asked)
+          : "",
+      first ? fmt::format("From {} teeth on, some profile shift reaches 1.2. ", *first) : "");
   return figure_html(f);
 }
 

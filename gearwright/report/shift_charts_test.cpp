@@ -16,7 +16,7 @@ TEST(ShiftChartPictures, TheFewestTeethAreThoseOfTheText) {
   const SearchProblem problem = testing::spur_problem();
   const std::string figure = shift_limits_figure(problem, Trial{}, nullptr);
   expect_sound_figure(figure);
-  EXPECT_NE(figure.find("8 teeth with a pointed tip, 10 teeth for 0.2, 12 teeth for 0.4"),
+  EXPECT_NE(figure.find("8 teeth for a pointed tip, 10 teeth for 0.2, 12 teeth for 0.4"),
             figure.npos);
   for (const char* name : {">undercut<", ">pointed<", ">tip 0.2<", ">tip 0.4<"})
     EXPECT_EQ(count_of(figure, name), 1u) << name;
@@ -42,12 +42,12 @@ TEST(ShiftChartPictures, TheDesignIsMarkedWhereItIsOnTheChart) {
 TEST(ShiftChartPictures, TwelveTeethReachTheSoundContactRatio) {
   const std::string figure = identical_gears_figure(testing::spur_problem(), Trial{});
   expect_sound_figure(figure);
-  EXPECT_NE(figure.find("From 12 teeth on, some shift reaches it."), figure.npos);
+  EXPECT_NE(figure.find("From 12 teeth on, some profile shift reaches 1.2."), figure.npos);
   EXPECT_EQ(count_of(figure, "class=\"curve share"), 5u);
-  EXPECT_EQ(figure.find("required here"), figure.npos);
+  EXPECT_EQ(figure.find("required contact ratio"), figure.npos);
   SearchProblem quiet = testing::spur_problem();
   quiet.limits.contact_ratio = 1.4;
-  EXPECT_NE(identical_gears_figure(quiet, Trial{}).find("dashed: 1.4, required here"),
+  EXPECT_NE(identical_gears_figure(quiet, Trial{}).find("required contact ratio of 1.4"),
             std::string::npos);
 }
 

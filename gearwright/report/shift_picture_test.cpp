@@ -60,8 +60,8 @@ TEST(ShiftPicture, WhereNoCircleFitsItSaysSo) {
   EXPECT_TRUE(teeth.front().rounded);
   EXPECT_FALSE(teeth.back().rounded);
   const std::string page = shift_figures(*one, "gear1", "Gear 1");
-  EXPECT_NE(page.find("no circle fits"), page.npos);
-  EXPECT_NE(page.find("rack-cut: undercut"), page.npos);
+  EXPECT_NE(page.find("no circular root fillet fits"), page.npos);
+  EXPECT_NE(page.find("undercut if cut by the rack"), page.npos);
   EXPECT_EQ(page.find("nan"), page.npos);
 }
 

@@ -23,29 +23,31 @@ Vec2 design_of(const DesignRow& row) { return {row.shift[0], row.shift[1]}; }
 
 std::string description(const ShiftRegion& region, const DesignRow& row) {
   return fmt::format(
-      "Profile shift of gear 1 to the right, of gear 2 up, in modules. The feasible region has the "
-      "area {:.4g}, from {}, {} at the least sum to {}, {} at the greatest; the design is at {}, "
-      "{}.",
+      "The profile shift of gear 1 increases to the right and that of gear 2 upwards, in modules. "
+      "The feasible region has the area {:.4g}. It extends from ({}, {}) at the least sum of the "
+      "profile shifts to ({}, {}) at the greatest sum. The design is at ({}, {}).",
       region.area, fixed(region.lo.x(), 4), fixed(region.lo.y(), 4), fixed(region.hi.x(), 4),
       fixed(region.hi.y(), 4), fixed(row.shift[0], 4), fixed(row.shift[1], 4));
 }
 
 std::string caption(const ShiftGraph& graph, const ShiftRegion& region) {
   const SearchProblem& problem = graph.problem();
-  const std::string area = region.area >= 0.01 ? "area " + fixed(region.area, 4)
-                           : region.area > 0.0
-                               ? fmt::format("area {:.3g}", region.area)
-                               : std::string("without area: the limits leave a line or a point");
+  const std::string area =
+      region.area >= 0.01 ? "the area " + fixed(region.area, 4)
+      : region.area > 0.0 ? fmt::format("the area {:.3g}", region.area)
+                          : std::string("no area, because the limits leave only a line or a point");
   const std::string line =
       problem.internal()
-          ? std::string("the pinion takes all of the shift")
-          : fmt::format("balanced, the teeth of both gears are about equally strong ({} = {:g})",
-                        symbol_html("λ"), problem.lambda);
+          ? std::string("the line on which the pinion has the whole profile shift")
+          : fmt::format(
+                "the line on which the teeth of both gears are about equally strong ({} = {:g})",
+                symbol_html("λ"), problem.lambda);
   return fmt::format(
-      ": the filled region, in normal modules, {}; faint: the rectangle of the shift limits. "
-      "{}Thin dashed: {}; thick where that is feasible. Dots: the middles at the least and the "
-      "greatest {}. Ringed: the design. Edges of the region:",
-      area, problem.center_distance ? "Thin: the centre distances, mm. " : "", line,
+      ". The filled region has {}, in normal modules. The faint rectangle shows the limits of the "
+      "profile shifts. {}The thin dashed line is {}, thick where it is feasible. The dots are the "
+      "middles of the region at the least and at the greatest {}. The ring marks the design. Edges "
+      "of the region:",
+      area, problem.center_distance ? "The thin lines are centre distances in mm. " : "", line,
       symbol_html("Σx"));
 }
 

@@ -63,13 +63,13 @@ TEST(ShiftRegionPicture, NumbersAreThoseOfTheRegion) {
   const std::string figure = figure_of(sample, row);
   EXPECT_NE(figure.find("Where " + design_name(row.trial) + " is feasible"), figure.npos);
   EXPECT_NE(figure.find("area " + fixed(row.area, 4)), figure.npos);
-  EXPECT_NE(figure.find("from " + fixed(row.lo.x(), 4) + ", " + fixed(row.lo.y(), 4) +
-                        " at the least sum to " + fixed(row.hi.x(), 4) + ", " +
-                        fixed(row.hi.y(), 4) + " at the greatest"),
+  EXPECT_NE(figure.find("from (" + fixed(row.lo.x(), 4) + ", " + fixed(row.lo.y(), 4) +
+                        ") at the least sum of the profile shifts to (" + fixed(row.hi.x(), 4) +
+                        ", " + fixed(row.hi.y(), 4) + ") at the greatest"),
             figure.npos);
-  EXPECT_NE(
-      figure.find("the design is at " + fixed(row.shift[0], 4) + ", " + fixed(row.shift[1], 4)),
-      figure.npos);
+  EXPECT_NE(figure.find("The design is at (" + fixed(row.shift[0], 4) + ", " +
+                        fixed(row.shift[1], 4) + ")"),
+            figure.npos);
   for (const char* name : {">min ", ">max ", ">design<", ">balanced<"})
     EXPECT_EQ(count_of(figure, name), 1u) << name;
   EXPECT_NE(figure.find(" = 101<"), figure.npos);
@@ -100,7 +100,7 @@ TEST(ShiftRegionPicture, OneExactDistanceIsALine) {
   EXPECT_EQ(figure.find(">least centre distance<"), figure.npos);
   EXPECT_EQ(figure.find(">greatest centre distance<"), figure.npos);
   EXPECT_EQ(count_of(figure, "class=\"distance-line\""), 1u);
-  EXPECT_NE(figure.find("without area"), figure.npos);
+  EXPECT_NE(figure.find("no area"), figure.npos);
 }
 
 // The least sum of both shifts is -1. At 59 mm, the range of centre distances and this corner have
@@ -164,7 +164,7 @@ TEST(ShiftRegionPicture, ThumbnailsHaveNoLabelsAndLeadToTheirRow) {
 TEST(ShiftRegionPicture, ARingsPinionTakesAllOfTheShift) {
   const SearchSample sample = testing::ring_search();
   const std::string figure = figure_of(sample, sample.answer->designs.front());
-  EXPECT_NE(figure.find("the pinion takes all of the shift"), figure.npos);
+  EXPECT_NE(figure.find("the line on which the pinion has the whole profile shift"), figure.npos);
   EXPECT_EQ(figure.find(">balanced<"), figure.npos);
 }
 

@@ -13,7 +13,8 @@ std::optional<Error> check_family(const ContactSetup& setup,
   const int d = coordinates_of(tolerances);
   if (2 * d > SobolPoints::kMaxDimensions) {
     return refused("tolerances", d,
-                   fmt::format("coordinates; Sobol's points are tabulated for {} of them",
+                   fmt::format("the tolerances have more coordinates than the {} for which Sobol's "
+                               "points are tabulated",
                                SobolPoints::kMaxDimensions / 2));
   }
   return check_ends(setup, tolerances);

@@ -132,7 +132,8 @@ Deviation deviation_at(const ContactSetup& setup, std::span<const ScatterToleran
 std::optional<Error> check_ends(const ContactSetup& setup,
                                 std::span<const ScatterTolerance> tolerances) {
   const auto refuse = [](const ScatterTolerance& tolerance, double end, const Error& error) {
-    return Error{tolerance.name, format_number(end), "leads to " + error.quoted()};
+    return Error{tolerance.name, format_number(end),
+                 "this end of the range leads to " + error.quoted()};
   };
   for (const ScatterTolerance& t : tolerances) {
     for (const double end : t.side(0)) {

@@ -245,7 +245,7 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
   if (!before) return before.error();
   Json wished;
   try {
-    if (json_depth(value) > 32) return Error{std::string(path), "", "nests too deep"};
+    if (json_depth(value) > 32) return Error{std::string(path), "", "has too many nested levels"};
     wished = parse_json(value);
   } catch (const nlohmann::json::exception&) {
     return Error{std::string(path), std::string(value), "is not a JSON value"};
@@ -258,7 +258,8 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
   }
   Json wanted = *before;
   if (!set_in(wanted, parts, wished))
-    return Error{std::string(path), "", "leads through a value that is not a table"};
+    return Error{std::string(path), "",
+                 "cannot be set, because a part of this path is a value and not a table"};
   if (same(wanted, *before)) return std::string(toml);
   Editor editor(toml);
   if (wished.is_null()) {

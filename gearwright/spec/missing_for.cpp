@@ -21,8 +21,8 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
   std::vector<Error> missing;
   if (!spec.rating.given)
     missing.push_back(absent_input("rating",
-                                   "; a rating needs this table with the load, the accuracy of the "
-                                   "gears and their mounting"));
+                                   "; a rating needs this table, which describes the load, the "
+                                   "accuracy of the gears and their mounting"));
   std::array<MaterialInput, 2> materials;
   std::array<std::string, 2> tables;
   for (const std::size_t i : {0, 1}) {
@@ -76,8 +76,8 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
   std::vector<Error> missing;
   if (!rating.torque && !rating.power) {
     missing.push_back(absent_input("rating.torque_Nm",
-                                   "; a rating needs a load: power_kW with speed_rpm, or torque_Nm "
-                                   "on gear 1, torque_Nm = 50 for example"));
+                                   "; a rating needs a load. Give power_kW with speed_rpm, or give "
+                                   "torque_Nm on gear 1, for example torque_Nm = 50"));
   }
   RatingInput input = rating.input;
   bool known = true;
@@ -120,17 +120,17 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
                      (use == SpecUse::rate || (use == SpecUse::run && spec.rating.given && two));
   if (of_two && !two)
     missing.push_back(
-        absent_input("gear2", "; a pair needs a second gear, [gear2] with teeth = 40 for example"));
+        absent_input("gear2", "; a pair needs a second gear, for example [gear2] with teeth = 40"));
   if (under_torque && !torque)
     missing.push_back(absent_input(
-        "load.torque_Nm", ": enter a torque on gear 1, in N m, torque_Nm = 100 for example"));
+        "load.torque_Nm", "; give a torque on gear 1 in N m, for example torque_Nm = 100"));
   if (use == SpecUse::scatter && !any_tolerance(spec))
-    missing.push_back(absent_input(
-        "scatter.errors",
-        ": the verb scatter needs a range of at least one number, [scatter.errors] with "
-        "crossing_deg = [-0.02, 0.02] for example, [scatter.bearings] with span_mm and radius_mm, "
-        "[scatter.gear1] with thickness_allowance_mm = [-0.02, 0.02] or modifications, or a grade, "
-        "quality = 6"));
+    missing.push_back(
+        absent_input("scatter.errors",
+                     "; the verb scatter needs a range of at least one number. Give, for example, "
+                     "[scatter.errors] with crossing_deg = [-0.02, 0.02], or [scatter.bearings] "
+                     "with span_mm and radius_mm, or [scatter.gear1] with thickness_allowance_mm = "
+                     "[-0.02, 0.02] or modifications, or a grade (quality = 6)"));
   if (rated) add(missing, missing_for_rating(spec));
   return missing;
 }

@@ -43,7 +43,7 @@ void read_named(TableReader& t, const std::string& key, std::optional<double>& a
     const auto it = std::find(known.begin(), known.end(), name);
     if (it == known.end()) {
       throw SpecError{{t.name(key) + "." + printable(name, 40), shown(number),
-                       fmt::format("there is no such name; there are {}", fmt::join(known, ", "))}};
+                       fmt::format("unknown name; the names are {}", fmt::join(known, ", "))}};
     }
     set(static_cast<std::size_t>(it - known.begin()), number_of(t, key, number));
   }
@@ -97,7 +97,7 @@ void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional
   speeds = read_list(t, "speed_rpm");
   const std::vector<double> torques = read_list(t, "torque_Nm");
   if (torques.size() > 1)
-    t.fail("torque_Nm", "give one torque, because it determines the torques of the other bodies");
+    t.fail("torque_Nm", "must be one torque, which determines the torques of the other bodies");
   if (!torques.empty()) torque = torques.front();
 }
 
@@ -111,8 +111,8 @@ void refuse_halves(const Json& node, const std::string& path, const char* where)
 
 PlanetarySpec read_set(const Json& node, const std::string& path) {
   refuse_halves(node, path,
-                "belongs to the gears; gearwright drive SPEC --expand prints the set as [drive], "
-                "whose gears accept it");
+                "is a key of a gear; gearwright drive SPEC --expand prints the set as [drive], in "
+                "which each gear can have this key");
   TableReader t(planetary_keys(), node, path);
   PlanetarySpec set;
   t.read(set);
@@ -161,7 +161,7 @@ void refuse_in_drive(const Json& node, const std::string& path) {
   if (node.contains("measured"))
     refuse("measured", "is allowed only for a gear that is to be identified");
   if (node.contains("tip_fillet"))
-    refuse("tip_fillet", "is not part of a drive; compute this mesh as a pair");
+    refuse("tip_fillet", "is not supported in a drive; compute this mesh as a pair");
   if (!node.contains("tolerance") || !node["tolerance"].is_object()) return;
   for (const char* key : {"thickness_series", "span_mm", "over_balls_mm"})
     if (node["tolerance"].contains(key))
@@ -178,7 +178,7 @@ void read_whole_gears(TableReader& t, const Json& gears, PairStage& pair,
                       const std::filesystem::path& folder) {
   const bool two =
       gears.is_array() && gears.size() == 2 && gears[0].is_object() && gears[1].is_object();
-  if (!two) t.fail("gears", "must be a list of two tables, each as [gear1]");
+  if (!two) t.fail("gears", "must be a list of two tables with the keys of [gear1]");
   // The second gear of the stage inherits from the first in the same way as gear 2 from gear 1.
   const Json both = inherit(Json{{"gear1", gears[0]}, {"gear2", gears[1]}}).tree;
   for (const std::size_t i : {0, 1}) {
@@ -200,9 +200,9 @@ void read_teeth(TableReader& t, PairStage& pair) {
   const std::vector<double> teeth = read_list(t, "teeth");
   const auto whole = [](double z) { return z == std::round(z) && z != 0.0 && std::abs(z) <= 1e5; };
   if (teeth.empty())
-    t.fail_absent("teeth", "; a stage has two gears, teeth = [19, 58] for example");
+    t.fail_absent("teeth", "; a stage needs two numbers of teeth, for example teeth = [19, 58]");
   if (teeth.size() != 2 || !std::all_of(teeth.begin(), teeth.end(), whole) || teeth[0] < 0)
-    t.fail("teeth", "must be two whole numbers, of which the second is negative for a ring");
+    t.fail("teeth", "must be two whole numbers; the second number is negative for a ring");
   pair.teeth = {static_cast<int>(teeth[0]), static_cast<int>(teeth[1])};
   pair.shifts = read_two(t, "profile_shift");
   const auto module = t.number("normal_module_mm");
@@ -225,10 +225,9 @@ void read_teeth(TableReader& t, PairStage& pair) {
 
 StageSpec read_stage(const Json& node, const std::string& path,
                      const std::filesystem::path& folder) {
-  refuse_halves(
-      node, path,
-      "must be in the tables of the gears: gears = [{ teeth = 19, double_helical = { gap_mm "
-      "= 10 }, ... }, { teeth = 58 }]");
+  refuse_halves(node, path,
+                "must be in the tables of the gears, for example gears = [{ teeth = 19, "
+                "double_helical = { gap_mm = 10 }, ... }, { teeth = 58 }]");
   TableReader t(stage_keys(), node, path);
   StageSpec stage;
   if (t.has("planetary")) {
@@ -327,9 +326,9 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
   TableReader own(drive_gear_keys(), node, path);
   gear.rack = own.word("form").value_or("gear") == "rack";
   if (!gear.rack && !own.has("teeth"))
-    own.fail_absent("teeth", ": number of teeth, negative for a ring");
+    own.fail_absent("teeth", "; give the number of teeth, which is negative for a ring");
   if (!gear.rack)
-    own.refuse("height_mm", "is the height of a rack; form = \"rack\" makes the gear a rack");
+    own.refuse("height_mm", "is a key of a rack; add form = \"rack\" if the gear is a rack");
   refuse_in_drive(node, path);
   Json whole = node;
   const auto has_module = has_any(node, drive_gear_keys().ways("normal_module_mm"));
@@ -395,8 +394,8 @@ DriveGraph read_graph(const Json& node, const std::filesystem::path& folder) {
   const auto output = places("output");
   read_input_loads(t, graph.speeds_rpm, graph.torque_Nm);
   t.finish();
-  if (graph.inputs.empty()) t.fail_absent("input", "; it is the body that drives");
-  if (output.size() != 1) t.fail_absent("output", "; it is the one body that is driven");
+  if (graph.inputs.empty()) t.fail_absent("input", "; give the name of the driving body");
+  if (output.size() != 1) t.fail_absent("output", "; give the name of the driven body");
   graph.output = output.front();
   return graph;
 }
@@ -417,7 +416,8 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
   for (const char* table : {"planetary", "stage", "drive"}) {
     if (!tree.contains(table)) continue;
     if (first)
-      throw SpecError{{table, "", fmt::format("a spec has one drive; it has [{}] already", first)}};
+      throw SpecError{
+          {table, "", fmt::format("only one drive is allowed, and the spec has [{}]", first)}};
     first = table;
   }
   for (const char* table : {"planetary", "drive"})

@@ -37,8 +37,8 @@ std::array<double, 2> read_width_band(const TableReader& t, const Json& band) {
   const bool numbers = band.size() == 2 && band[0].is_number() && band[1].is_number();
   if (!numbers || !(band[0].get<double>() > 0.0 && band[0] <= band[1]))
     t.fail("face_width_mm",
-           "must be a number, a table by member, or a band of two positive numbers, the lower one "
-           "first: [20, 60] for example");
+           "must be a number, a table of numbers by member, or a band of two positive numbers in "
+           "rising order, for example [20, 60]");
   return {band[0].get<double>(), band[1].get<double>()};
 }
 
@@ -64,7 +64,7 @@ DriveSearchProblem read_drive_search(const Json& search) {
     if (!key.place) t.any(std::string(key.key));
   t.finish();
   if (p.modules.empty() && p.size_max < kInfinity)
-    t.fail("size_max_mm", "needs normal_module_mm; without a module, sizes are in modules");
+    t.fail("size_max_mm", "needs normal_module_mm, because sizes without a module are in modules");
   if (p.kind == DriveKind::train) {
     for (const char* key : {"mesh_efficiency", "helix_angle_deg"})
       if (search.contains(key) && !search[key].is_number())

@@ -21,13 +21,14 @@ std::optional<double> read_helix(TableReader& t) {
   const auto lead = t.number("lead_angle_deg");
   const auto hand = t.word("hand");
   if (lead && !hand && *lead < 90.0) {
-    t.fail("lead_angle_deg", "needs hand = \"right\" or \"left\" too");
+    t.fail("lead_angle_deg", "also needs hand = \"right\" or \"left\"");
   }
   const double sign = hand && *hand == "left" ? -1.0 : 1.0;
   const auto of_lead = lead ? std::optional((90.0 - *lead) * sign) : std::nullopt;
   if (beta && of_lead && std::abs(*of_lead - *beta) > kSameInput * std::abs(*beta)) {
     t.fail("lead_angle_deg",
-           "contradicts helix_angle_deg; both give the helix angle; leave one of them out");
+           "contradicts helix_angle_deg, because both keys give the helix angle; leave one of them "
+           "out");
   }
   const auto value = beta ? beta : of_lead;
   if (hand && value && *value != 0.0 && (*value > 0.0) != (*hand == "right")) {
@@ -50,8 +51,8 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
                             : g.tolerance.over_balls ? "over_balls_mm"
                                                      : nullptr;
   if (given && gear.has("thickness_allowance_mm"))
-    t.fail(given, fmt::format("cannot be combined with {}; both give the tooth thickness; leave "
-                              "one of them out",
+    t.fail(given, fmt::format("cannot be combined with {}, because both keys give the tooth "
+                              "thickness; leave one of them out",
                               gear.name("thickness_allowance_mm")));
 }
 
@@ -64,8 +65,8 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   for (const char* key : {"transverse_module_mm", "transverse_pressure_angle_deg"}) {
     if (gear.has(key))
       gear.fail(key, "cannot be combined with [" + gear.name("basic") +
-                         "]; leave this key out, or give the normal module or the normal "
-                         "pressure angle of the rack");
+                         "]; leave out this key, or give the normal module or the normal pressure "
+                         "angle of the rack instead");
   }
   if (gear.has("thickness_allowance_mm")) {
     gear.fail("thickness_allowance_mm",
@@ -78,15 +79,15 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   double alpha_n = Angle::degrees(alpha.value_or(20.0)).rad();
   if (module) {
     if (!(*module > m_cos_alpha)) {
-      gear.fail("normal_module_mm",
-                fmt::format("is too small for this base pitch; m_n cos α_n is {} mm",
-                            format_number(m_cos_alpha, *module)));
+      gear.fail("normal_module_mm", fmt::format("is too small for this base pitch; the module must "
+                                                "be greater than m_n cos α_n = {} mm",
+                                                format_number(m_cos_alpha, *module)));
     }
     const double of_module = std::acos(m_cos_alpha / *module);
     if (alpha && std::abs(of_module - alpha_n) > kSameInput) {
       gear.fail("normal_module_mm",
-                fmt::format("contradicts normal_pressure_angle_deg on this base cylinder: at {}° "
-                            "the module is {} mm",
+                fmt::format("contradicts normal_pressure_angle_deg on this base cylinder, because "
+                            "the module at {}° is {} mm",
                             format_number(*alpha),
                             format_number(m_cos_alpha / std::cos(alpha_n), *module)));
     }
@@ -130,13 +131,13 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
 void refuse_involute_keys(TableReader& gear) {
   const std::string why = "cannot be combined with a rack of arcs";
   for (const char* key : {"normal_pressure_angle_deg", "transverse_pressure_angle_deg"}) {
-    gear.refuse(key,
-                why + "; write the pressure angle of the arcs into [" + gear.name("rack") + "]");
+    gear.refuse(key, why + "; give the pressure angle of the arcs in [" + gear.name("rack") + "]");
   }
   for (const char* key : {"basic", "root_fillet", "tip_fillet"}) gear.refuse(key, why);
   const auto shift = gear.number("profile_shift");
   if (shift && *shift != 0.0)
-    gear.fail("profile_shift", why + "; the positions of the arc centres determine the depth");
+    gear.fail("profile_shift",
+              why + "; the positions of the arc centres determine the depth of the cutter");
 }
 
 // The table that the word `kind` selects among the possible tables of a key. Without `kind` it is the first table.
@@ -264,7 +265,7 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
   const auto total = gear.number("profile_shift_pair");
   const Json* by = gear.any("cut_by");
   if (!by) {
-    if (total) gear.fail("profile_shift_pair", "is used only for a gear with cut_by");
+    if (total) gear.fail("profile_shift_pair", "is allowed only for a gear with cut_by");
     return;
   }
   CutByInput cut;
@@ -272,17 +273,18 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
   if (by->is_string()) {
     const auto name = by->get<std::string>();
     if (name != "gear1" && name != "gear2")
-      gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table with a cutter's numbers");
+      gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table that describes a cutter");
     cut.gear = name == "gear1" ? 1 : 2;
   } else if (by->is_object()) {
     const std::string path = gear.name("cut_by");
     for (const auto& [key, why] :
-         {std::pair{"cut_by", "the cutter itself is cut by a rack; leave this out"},
-          std::pair{"profile_shift_pair",
-                    "must be in the table of the gear that is cut, not in cut_by"},
+         {std::pair{
+              "cut_by",
+              "is not allowed, because the cutter itself is cut by a rack; leave out this key"},
+          std::pair{"profile_shift_pair", "must be in the table of the gear, not in cut_by"},
           std::pair{"modifications",
-                    "a cutter has no flank modifications; write the modifications of the gear into "
-                    "the table of the gear"}}) {
+                    "is not allowed, because a cutter has no flank modifications; give the "
+                    "modifications in the table of the gear"}}) {
       if (by->contains(key)) gear.fail(std::string("cut_by.") + key, why);
     }
     GearInput cutter = read_gear(cutter_keys(), with_shared_keys(*by, node, mate), path);
@@ -292,12 +294,12 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
     if (!by->contains("rack")) cutter.cylindrical.straight_rack().addendum = kCutterAddendum;
     if (cutter.tip_clearance || cutter.tip_clearance_by_rule) {
       gear.fail("cut_by.tip_fillet",
-                "a cutter has no mating gear that could determine it; give corner_radius_mm, "
-                "radius_mm or l_mm");
+                "a clearance is not allowed here, because a cutter has no mating gear that "
+                "determines it; give corner_radius_mm, radius_mm or l_mm");
     }
     cut.cutter = std::make_shared<GearInput>(std::move(cutter));
   } else {
-    gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table with a cutter's numbers");
+    gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table that describes a cutter");
   }
   for (const char* key : {"rack", "root_fillet", "tip_fillet", "basic", "thickness_allowance_mm"}) {
     if (gear.has(key)) {
@@ -308,8 +310,8 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
   }
   if (total && g.profile_shift) {
     gear.fail("profile_shift_pair",
-              "cannot be combined with profile_shift; both determine the depth of the cutter; "
-              "leave one of them out");
+              "cannot be combined with profile_shift, because both keys determine the depth of the "
+              "cutter; leave one of them out");
   }
   g.cut_by = std::move(cut);
 }

@@ -19,14 +19,15 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
   const Json* node = t.any("span_mm");
   if (!node) return;
   if (!node->is_object())
-    t.fail("span_mm", "must be a table of readings by the number of teeth: { 3 = 19.751 }");
+    t.fail("span_mm",
+           "must be a table of readings by the number of teeth, for example { 3 = 19.751 }");
   for (const auto& [key, value] : node->items()) {
     int k = 0;
     const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), k);
     if (error != std::errc() || end != key.data() + key.size() || k < 1 || k > 100000)
       t.fail("span_mm", "\"" + printable(key, 20) +
                             "\" is not a number of teeth; write each reading after its number of "
-                            "teeth, { 3 = 19.751 } for example");
+                            "teeth, for example { 3 = 19.751 }");
     if (!value.is_number() || !(value.get<double>() > 0.0) || value.get<double>() > kMaxInput)
       t.fail("span_mm", "the span over " + key + " teeth must be a length in mm");
     p.spans.push_back({k, value.get<double>()});

@@ -40,13 +40,14 @@ void check_used(TableReader& t, const std::string& key, const std::string& amoun
   const std::string right = std::string(kFlankSides[0]) + key;
   const std::string left = std::string(kFlankSides[1]) + key;
   if (t.has(right) && t.has(left) && t.has(key))
-    t.fail(key, fmt::format("has no effect together with {} and {}; leave it out", right, left));
+    t.fail(key,
+           fmt::format("has no effect, because {} and {} are given; leave it out", right, left));
   for (const std::string& one : {key, right, left}) {
     if (!t.has(one) || amount.empty()) continue;
     const bool used = std::any_of(kFlanks.begin(), kFlanks.end(), [&](std::size_t flank) {
       return key_of(t, flank, key) == one && t.given(key_of(t, flank, amount));
     });
-    if (!used) t.fail(one, "belongs to " + amount + ", which is not given here");
+    if (!used) t.fail(one, "has no effect without " + amount + ", which is not given");
   }
 }
 
@@ -64,7 +65,7 @@ void read_flank(TableReader& t, std::size_t flank, FlankModifications& to) {
     // A start diameter can be computed from the pair, but a length cannot.
     const bool follows = m.reach == "_start_mm";
     if (*amount > 0.0 && !reach && !follows)
-      t.fail_absent(reach_key, ": " + key + " needs this key");
+      t.fail_absent(reach_key, ": " + key + " needs a value for this key");
     to.*(m.relief) = {
         *amount / kUmPerMm, reach,
         shape && *shape == "parabolic" ? ReliefShape::parabolic : ReliefShape::linear};
@@ -132,9 +133,10 @@ Result<std::vector<Row>> rows_of(std::string_view csv) {
       x[i] = value.value_or(0.0);
     }
     if (!good) {
-      return at_line(line, fmt::format("\"{}\" must be three numbers with commas between, "
-                                       "diameter_mm, z_mm, removed_um, and points as decimal marks",
-                                       printable(std::string(text), 60)));
+      return at_line(line,
+                     fmt::format("\"{}\" must be three numbers (diameter_mm, z_mm, removed_um) "
+                                 "that are separated by commas and have points as decimal marks",
+                                 printable(std::string(text), 60)));
     }
     if (!(x[0] > 0.0)) return at_line(line, "the diameter must be greater than 0");
     for (const double v : x) {
@@ -157,14 +159,15 @@ std::vector<double> lines_of(const std::vector<Row>& rows, double Row::*column) 
 
 std::optional<Error> check_lines(const char* what, const std::vector<double>& x) {
   if (x.size() < 2) {
-    return Error{"", "", fmt::format("two {} or more are needed, not {}", what, x.size())};
+    return Error{"", "",
+                 fmt::format("at least two {} are needed, but there are {}", what, x.size())};
   }
   const double least = kMinStep * (x.back() - x.front());
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (x[i] - x[i - 1] >= least) continue;
     return Error{"", "",
                  fmt::format("the {} {} and {} are closer together than a ten-thousandth of their "
-                             "range; if they mean one line of the grid, write the same number",
+                             "range; write the same number if they belong to one line of the grid",
                              what, x[i - 1], x[i])};
   }
   return std::nullopt;
@@ -187,8 +190,8 @@ std::string read_whole(const TableReader& t, const std::string& key, const fs::p
   if (file.bad()) throw IoError("cannot read " + shown + ": " + std::strerror(errno));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > kMaxTopography) {
-    t.fail(key, fmt::format("has more than {} bytes; use a coarser grid, because a cubic spline "
-                            "interpolates between its points",
+    t.fail(key, fmt::format("has more than {} bytes; use a coarser grid, which is sufficient "
+                            "because a cubic spline interpolates between the points",
                             kMaxTopography));
   }
   return text;
@@ -220,8 +223,8 @@ Result<Topography> topography_from_csv(std::string_view csv) {
     const double z = t.heights[k % columns];
     if (k == rows.size() || rows[k].diameter != d || rows[k].z != z) {
       return Error{"", "",
-                   fmt::format("{} diameters and {} heights z need a row for each of their {} "
-                               "points; there is no row for {}, {}",
+                   fmt::format("a grid of {} diameters and {} heights z needs a row for each of "
+                               "its {} points, but there is no row for {}, {}",
                                t.diameters.size(), columns, t.diameters.size() * columns, d, z)};
     }
     t.removed.push_back(rows[k].removed / kUmPerMm);

@@ -15,10 +15,9 @@ void check(const TableReader& t, const std::string& key, const DistributionSpec&
   if (made) return;
   const Error& error = made.error();
   if (!value.is_object()) {
-    t.fail(key, d.range[0] > d.range[1]
-                    ? "must be the least value, then the greatest; a tolerance of -0.02 to 0.02 is "
-                      "[-0.02, 0.02]"
-                    : error.rule);
+    t.fail(key, d.range[0] > d.range[1] ? "must contain the least value before the greatest; a "
+                                          "tolerance of ±0.02 is [-0.02, 0.02]"
+                                        : error.rule);
   }
   throw SpecError{
       {t.name(key) + "." + error.field, shown(value.value(error.field, Json())), error.rule}};
@@ -81,11 +80,11 @@ std::vector<ScatterInput::Group> read_groups(TableReader& t) {
     const auto refuse = [&, &name = name, &inputs = inputs](const char* why) {
       throw SpecError{{t.name("groups") + "." + printable(name, 40), shown(inputs), why}};
     };
-    if (!inputs.is_array() || inputs.empty()) refuse("must be a list of inputs, not empty");
+    if (!inputs.is_array() || inputs.empty()) refuse("must be a list of at least one input");
     ScatterInput::Group group{name, {}};
     for (const Json& input : inputs) {
       if (!input.is_string())
-        refuse("must be a list of inputs, [\"errors.crossing_deg\"] for example");
+        refuse("must be a list of inputs, for example [\"errors.crossing_deg\"]");
       group.inputs.push_back(input.get<std::string>());
     }
     groups.push_back(std::move(group));
@@ -112,7 +111,7 @@ ScatterInput read_scatter(const Json& node) {
       if (!s.errors[i]) continue;
       t.fail("bearings", "cannot be combined with scatter.errors." +
                              std::string(error_entries()[i].key) +
-                             "; the positions of the bores determine the same error");
+                             ", because the positions of the bores determine this error");
     }
   }
   for (const std::size_t i : {0, 1}) {

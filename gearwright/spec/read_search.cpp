@@ -45,17 +45,18 @@ std::vector<double> read_modules(TableReader& t) {
   std::sort(modules.begin(), modules.end());
   if (!(modules.front() > 0.0))
     t.fail("modules_mm",
-           fmt::format("{} cannot be a module; modules are greater than 0 mm", modules.front()));
+           fmt::format("contains {}, but a module must be greater than 0 mm", modules.front()));
   t.check("modules_mm", modules.front());
   t.check("modules_mm", modules.back());
   const auto twice = std::adjacent_find(modules.begin(), modules.end());
-  if (twice != modules.end()) t.fail("modules_mm", fmt::format("names {} twice", *twice));
+  if (twice != modules.end()) t.fail("modules_mm", fmt::format("contains {} twice", *twice));
   return modules;
 }
 
 void check_teeth(TableReader& t, SearchProblem& p) {
   if (p.ratio[0] < 0.0 && p.ratio[1] >= 0.0)
-    t.fail("ratio", "must not contain 0; positive for external pairs, negative for internal pairs");
+    t.fail("ratio",
+           "must not contain 0; it is positive for external pairs and negative for internal pairs");
   if (p.ratio[0] >= 0.0 && p.ratio[1] < 1.0)
     t.fail("ratio",
            "must contain values of 1 or more, because the ratio is z2/z1 and gear 2 has "
@@ -65,9 +66,10 @@ void check_teeth(TableReader& t, SearchProblem& p) {
            "must contain values below -1, because an internal gear has more teeth than its pinion");
   const double most = std::max(std::abs(p.ratio[0]), std::abs(p.ratio[1])) * p.pinion_teeth[1];
   if (!(most <= kMaxSearchTeeth)) {
-    t.fail("ratio", fmt::format("with pinion_teeth up to {} reaches wheels of {:.6g} teeth, but at "
-                                "most {} are allowed; narrow one of the two",
-                                p.pinion_teeth[1], most, kMaxSearchTeeth));
+    t.fail("ratio",
+           fmt::format("allows wheels of {1:.6g} teeth together with pinion_teeth up to {0}, but "
+                       "at most {2} teeth are allowed; narrow one of the two bands",
+                       p.pinion_teeth[1], most, kMaxSearchTeeth));
   }
   if (!t.has("target_ratio")) p.target_ratio = (p.ratio[0] + p.ratio[1]) / 2.0;
 }
@@ -77,7 +79,7 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
   const auto b = t.numbers("helix_angle_deg");
   const auto step = t.number("helix_step_deg");
   const auto list = t.numbers("helix_angles_deg");
-  if (b && list) t.fail("helix_angles_deg", "contradicts helix_angle_deg; leave one out");
+  if (b && list) t.fail("helix_angles_deg", "contradicts helix_angle_deg; leave one of them out");
   std::vector<double> degrees{of_gear_deg};
   if (list) degrees = *list;
   if (b) {
@@ -85,9 +87,9 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
     const double h = step.value_or(1.0);
     const double count = std::floor((b->back() - b->front()) / h + 1e-9);
     if (!(count < kMaxAngles))
-      t.fail("helix_step_deg", fmt::format("gives {:.6g} angles in the band; at most {} are "
-                                           "allowed",
-                                           count + 1, kMaxAngles));
+      t.fail("helix_step_deg",
+             fmt::format("gives {:.6g} angles in the band, but at most {} are allowed", count + 1,
+                         kMaxAngles));
     for (int i = 0; i <= static_cast<int>(count); ++i) degrees.push_back(b->front() + i * h);
     // The end of the range is added unless it is a whole number of steps from the start.
     if (degrees.back() < b->back() - 1e-9 * h) degrees.push_back(b->back());
@@ -98,13 +100,13 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
   auto sorted = degrees;
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-    t.fail(key, fmt::format("names {} twice", *twice));
+    t.fail(key, fmt::format("contains {} twice", *twice));
   p.helix.clear();
   for (const double beta : degrees) {
     t.check(key, beta);
     if (p.shaft_angle && !(std::abs(p.shaft_angle->deg() - beta) < 89.0)) {
-      t.fail(key, fmt::format("{} gives gear 2 the helix angle {}, which is beyond 89; gear 2 has "
-                              "the shaft angle minus this angle",
+      t.fail(key, fmt::format("contains {}, which gives gear 2 a helix angle of {} degrees (the "
+                              "shaft angle minus this angle); at most 89 degrees are allowed",
                               beta, p.shaft_angle->deg() - beta));
     }
     p.helix.push_back(Angle::degrees(beta));
@@ -117,7 +119,7 @@ void read_limits(TableReader& t, SearchProblem& p) {
   const auto word = t.word("interference");
   const auto avoid = t.boolean("avoid_interference");
   if (word && avoid && (*word == "exclude") != *avoid)
-    t.fail("avoid_interference", "contradicts interference; leave one out");
+    t.fail("avoid_interference", "contradicts interference; leave one of them out");
   l.avoid_interference = word ? *word == "exclude" : avoid.value_or(true);
   l.clear_fillets = l.avoid_interference;
   if (l.avoid_interference) {
@@ -127,7 +129,9 @@ void read_limits(TableReader& t, SearchProblem& p) {
     t.fail("form_clearance_min", "needs interference = \"exclude\"");
   }
   if (l.sliding && p.crossed())
-    t.fail("sliding_max", "is not available on crossed axes, where teeth also slide lengthwise");
+    t.fail("sliding_max",
+           "is not available on crossed axes, where the teeth also slide in the direction of their "
+           "length");
 }
 
 void check_objectives(const TableReader& t, const SearchProblem& p) {
@@ -156,8 +160,8 @@ Blank read_blank(const Json* node, const std::string& path) {
       const std::string name(key.key);
       if (blank_keys().find(name) || !node->contains(name)) continue;
       TableReader(gear_keys(), *node, path)
-          .fail(name, fmt::format("is determined by the search, or belongs to a gear with a number "
-                                  "of teeth; together with [search], [{}] may contain {}",
+          .fail(name, fmt::format("cannot be combined with [search] unless the gear has a number "
+                                  "of teeth; without it, [{}] may contain only {}",
                                   path, fmt::join(blank_keys().names(), ", ")));
     }
   }
@@ -176,8 +180,8 @@ Blank read_blank(const Json* node, const std::string& path) {
   if (b.rack && (b.rack->protuberance != 0.0 || b.rack->tip_fillet_radius != 0.0 ||
                  b.rack->semi_topping_angle)) {
     t.fail("rack",
-           "has a protuberance, tip rounding or chamfer, which a search does not support; search "
-           "without it and add it to the pair afterwards");
+           "has a protuberance, tip rounding or chamfer, which a search does not support; leave "
+           "out these keys and add them to the pair after the search");
   }
   if (!whole) t.finish();
   return b;
@@ -201,14 +205,14 @@ void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& bl
     wanted.push_back({first, blanks[1].rack ? blanks[1].rack : first});
   } else {
     if (blanks[0].rack || blanks[1].rack)
-      t.fail("racks", "contradicts the rack of a gear; leave one out");
+      t.fail("racks", "contradicts the rack of a gear; leave one of them out");
     const Key& key = *t.keys().find("racks");
     if (!list->is_array() || list->empty() || list->size() > key.list->most)
       t.fail("racks", "must be " + form_of(key));
     for (const Json& item : *list) {
       const auto rack = item.is_string() ? iso53_rack(item.get<std::string>()) : std::nullopt;
       if (std::count(list->begin(), list->end(), item) > 1)
-        t.fail("racks", "names " + shown(item) + " twice");
+        t.fail("racks", "contains " + shown(item) + " twice");
       if (!rack) t.fail("racks", shown(item) + " is not one of \"ISO53-A\" … \"ISO53-D\"");
       wanted.push_back({rack, rack});
     }
@@ -222,9 +226,9 @@ void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& bl
       if (pair[i]) {
         const auto edge = make_edge(*pair[i], 1.0, p.normal_pressure_angle);
         if (!edge)
-          throw SpecError{
-              spelled(list ? following_from("search.racks", "", "of one of them", edge.error())
-                           : of_gear(static_cast<int>(i) + 1, edge.error()))};
+          throw SpecError{spelled(
+              list ? following_from("search.racks", "", "for one of the racks,", edge.error())
+                   : of_gear(static_cast<int>(i) + 1, edge.error()))};
         racks.rack[i] = *pair[i];
         racks.undercut_depth[i] = straight_depth(*pair[i], p.normal_pressure_angle.rad());
       }
@@ -245,7 +249,8 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   if (blanks[1].alpha_deg && *blanks[1].alpha_deg != alpha) {
     throw SpecError{
         {"gear2.normal_pressure_angle_deg", fmt::format("{}", *blanks[1].alpha_deg),
-         fmt::format("both gears of a search need the same pressure angle; gear1 has {}", alpha)}};
+         fmt::format("both gears of a search need the same pressure angle, and that of gear1 is {}",
+                     alpha)}};
   }
   p.normal_pressure_angle = Angle::degrees(alpha);
   t.require_all();
@@ -253,8 +258,8 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   p.modules = read_modules(t);
   if (p.shaft_angle && p.internal())
     t.fail("shaft_angle_deg",
-           "cannot be used with internal pairs, because a search covers them on parallel "
-           "axes only; leave it out, or give the pair as [gear1], [gear2] and [pair]");
+           "cannot be used for internal pairs, because a search covers internal pairs on parallel "
+           "axes only; leave out this key, or describe the pair by [gear1], [gear2] and [pair]");
   const double half = p.shaft_angle ? p.shaft_angle->deg() / 2.0 : 0.0;
   read_helix(t, p, blanks[0].helix_deg.value_or(half));
   read_racks(t, p, blanks);
@@ -262,7 +267,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
     p.face_width = {*blanks[0].face_mm, *blanks[0].face_mm};
   const auto one = [](const auto& band) { return band && (*band)[0] == (*band)[1]; };
   if (one(p.face_width) && one(p.face_modules))
-    t.fail("face_width_modules", "contradicts face_width_mm; leave one out");
+    t.fail("face_width_modules", "contradicts face_width_mm; leave one of them out");
   const auto mounting = t.word("mounting");
   // At the extended centre distance, an internal pair has negative backlash, so its default is tight.
   const bool tight = mounting ? *mounting == "tight" : p.ratio[1] < 0.0;

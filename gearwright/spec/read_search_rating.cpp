@@ -44,9 +44,9 @@ std::string rating_key(const Json& search) {
 }
 
 constexpr const char* kNeedsRating =
-    "needs a table [rating] with the load, the accuracy and the mounting, torque_Nm = 50, "
-    "speed_rpm = 1500, quality = 6 and face_load_factor = 1.2 for example (or power_kW, "
-    "[rating.mounting]), and [gear1.material] with name = \"16MnCr5\" for example";
+    "needs the tables [rating] and [gear1.material]; for example, [rating] with torque_Nm = 50 (or "
+    "power_kW), speed_rpm = 1500, quality = 6 and face_load_factor = 1.2 (or [rating.mounting]), "
+    "and [gear1.material] with name = \"16MnCr5\"";
 
 constexpr const char* kNoAllowances = "none";
 constexpr const char* kUsualSeries = "cd25";
@@ -79,13 +79,17 @@ void check_faces(const TableReader& t, const SearchProblem& p) {
   const std::string key =
       given_of(t, {"face_width_mm", "face_width_modules", "face_width_diameters"});
   if (p.crossed())
-    t.fail(key, "must be one number on crossed axes, where a search does not choose the width");
+    t.fail(key,
+           "must be a single number on crossed axes, because a search does not choose the face "
+           "width there");
   if (p.shift_step)
-    t.fail(key, "must be one number together with shift_step, whose points are not rated");
+    t.fail(key,
+           "must be a single number if shift_step is given, because the points of its grid are not "
+           "rated");
   if (!p.limits.safety_flank && !p.limits.safety_root && !p.limits.overlap_ratio)
     t.fail(key,
-           "is a band, in which each design takes the least sufficient width; give "
-           "safety_flank_min, safety_root_min or overlap_ratio_min too, or give one width");
+           "is a band, within which each design has the least sufficient width; also give "
+           "safety_flank_min, safety_root_min or overlap_ratio_min, or give a single width");
 }
 
 }  // namespace
@@ -138,11 +142,12 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
   if (!rating.spectrum.empty()) {
     t.fail(by,
            "cannot be combined with [[rating.spectrum]], which a search does not support; give one "
-           "equivalent load, torque_Nm with life_h");
+           "equivalent load by torque_Nm and life_h");
   }
   if (problem.shift_step)
     t.fail(by,
-           "cannot be combined with shift_step, whose points are not rated; leave one of them out");
+           "cannot be combined with shift_step, because the points of its grid are not rated; "
+           "leave one of them out");
   SearchRating wanted;
   wanted.input = rating.input;
   wanted.power_kW = rating.power;
@@ -176,11 +181,15 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
       given_of(t, {"thickness_series", "backlash_mm", "center_distance_tolerance"});
   const bool toleranced = allowances.thin_teeth() || allowances.distance_tolerance;
   if (toleranced && p.crossed())
-    t.fail(tolerance, "is not available on crossed axes; give it to the pair that --take writes");
+    t.fail(tolerance,
+           "is not available on crossed axes; add this key to the pair that --take writes");
   if (toleranced && p.shift_step)
-    t.fail(tolerance, "cannot be combined with shift_step, whose points are not drawn");
+    t.fail(tolerance,
+           "cannot be combined with shift_step, because no drawing is made for the points of its "
+           "grid");
   if (toleranced && !p.limits.avoid_interference)
-    t.fail(tolerance, "needs interference = \"exclude\", because only designs that run are drawn");
+    t.fail(tolerance,
+           "needs interference = \"exclude\", because a drawing is made only for designs that run");
   const bool wanted = toleranced || no_allowances || p.sizes_faces();
   const bool drawn = wanted && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
   if (drawn && !t.given("mounting")) p.mounting = Mounting::tight;

@@ -38,7 +38,9 @@ class Reader {
     if (auto error = find_stages()) return *error;
     const auto sets = model_.of_type("planetary_stage");
     if (sets.size() > 1 || (!sets.empty() && model_.of_type("ring_gear").size() != 1))
-      return no_spec("the file has several planetary stages or rings; one planetary set is read");
+      return no_spec(
+          "the file has several planetary stages or ring gears, but only a single planetary set "
+          "can be read");
     auto made = !sets.empty() ? planetary() : stages_.size() == 1 ? pair() : train();
     if (!made) return made.error();
     note_the_rest();
@@ -53,7 +55,8 @@ class Reader {
       Stage s{stage, {model_.find(r.of("gear_1")), model_.find(r.of("gear_2"))}};
       for (const Component* gear : s.gears) {
         if (!gear || !is_gear(*gear))
-          return no_spec(fmt::format("stage {} has no two cylindrical gears", named(*stage)));
+          return no_spec(
+              fmt::format("stage {} does not have two cylindrical gears", named(*stage)));
         if (!gear->number("number_of_teeth"))
           return no_spec(fmt::format("gear {} has no `number_of_teeth`", named(*gear)));
       }
@@ -140,7 +143,9 @@ class Reader {
         table["rack"] = rack;
       } else if (tool->type == "cutter_wheel_tool" && tool->number("number_of_teeth")) {
         if (of_drive) {
-          note("The pinion cutter is not read, because gears of a drive have the default cutter.");
+          note(
+              "The pinion cutter is not read, because the gears of a drive are cut by default "
+              "cutters.");
         } else {
           table["cut_by"] = {{"teeth", std::lround(*tool->number("number_of_teeth"))}};
           if (!rack.empty()) table["cut_by"]["rack"] = rack;
@@ -256,10 +261,10 @@ class Reader {
       shaft = shaft_of(*s->gears[1]);
     }
     if (used.size() != stages_.size())
-      return no_spec(fmt::format(
-          "the {} cylindrical stages do not form a chain from one shaft to the next; such a gear "
-          "unit is described by [drive], or by files with one stage each",
-          stages_.size()));
+      return no_spec(
+          fmt::format("the {} cylindrical stages do not form a chain from one shaft to the next; "
+                      "describe such a gear unit by [drive], or use a separate file for each stage",
+                      stages_.size()));
     return spec;
   }
 
@@ -307,7 +312,8 @@ class Reader {
            {"face_width_mm", "profile_shift", "thickness_allowance_mm", "tip_diameter_mm"})
         if (table.contains(key)) set[key][name] = table[key];
       if (table.contains("rack"))
-        note(fmt::format("The tool of the {} is not read; its rack is that of ISO 53.", name));
+        note(
+            fmt::format("The tool of the {} is not read. Its basic rack is that of ISO 53.", name));
     }
     for (const Stage& s : stages_)
       if (auto a = distance_of(s)) set["center_distance_mm"] = *a;
@@ -345,7 +351,7 @@ Result<std::string> spec_text_of_rexs(std::string_view xml) {
   if (!model) return model.error();
   const auto spec = spec_of_rexs(*model);
   if (!spec) return spec.error();
-  std::string text = fmt::format("# From a REXS {} file{}.\n", model->version,
+  std::string text = fmt::format("# This spec was read from a REXS {} file{}.\n", model->version,
                                  model->application.empty() ? "" : " of " + model->application);
   for (const std::string& n : spec->notes) text += "# " + n + "\n";
   return text + "\n" + toml_text(spec->tables);

@@ -48,12 +48,12 @@ void check_backlash(const Json& tree, const JobSpec& spec) {
                                                        : "backlash_deg";
   const TableReader t(pair_keys(), tree["pair"], "pair");
   for (const std::string gear : {"gear1", "gear2"}) {
-    if (!tree.contains(gear)) t.fail(key, "needs two gears; there is no [" + gear + "]");
+    if (!tree.contains(gear)) t.fail(key, "needs two gears, but there is no table [" + gear + "]");
     for (const char* other : {"thickness_allowance_mm", "cut_by", "basic", "tolerance"}) {
       if (!tree[gear].contains(other)) continue;
       if (other == std::string("tolerance") && !says_thickness(tree[gear][other])) continue;
-      t.fail(key, fmt::format("cannot be combined with {}.{}; both give the tooth thickness; leave "
-                              "one of them out",
+      t.fail(key, fmt::format("cannot be combined with {}.{}, because both determine the tooth "
+                              "thickness; leave one of them out",
                               gear, other));
     }
   }
@@ -134,8 +134,8 @@ void share_shafts(const Json& tree, JobSpec& spec) {
           "rating.face_load_factor or [rating.mounting]");
     if (gear->cylindrical.teeth < 0)
       refuse(
-          "does not apply to an internal gear, because its rim is not a shaft; only the shaft of "
-          "the pinion determines the face load factor");
+          "does not apply to an internal gear, because its rim is not a shaft; give the shaft of "
+          "the pinion, which alone determines the face load factor");
     if (spec.rating.input.mounting)
       refuse(
           "cannot be combined with [rating.mounting], which describes the shaft of the pinion "
@@ -171,8 +171,8 @@ RackBar read_rack_bar(const Json& rack, const Json& tree) {
       continue;
     throw SpecError{
         {"pair." + key, shown(value),
-         "does not apply to a rack and pinion, which uses only center_distance_mm and speed_rpm. "
-         "The backlash follows from the distance and the thickness allowances"}};
+         "does not apply to a rack and pinion, for which only center_distance_mm and speed_rpm are "
+         "allowed. The centre distance and the thickness allowances determine the backlash"}};
   }
   return bar;
 }
@@ -215,12 +215,13 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   for (const char* table : {"planetary", "stage", "drive"}) t.any(table);  // spec/read_drive.cpp
   if (is_drive(tree)) {
     for (const char* table : {"gear1", "gear2", "pair", "search"})
-      t.refuse(table, "a spec has a drive or a pair of gears, not both");
+      t.refuse(table,
+               "cannot be combined with a drive, because a spec describes either a drive or a pair "
+               "of gears");
     lacks.of([&] { spec.drive = std::make_shared<const DriveInput>(read_drive(tree, folder)); });
   } else if (!gear_1 && !search && !unknown) {
-    lacks.add({absent_input("gear1",
-                            "; a spec describes a gear in a table [gear1] with at least "
-                            "teeth and normal_module_mm")});
+    lacks.add({absent_input(
+        "gear1", "; a spec needs a table [gear1] with at least teeth and normal_module_mm")});
   }
   if (is_gear(gear_1))
     lacks.of([&] { spec.gears[0] = read_gear(gear_keys(), *gear_1, "gear1", gear_2, folder); });
@@ -236,7 +237,7 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   const bool drives = search && is_drive_search(*search);
   if (drives) {
     for (const char* table : {"gear1", "gear2", "pair"})
-      t.refuse(table, "a search for drives cannot be combined with the keys of a pair");
+      t.refuse(table, "cannot be combined with a search for drives");
     lacks.of([&] { read_drive_search(*search); });  // the table is read again when it is used
   }
   if (search && !drives) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });

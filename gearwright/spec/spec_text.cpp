@@ -33,7 +33,7 @@ constexpr int kDeepest = 32;  // nested tables; a spec has three levels
 Error syntax_error(const std::string& what) { return {"", "", "the spec cannot be read: " + what}; }
 
 Error too_deep() {
-  return syntax_error(fmt::format("it has more than {} nested tables", kDeepest));
+  return syntax_error(fmt::format("the spec has more than {} nested tables", kDeepest));
 }
 
 // Appends a member to an object without a check for duplicates, which would take quadratic time. In
@@ -164,7 +164,7 @@ std::string comma_hint(std::string_view text, const toml::source_position& at) {
     std::size_t begin = i, end = i + 1;
     while (begin > 0 && digit(text[begin - 1])) --begin;
     while (end < text.size() && digit(text[end])) ++end;
-    return fmt::format("; use a point as the decimal mark: {}.{}", text.substr(begin, i - begin),
+    return fmt::format("; use a point as the decimal mark, {}.{}", text.substr(begin, i - begin),
                        text.substr(i + 1, end - i - 1));
   }
   return "";
@@ -222,14 +222,16 @@ int depth_of(const Json& tree, int most) {
 }  // namespace
 
 std::optional<Error> check_tree(const Json& tree) {
-  if (!tree.is_object()) return syntax_error("a JSON spec is one object, {\"gear1\": {...}}");
+  if (!tree.is_object())
+    return syntax_error("a JSON spec must be an object, for example {\"gear1\": {...}}");
   if (depth_of(tree, kDeepest + 1) > kDeepest) return too_deep();
   return std::nullopt;
 }
 
 Result<Json> parse_spec(std::string_view text, SpecFormat format) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-    return syntax_error("it is empty; at least [gear1] with teeth and normal_module_mm is needed");
+    return syntax_error(
+        "the spec is empty; at least [gear1] with teeth and normal_module_mm is needed");
   try {
     if (format == SpecFormat::json) {
       TreeBuilder builder;

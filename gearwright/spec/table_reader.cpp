@@ -17,7 +17,7 @@ namespace gearwright {
 namespace {
 
 Error absent_key(std::string name, const Key& key) {
-  const std::string may_be = key.form.empty() ? "" : "; it may be " + key.form;
+  const std::string may_be = key.form.empty() ? "" : ". The value may be " + key.form;
   return absent_input(std::move(name), ": " + plain_words(key.meaning) + may_be);
 }
 
@@ -122,9 +122,9 @@ std::optional<std::vector<double>> TableReader::raw_numbers(const std::string& k
       fail(key, must.empty() ? "must be " + form_of(known) : std::string(must));
     return values;
   }
-  if (node->empty()) fail(key, "is an empty list; it must be " + form_of(known));
+  if (node->empty()) fail(key, "is an empty list, but must be " + form_of(known));
   if (node->size() < known.list->least || node->size() > known.list->most)
-    fail(key, fmt::format("has {} values; it must be {}", node->size(), form_of(known)));
+    fail(key, fmt::format("has {} values, but must be {}", node->size(), form_of(known)));
   for (const Json& item : *node) take(item);
   return values;
 }
@@ -142,7 +142,7 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key) 
     fail(key, fmt::format(fmt::runtime(order.sentence), values->front(), values->back()));
   const bool whole = known.kind == KeyKind::whole;
   for (const double v : *values) {
-    if (whole && v != std::floor(v)) fail(key, "must be whole numbers");
+    if (whole && v != std::floor(v)) fail(key, "must contain only whole numbers");
     check(key, v);
     if (std::abs(v) > kMaxInput) fail(key, fmt::format("must lie between -{0} and {0}", kMaxInput));
   }
@@ -191,7 +191,7 @@ std::optional<std::vector<int>> TableReader::words(const Key& key) {
     }
     const int index = static_cast<int>(it - known.begin());
     if (std::find(words.begin(), words.end(), index) != words.end())
-      fail(name, fmt::format("names {} twice", word));
+      fail(name, fmt::format("contains {} twice", word));
     words.push_back(index);
   }
   return words;
@@ -221,10 +221,9 @@ std::optional<KeyValue> TableReader::value(const Key& key) {
 }
 
 void TableReader::lacks_one_of(const std::string& key, const std::string& what) {
-  lacking_.push_back(
-      absent_input(name(key), fmt::format("; the {} is needed, {} = 2 for example; it can be given "
-                                          "by one of: {}",
-                                          what, key, fmt::join(keys_.ways(key), ", "))));
+  lacking_.push_back(absent_input(
+      name(key), fmt::format("; the {} is needed, for example {} = 2, and can be given by {}", what,
+                             key, fmt::join(keys_.ways(key), ", "))));
 }
 
 void TableReader::read(KeyTarget input) {
@@ -282,8 +281,8 @@ std::optional<double> TableReader::one_of(const std::string& key, const std::str
     const KeyAlias& alias = entry(way).alias;
     const double here = alias.value ? alias.value(*given, cos_beta) : *given;
     if (value && std::abs(here - *value) > kSameInput * std::abs(*value))
-      fail(way,
-           fmt::format("contradicts {}; both give the {}; leave one of them out", first, what));
+      fail(way, fmt::format("contradicts {}, because both keys give the {}; leave one of them out",
+                            first, what));
     if (value) continue;
     value = here;
     first = way;
@@ -360,12 +359,12 @@ void TableReader::finish() const {
       const Key& wanted = *keys_.find(other);
       const auto it = node_.find(name);
       throw SpecError{{this->name(name), shown(*it),
-                       fmt::format("needs {} too: {}", other, plain_words(wanted.meaning))},
+                       fmt::format("also needs {}: {}", other, plain_words(wanted.meaning))},
                       {absent_key(this->name(std::string(other)), wanted)}};
     }
     for (const std::string_view other : key.excludes) {
       if (!given(other)) continue;
-      fail(name, fmt::format("one of {} and {} is enough; leave the others out",
+      fail(name, fmt::format("only one of the keys {} and {} can be given; leave out the others",
                              fmt::join(key.excludes, ", "), name));
     }
   }

@@ -171,7 +171,7 @@ std::optional<ChunkRead> ChunkFolder::read(std::int64_t chunk, Depth depth) cons
   if (error != 0) fail("read", place, error);
 
   if (bytes.size() < kHeader) return broken(fmt::format("is only {} bytes long", length));
-  if (bytes.compare(0, kChunkMagic.size(), kChunkMagic) != 0) return broken("is not a chunk");
+  if (bytes.compare(0, kChunkMagic.size(), kChunkMagic) != 0) return broken("is not a chunk file");
   const std::size_t constraints = u32_at(bytes, 36);
   if (constraints > kMaxConstraints) return broken("has a wrong checksum in its header");
   const std::size_t start = kHeader + 8 * constraints;
@@ -181,11 +181,13 @@ std::optional<ChunkRead> ChunkFolder::read(std::int64_t chunk, Depth depth) cons
   }
   const std::int64_t size = i64_at(bytes, start - 16);
   const auto due = start + static_cast<std::size_t>(size);
-  if (length != due) return broken(fmt::format("is {} bytes long, not {}", length, due));
+  if (length != due)
+    return broken(fmt::format("is {} bytes long instead of {} bytes", length, due));
   if (u32_at(bytes, 8) != stamp_) {
-    return ChunkRead{ChunkRead::State::foreign, "is of another search", {}, 0, {}};
+    return ChunkRead{ChunkRead::State::foreign, "belongs to another search", {}, 0, {}};
   }
-  if (i64_at(bytes, 12) != chunk) return broken(fmt::format("is chunk {}", i64_at(bytes, 12)));
+  if (i64_at(bytes, 12) != chunk)
+    return broken(fmt::format("contains chunk {}", i64_at(bytes, 12)));
 
   ChunkRead found;
   found.counts.tested = i64_at(bytes, 20);

@@ -87,8 +87,8 @@ void ChunkJournal::fail() const {
   }
   if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
     why +=
-        "; move it away and continue with --resume, because the chunk files are complete "
-        "without it";
+        "; move the journal away and continue with --resume, because the chunk files are complete "
+        "without the journal";
   }
   throw IoError(fmt::format("the journal {}: {}", path_.string(), why));
 }

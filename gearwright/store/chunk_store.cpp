@@ -77,13 +77,14 @@ std::string campaign_differences(const std::string& was, const std::string& is) 
   for (const auto& [key, value] : old_lines) {
     const auto now = value_of(new_lines, key);
     if (!now) found.push_back(fmt::format("{} was {} and is not set now", key, value));
-    if (now && *now != value) found.push_back(fmt::format("{} was {}, is {}", key, value, *now));
+    if (now && *now != value)
+      found.push_back(fmt::format("{} was {} and is now {}", key, value, *now));
   }
   for (const auto& [key, value] : new_lines) {
     if (!value_of(old_lines, key))
-      found.push_back(fmt::format("{} was not set, is {}", key, value));
+      found.push_back(fmt::format("{} was not set and is now {}", key, value));
   }
-  if (found.empty()) return "the same lines are in another order or number";
+  if (found.empty()) return "the same settings are in another order or number";
   std::string text;
   for (std::size_t i = 0; i < std::min(found.size(), kNamedDifferences); ++i) {
     text += (i > 0 ? "; " : "") + found[i];
@@ -107,7 +108,7 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
   const std::vector<std::int64_t> chunks = files.list();
   if (old.empty() && chunks.empty()) {
     if (as != OpenAs::resume) return std::nullopt;
-    return refused_folder(folder, "there is no search to resume; start one without --resume");
+    return refused_folder(folder, "there is no search to resume; start a search without --resume");
   }
   std::string changed;
   if (!old.empty() && text_of(old) != text_of(now))
@@ -133,8 +134,9 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
                           chunks.size(), all, changed));
   }
   if (changed.empty()) return std::nullopt;
-  return refused_folder(folder, "this folder contains another search: " + changed +
-                                    "; use its original spec, or another folder");
+  return refused_folder(folder,
+                        "this folder contains a search with another spec (" + changed +
+                            "); use the original spec of that search, or use another folder");
 }
 
 void make_folder(const fs::path& folder) {

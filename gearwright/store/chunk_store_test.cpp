@@ -101,7 +101,8 @@ TEST_F(ChunkStoreTest, a_fresh_search_takes_no_other_ones_place) {
             "use another folder");
   EXPECT_EQ(refusal(OpenAs::fresh, campaign(41, "1.3")),
             "this folder contains another search with 3 of 40 chunks done "
-            "(search.contact_ratio_min was 1.2, is 1.3; chunks was 40, is 41); use another folder, "
+            "(search.contact_ratio_min was 1.2 and is now 1.3; chunks was 40 and is now 41); use "
+            "another folder, "
             "because --resume needs the original spec");
   EXPECT_EQ(opened(OpenAs::join, campaign(40)).missing().size(), 37u);
 }
@@ -109,21 +110,23 @@ TEST_F(ChunkStoreTest, a_fresh_search_takes_no_other_ones_place) {
 TEST_F(ChunkStoreTest, a_changed_campaign_is_told_by_its_lines) {
   { opened(OpenAs::join, campaign(40)); }
   for (const OpenAs as : {OpenAs::resume, OpenAs::join}) {
-    EXPECT_EQ(refusal(as, campaign(40, "1.3")),
-              "this folder contains another search: search.contact_ratio_min was 1.2, is 1.3; use "
-              "its original spec, or another folder");
+    EXPECT_EQ(
+        refusal(as, campaign(40, "1.3")),
+        "this folder contains a search with another spec (search.contact_ratio_min was 1.2 and is "
+        "now 1.3); use the original spec of that search, or use another folder");
   }
   const auto changed = [&](const std::string& text) { return refusal(OpenAs::resume, {text, 40}); };
   EXPECT_TRUE(contains(changed(fingerprint("1.2") + "search.beta = 1 = 2\n"),
-                       ": search.beta was not set, is 1 = 2;"));
-  EXPECT_TRUE(contains(changed("gearwright = 0.2.0\nsearch.chunk = 2000\n"),
-                       ": gearwright was 0.1.0, is 0.2.0; search.chunk was 1000, is 2000; "
-                       "search.contact_ratio_min was 1.2 and is not set now; and 1 more;"));
-  EXPECT_TRUE(contains(changed(fingerprint("1.2") + fingerprint("1.2")), "the same lines"));
+                       "(search.beta was not set and is now 1 = 2)"));
+  EXPECT_TRUE(
+      contains(changed("gearwright = 0.2.0\nsearch.chunk = 2000\n"),
+               "(gearwright was 0.1.0 and is now 0.2.0; search.chunk was 1000 and is now 2000; "
+               "search.contact_ratio_min was 1.2 and is not set now; and 1 more)"));
+  EXPECT_TRUE(contains(changed(fingerprint("1.2") + fingerprint("1.2")), "the same settings"));
   const auto names = ChunkStore::open(folder_, campaign(40), {"one"}, OpenAs::resume, "test");
   ASSERT_FALSE(names);
   EXPECT_TRUE(contains(names.error().message(), "counts was shift_limits, contact ratio,"));
-  EXPECT_TRUE(contains(names.error().message(), ", is one;"));
+  EXPECT_TRUE(contains(names.error().message(), " and is now one;"));
   opened(OpenAs::resume, campaign(40));  // and none of this did any harm
 }
 
@@ -164,10 +167,10 @@ TEST_F(ChunkStoreTest, goes_on_after_a_kill) {
   EXPECT_EQ(query(folder_, "SELECT tested, bytes, writer, finished FROM chunks WHERE chunk = 2"),
             (Rows{{"1002", "274", "null", "null"}}));
   const std::vector<std::pair<int, std::string>> told = {
-      {1, "is 224 bytes long, not 225"},
+      {1, "is 224 bytes long instead of 225 bytes"},
       {3, "has a wrong checksum; it was renamed"},
       {4, "has a wrong checksum in its header"},
-      {5, "is chunk 2"},
+      {5, "contains chunk 2"},
       {7, "is only 0 bytes long"},
       {6, "is in the journal but not in"}};
   ASSERT_EQ(store.notes().size(), told.size());
@@ -227,7 +230,7 @@ TEST_F(ChunkStoreTest, the_chunks_outlive_the_journal) {
   const std::string message = message_of([&] { opened(OpenAs::resume, campaign(5)); });
   EXPECT_TRUE(contains(message, (folder_ / "journal.sqlite").string() + ": file is not a database"))
       << message;
-  EXPECT_TRUE(contains(message, "move it away and continue with --resume")) << message;
+  EXPECT_TRUE(contains(message, "move the journal away and continue with --resume")) << message;
   for (const bool empty : {false, true}) {
     fs::remove(folder_ / "journal.sqlite");
     if (empty) write(folder_ / "journal.sqlite", "");  // killed before the first row

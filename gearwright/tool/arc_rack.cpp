@@ -56,27 +56,28 @@ std::optional<Error> check_joint(const ArcRack& rack) {
   const double rho = rack.root_fillet_radius;
   if (!is_F(rack) && !(rho < rack.arc_radius)) {
     return refused("rack.root_fillet_radius", rho, {rack.arc_radius},
-                   "must be less than the flank's `arc_radius`, {}");
+                   "must be less than the `arc_radius` of the flank, {}");
   }
   const double s = joint_sine(rack, rho);
   if (is_F(rack) && !(s > 0.0)) {
-    return refused(
-        "rack.dedendum", rack.dedendum, {rack.center_b + rho},
-        fmt::format("the flank's arc ends {} modules below the datum line; with this root "
-                    "fillet radius the dedendum must be less than {{}}",
-                    format_number(rack.center_b)));
+    return refused("rack.dedendum", rack.dedendum, {rack.center_b + rho},
+                   fmt::format("the arc of the flank ends {} modules below the datum line, so with "
+                               "this root fillet radius the dedendum must be less than {{}}",
+                               format_number(rack.center_b)));
   }
   if (is_F(rack) && !(s < 1.0)) {
-    return refused("rack.dedendum", rack.dedendum, {rack.center_b - rack.arc_radius},
-                   "the flank's arc ends below it; the dedendum must be greater than {}");
+    return refused(
+        "rack.dedendum", rack.dedendum, {rack.center_b - rack.arc_radius},
+        "the arc of the flank ends below this depth; the dedendum must be greater than {}");
   }
   if (!is_F(rack) && !(s > 0.0)) {
-    return refused("rack.root_fillet_radius", rho, {rack.center_b + rack.dedendum},
-                   "the arc of the flank ends below it; the radius must be less than {}");
+    return refused(
+        "rack.root_fillet_radius", rho, {rack.center_b + rack.dedendum},
+        "the arc of the flank ends below this rounding; the radius must be less than {}");
   }
   if (!is_F(rack) && !(s < 1.0)) {
     return refused("rack.dedendum", rack.dedendum, {rack.arc_radius - rack.center_b},
-                   "the flank's arc ends above it; the dedendum must be less than {}");
+                   "the arc of the flank ends above this depth; the dedendum must be less than {}");
   }
   return std::nullopt;
 }
@@ -114,7 +115,7 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   if (is_F(rack)) {
     if (!(meeting < 1.0)) {
       return refused("rack.center_a", rack.center_a, {rack.arc_radius},
-                     "leaves no tooth: it must be less than the `arc_radius`, {}");
+                     "leaves no tooth; the value must be less than the `arc_radius`, {}");
     }
     flank.end = Angle::radians(std::acos(meeting));
   } else {
@@ -128,8 +129,8 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   if (!rises) {
     return refused(
         "rack.dedendum", rack.dedendum,
-        fmt::format("the flank would end before it begins: its arc reaches {} modules above "
-                    "the datum line and starts at {}",
+        fmt::format("the flank would end before it begins, because its arc ends {} modules above "
+                    "the datum line and starts at {} modules",
                     format_number(top), format_number(point_at(flank, flank.begin).x())));
   }
   if (!(rack.addendum <= top)) {
@@ -138,8 +139,8 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
         meeting > 0.0 && meeting < 1.0
             ? "the two flank arcs meet in a point {} modules above the datum line; the addendum "
               "must not be greater"
-            : "the flank's arc ends {} modules above the datum line; the addendum must not "
-              "be greater");
+            : "the arc of the flank ends {} modules above the datum line; the addendum must not be "
+              "greater");
   }
   const double rho = rack.root_fillet_radius;
   const double y_c = flank.center_offset + (flank.radius + rho) * std::cos(flank.begin.rad());
@@ -149,17 +150,19 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
     const bool smaller_fits = greatest >= 0.0 && greatest < rho;
     return smaller_fits
                ? refused("rack.root_fillet_radius", rho, {greatest},
-                         "does not fit into the cutter's tip; the greatest (full radius) is {}")
+                         "does not fit into the tip of the cutter; the greatest possible radius "
+                         "(full radius) is {}")
                : refused("rack.dedendum", rack.dedendum,
-                         "the tooth of the cutter is pointed above this depth");
+                         "the tooth of the cutter becomes pointed before it reaches this depth");
   }
   if (rack.pressure_angle) {
     const auto [lo, hi] = std::minmax({flank.begin.rad(), flank.end.rad()});
     const double psi = rack.pressure_angle->rad();
     if (!(psi >= lo && psi <= hi)) {
-      return refused("rack.pressure_angle", rack.pressure_angle->deg(),
-                     {Angle::radians(lo).deg(), Angle::radians(hi).deg()},
-                     "the flank's arc has no such point; its normal angles run from {}° to {}°");
+      return refused(
+          "rack.pressure_angle", rack.pressure_angle->deg(),
+          {Angle::radians(lo).deg(), Angle::radians(hi).deg()},
+          "the arc of the flank has no point with this angle; its normal angles are {}° to {}°");
     }
   }
   RackArc tip;

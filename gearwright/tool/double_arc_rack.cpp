@@ -61,9 +61,9 @@ Result<DoubleArcRack> gbt12759_rack(double m) {
   }
   return Error{
       "rack", "GBT12759",
-      fmt::format("the standard's numbers for a normal module of {} mm are not available "
-                  "(available: 1.5 to 3, over 3 to 6, over 10 to 16, over 32 to 50 mm); give them "
-                  "in a rack of the kind double_circular_arc",
+      fmt::format("the numbers of the standard for a normal module of {} mm are not available "
+                  "(modules of 1.5 to 3, over 3 to 6, over 10 to 16 and over 32 to 50 mm are "
+                  "available); give the numbers in a rack of the kind double_circular_arc",
                   format_number(m))};
 }
 
@@ -83,13 +83,13 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
   if (!(sin_1 > 0.0 && sin_1 < 1.0)) {
     return refused("rack.step_height", r.step_height,
                    {r.convex_height, r.convex_height + r.convex_radius},
-                   "must lie between the convex arc's foot, {}, and its head, {}");
+                   "must lie between the lower end of the convex arc, {}, and its upper end, {}");
   }
   const double sin_2 = (r.step_depth + r.concave_height) / r.concave_radius;
   if (!(sin_2 > 0.0 && sin_2 < 1.0)) {
     return refused("rack.step_depth", r.step_depth,
                    {-r.concave_height, r.concave_radius - r.concave_height},
-                   "must lie between the concave arc's head, {}, and its foot, {}");
+                   "must lie between the upper end of the concave arc, {}, and its lower end, {}");
   }
   d.convex_begin = Angle::radians(std::asin(sin_1));
   d.concave_end = Angle::radians(std::asin(sin_2));
@@ -97,7 +97,7 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
   const double cos_2 = std::sqrt((1 - sin_2) * (1 + sin_2));
   if (!(r.convex_offset < r.convex_radius * cos_1)) {
     return refused("rack.convex_offset", r.convex_offset, {r.convex_radius * cos_1},
-                   "leaves no tooth; it must be less than {}");
+                   "leaves no tooth; the value must be less than {}");
   }
   const double dx = -r.step_depth - r.step_height;
   const double dy = (kHalfPi + d.concave_offset - r.concave_radius * cos_2) -
@@ -109,8 +109,8 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
   if (!(across > 0.0 && d.step_radius <= kMaxModules && dy <= d.step_radius * cos_1 &&
         r.step_height + d.step_radius * sin_1 + r.step_depth < d.step_radius)) {
     return refused("rack.space_width", r.space_width,
-                   "leaves no step between the concave and the convex arc; a narrower space or a "
-                   "greater `convex_offset` would help");
+                   "leaves no step between the concave and the convex arc; a narrower tooth space "
+                   "or a greater `convex_offset` would help");
   }
 
   const double depth = r.concave_height + r.dedendum;  // depth of the tip below the concave arc's
@@ -123,7 +123,8 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
                                                        (r.concave_radius + d.concave_offset))) -
                            r.concave_height;
     return refused("rack.dedendum", r.dedendum, {deepest},
-                   "the tooth of the cutter is pointed above this depth; it must be less than {}");
+                   "the tooth of the cutter becomes pointed before it reaches this depth; the "
+                   "dedendum must be less than {}");
   }
   return d;
 }
@@ -144,7 +145,7 @@ Result<RackOfArcs> arcs_of(const DoubleArcRack& r) {
   concave.end = d.concave_end;
   if (!(concave.begin.rad() > concave.end.rad())) {
     return refused("rack.step_depth", r.step_depth, {-point_at(concave, concave.begin).x()},
-                   "must be less than {}, where the root begins");
+                   "must be less than {}, the depth at which the root begins");
   }
   tip.cuts = ArcName::root_fillet;
   tip.working = false;

@@ -24,7 +24,7 @@ Error bad_arc(std::size_t i, std::string rule) {
 std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
   for (const double v : {arc.center_height, arc.center_offset, arc.radius}) {
     if (!(std::abs(v) <= kMaxModules))
-      return bad_arc(i, fmt::format("lengths must lie within {} modules", kMaxModules));
+      return bad_arc(i, fmt::format("lengths must be at most {} modules", kMaxModules));
   }
   for (const Angle tau : {arc.begin, arc.end}) {
     if (!(tau.rad() > 0.0 && tau.rad() <= kHalfPi * (1 + kAbove90)))
@@ -33,14 +33,15 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
                                  format_number(tau.deg(), 90.0)));
   }
   if (arc.radius != 0.0 && (arc.radius > 0.0) != (arc.end.rad() > arc.begin.rad())) {
-    return bad_arc(i, fmt::format("from {}° to {}° the arc turns back towards the axis of the "
-                                  "gear; an edge must rise from the tip of the cutter, and an arc "
-                                  "with radius > 0 needs a growing angle",
-                                  format_number(arc.begin.deg(), arc.end.deg()),
-                                  format_number(arc.end.deg(), arc.begin.deg())));
+    return bad_arc(
+        i, fmt::format("from {}° to {}° the arc turns back towards the axis of the gear; an edge "
+                       "must rise from the tip of the cutter, so an arc needs a growing angle if "
+                       "its radius is > 0 and a falling angle if it is < 0",
+                       format_number(arc.begin.deg(), arc.end.deg()),
+                       format_number(arc.end.deg(), arc.begin.deg())));
   }
   if (arc.radius == 0.0 && !(arc.end.rad() < arc.begin.rad()))
-    return bad_arc(i, "a corner (radius 0) turns from the greater normal angle to the smaller one");
+    return bad_arc(i, "a corner (radius 0) must turn from the greater to the smaller normal angle");
   return std::nullopt;
 }
 
@@ -53,8 +54,8 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
     const Vec2 begin = point_at(arc, arc.begin);
     if (chain.empty()) {
       if (std::abs(begin.x() + rack.dedendum) > kSameRackPoint) {
-        return bad_arc(i, fmt::format("begins {} modules below the datum line; the cutter's tip "
-                                      "lies at the dedendum, {}",
+        return bad_arc(i, fmt::format("begins {} modules below the datum line, but must begin at "
+                                      "the tip of the cutter, which lies at the dedendum, {}",
                                       format_number(-begin.x(), rack.dedendum),
                                       format_number(rack.dedendum, -begin.x())));
       }
@@ -68,10 +69,10 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
     const Vec2 end = point_at(chain.back(), chain.back().end);
     const Vec2 gap = end - begin;
     if (!(gap.norm() <= kSameRackPoint)) {
-      return bad_arc(i,
-                     fmt::format("begins at ({}, {}), {} modules from the end of the previous arc",
-                                 format_number(begin.x()), format_number(begin.y()),
-                                 format_number(gap.norm())));
+      return bad_arc(i, fmt::format("begins at ({}, {}), which is {} modules from the end of the "
+                                    "previous arc; an arc must begin where the previous arc ends",
+                                    format_number(begin.x()), format_number(begin.y()),
+                                    format_number(gap.norm())));
     }
     arc.center_height += gap.x();
     arc.center_offset += gap.y();
@@ -120,19 +121,20 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
     return refused("rack.addendum", rack.addendum, {-kMaxModules, kMaxModules},
                    "must lie between {} and {} modules");
   if (!(std::abs(rack.dedendum) <= kMaxModules && rack.dedendum > -rack.addendum)) {
-    return refused("rack.dedendum", rack.dedendum,
-                   fmt::format("must be greater than -{}, less the addendum, and at most {}",
-                               format_number(rack.addendum), kMaxModules));
+    return refused(
+        "rack.dedendum", rack.dedendum,
+        fmt::format("must be greater than -{}, the negative of the addendum, and at most {}",
+                    format_number(rack.addendum), kMaxModules));
   }
   if (rack.arcs.empty())
-    return Error{"rack.arcs", "", "is empty; an edge needs at least one arc, the flank"};
+    return Error{"rack.arcs", "", "is empty; an edge needs at least one arc, which cuts the flank"};
   auto joined_arcs = joined(rack);
   if (!joined_arcs) return joined_arcs.error();
   std::vector<RackArc> chain = std::move(joined_arcs).take();
   const bool any_flank = std::any_of(chain.begin(), chain.end(), [](const RackArc& arc) {
     return arc.cuts == ArcName::flank && arc.radius != 0.0;
   });
-  if (!any_flank) return Error{"rack.arcs", "", "none of them cuts the flank"};
+  if (!any_flank) return Error{"rack.arcs", "", "none of these arcs cuts the flank"};
 
   const double thinner = thickness_allowance / 2;
   end_in_the_middle(chain.back(), thinner / m);
@@ -141,9 +143,10 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
   const Vec2 first = point_at(chain.front(), chain.front().begin);
   edge.tip_land_end = first.y() * m + thinner;
   if (first.y() * m + thinner > kHalfPi * m * (1 + kOverlap)) {
-    return refused("rack.dedendum", rack.dedendum,
-                   fmt::format("the two sides of the cutter's tip overlap by {} modules there",
-                               format_number(2 * (first.y() + thinner / m - kHalfPi))));
+    return refused(
+        "rack.dedendum", rack.dedendum,
+        fmt::format("the two sides of the tip of the cutter overlap by {} modules at this depth",
+                    format_number(2 * (first.y() + thinner / m - kHalfPi))));
   }
   std::optional<double> flank_begin;
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -153,8 +156,9 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
     if (end.y() * m + thinner < -kSameRackPoint * m) {
       return refused(
           "rack.addendum", rack.addendum,
-          fmt::format("the two sides of the cutter's space overlap by {} modules at the height {}",
-                      format_number(-2 * (end.y() + thinner / m)), format_number(end.x())));
+          fmt::format(
+              "the two sides of the space of the cutter overlap by {} modules at the height {}",
+              format_number(-2 * (end.y() + thinner / m)), format_number(end.x())));
     }
     if (arc.cuts == ArcName::flank && arc.radius != 0.0) {
       if (!flank_begin) flank_begin = begin.x() * m;
@@ -167,9 +171,9 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
   edge.flank_begin_depth = -*flank_begin;
   edge.bottom_height = point_at(chain.back(), chain.back().end).x() * m;
   if (!(rack.addendum * m <= edge.bottom_height)) {
-    return refused("rack.addendum", rack.addendum, {edge.bottom_height / m},
-                   "the arcs end {} modules above the datum line, which is the limit for the "
-                   "tooth");
+    return refused(
+        "rack.addendum", rack.addendum, {edge.bottom_height / m},
+        "the arcs end {} modules above the datum line, and the addendum must not be greater");
   }
   return edge;
 }

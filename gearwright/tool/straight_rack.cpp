@@ -59,10 +59,9 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
                      "must lie between the pressure angle {}° and {}°, the ends excluded");
     }
     if (rack.tip_fillet_radius > 0.0) {
-      return refused(
-          "rack.semi_topping_angle", a,
-          "cannot be combined with `tip_fillet_radius`; the bottom of the cutter has a ramp or a "
-          "rounding; leave one of them out");
+      return refused("rack.semi_topping_angle", a,
+                     "cannot be combined with `tip_fillet_radius`, because the bottom of the "
+                     "cutter has either a ramp or a rounding; leave one of them out");
     }
     if (!rack.tool_addendum) {
       return refused(
@@ -118,19 +117,18 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   const double greatest = full_radius(rack, normal_pressure_angle);
   if (!(greatest > 0.0)) {
     const double deepest = (std::numbers::pi / 4 * c + rack.protuberance) / s;
-    return refused(
-        "rack.dedendum", rack.dedendum, {deepest},
-        fmt::format("the tooth of the cutter is pointed above this depth; the limit at α_n = {}° "
-                    "is {{}}",
-                    format_number(normal_pressure_angle.deg())));
+    return refused("rack.dedendum", rack.dedendum, {deepest},
+                   fmt::format("the tooth of the cutter becomes pointed before it reaches this "
+                               "depth; the limit at α_n = {}° is {{}}",
+                               format_number(normal_pressure_angle.deg())));
   }
   StraightRackEdge result;
   double rho = rack.root_fillet_radius;
   if (rho > greatest) {
     if (!rack.named) {
-      return refused(
-          "rack.root_fillet_radius", rho, {greatest},
-          "does not fit between the flanks of the cutter's tip; the greatest (full radius) is {}");
+      return refused("rack.root_fillet_radius", rho, {greatest},
+                     "does not fit between the flanks at the tip of the cutter; the greatest "
+                     "possible radius (full radius) is {}");
     }
     rho = greatest;
     result.became_full_radius = true;
@@ -172,8 +170,9 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
     if (!(x_end < meeting)) {
       return refused(
           "rack.protuberance", rack.protuberance,
-          fmt::format("at `protuberance_angle` = {} the proud line ends {} modules above the "
-                      "datum line, where no flank is left; a smaller protuberance or angle helps",
+          fmt::format("at `protuberance_angle` = {} the line of the protuberance ends {} modules "
+                      "above the datum line, where no flank is left; a smaller protuberance or "
+                      "protuberance angle would help",
                       format_number(rack.protuberance_angle.deg()), format_number(x_end / m)));
     }
     edge.arcs.push_back(
@@ -196,7 +195,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   if (!(edge.flank_end_height > -edge.flank_begin_depth)) {
     return refused(
         "rack.tool_addendum", edge.flank_end_height / m, {-edge.flank_begin_depth / m},
-        "the straight flank would end before it starts; it starts {} modules from the datum line");
+        "the straight flank would end before it starts at {} modules from the datum line");
   }
   edge.arcs.push_back(line(ArcName::flank,
                            {normal_pressure_angle, std::numbers::pi * m / 4,
@@ -207,8 +206,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   if (y_end < 0.0) {
     return refused("rack.tool_addendum", edge.flank_end_height / m,
                    {std::numbers::pi / 4 / std::tan(alpha)},
-                   "the two flanks of the cutter's tooth space meet below it; at most {} is "
-                   "allowed");
+                   "the two flanks of the tooth space of the cutter meet below this height; at "
+                   "most {} is allowed");
   }
   if (rho_1 > 0.0) {
     const Vec2 center(edge.flank_end_height - rho_1 * s, y_end - rho_1 * c);
@@ -218,8 +217,9 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
       const double rho_max_1 = rack.tool_addendum ? y_end / (m * c)
                                                   : (std::numbers::pi / 4 - rack.addendum * s / c) /
                                                         (c - (1 - s) * s / c);
-      return refused("rack.tip_fillet_radius", rack.tip_fillet_radius, {rho_max_1},
-                     "does not fit into the cutter's bottom; the greatest there is {}");
+      return refused(
+          "rack.tip_fillet_radius", rack.tip_fillet_radius, {rho_max_1},
+          "does not fit into the bottom of the cutter; the greatest possible radius is {}");
     }
     edge.arcs.push_back(
         circle(ArcName::tip_fillet, {center, rho_1, normal_pressure_angle, kRightAngle}, true));

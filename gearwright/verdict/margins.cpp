@@ -21,11 +21,12 @@ struct Margin {
 
 constexpr Margin kForm{WarningCode::form_margin, "The form clearance at the root of gear {}",
                        kMarginForm};
-constexpr Margin kFillet{WarningCode::fillet_margin,
-                         "The clearance of the mating tip corner to the root fillet of gear {}",
-                         kMarginFillet};
+constexpr Margin kFillet{
+    WarningCode::fillet_margin,
+    "The clearance of the tip corner of the mating gear to the root fillet of gear {}",
+    kMarginFillet};
 constexpr Margin kTip{WarningCode::tip_margin,
-                      "The clearance of the tip of gear {} to the root of its mating gear",
+                      "The clearance of the tip of gear {} to the root of the mating gear",
                       kMarginTip};
 
 // "0.1500 mm". A length below a micrometre is written as "0.021 µm", because 0.0000 mm has no digits.
@@ -41,7 +42,7 @@ void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
   findings.push_back({margin.code,
                       Level::amber,
                       gear,
-                      fmt::format("{} is {}, less than {:g} modules ({}).",
+                      fmt::format("{} is {}, which is less than {:g} modules ({}).",
                                   fmt::format(fmt::runtime(margin.what), gear),
                                   millimetres(*clearance), margin.modules, millimetres(threshold)),
                       "",

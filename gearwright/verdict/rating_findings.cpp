@@ -32,7 +32,8 @@ std::string rating_remedy(const JudgedRating& rating) {
   if (steel) text += (text.empty() ? "" : ", or ") + *steel;
   if (!text.empty()) return text + " would be sufficient.";
   text = fmt::format(
-      "Neither a face width up to {:g} modules nor a steel of the list is sufficient alone.",
+      "Neither a face width of up to {:g} modules alone nor another steel of the list alone would "
+      "be sufficient.",
       kMostFaceModules);
   const auto torque = torque_of_safety(pair, *rating.input, rating.wanted);
   // The value is rounded down, so that the printed torque is permissible.
@@ -50,13 +51,13 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
     if (safety >= wanted) return;
     const std::string less =
         safety < 1.0 ? "less than 1" : fmt::format("less than the required {:g}", wanted);
-    findings.push_back(
-        {code,
-         safety < 1.0 ? Level::red : Level::amber,
-         gear,
-         fmt::format("The safety of gear {} against {} is {:.2f}, {}.", gear, what, safety, less),
-         "",
-         {{"safety", safety, false}, {"wanted", wanted, false}}});
+    findings.push_back({code,
+                        safety < 1.0 ? Level::red : Level::amber,
+                        gear,
+                        fmt::format("The safety of gear {} against {} is {:.2f}, which is {}.",
+                                    gear, what, safety, less),
+                        "",
+                        {{"safety", safety, false}, {"wanted", wanted, false}}});
   };
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);

@@ -68,7 +68,7 @@ const std::vector<Cure>& cures() {
         {A::profile_shift, W::own, +1},
         {A::center_distance, W::pair, +1}}},
       {C::beyond_flank,
-       "the teeth meet on their flanks alone",
+       "the teeth touch only on their flanks",
        {{A::tip_diameter, W::mate, -1},
         {A::tip_diameter, W::own, -1},
         {A::profile_shift, W::own, +1},

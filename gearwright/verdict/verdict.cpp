@@ -63,9 +63,9 @@ std::string backlash_words(double j, double center_distance, double normal_modul
 
 std::string running(const ArcPair& pair) {
   if (pair.contacts.empty())
-    return "The gears do not have matching leads; the verb contact computes where they touch.";
+    return "The gears do not have matching leads. The verb contact computes where they touch.";
   return fmt::format(
-      "The pair runs: contact is continuous (overlap ratio {:.5f}), with {} per tooth and {}.",
+      "The pair runs with continuous contact (overlap ratio {:.5f}), with {} per tooth and {}.",
       pair.overlap_ratio,
       pair.contacts.size() == 1 ? "one point of contact"
                                 : fmt::format("{} points of contact", pair.contacts.size()),
@@ -90,20 +90,19 @@ std::string running(const InvolutePair& p, const std::string& contact) {
 
 std::string running(const ParallelPair& p) {
   if (const auto face = face_width_needed(p)) {
-    return running(
-        p, fmt::format(
-               "The pair runs only as a helical gear pair: transverse contact ratio {:.3f}, total "
-               "{:.3f}; it needs b ≥ {:.2f} mm. There is",
-               p.mesh.true_ratio, p.contact_ratio_true(), *face));
+    return running(p, fmt::format("The pair runs only as a helical gear pair, because the "
+                                  "transverse contact ratio is {:.3f} and the total contact ratio "
+                                  "{:.3f}. The pair needs a face width b ≥ {:.2f} mm. There is",
+                                  p.mesh.true_ratio, p.contact_ratio_true(), *face));
   }
   return running(
-      p, fmt::format("The pair runs: contact is continuous (total contact ratio {:.3f}), there is",
+      p, fmt::format("The pair runs with continuous contact (total contact ratio {:.3f}). There is",
                      p.contact_ratio_true()));
 }
 
 std::string running(const CrossedPair& p) {
   return running(
-      p, fmt::format("The pair runs: contact is continuous (contact ratio {:.3f}), there is",
+      p, fmt::format("The pair runs with continuous contact (contact ratio {:.3f}). There is",
                      p.contact_ratio_true()));
 }
 
@@ -111,8 +110,8 @@ std::string gears_alone(const Judged& judged) {
   const char* who = judged.gears.size() == 1 ? "The gear" : "Each gear";
   if (std::any_of(judged.gears.begin(), judged.gears.end(), uncut_ring)) {
     return fmt::format(
-        "{} has the data below. Its outline is not checked, because its pinion cutter is not "
-        "given.",
+        "{} has the data below. The outline of an internal gear is not checked, because its pinion "
+        "cutter is not given.",
         who);
   }
   return fmt::format("{} can be cut as specified.", who);
@@ -225,8 +224,9 @@ std::string safety_words(const std::vector<const Rating*>& ratings) {
     flank = std::min({flank, r->S_H[0].value, r->S_H[1].value});
     root = std::min({root, r->S_F[0].value, r->S_F[1].value});
   }
-  return fmt::format(" The least safety against pitting is {:.2f}, against root breakage {:.2f}.",
-                     flank, root);
+  return fmt::format(
+      " The least safety against pitting is {:.2f}, and that against root breakage is {:.2f}.",
+      flank, root);
 }
 
 std::string Finding::whole() const {

@@ -192,7 +192,7 @@ class Pairs(Asked):
         self.assertEqual(codes(PAIR), [])
         self.assertIn("pressure_angle", codes(PAIR.replace("pressure_angle_deg = 30", "pressure_angle_deg = 29")))
         off = Run("pair", PAIR.replace("pressure_angle_deg = 30", "pressure_angle_deg = 29"), "--json").json
-        self.assertIn("Check: Gear 1: The rack's pressure angle", off["verdict"]["headline"])
+        self.assertIn("Check: Gear 1: The given pressure angle of the rack", off["verdict"]["headline"])
         self.assertIn("contact_ratio", codes(PAIR.replace("face_width_mm = 60", "face_width_mm = 30")))
         self.assertIn("contact_off_flank", codes(PAIR + "[pair]\ncenter_distance_mm = 115.91\n"))
         self.assertIn("unequal_lead", codes(PAIR.replace("helix_angle_deg = 18", "helix_angle_deg = 18.09")))

@@ -237,7 +237,7 @@ class Contact(unittest.TestCase):
         said = [{key: e[key] for key in ("key", "value", "message", "line")} for e in errors]
         self.assertEqual(said[0], said[1])
         rest = "[compensate.range]\ncenter_distance_mm = [0, 10]"
-        self.refused("compensate", self.spec(rest=rest), "compensate.range", "nothing touches")
+        self.refused("compensate", self.spec(rest=rest), "compensate.range", "no teeth touch")
 
     def test_contact_that_is_lost_in_part_is_warned_of(self):
         j = self.ok("compensate", self.spec(rest="[errors]\ncenter_distance_mm = 3.7"))
@@ -325,7 +325,7 @@ class Contact(unittest.TestCase):
                 self.refused("compensate" if "compensate" in rest else "contact", self.spec(rest=rest), key, word)
 
     def test_gears_that_never_touch(self):
-        self.refused("contact", self.spec(rest="[errors]\ncenter_distance_mm = 10"), "errors", "nothing touches", "tip radii")
+        self.refused("contact", self.spec(rest="[errors]\ncenter_distance_mm = 10"), "errors", "no teeth touch", "tip radii")
 
     def test_gears_that_jam_are_told(self):
         j = self.ok("contact", self.spec(rest="[errors]\ncenter_distance_mm = -0.5"))
@@ -342,7 +342,7 @@ class Contact(unittest.TestCase):
         near = told(84, errors + "-0.1")
         # For the working flanks and for the non-working ones.
         self.assertEqual([w["gear"] for w in near], [1, 1])
-        self.assertIn("the tip of gear 2 meets the root fillet of gear 1 0.01965 mm before the flanks do", near[0]["message"])
+        self.assertIn("the tip of gear 2 touches the root fillet of gear 1 0.01965 mm before the flanks touch", near[0]["message"])
         self.assertIn("non-working", near[1]["message"])
         # With ten times as many positions, every tenth is checked. These are the same 64, each
         # against its own flanks.

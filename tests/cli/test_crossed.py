@@ -64,7 +64,7 @@ class Crossed(unittest.TestCase):
         for across, along, total in zip(sliding["across_teeth"], sliding["along_teeth"], sliding["total"]):
             self.assertAlmostEqual(math.hypot(across, along), total, places=12)
         table = Run("pair", BASIC.format("shaft_angle_deg = 90"))
-        for words in ("crossed axes", "face width, both flanks", "Minimum centre distance", "Contact ratio of 1 and more"):
+        for words in ("crossed axes", "face width for both flanks", "Minimum centre distance", "Contact ratio of 1 and more"):
             self.assertIn(words, table.out)
 
     def test_run_draws_the_pair_where_it_stands(self):
@@ -181,7 +181,7 @@ class Crossed(unittest.TestCase):
             r = Run("pair", gears.format(*helices, sigma), "--json")
             self.assertEqual(r.json["error"]["key"], "pair.shaft_angle_deg")
         r = Run("pair", gears.format(0, 20, 91), "--json")
-        self.assertIn("out of reach by 1°", r.json["error"]["message"])
+        self.assertIn("outside the possible range by 1°", r.json["error"]["message"])
         for beta in (89.99999999999999, -89.99999999999999):
             self.assertEqual(Run("pair", gears.format(89.99999999999999, beta, 0), "--json").json["error"]["key"], "gear1.helix_angle_deg")
 

@@ -62,7 +62,7 @@ class TwoHalves(unittest.TestCase):
         self.assertEqual([key for key in formulas[0] if formulas[0][key] != formulas[1][key]], ["K_gamma"])
         self.assertEqual(both["torque_holding_Nm"], 2 * one["torque_holding_Nm"])
         self.assertAlmostEqual(both["face_width_holding_mm"], 2 * one["face_width_holding_mm"] + 30, 9)
-        self.assertIn("two halves that carry equally", Run("rate", PAIR.format("") + "[gear1.material]\nname = \"18CrNiMo7-6\"\n"
+        self.assertIn("two halves that carry equal loads", Run("rate", PAIR.format("") + "[gear1.material]\nname = \"18CrNiMo7-6\"\n"
                       "[rating]\ntorque_Nm = 4000\nspeed_rpm = 1200\nquality = 6\nface_load_factor = 1.2\n").out)
 
     def test_the_halves_share_the_load_at_the_ends_of_the_tolerances(self):
@@ -73,7 +73,7 @@ class TwoHalves(unittest.TestCase):
         answer = json.loads(run.out)
         self.assertEqual(answer["verdict"]["level"], "green", answer["verdict"])
         flank, root = (min(answer["rating"][key]) for key in ("S_H", "S_F"))
-        self.assertIn(f"The least safety against pitting is {flank:.2f}, against root breakage {root:.2f}.",
+        self.assertIn(f"The least safety against pitting is {flank:.2f}, and that against root breakage is {root:.2f}.",
                       answer["verdict"]["headline"])
 
     def test_a_mounting_of_one_helix_is_an_error(self):
@@ -170,14 +170,14 @@ class TwoHalves(unittest.TestCase):
         for table in ("compensate", "scatter"):
             run = Run("run", PAIR.format("") + f"[{table}]\n")
             self.assertEqual(run.status, 1, table)
-            self.assertIn("single-helical", run.err)
+            self.assertIn("is not supported for double-helical gears", run.err)
 
     def test_modifications_are_left_out_with_a_note(self):
         spec = PAIR.format("").replace("[gear2]", "[gear1.modifications]\nlead_crowning_um = 10\n[gear2]", 1)
         with tempfile.TemporaryDirectory() as folder:
             run = Run("run", spec, "--out", folder)
             self.assertEqual(run.status, 0, run.err)
-            self.assertIn("modifications of double-helical gears are not in this version", run.out)
+            self.assertIn("modifications of double-helical gears are not supported in this version", run.out)
 
     def test_gear_2_takes_the_halves_of_gear_1(self):
         short = PAIR.format("").replace("face_width_mm = 150\n[gear2.double_helical]\ngap_mm = 30\n", "")

@@ -126,7 +126,7 @@ class Files(unittest.TestCase):
         self.assertEqual(answer["verdict"]["level"], "green", answer["verdict"])
         ratings = [mesh["rating"] for mesh in answer["drive"]["meshes"].values()]
         flank, root = (min(s for r in ratings for s in r[key]) for key in ("S_H", "S_F"))
-        self.assertIn(f"The least safety against pitting is {flank:.2f}, against root breakage {root:.2f}.",
+        self.assertIn(f"The least safety against pitting is {flank:.2f}, and that against root breakage is {root:.2f}.",
                       answer["verdict"]["headline"])
 
     def test_two_torques_that_differ(self):
@@ -191,10 +191,10 @@ class BadInput(unittest.TestCase):
 
     def test_planets_that_collide(self):
         self.fact("[planetary]\nsun = 14\nplanet = 40\nring = 94\nplanets = 4\nnormal_module_mm = 1\n",
-                  "planets_collide", "at most 3 fit")
+                  "planets_collide", "At most 3 copies fit")
 
     def test_distances_that_no_shift_reaches(self):
-        self.fact(SET + "center_distance_mm = 30\n", "not_coaxial", "reference centre distance: 45 mm")
+        self.fact(SET + "center_distance_mm = 30\n", "not_coaxial", "the reference centre distance is 45 mm")
         self.fact(SET + "center_distance_mm = 60\n", "not_coaxial", "sun_planet", "60.0000 mm", "profile shifts of")
 
 

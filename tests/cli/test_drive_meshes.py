@@ -61,7 +61,7 @@ torque_Nm = 5
         drive = Run("drive", locked, "--json").json
         self.assertTrue(drive["drive"]["self_locking"])
         head = [line for line in Run("drive", locked, "--take", "1").out.splitlines() if line.startswith("#")]
-        self.assertIn("locks itself", " ".join(head))
+        self.assertIn("self-locking", " ".join(head))
         thick = SET + "thickness_allowance_mm = 0.4\n"
         self.assertEqual(Run("drive", thick, "--json").json["verdict"]["level"], "red")
         spec = Run("drive", thick, "--take", "1")

@@ -99,14 +99,14 @@ class Inherited(Asked):
         both = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + STEEL.format(2, "16MnCr5") + RATING)
         one = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + RATING)
         self.assertEqual(one["rating"], both["rating"])
-        self.assertEqual(self.notes(one, "inherited"), [(2, "Taken from gear 1: material 16MnCr5.")])
+        self.assertEqual(self.notes(one, "inherited"), [(2, "These values are absent and therefore those of gear 1: material 16MnCr5.")])
         self.assertEqual(self.notes(both, "inherited"), [])
         # The accuracy grade may be in the table of a gear, in its tolerances, or in [rating].
         rating = RATING.replace("quality = 6\n", "")
         for words in ("quality = 6", "[gear1.tolerance]\nquality = 6"):
             given = self.answer("rate", TWO.format(words, "") + STEEL.format(1, "16MnCr5") + rating)
             self.assertEqual(given["rating"], both["rating"])
-            self.assertEqual(self.notes(given, "inherited"), [(2, "Taken from gear 1: material 16MnCr5, quality 6.")])
+            self.assertEqual(self.notes(given, "inherited"), [(2, "These values are absent and therefore those of gear 1: material 16MnCr5, quality 6.")])
         mixed = self.answer("rate", TWO.format("quality = 6", "quality = 8") + STEEL.format(1, "16MnCr5") + rating)
         as_list = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + rating + "quality = [6, 8]\n")
         self.assertEqual(mixed["rating"], as_list["rating"])
@@ -147,7 +147,7 @@ class Chosen(Asked):
         answer = self.answer("pair", self.SPEC.format("", ""))
         x = [g["profile_shift"] for g in answer["gears"]]
         self.assertNotEqual(x, [0, 0])
-        words = f"Profile shifts chosen for a = 79 mm: gear1.profile_shift = {x[0]:.6g} and gear2.profile_shift = {x[1]:.6g}."
+        words = f"For the centre distance a = 79 mm the program chose these profile shifts: gear1.profile_shift = {x[0]:.6g} and gear2.profile_shift = {x[1]:.6g}."
         self.assertEqual(self.notes(answer, "profile_shifts_chosen"), [(None, words)])
         lines = Run("pair", self.SPEC.format("", "")).out.splitlines()
         self.assertIn("note: " + words, lines)
@@ -175,9 +175,9 @@ class ByName(Asked):
         gear, two = self.GEAR, self.GEAR + "[gear2]\nteeth = 61\n"
         for spec, key, *words in (
                 (two + "[gear3]\nteeth = 20\n", "gear3", "at most two gears"),
-                (two + "[rack]\nteeth = 20\n", "rack", "rack as a mating part is gear 2", "[gear1.rack]"),
+                (two + "[rack]\nteeth = 20\n", "rack", "a rack as a mating part by [gear2]", "[gear1.rack]"),
                 (gear + "[gear2]\nteeth = 0\n", "gear2.teeth", "form = \"rack\"", "teeth = -61"),
-                (gear + "form = \"rack\"\n", "gear1.form", "the rack must be gear 2"),
+                (gear + "form = \"rack\"\n", "gear1.form", "must not be a rack"),
                 (two + "[pair]\nherringbone = true\n", "pair.herringbone", "[gear1.double_helical]", "gap_mm = 0"),
                 (gear + "herringbone = true\n", "gear1.herringbone", "[gear1.double_helical]", "gap_mm = 0"),
                 ("units = \"inch\"\n" + gear, "units", "mm", "normal_diametral_pitch_per_in"),

@@ -39,7 +39,7 @@ class Measuring(Asked):
         self.assertIn("Span measurement", Run("measure", GEAR).out)
 
     def test_what_cannot_be_measured_is_named(self):
-        for line, key, word in (("span_teeth = 9", "span_teeth", "1 to 4 teeth"), ("span_teeth = 21", "span_teeth", "1 to 20"),
+        for line, key, word in (("span_teeth = 9", "span_teeth", "1 to 4 teeth"), ("span_teeth = 21", "span_teeth", "between 1 and 20"),
                                 ("ball_diameter_mm = 1", "ball_diameter_mm", "too small to touch both flanks"),
                                 ("ball_diameter_mm = 9", "ball_diameter_mm", "rests on the tips"),
                                 ("ball_diameter_mm = 2.6", "ball_diameter_mm", "does not project"),
@@ -104,13 +104,13 @@ class Measuring(Asked):
         out = Run("measure", spec).out
         self.assertIn("gear 1 lower", out)
         self.assertIn("gear 1 upper", out)
-        self.refused(GEAR + "thickness_allowance_mm = [-0.06, -0.10]", "gear1.thickness_allowance_mm", "lower one first", verb="gear")
+        self.refused(GEAR + "thickness_allowance_mm = [-0.06, -0.10]", "gear1.thickness_allowance_mm", "in rising order", verb="gear")
         self.refused(GEAR + "thickness_allowance_mm = [-0.06, 0, 1]", "gear1.thickness_allowance_mm", verb="gear")
         self.refused(GEAR + 'thickness_allowance_mm = 0\n[gear1.tolerance]\nthickness_series = "cd25"',
                      "gear1.tolerance.thickness_series", "thick", verb="gear")
         self.refused(GEAR + '[gear1.tolerance]\nthickness_series = "zz25"', "gear1.tolerance.thickness_series", "DIN 3967", verb="gear")
         self.refused(GEAR + "[gear1.tolerance]\ntip_diameter_deviations_mm = [0.0, -0.01]",
-                     "gear1.tolerance.tip_diameter_deviations_mm", "the lower one first", verb="gear")
+                     "gear1.tolerance.tip_diameter_deviations_mm", "in rising order", verb="gear")
         fit = GEAR + '[gear1.tolerance]\ntip_diameter_fit = "{}"\n'
         gear = self.ok("gear", fit.format("h9"))["gears"][0]
         lower, upper = gear["interval"]["tip_diameter_mm"]
@@ -163,7 +163,7 @@ class Measuring(Asked):
         r = Run("run", GEAR + "quality = 6\nthickness_allowance_mm = [-0.1, -0.06]\n", "--only", "report", "--out", "out")
         self.assertEqual(r.status, 0, r.err)
         page = (r.folder / "out/report.html").read_text()
-        for word in ("Measuring", "Span measurement", "Gear 1, profile", "band of 11", "Gear 1 between its thickness"):
+        for word in ("Measuring", "Span measurement", "Gear 1, profile", "band of 11", "Gear 1 at the limits of the thickness allowance"):
             self.assertTrue(word in page, word)
 
     def test_the_mating_gear_and_the_distance_of_the_pair_are_readings(self):
@@ -211,7 +211,7 @@ class Measuring(Asked):
         said = self.ok("identify", wrong)["identify"]["contradiction"]
         self.assertEqual((said["reading"], said["tool"]), ("span", 4))
         self.assertAlmostEqual(said["expected"], 27.131, 2)
-        self.assertIn("disagrees", Run("identify", wrong).out)
+        self.assertIn("contradicts", Run("identify", wrong).out)
 
 
 if __name__ == "__main__":

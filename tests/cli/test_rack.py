@@ -40,15 +40,15 @@ class ARack(unittest.TestCase):
 
     def test_what_a_rack_cannot_be_is_said(self):
         for verb, extra, *words in (
-                ("contact", "", "gear2.form", "the verbs gear, pair, outline, export and run", "teeth = 1000"),
-                ("load", "", "gear2.form", "for two gears"),
-                ("rate", "", "gear2.form", "for two gears"),
-                ("scatter", "", "gear2.form", "for two gears"),
-                ("outline --gear 2", "", "gear2.teeth", "number of pitches"),
+                ("contact", "", "gear2.form", "The verbs gear, pair, outline, export and run", "teeth = 1000"),
+                ("load", "", "gear2.form", "needs two gears"),
+                ("rate", "", "gear2.form", "needs two gears"),
+                ("scatter", "", "gear2.form", "needs two gears"),
+                ("outline --gear 2", "", "gear2.teeth", "length of the rack"),
                 ("outline --gear 2", "teeth = 9\n", "gear2.height_mm", "back"),
                 ("outline --gear 2", "teeth = 9\nheight_mm = 2\n", "gear2.height_mm", "at least 2.501"),
                 ("outline --gear 2", "teeth = 9\nheight_mm = 9\nthickness_allowance_mm = 2\n",
-                 "gear2.thickness_allowance_mm", "closes at its root"),
+                 "gear2.thickness_allowance_mm", "closes at the root"),
                 ("export --gear 2 --drawing rack.pdf", "teeth = 9\nheight_mm = 9\n", "gear2.form", "--dxf"),
                 ("run", "teeth = 9\nheight_mm = 9\n[rating]\ntorque_Nm = 50\n", "rating", "gear 2 is a rack"),
                 ("pair", "[pair]\nbacklash_mm = 0.1\n", "pair.backlash_mm", "thickness allowances"),
@@ -62,7 +62,7 @@ class ARack(unittest.TestCase):
                     self.assertIn(w, r.err)
         r = Run("pair", RACK.replace("teeth = 20", "teeth = -60"))
         self.assertEqual(r.status, 1)
-        self.assertIn("gear1.teeth = -60: a rack meshes with an external gear only", r.err)
+        self.assertIn("gear1.teeth = -60: the pinion of a rack must be an external gear", r.err)
 
     def test_the_section_is_that_of_the_basic_rack(self):
         r = Run("outline", RACK + "teeth = 9\nheight_mm = 12\n", "--gear", "2", "--json")

@@ -279,7 +279,7 @@ class Contact(unittest.TestCase):
         r = Run("rate", CONTACT, "--json").json["rating"]
         self.assertFalse([key for key in r if key.startswith("contact_")])
         text = Run("rate", CONTACT.replace("face_load_factor", "tooth_contact = true\nface_load_factor")).out
-        self.assertIn("In addition, the teeth under load", text)
+        self.assertIn("Additional computation of the teeth under load", text)
         self.assertIn("p_H/σ_H", text)
 
     def test_of_an_internal_pair(self):

@@ -84,7 +84,7 @@ class Rexs(unittest.TestCase):
             source.write_text(TRAIN)
             made = self.exported(source, folder)
             printed = raw("import", str(made)).stdout
-            for words in ("# From a REXS 1.7 file of Gearwright.", "[[stage]]", "[[stage.gears]]"):
+            for words in ("# This spec was read from a REXS 1.7 file of Gearwright.", "[[stage]]", "[[stage.gears]]"):
                 self.assertIn(words, printed)
             source.write_text(printed)
             self.assertEqual(raw("drive", str(source), "--json").stdout, raw("drive", str(made), "--json").stdout)
@@ -92,7 +92,7 @@ class Rexs(unittest.TestCase):
     def test_what_is_no_stage_is_an_error(self):
         with tempfile.TemporaryDirectory() as folder:
             for name, word in (("crossed_pair", "parallel axes"), ("circular_arc_drive", "circular-arc"),
-                               ("herringbone_pair", "one helix"), ("printed_gear", "two gears"),
+                               ("herringbone_pair", "a single helix"), ("printed_gear", "two gears"),
                                ("steering_rack", "two gears")):
                 run = raw("export", str(EXAMPLES / f"{name}.toml"), "--rexs", str(Path(folder) / "made.rexs"))
                 self.assertEqual(run.returncode, 1, name)

@@ -162,7 +162,7 @@ class Verbs(unittest.TestCase):
         self.assertEqual(Run("export", PAIR, "--drawing", "a.pdf", "--sheet", "A5").status, 2)
         title = 'title = "pair of 歯車"\n' + PAIR.replace('title = "helical pair"', "")
         note = Run("export", title, "--drawing", "a.pdf", "--json").json["files"][0]["note"]
-        self.assertIn("4 letters are not in the fonts of a PDF", note)
+        self.assertIn("4 letters are missing in the fonts of the PDF", note)
         bore = PAIR + "[gear2.bore]\ndiameter_mm = 200\n"
         r = Run("export", bore, "--drawing", "a.pdf", "--json")
         self.assertEqual((r.status, r.json["error"]["key"], r.files()), (1, "gear2.bore.diameter_mm", ["case.toml"]))
@@ -206,7 +206,7 @@ class Verbs(unittest.TestCase):
     def test_verify_runs_the_golden_cases(self):
         p = raw("verify", *[str(f) for f in sorted((SOURCE / "tests/golden").glob("*.json"))])
         self.assertEqual(p.returncode, 0, p.stdout + p.stderr)
-        self.assertRegex(p.stdout, r"(\d+) of \1 cases hold")
+        self.assertRegex(p.stdout, r"(\d+) of \1 cases agree")
 
     def test_help_teaches_by_example(self):
         p = raw("--help")

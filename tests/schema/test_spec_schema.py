@@ -19,7 +19,7 @@ SPECS = pathlib.Path(os.environ["GW_SPECS"])
 SCHEMA = SOURCE / "docs/schema/spec.schema.json"
 # The program's messages about a type, a word, a number of values or a key. Ranges: see `Ranges`.
 OF_THE_READER = re.compile(r"unknown key in|: must be (a (whole )?number\n|true or false|a text in quotes|one of \"|a table, )|"
-                           r": is an empty list|values; it must be|is not a number(?! of teeth)")
+                           r": is an empty list|values, but must be|is not a number(?! of teeth)")
 
 
 def say(values):

@@ -2,7 +2,7 @@
 
     shards   one after another, or at once
     killed   kill -9 at moments drawn by lot, while chunks are computed and while files are written
-    stopped  SIGINT and SIGTERM: exit status 3, --resume goes on
+    stopped  SIGINT and SIGTERM: exit status 3, --resume continues the search
     damaged  chunks and the journal
 """
 import json
@@ -119,7 +119,7 @@ class OneMachine(Campaign):
             process.send_signal(how)
             status, out, err = end(process)
             self.assertEqual([status, out], [3, ""], err)
-            self.assertIn("--resume goes on", err)
+            self.assertIn("--resume continues the search", err)
             self.assertIn(f"{chunks(self.out)} of 22 chunks are done", err)
             self.assertEqual(list(self.out.glob("*.json")), [])
             self.assertEqual(list(self.out.glob("chunks/*.part*")), [])
@@ -135,7 +135,7 @@ class OneMachine(Campaign):
         process.send_signal(signal.SIGINT)
         status, out, err = end(process)
         self.assertEqual(status, 3, err)
-        self.assertIn("nothing was saved", err)
+        self.assertIn("nothing is saved", err)
         self.assertEqual([json.loads(out)["search"][key] for key in ("finished", "stopped")], [False, True])
 
     def test_a_damaged_and_a_lost_chunk_are_computed_again(self):
@@ -193,7 +193,7 @@ class FinishedFolder(unittest.TestCase):
         for args in ((), ("--chunk", 50), ("--threads", 1)):
             status, _, err = run(*args)
             self.assertEqual(status, 1, err)
-            for words in ("--out", "finished search of another spec", "search.contact_ratio_min was not set, is 1.3", "another folder"):
+            for words in ("--out", "finished search with another spec", "search.contact_ratio_min was not set and is now 1.3", "another folder"):
                 self.assertIn(words, err)
         self.assertEqual(contents(where / "o"), before)
         self.assertFalse((where / "o/journal.sqlite").exists())

@@ -215,7 +215,7 @@ class Nothing(Asked):
     def test_in_words(self):
         run = Run("search", rated(STEEL + self.HEAVY), folder=folder())
         self.assertEqual(run.status, 0, run.err)
-        self.assertIn("The safest of them has S_H = ", run.out)
+        self.assertIn("The safest rejected design ", run.out)
         self.assertIn("rating.power_kW = ", run.out)
 
 

@@ -36,10 +36,10 @@ class Stopping(unittest.TestCase):
             self.assertEqual(process.returncode, 3)
 
     def test_many_designs(self):
-        self.first_word(MANY, "candidates a second")
+        self.first_word(MANY, "candidates per second")
 
     def test_questions(self):
-        self.first_word(ASKED, "trials for the smallest change", "candidates a second")
+        self.first_word(ASKED, "trials done to find the smallest change", "candidates per second")
 
     def test_what_seemed_to_hang(self):
         began = time.monotonic()

@@ -6,9 +6,9 @@
     pair = gw.Pair(pinion, wheel, center_distance=78.6)
     pair.contact_ratio, pair.replace(center_distance=79).backlash.normal
 
-Names without a unit are in mm and rad, and keys with a unit are in that unit. as_dict() has the keys of the program's
-JSON. A number that is impossible for a gear raises SpecError, which contains its key and the permitted values. A
-defect of Gearwright itself raises ContractViolation, whose message requests a report.
+A name without a unit takes a value in mm or rad, and a key with a unit takes a value in that unit. as_dict() returns
+the keys of the program's JSON. A number that no gear can have raises SpecError, which contains its key and the
+permitted values. A defect of Gearwright itself raises ContractViolation. Please report its message.
 """
 
 from __future__ import annotations

@@ -49,7 +49,8 @@ def search(
     """Finds all designs that satisfy the table [search] of a spec, best first. The result can be iterated. .pair(place)
     returns a Pair, and .to_pandas() a DataFrame.
 
-    top       greatest number of designs       progress  True for a line on stderr, or f(stage, done, of)
+    top       greatest number of designs
+    progress  True prints a line on stderr; a function is called as f(stage, done, of)
     out       folder for the program's files; with resume=True, a stopped search continues
     Ctrl-C ends the search within a tenth of a second.
     """

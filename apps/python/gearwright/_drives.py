@@ -1,4 +1,4 @@
-"""Whole drives: Drive is made from a spec, and planetary() and train() from the short forms of a spec."""
+"""Whole drives: Drive of a spec, planetary() for a planetary set and train() for a train of stages."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _value(record: Mapping[str, Any], name: str) -> Any:
 
 
 class Part:
-    """Quantities of a body, a mesh, the assembly and so on. Attributes are in mm and rad, and items are by key"""
+    """Quantities of a part of a drive, for example a body or a mesh: attributes in mm and rad, items by key"""
 
     def __init__(self, record: Mapping[str, Any]) -> None:
         self._record = dict(record)
@@ -94,7 +94,7 @@ class Drive:
 
     @property
     def verdict(self) -> Part:
-        """The verdict on the drive and on the pairs of its meshes, with level, headline and findings"""
+        """Level, headline and findings for the drive and the pairs in its meshes; the worst finding determines the level"""
         return Part(self._verdict)
 
     @property
@@ -102,16 +102,17 @@ class Drive:
         return [Part(warning) for warning in self._warnings]
 
     def rate(self, **rating: Any) -> dict[str, Part]:
-        """Returns the strength by ISO 6336 of each loaded mesh, by the name of the mesh. The keywords are keys of
-        [rating]: quality=[6, 6], material={"name": "17CrNiMo6"}, mesh_load_factor, …. By default, torque and speed are
-        those of the drive."""
+        """Returns the strength by ISO 6336 of each loaded mesh, by its name, with the keys of [rating]: quality=[6, 6],
+        material={"name": "17CrNiMo6"}, mesh_load_factor, …. Torque and speed are those of the drive unless they
+        are given."""
         table = {**self._spec.get("rating", {}), **rating}
         answer = _core.solve({**self._spec, "rating": table}, "rate")
         rated = {name: mesh["rating"] for name, mesh in answer["drive"]["meshes"].items()}
         return {name: Part(record) for name, record in rated.items() if record}
 
     def replace(self, **changes: Any) -> Drive:
-        """Returns the drive with other tables or, for a planetary set, other keys in [planetary]. None removes one."""
+        """Returns the drive with other tables or, for a planetary set, other keys of [planetary]. The
+        value None removes a table or key."""
         spec = self.spec
         own = spec["planetary"] if "planetary" in spec else spec
         for key, value in changes.items():

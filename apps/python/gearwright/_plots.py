@@ -52,12 +52,12 @@ def plot_pair(pair: _core.Pair, ax: Any = None, points: int = 20) -> Any:
 
 
 def animate(pair: _core.Pair, frames: int = 24, points: int = 12, interval: float = 40) -> Any:
-    """Shows the pair during one pitch of rotation, for parallel axes only. Returns a matplotlib FuncAnimation, and
-    .to_jshtml() of this object shows it in a notebook."""
+    """Returns a matplotlib FuncAnimation of a pair on parallel axes that turns through one pitch. Its method
+    .to_jshtml() shows the animation in a notebook."""
     from matplotlib.animation import FuncAnimation
 
     if pair.shaft_angle != 0:
-        why = "the picture is one plane section, and gears on crossed axes have none in common"
+        why = "the picture shows a plane section, and gears on crossed axes have no common plane section"
         raise SpecError("pair.shaft_angle_deg", "", why, "pair.shaft_angle_deg: " + why)
     ax = plot_pair(pair, points=points)
     lines = ax.get_lines()
@@ -76,7 +76,7 @@ def plot_contact(contact: _core.Contact, ax: Any = None) -> Any:
     """Plots the transmission error over the rotation of gear 1 and returns the axes."""
     figures = contact.figures
     if not figures:
-        raise ValueError("nothing touches, so there is no transmission error")
+        raise ValueError("no teeth touch, so there is no transmission error")
     return plot(figures[0].data, ax)
 
 

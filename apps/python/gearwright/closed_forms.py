@@ -73,15 +73,15 @@ def pair_table(
 ) -> dict[str, Any]:
     """Computes pairs from their numbers. Returns a dict with a column for each of these names:
 
-    center_distance         a; mounting "tight" is free of backlash, "extended" is a_d + m_n (x1 + x2)
+    center_distance         a, by mounting: "tight" is free of backlash, "extended" is a_d + m_n (x1 + x2)
     working_pressure_angle  α_wt
     contact_ratio           ε_α between the tips; contact_ratio_true: ε_α of the path within the usable flanks
     sliding                 greatest |ζ| of both flanks at the ends of the path; inf at a base tangent point
     tip_thickness1, 2       s_an    tip_clearance1, 2   c
 
-    addendum, dedendum and flank_depth (of the rack's straight edge) are in modules. A row outside the limits of
-    these formulas is NaN. The search uses the same formulas. They agree with a Pair to 1e-12. If they differ, the Pair
-    is correct.
+    addendum, dedendum and flank_depth (of the rack's straight edge) are in modules. Rows that touch a limit of
+    these formulas are NaN. The search uses the same formulas. They agree with a Pair to 1e-12. If they differ, the
+    result of the Pair is valid.
     """
     if mounting not in ("tight", "extended"):
         raise ValueError(f'mounting = {mounting!r}: must be "tight" or "extended"')
@@ -103,19 +103,20 @@ def pair_table(
 
 def center_distance(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                     helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
-    """The centre distance free of backlash (mounting="tight"), or a_d + m_n (x1 + x2). Keywords as in pair_table."""
+    """The centre distance free of backlash (mounting="tight"), or a_d + m_n (x1 + x2) (mounting="extended"). Keywords
+    are those of pair_table."""
     return pair_table(z1, z2, x1, x2, helix_angle, columns=("center_distance",), **more)["center_distance"]
 
 
 def working_pressure_angle(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                            helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
-    """The transverse working pressure angle α_wt. Keywords as in pair_table."""
+    """The transverse working pressure angle α_wt. Keywords are those of pair_table."""
     return pair_table(z1, z2, x1, x2, helix_angle, columns=("working_pressure_angle",), **more)["working_pressure_angle"]
 
 
 def contact_ratio(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
                   helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
-    """The transverse contact ratio ε_α. Keywords as in pair_table."""
+    """The transverse contact ratio ε_α. Keywords are those of pair_table."""
     return pair_table(z1, z2, x1, x2, helix_angle, columns=("contact_ratio",), **more)["contact_ratio"]
 
 
@@ -123,7 +124,7 @@ def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_
              helix_angle: ArrayLike = 0.0, *, thickness_allowance1: ArrayLike = 0.0,
              thickness_allowance2: ArrayLike = 0.0, normal_module: float = 1.0,
              normal_pressure_angle: float = _ALPHA) -> Any:
-    """The normal backlash j_n at a centre distance. If it is negative, the teeth overlap."""
+    """The normal backlash j_n at a centre distance. It is negative if the teeth overlap."""
     columns, rows, shape = _columns(z1, z2, x1, x2, _sine_of_helix(helix_angle), thickness_allowance1,
                                     thickness_allowance2, center_distance)
     tan_alpha = math.tan(_pressure_angle(normal_pressure_angle))

@@ -100,7 +100,7 @@ std::optional<Error> LoadWork::close() {
 }
 
 Result<Json> LoadWork::figures(int torque, double width) const {
-  if (!found_) return Error{"", "", "there are no figures before the end of the work"};
+  if (!found_) return Error{"", "", "there are no figures until the computation is finished"};
   if (torque < 0 || torque >= static_cast<int>(found_->torques.size()))
     return refused("torque", torque, "is not one of the torques of [load]");
   const LoadScene scene{{&task_.setup.gear(1), &task_.setup.gear(2)},

@@ -95,7 +95,8 @@ class ErrorMapWork : public Work {
 MadeWork pattern_work(std::shared_ptr<Session> session, int positions, const RasterSize& size) {
   if (positions < 2 || size.rows < 2 || size.columns < 2 || positions > 1024 ||
       size.rows * size.columns > 1'000'000)
-    return Error{"", "", "a pattern has 2 to 1024 positions and 2 x 2 to 10^6 nodes"};
+    return Error{"", "",
+                 "a pattern must have 2 to 1024 positions and a grid of 2 x 2 to 10^6 nodes"};
   return std::shared_ptr<Work>(std::make_shared<PatternWork>(std::move(session), positions, size));
 }
 

@@ -65,7 +65,7 @@ std::string Session::json(std::string_view verb) const {
 }
 
 Result<ContactSetup*> Session::setup() {
-  if (!job_.pair) return absent_input("gear2", ": contact is of a pair");
+  if (!job_.pair) return absent_input("gear2", "; tooth contact needs a pair of gears");
   if (!setup_) setup_ = setup_of(job_);
   if (!*setup_) return setup_->error();
   return const_cast<ContactSetup*>(&setup_->value());

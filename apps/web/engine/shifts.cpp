@@ -115,7 +115,7 @@ Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
   RegionWindow window = region_window(limits_box(graph), chart.around, aspect, kFairPart);
   window.box = window_of(view, swapped, window.box);
   Figure f = shift_region_figure(chart, window);
-  f.point(chosen_point(graph, chart.region), 5.0, "mark hollow", "what a search would take",
+  f.point(chosen_point(graph, chart.region), 5.0, "mark hollow", "choice of a search",
           {12.0, 12.0});
   f.marks.back().label_style = "halo tick";
   if (swapped) f = exchanged(std::move(f));
@@ -126,7 +126,7 @@ Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
 }  // namespace
 
 Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
-  if (!job_.pair) return absent_input("gear2", ": the chart is of two profile shifts");
+  if (!job_.pair) return absent_input("gear2", "; the chart shows the profile shifts of two gears");
   if (!job_.pair->involute())
     return Error{"gear1.rack.kind", "", "has circular arcs, which have no profile shifts"};
   const bool swapped =

@@ -53,7 +53,7 @@ export async function textOf(hash: string): Promise<string | null> {
   const packed = hash.slice(kFormat.length);
   const strange = /[^A-Za-z0-9_-]/u.exec(packed)?.[0];
   if (strange)
-    throw new Error(`This link is damaged: “${strange}” is not a character of a link. ${kAgain}`);
+    throw new Error(`This link is damaged, because a link cannot contain the character “${strange}”. ${kAgain}`);
   try {
     const letters = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
     const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
@@ -63,7 +63,7 @@ export async function textOf(hash: string): Promise<string | null> {
     throw new Error(
       reason instanceof TooLong
         ? "This link contains more than a million characters, the limit for a spec."
-        : `This link is damaged: characters are missing or changed. ${kAgain}`,
+        : `This link is damaged, because characters are missing or changed. ${kAgain}`,
     );
   }
 }

@@ -32,7 +32,7 @@ export class Page {
     disabled: true,
   });
   private readonly link = button("Link", () => void this.copyLink(), {
-    title: "copies the address, which contains this design",
+    title: "copy the address, which contains this design",
   });
   private readonly picker = h("input", {
     type: "file",
@@ -60,7 +60,7 @@ export class Page {
     this.starts = new Starts((text, tab) => this.begin(text, tab));
     const form = new Form();
     const text = new TextPane();
-    const choice = new Choice("the spec as", { form: "form", text: "text" }, "form", (side) => {
+    const choice = new Choice("form of the spec", { form: "form", text: "text" }, "form", (side) => {
       form.element.hidden = side !== "form";
       text.element.hidden = side !== "text";
     });
@@ -93,11 +93,11 @@ export class Page {
           { class: "actions" },
           this.undo,
           this.redo,
-          button("New", () => this.showStarts(), { title: "examples and other beginnings" }),
+          button("New", () => this.showStarts(), { title: "examples and other ways to start" }),
           button("Open", () => this.picker.click(), {
-            title: "a spec: TOML or JSON; files may also be dropped",
+            title: "open a spec in TOML or JSON; a file can also be dropped on the page",
           }),
-          button("Save", () => this.save(), { title: "the spec as a TOML file, Ctrl+S" }),
+          button("Save", () => this.save(), { title: "save the spec as a TOML file, Ctrl+S" }),
           this.link,
           new TakeHome(() => this.save()).element,
         ),
@@ -137,7 +137,7 @@ export class Page {
       class: "divider",
       role: "separator",
       tabindex: "0",
-      "aria-label": "height of the numbers",
+      "aria-label": "height of the table of numbers",
       "aria-orientation": "horizontal",
       "aria-valuemin": 5,
       "aria-valuemax": 85,

@@ -79,7 +79,7 @@ const kHave: Have[] = [
     tab: "search",
     spec: (v) => `title = "${v["z1"]} : ${v["z2"]} at ${v["a"]} mm"
 
-# A search for standard modules and helix angles that fit. Run it and click a row to select the design.
+# The search finds standard modules and helix angles that fit. Click a row of the result to select a design.
 [search]
 pinion_teeth = [${v["z1"]}, ${v["z1"]}]
 ratio = [${v["z2"]! / v["z1"]! - 1e-6}, ${v["z2"]! / v["z1"]! + 1e-6}]
@@ -90,10 +90,10 @@ helix_step_deg = 2.5
 `,
   },
   {
-    words: "A ratio",
+    words: "A ratio and a centre distance",
     blanks: [
       { name: "u", words: "ratio", value: "3.2" },
-      { name: "a", words: "centre distance about", value: "120", unit: "mm" },
+      { name: "a", words: "approximate centre distance", value: "120", unit: "mm" },
     ],
     tab: "search",
     spec: (v) => `title = "ratio ${v["u"]} at about ${v["a"]} mm"
@@ -114,13 +114,13 @@ objective = ["contact_ratio", "sliding"]
     blanks: [
       { name: "z", words: "teeth", value: "23" },
       { name: "da", words: "tip diameter", value: "66.71", unit: "mm" },
-      { name: "k", words: "span over teeth", value: "3", optional: true },
-      { name: "w", words: "its length", value: "19.751", unit: "mm", optional: true },
+      { name: "k", words: "number of teeth in a span", value: "3", optional: true },
+      { name: "w", words: "length of the span", value: "19.751", unit: "mm", optional: true },
     ],
     tab: "search",
     spec: (v) => `title = "a broken gear of ${v["z"]} teeth"
 
-# Readings from which the gear is identified. More readings make the result more certain.
+# The gear is identified from these readings. More readings make the result more certain.
 [gear1]
 teeth = ${v["z"]}
 
@@ -158,13 +158,13 @@ few_teeth = true
       { name: "z1", words: "teeth of gear 1", value: "12" },
       { name: "z2", words: "teeth of gear 2", value: "24" },
       { name: "m", words: "module", value: "1.5", unit: "mm" },
-      { name: "a", words: "distance of the shafts", value: "40", unit: "mm" },
+      { name: "a", words: "centre distance", value: "40", unit: "mm" },
       { name: "s", words: "shaft angle", value: "90", unit: "°" },
     ],
     tab: "search",
     spec: (v) => `title = "${v["z1"]} : ${v["z2"]}, shafts ${v["a"]} mm apart at ${v["s"]} degrees"
 
-# Helix angles are absent. The fit computes all possible ones.
+# The helix angles are absent, and the fit computes all possible helix angles.
 [gear1]
 teeth = ${v["z1"]}
 normal_module_mm = ${v["m"]}
@@ -250,7 +250,7 @@ export class Starts {
       h("h3", {}, have.words),
       ...inputs,
       wrong,
-      h("button", { type: "submit" }, "Design it"),
+      h("button", { type: "submit" }, "Start"),
     );
     return form;
   }

@@ -11,15 +11,15 @@ interface Offer {
   gears: (0 | 1 | 2)[];
 }
 const kOffers: Offer[] = [
-  { kind: "report", words: "Report", what: "one page with every number and picture", gears: [0] },
-  { kind: "json", words: "JSON", what: "every number, as the program prints it", gears: [0] },
-  { kind: "drawing", words: "Drawing", what: "for the workshop: the table of data, the views; PDF", gears: [1, 2, 0] },
+  { kind: "report", words: "Report", what: "one page with all numbers and pictures", gears: [0] },
+  { kind: "json", words: "JSON", what: "all numbers, as printed by the program", gears: [0] },
+  { kind: "drawing", words: "Drawing", what: "workshop drawing with gear data and views, PDF", gears: [1, 2, 0] },
   { kind: "step", words: "STEP", what: "exact solids for CAD, AP242", gears: [1, 2, 0] },
-  { kind: "3mf", words: "3MF", what: "for printing", gears: [1, 2] },
-  { kind: "stl", words: "STL", what: "triangles", gears: [1, 2] },
-  { kind: "glb", words: "GLB", what: "the pair for viewers", gears: [0] },
-  { kind: "dxf", words: "DXF", what: "the section, arcs", gears: [1, 2] },
-  { kind: "svg", words: "SVG", what: "the section, drawn", gears: [1, 2] },
+  { kind: "3mf", words: "3MF", what: "mesh for 3D printing", gears: [1, 2] },
+  { kind: "stl", words: "STL", what: "mesh of triangles", gears: [1, 2] },
+  { kind: "glb", words: "GLB", what: "mesh of the pair for 3D viewers", gears: [0] },
+  { kind: "dxf", words: "DXF", what: "transverse section as arcs", gears: [1, 2] },
+  { kind: "svg", words: "SVG", what: "transverse section as a picture", gears: [1, 2] },
 ];
 const kEndings: Partial<Record<FileKind, string>> = { report: "html", drawing: "pdf" };
 
@@ -37,7 +37,7 @@ export function fileName(): string {
 }
 
 export class TakeHome {
-  private readonly sheet = h("div", { class: "menu", role: "dialog", "aria-label": "files to take home" });
+  private readonly sheet = h("div", { class: "menu", role: "dialog", "aria-label": "files to download" });
   private readonly state = h("p", { class: "soft", role: "status" });
   private readonly opener = button("Download", () => undefined, { "aria-haspopup": "true", class: "main" });
   readonly element = foldOut("menu-holder", this.opener, this.sheet, () => this.show());

@@ -58,13 +58,13 @@ export class VerdictLine {
     if (solved.fault) {
       findings = [];
       if (bench.finder) this.head("none", bench.finder, kFinders[bench.finder]);
-      else this.head("fault", "not yet", solved.fault.message);
+      else this.head("fault", "incomplete", solved.fault.message);
     } else if (verdict) this.head(verdict.level, kBadges[verdict.level] ?? verdict.level, verdict.headline);
     else {
       const warnings = (solved.result?.["warnings"] ?? []) as unknown as Notice[];
       findings = warnings.map((one) => ({ ...one, level: "amber", remedy: null }));
       const [first] = findings;
-      this.head(first?.level ?? "none", "gear", first?.message ?? "A single gear. A pair needs a second gear.");
+      this.head(first?.level ?? "none", "gear", first?.message ?? "This is a single gear. A pair needs a second gear.");
     }
     const { pending, refused } = judgement;
     const open = [

@@ -282,7 +282,7 @@ describe("pictures", () => {
     await page.waitForSelector("#room-contact #te path.curve");
     await page.waitForSelector("#room-contact #bearing2 .marked");
     const plot = await page.locator("#te path.measured, #te rect.measured").boundingBox();
-    const slider = '#room-contact input[aria-label="position over the pitch"]';
+    const slider = '#room-contact input[aria-label="position within the pitch"]';
     await page.mouse.click(plot.x + plot.width * 0.25, plot.y + plot.height / 2);
     assert.ok(Math.abs(Number(await page.inputValue(slider)) - 16) <= 1, await page.inputValue(slider));
     assert.ok((await page.locator("#te .cursor").count()) >= 1);

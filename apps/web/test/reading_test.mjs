@@ -139,7 +139,7 @@ describe("pictures", () => {
     await put(page, example("helical_pair"), "shifts");
     await page.waitForSelector("#room-shifts .design");
     const words = await page.locator("#room-shifts g.plot text").allTextContents();
-    for (const name of ["the design", "what a search would take", "contact ratio"])
+    for (const name of ["the design", "choice of a search", "contact ratio"])
       assert.ok(words.includes(name), `${name} of ${words}`);
     assert.ok((await page.locator(".shift-key .key").count()) > 2);
   });

@@ -37,7 +37,7 @@ describe("the table of designs", () => {
     await idle(page);
     assert.doesNotMatch(await page.textContent("#room-search"), /eq11|lo[ _]hi/);
     assert.match(await page.textContent(".common"), /centre distance 90\.0000 mm/);
-    const across = "select[aria-label='Pareto picture, across']";
+    const across = "select[aria-label='horizontal axis of the Pareto chart']";
     assert.doesNotMatch(await page.inputValue(across), /center_distance/);
     const options = await page.locator(`${across} option`).allTextContents();
     assert.ok(!options.includes("centre distance") && options.length > 4, options.join());

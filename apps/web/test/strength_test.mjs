@@ -47,7 +47,7 @@ describe("load", () => {
     const ink = () =>
       page.evaluate(() => document.querySelector('#pressure1 [data-frame][visibility="visible"]')?.dataset.frame);
     const before = await ink();
-    await page.fill('#room-load input[aria-label="position over the pitch"]', "3");
+    await page.fill('#room-load input[aria-label="position within the pitch"]', "3");
     assert.notEqual(await ink(), before);
     await page.fill('#room-load [data-key="load.torque_Nm"]', "100");
     await page.waitForFunction(() => /torque_Nm = 100\b/.test(window.gearwright.text()));
@@ -84,7 +84,7 @@ describe("load", () => {
     await page.waitForSelector('#room-load [data-key="gear1.material.poisson_ratio"][aria-invalid=true]');
     const { message } = native("load", text).error;
     assert.equal(await page.textContent("#room-load .note .fault:not(:empty)"), message);
-    assert.equal(await page.textContent("#room-load .view-sentence"), "There is no result: see the marked field.");
+    assert.equal(await page.textContent("#room-load .view-sentence"), "There is no result. Correct the marked field.");
   });
 });
 
@@ -126,7 +126,7 @@ describe("rating", () => {
     const { key, message } = native("rate", text).error;
     assert.ok((await page.getAttribute("#room-rating [aria-invalid=true]", "data-key")).startsWith(key));
     assert.equal(await page.textContent("#room-rating .note .fault:not(:empty)"), message);
-    assert.equal(await page.textContent("#room-rating .view-sentence"), "There is no result: see the marked field.");
+    assert.equal(await page.textContent("#room-rating .view-sentence"), "There is no result. Correct the marked field.");
   });
 
   it("a spec without a load is offered what a rating needs; first values are enough", async () => {

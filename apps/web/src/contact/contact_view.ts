@@ -22,7 +22,7 @@ export class ContactView implements Tab {
   private readonly flanks = new Figures();
   private readonly errorMap = new ErrorMapView();
   private readonly instant = slider(
-    "position over the pitch",
+    "position within the pitch",
     { min: 0, max: kPositions - 1, step: 1, value: kPositions / 2 },
     (index) => this.choose(index),
   );

@@ -27,7 +27,7 @@ export class ErrorMapView {
     h(
       "div",
       { class: "map-head" },
-      h("b", {}, "Peak to peak over two errors"),
+      h("b", {}, "Peak-to-peak transmission error over two errors"),
       this.x,
       this.y,
       this.go,
@@ -113,7 +113,7 @@ export class ErrorMapView {
         if (sofar) take(sofar as { map: ErrorMap; figure: Figure });
       });
       if (answer) take(answer);
-      this.status.textContent = "A click mounts the pair with these errors.";
+      this.status.textContent = "Click a point to mount the pair with its two errors.";
     } catch (reason) {
       if (bench.design === design) this.status.textContent = sentenceOf(reason);
     } finally {

@@ -54,7 +54,7 @@ export function makeNote(): Note {
     element,
     open(key, slider) {
       const range = rangeOf(key);
-      meaning.textContent = `${key.meaning}${range ? "; " + range : ""}${key.fallback ? ". Absent: " + key.fallback : ""}.`;
+      meaning.textContent = `${key.meaning}${range ? "; " + range : ""}${key.fallback ? ". Default: " + key.fallback : ""}.`;
       slot.replaceChildren(...(slider ? [slider] : []));
       element.classList.add("open");
       show();

@@ -85,7 +85,7 @@ export class Form {
       {
         class: "quiet more",
         "aria-expanded": String(showMore),
-        "aria-label": `${words} keys: ${section.title}`,
+        "aria-label": `show ${words} keys of ${section.title}`,
       },
     );
     const open = this.opened.has(section.id) || section.present;

@@ -57,6 +57,6 @@ export class KeyPanel {
     this.rows.show(spec);
     const blamed = this.rows.blame(fault, true);
     if (!answered) return "";
-    return blamed ? "There is no result: see the marked field." : answered.message;
+    return blamed ? "There is no result. Correct the marked field." : answered.message;
   }
 }

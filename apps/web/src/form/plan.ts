@@ -51,7 +51,7 @@ const kTitles: Record<string, string> = {
   modifications: "Modifications",
   root_fillet: "Root fillet",
   tip_fillet: "Tip fillet",
-  basic: "Gear as itself",
+  basic: "Gear without its rack",
   material: "Material",
   mounting: "Shaft and bearings",
   spectrum: "Load spectrum",

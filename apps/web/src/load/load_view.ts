@@ -17,7 +17,7 @@ const kRestMs = 1200;
 const kNeeds = {
   keys: ["load.torque_Nm"],
   without: "The spec has no torque.",
-  alone: "Load needs a second gear.",
+  alone: "An analysis under load needs a second gear.",
   offer: "Load sharing, deflection and stress of the teeth under a torque:",
   go: "Load the teeth",
   panel: [
@@ -50,7 +50,7 @@ type Answer = Exclude<Loaded, { fault: Fault }>;
 type Records = { [key: string]: Json }[];
 
 export class LoadView extends AnswerView<Answer> {
-  private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the load" });
+  private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the analysis under load" });
   private readonly state = h("span", { class: "soft" });
   private readonly torques = new Choice("torque shown", [], "", (torque) => {
     this.torque = Number(torque);
@@ -58,7 +58,7 @@ export class LoadView extends AnswerView<Answer> {
     void this.drawFigures();
   });
   private readonly figures = new Figures((t) => this.choose(Math.round((t + 0.5) * this.positions.length)));
-  private readonly position = slider("position over the pitch", { min: 0, max: 1, step: 1 }, (i) =>
+  private readonly position = slider("position within the pitch", { min: 0, max: 1, step: 1 }, (i) =>
     this.choose(i),
   );
   private readonly where = h("output", { class: "soft" });

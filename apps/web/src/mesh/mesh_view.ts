@@ -21,7 +21,7 @@ export class MeshView implements Tab {
   private readonly repaint = onNextFrame(() => this.paint());
   private readonly turning = new TurnControl(() => this.repaint());
   private readonly slot = new FigureSlot(undefined, (x, y) => this.hover(x, y));
-  private readonly frames = new Choice("what the picture shows", kFrames, "mesh", (frame) => {
+  private readonly frames = new Choice("content of the picture", kFrames, "mesh", (frame) => {
     this.frame = frame as View["frame"];
     this.restore();
   });

@@ -38,7 +38,7 @@ const kNeeds = {
       keys: ["name", "surface_hardness_HV", "sigma_Hlim_MPa", "sigma_Flim_MPa"],
     },
     {
-      title: "Making",
+      title: "Manufacture",
       table: "rating",
       places: kRating,
       keys: ["quality", "flank_roughness_um", "root_roughness_um", "lubricant_viscosity_40C_mm2_s"],
@@ -50,13 +50,13 @@ const kNeeds = {
       keys: ["bearing_span_mm", "pinion_offset_mm", "shaft_diameter_mm", "arrangement"],
     },
     {
-      title: "Instead of formulas",
+      title: "Values instead of formulas",
       table: "rating",
       places: kRating,
       keys: ["dynamic_factor", "face_load_factor", "transverse_load_factor", "transverse_load_factor_root"],
     },
     {
-      title: "Wanted",
+      title: "Requirements",
       table: "rating",
       places: kRating,
       keys: ["safety_root_min", "safety_flank_min", "standard"],

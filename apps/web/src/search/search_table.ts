@@ -96,7 +96,7 @@ function twinsOf(designs: Design[], columns: Column[]): Map<Column, Column> {
 
 export class SearchTable {
   private readonly common = h("p", { class: "soft common" });
-  private readonly room = scroller("designs-scroll", "designs found");
+  private readonly room = scroller("designs-scroll", "table of the designs");
   readonly element = h("div", { class: "designs-room" }, this.common, this.room);
   private designs: Design[] = [];
   private columns: Column[] = [];
@@ -122,9 +122,9 @@ export class SearchTable {
       .map((one) => `${one.words} ${cellOf(designs[0]!, one)} ${shownUnit(one.info.unit)}`.trim());
     for (const [one, other] of twins) {
       const sign = (column: Column) => Math.sign(designs.map((of) => valueIn(of, column)).find(Boolean) as number);
-      same.push(`${one.words} ${sign(one) === -sign(other) ? "opposite to" : "as"} ${other.words}`);
+      same.push(`${one.words} ${sign(one) === -sign(other) ? "opposite to" : "equal to"} ${other.words}`);
     }
-    this.common.textContent = same.length ? `All of them: ${same.join("; ")}.` : "";
+    this.common.textContent = same.length ? `Common to all designs: ${same.join("; ")}.` : "";
     this.room.scrollTop = 0;
     this.by = -1;
     this.taken = -1;

@@ -32,15 +32,15 @@ export class SearchView implements Tab {
   private readonly save = button("Report of the search", () => void this.report());
   private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the search" });
   private readonly across = h("select", {
-    "aria-label": "Pareto picture, across",
+    "aria-label": "horizontal axis of the Pareto chart",
     change: () => this.plot(),
   });
-  private readonly up = h("select", { "aria-label": "Pareto picture, up", change: () => this.plot() });
+  private readonly up = h("select", { "aria-label": "vertical axis of the Pareto chart", change: () => this.plot() });
   private readonly chooser = h(
     "p",
     { class: "soft pareto-axes" },
-    h("label", {}, "across ", this.across),
-    h("label", {}, "up ", this.up),
+    h("label", {}, "horizontal axis ", this.across),
+    h("label", {}, "vertical axis ", this.up),
   );
   private readonly table = new SearchTable((row) => void this.take(row));
   private readonly pareto = new ParetoPicture((row) => void this.take(row));
@@ -97,7 +97,7 @@ export class SearchView implements Tab {
     if (solved.fault || solved.spec?.["fit"] !== undefined) return this.fit(solved.text);
     if (!this.designs.length)
       this.status.textContent = solved.hasPair
-        ? "A search for other pairs, with the same ratio within 3 % and the same centre distance within 2 %."
+        ? "This button searches for other pairs whose ratio differs by at most 3 % and whose centre distance differs by at most 2 %."
         : "A search needs a pair, or a [search] table in the spec.";
   }
 
@@ -131,7 +131,7 @@ export class SearchView implements Tab {
         this.status.textContent = `${count(trials)} candidates are too many for the page. The program computes them on all cores or on several machines:  gearwright search spec.toml --out found`;
         return;
       }
-      this.status.textContent = `${count(trials)} candidates.`;
+      this.status.textContent = `The search has ${count(trials)} candidates.`;
       if (trials <= kAtOnce) await this.search();
     } catch (reason) {
       if (bench.text === text) this.status.textContent = sentenceOf(reason);
@@ -154,7 +154,7 @@ export class SearchView implements Tab {
         if (this.running !== text) return;
         this.bar.value = of ? done / of : 0;
         const best = typeof sofar === "string" && sofar ? (JSON.parse(sofar) as Design[]) : [];
-        this.status.textContent = `${Math.floor((100 * done) / Math.max(1, of))} % of the candidates tried.`;
+        this.status.textContent = `${Math.floor((100 * done) / Math.max(1, of))} % of the candidates are tested.`;
         if (best.length) this.list(best, [], text);
       });
       if (!found || this.running !== text) return;
@@ -162,11 +162,11 @@ export class SearchView implements Tab {
         search?: { designs: Design[]; pareto?: number[]; rejected: Record<string, number> };
         error?: { message: string };
       };
-      if (!answer.search) throw new Error(answer.error?.message ?? "no answer");
+      if (!answer.search) throw new Error(answer.error?.message ?? "the search returned no result");
       this.save.hidden = false;
       const time = ((performance.now() - begin) / 1000).toFixed(2);
       this.status.textContent =
-        `${count(found.feasible)} of ${count(found.tested)} candidates satisfy every limit; ${time} s.` +
+        `${count(found.feasible)} of ${count(found.tested)} candidates satisfy every limit. The search took ${time} s.` +
         why(found.feasible, answer.search.rejected);
       this.list(answer.search.designs, answer.search.pareto ?? [], text);
     } catch (reason) {
@@ -253,7 +253,7 @@ export class SearchView implements Tab {
   private async fit(text: string): Promise<void> {
     const verb = measured(bench.solved?.spec ?? null) ? "identify" : "fit";
     const list = verb === "fit" ? "branches" : "candidates";
-    this.status.textContent = `Looking for gears ${verb === "fit" ? "that fit" : "with these readings"} …`;
+    this.status.textContent = `Searching for gears ${verb === "fit" ? "that fit the spec" : "that match the readings"} …`;
     try {
       const answer = await bench.seek.call("run", { text, verb });
       if (this.looked !== text) return;
@@ -264,10 +264,10 @@ export class SearchView implements Tab {
       };
       const reason = at(answer, verb + ".reason") ?? at(answer, "error.message");
       this.status.textContent = found.length
-        ? `${found.length === 1 ? "One answer fits" : found.length + " answers fit"}. A click selects it as the design.` +
+        ? `${found.length === 1 ? "There is one solution" : `There are ${found.length} solutions`}. Click a button to use a solution as the design.` +
           hint("contradiction", " The reading ", " contradicts the others.") +
-          hint("next_measurement", " To decide, measure ", ".")
-        : String(reason ?? "Nothing fits.");
+          hint("next_measurement", " To decide between the solutions, measure ", ".")
+        : String(reason ?? "There is no solution.");
       const table = verb === "fit" ? "fit.branches" : "identify.candidate";
       fill(this.branches, ...found.slice(0, 12).map((one, i) => this.branch(one, i, table)));
     } catch (reason) {
@@ -294,9 +294,9 @@ export class SearchView implements Tab {
     return h(
       "article",
       { class: "branch" },
-      h("h3", {}, `Answer ${i + 1}`),
+      h("h3", {}, `Solution ${i + 1}`),
       h("dl", {}, ...facts),
-      button("Make it the design", () => void use(), { class: "main" }),
+      button("Use as the design", () => void use(), { class: "main" }),
     );
   }
 }
@@ -311,5 +311,5 @@ function count(n: number): string {
 function why(feasible: number, rejected: { [key: string]: Json | number }): string {
   if (feasible > 0) return "";
   const worst = Object.entries(rejected).sort((a, b) => Number(b[1]) - Number(a[1]))[0];
-  return worst ? ` Most were ruled out by the limit of ${worst[0].replaceAll("_", " ")}.` : "";
+  return worst ? ` Most candidates violate the limit of ${worst[0].replaceAll("_", " ")}.` : "";
 }

@@ -22,7 +22,7 @@ export class ShiftsView implements Tab {
       class: "shift-room",
       tabindex: "0",
       role: "application",
-      "aria-label": "chart of both profile shifts; arrows move the design by 0.01, with shift by 0.1",
+      "aria-label": "chart of both profile shifts; the arrow keys move the design by 0.01, or by 0.1 with the Shift key",
       pointerdown: (event: PointerEvent) => this.grab(event),
       pointermove: (event: PointerEvent) => this.drag(event),
       pointerup: () => this.release(),
@@ -150,11 +150,11 @@ export class ShiftsView implements Tab {
         ? `No shifts satisfy the limits${region.whatKills ? ": " + (region.borders[region.whatKills] ?? region.whatKills) : ""}.`
         : region.inside
           ? stop
-            ? `At a border: ${stop}.`
-            : `Inside, ${fixed(region.margin, 3)} modules from the nearest border.`
+            ? `The design is on a border of the region: ${stop}.`
+            : `The design is inside the region, ${fixed(region.margin, 3)} modules from the nearest border.`
           : stop
-            ? `Outside: stopped by ${stop}.`
-            : "Outside the region.",
+            ? `The design is outside the region, beyond the border “${stop}”.`
+            : "The design is outside the region.",
     );
   }
 }

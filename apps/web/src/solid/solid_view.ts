@@ -17,7 +17,7 @@ export class SolidView implements Tab {
   private readonly canvas = h("canvas", {
     tabindex: "0",
     role: "img",
-    "aria-label": "the gears in space; arrows turn the view, + and − zoom, 0 restores",
+    "aria-label": "the gears in three dimensions; the arrow keys turn the view, + and − zoom, 0 restores the view",
   });
   private readonly state = h("output", { class: "readout" });
   private readonly turning = new TurnControl(() => this.arrange());
