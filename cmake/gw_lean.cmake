@@ -10,12 +10,13 @@
 #   design/candidate_simd  plain doubles, the kernels' oracle          (Highway)
 #   pair/closed_forms_simd plain doubles too                           (Highway)
 #   job/search_campaign    none: a search leaves no folder             (zstd, SQLite: the store)
+#   job/study_campaign     none: neither does a study of designs
 #   apps/common/watch      no line of progress                         (threads, signals)
 #
 # Functions that only the folder of a search needs are omitted together with the store.
 include_guard()
 
-set(gw_store_sources "/gearwright/store/|/gearwright/job/search_(files|record|tables)\\.cpp$")
+set(gw_store_sources "/gearwright/store/|/gearwright/job/(campaign|search_(files|record|tables))\\.cpp$")
 
 # Keeps one of each pair in the list. On Windows, X_windows.cpp replaces X.cpp in the same way.
 function(gw_choose_twins list_name)

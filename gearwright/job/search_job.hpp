@@ -15,6 +15,7 @@
 
 #include "gearwright/design/nearest_change.hpp"
 #include "gearwright/design/search.hpp"
+#include "gearwright/job/chunk_queue.hpp"
 #include "gearwright/spec/spec.hpp"
 
 namespace gearwright {
@@ -34,26 +35,12 @@ struct SearchProgress {
   std::int64_t left = 0;  ///< trials that remain for this process
 };
 
-struct SearchOptions {
-  std::filesystem::path out;  ///< folder of the files; empty if there are none
-  bool resume = false;
-  int shard = 1, shards = 1;  ///< this process computes the chunks shard − 1, + shards, …
-  bool many = false;          ///< others may have opened the folder before (shards, ranks)
-  bool together = false;      ///< for ranks: always a campaign, opened by the first rank
+struct SearchOptions : CampaignOptions {
   bool yes_large = false;
   std::optional<std::size_t> top;      ///< designs to keep; by default kDefaultDesigns
   std::optional<std::int64_t> chunk;   ///< trials of a chunk; by default by the search's size
   std::optional<std::size_t> regions;  ///< listed designs with regions; by default all
   int threads = 0;                     ///< with 0, as many as the machine has
-  std::string writer = "search";       ///< name in the journal
-  /// Draws the number of a chunk from a shared queue; if empty, from a queue of this process.
-  /// Called by one thread at a time.
-  std::function<std::int64_t()> next_chunk;
-  /// The argument is true if the folder could be opened. Returns true to continue. Ranks that join
-  /// call it before they open the folder.
-  std::function<bool(bool opened)> folder_is_open;
-  /// Waits until all processes are done, and returns true if this one makes the files.
-  std::function<bool()> finish_together;
   /// Called many times a second, by one thread at a time.
   std::function<void(const SearchProgress&)> progress;
   const std::atomic<bool>* stop = nullptr;  ///< if set, the search ends at once, without the chunks
@@ -100,7 +87,9 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
 /// Trials per chunk of a search of this size.
 std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials);
 
-/// The inputs that determine the result, as lines "key = value".
-std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk);
+/// The inputs that determine the result, as lines "key = value". `more` are further tables of the
+/// spec, without which a search is complete.
+std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk,
+                               const std::vector<std::string>& more = {});
 
 }  // namespace gearwright
