@@ -16,7 +16,10 @@ namespace gearwright::apps {
 /// their lines.
 class Door {
  public:
-  explicit Door(const Options& o) : options_(o) {}
+  /// `text` is the spec if it has already been read.
+  explicit Door(const Options& o, const SpecText* text = nullptr) : options_(o) {
+    if (text) text_ = *text;
+  }
 
   /// An input that `use` requires and that is missing is also an error.
   Result<JobSpec> read(SpecUse use = SpecUse::geometry);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gearwright/job/verbs.hpp"
+#include "gearwright/spec/spec_text.hpp"
 
 namespace gearwright::apps {
 
@@ -40,7 +41,8 @@ struct Options {
 
 // All functions throw IoError if the system fails.
 /// Runs any verb of the table. Prints its answer as JSON, CSV or text, or a spec that it proposes.
-int answering_verb(const Verb& verb, const Options& o);
+/// `text` is the spec if it has already been read.
+int answering_verb(const Verb& verb, const Options& o, const SpecText* text = nullptr);
 /// `gear --as-rack`: prints the teeth in terms of another rack.
 int gear_as_rack(const Options& o);
 /// `measure --points`: nominal points of the flanks.

@@ -114,25 +114,6 @@ const Quantities<V>& worsts_quantities() {
   return kAll;
 }
 
-const Quantities<V>& probabilities_quantities() {
-  static const Quantities<V> kAll("scatter.probability", [](Quantities<V>& q) {
-    q.record<probability_quantities>(
-         "edge_contact", "an edge of a tooth touches at some position",
-         [](const V& v) -> const auto& { return v.scatter->edge_contact; })
-        .always();
-    q.record<probability_quantities>(
-         "jam", "the least play is negative",
-         [](const V& v) -> const auto& { return v.scatter->jam; })
-        .always();
-    q.record<probability_quantities>(
-         "contact_lost",
-         "no teeth touch at some position; these samples are not in the distributions",
-         [](const V& v) -> const auto& { return v.scatter->contact_lost; })
-        .always();
-  });
-  return kAll;
-}
-
 const Quantities<JudgedView>& judged_quantities() {
   using J = JudgedView;
   static const Quantities<J> kAll("scatter.robust judged", [](Quantities<J>& q) {
@@ -397,6 +378,25 @@ const Quantities<SpreadView>& spread_quantities() {
           "inputs",
           &S::samples)
         .list({0})
+        .always();
+  });
+  return kAll;
+}
+
+const Quantities<V>& probabilities_quantities() {
+  static const Quantities<V> kAll("scatter.probability", [](Quantities<V>& q) {
+    q.record<probability_quantities>(
+         "edge_contact", "an edge of a tooth touches at some position",
+         [](const V& v) -> const auto& { return v.scatter->edge_contact; })
+        .always();
+    q.record<probability_quantities>(
+         "jam", "the least play is negative",
+         [](const V& v) -> const auto& { return v.scatter->jam; })
+        .always();
+    q.record<probability_quantities>(
+         "contact_lost",
+         "no teeth touch at some position; these samples are not in the distributions",
+         [](const V& v) -> const auto& { return v.scatter->contact_lost; })
         .always();
   });
   return kAll;

@@ -87,8 +87,10 @@ struct ScatterView {
 };
 
 const Quantities<ScatterView>& scatter_quantities();
-/// The quantities of a distribution and of a probability.
+
+/// The quantities of a distribution, of the probabilities of a family and of one probability.
 const Quantities<SpreadView>& spread_quantities();
+const Quantities<ScatterView>& probabilities_quantities();
 const Quantities<Probability>& probability_quantities();
 const Quantities<LoadedSpreadView>& loaded_spread_quantities();
 

@@ -1,6 +1,7 @@
 // Distribution of a quantity over many samples, and the contribution of each input to its variance.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,5 +42,24 @@ struct IndexScene {
 ///
 /// Domain    at least one group (contract)
 Figure index_figure(const IndexScene& scene);
+
+/// Designs in the order of their rank, each with a percentile of its distribution.
+struct RankingScene {
+  std::string id;
+  std::string words;    ///< name of the quantity
+  std::string unit;     ///< "″"
+  std::string percent;  ///< "95 %"
+  struct Entry {
+    std::string name;  ///< plain text
+    double percentile, mean;
+    std::optional<double> lower, upper;  ///< confidence interval of the percentile
+  };
+  std::vector<Entry> entries;
+};
+
+/// Percentile with its interval, and mean, over the rank.
+///
+/// Domain    at least one entry (contract)
+Figure ranking_figure(const RankingScene& scene);
 
 }  // namespace gearwright

@@ -326,13 +326,14 @@ Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
   return answer;
 }
 
-Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
+Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int threads) {
   const ScatterInput& input = job.spec.scatter;
   auto prepared = prepared_scatter(job);
   if (!prepared) return prepared.error();
   ScatterAnswer answer = std::move(prepared).take();
   ScatterTask& task = answer.task;
   task.progress = progress;
+  task.threads = threads;
   const bool robust_under_load = input.robust && under_load(input.robust->aim);
   std::optional<LoadedFamily> load;
   if (input.loaded || robust_under_load) {

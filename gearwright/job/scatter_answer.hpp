@@ -31,7 +31,7 @@ Result<ScatterAnswer> prepared_scatter(SolvedJob& job);
 
 /// Errors    `scatter.…` of a range or a correction that the teeth cannot take, of a group with an
 ///           unknown input; as scatter_of() and ContactSetup::of
-Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr);
+Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr, int threads = 0);
 
 /// An error of the room scatter with the keys of [scatter].
 Error of_scatter(const ScatterTask& task, Error error);
