@@ -43,6 +43,10 @@ constexpr auto kRows = std::to_array<Row>({
     {"gear#.measured.helix_deg", "",
      "the key for the reading of the helix angle is helix_angle_deg, at the reference cylinder"},
     {"measured", "", "readings are given for a gear, in [gear1.measured]"},
+    {"compensate.aim", "\"percentile\"",
+     "is the aim of [scatter.robust], which minimises a percentile over the tolerances of "
+     "[scatter]: "
+     "percentile = 95 there; [compensate] works for given errors"},
     {"scatter.correlations", "",
      "correlated inputs are not supported, except bores, by [scatter.bearings]"},
     {"*.herringbone", "", kTwoHalves},
