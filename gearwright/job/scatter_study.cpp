@@ -172,12 +172,12 @@ void rank_rows(const JobSpec& spec, std::vector<Json> rows, StudyRun& run) {
 Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options) {
   GW_EXPECTS(spec.search);
   const Search search(*spec.search);
-  std::vector<ListedDesign> list;
+  std::vector<ListedDesign> list = options.list;
   if (options.designs) {
     auto listed = listed_designs(*options.designs);
     if (!listed) return listed.error();
     list = std::move(listed).take();
-  } else {
+  } else if (list.empty()) {
     SearchOptions quick;
     quick.top = options.top;
     quick.regions = 0;

@@ -7,6 +7,7 @@
 // search into chunks of trials, with a folder, shards and ranks. Internal to job/ and the programs.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ struct ListedDesign {
 };
 
 struct StudyOptions : CampaignOptions {
-  std::optional<std::string> designs;  ///< file or folder of a search; if none, it is run
+  std::optional<std::string> designs;  ///< file or folder of a search
+  std::vector<ListedDesign> list;      ///< designs that are known; without both, the search is run
   std::filesystem::path folder;        ///< of the spec, for the files that it names
   std::optional<std::size_t> top;      ///< designs of the list; by default all
   int threads = 0;                     ///< with 0, as many as the machine has

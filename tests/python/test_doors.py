@@ -122,6 +122,19 @@ def test_scatter():
     assert np.isnan(members["long_period_arcsec"]).all()
 
 
+def test_designs_ranked_by_their_scatter():
+    keys = {"samples": 8, "replicates": 2, "errors": {"crossing_deg": [-0.02, 0.02]}}
+    found = gw.search(SEARCH, top=6, progress=False)
+    ranked = found.scatter(top=4, **keys)
+    assert ranked["count"] == 4 and len(ranked["designs"]) == 4
+    for row in ranked["designs"]:
+        one = gw.scatter(found.pair(row["design"] - 1), **keys)
+        assert row["peak_to_peak_arcsec"] == one.as_dict()["peak_to_peak_arcsec"]
+    with pytest.raises(gw.SpecError) as e:
+        found.scatter()
+    assert e.value.key == "scatter.errors"
+
+
 def test_measure():
     chord = gw.measure(pinion())["chordal_thickness"]
     # docs/programming.md prints the same
