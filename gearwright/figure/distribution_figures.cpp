@@ -135,14 +135,14 @@ Figure ranking_figure(const RankingScene& scene) {
           fmt::format(": the {} point with its confidence interval, and the mean.", scene.percent),
       .x = {"rank", "", 0.4, static_cast<double>(scene.entries.size()) + 0.6, true},
       .y = {scene.words, scene.unit, 0.0, most > 0.0 ? 1.06 * most : 1.0}};
-  f.keys = {{"g1", scene.percent + " point"}, {"action", "mean"}};
+  f.keys = {{"g1", scene.percent + " point"}, {"g2", "mean"}};
   for (std::size_t i = 0; i < scene.entries.size(); ++i) {
     const auto& e = scene.entries[i];
     const double at = static_cast<double>(i) + 1.0;
     if (e.lower && e.upper) f.line({{at, *e.lower}, {at, *e.upper}}, "curve ink");
-    f.dot({at, e.mean}, 2.6, "mark action-dot",
+    f.dot({at, e.mean}, 2.4, "mark g2",
           fmt::format("{}, mean: {}{}", e.name, shown(e.mean), scene.unit));
-    f.dot({at, e.percentile}, 3.2, "dot-front",
+    f.dot({at, e.percentile}, 2.4, "mark g1",
           fmt::format("{}, {}: {}{}", e.name, scene.percent, shown(e.percentile), scene.unit));
   }
   return f;

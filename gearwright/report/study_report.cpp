@@ -51,7 +51,7 @@ std::string figure_of(const StudyReport& report) {
     const StudyReport::Row& r = report.rows[i];
     scene.entries.push_back({r.words, r.percentile, r.mean, r.lower, r.upper});
   }
-  return picture_hint() + figure_html(ranking_figure(scene));
+  return picture_hint() + side_by_side(figure_html(ranking_figure(scene)));
 }
 
 std::string refused_section(const StudyReport& report) {
