@@ -18,6 +18,7 @@
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/job/verify.hpp"
+#include "gearwright/report/report_sections.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright::python {
@@ -211,8 +212,10 @@ py::object scatter(const py::object& given, const py::kwargs& kwargs) {
   SolvedJob job = model->job;
   const ScatterAnswer found = watched_result(
       model->given(), [&](Progress* progress) { return answer_scatter(job, progress); });
-  const py::object record = by_name(Value(scatter_quantities().of(scatter_view(job, found))));
+  const ScatterView view = scatter_view(job, found);
+  const py::object record = by_name(Value(scatter_quantities().of(view)));
   record.attr("_attributes").attr("__setitem__")("members", members_of(found));
+  record.attr("_attributes").attr("__setitem__")("figures", py::cast(scatter_figures(view)));
   return record;
 }
 
@@ -293,7 +296,8 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
         "Computes what tolerances do to a pair, with the keys of [scatter] (errors=, gear1=, "
         "samples=, robust=): a Record with a distribution for each quantity, probability, indices, "
         "worst, robust; its members are a structured array, a row for each sample with its inputs "
-        "and quantities by key");
+        "and quantities by key; its figures are those of the report, with pattern=True also the "
+        "density of the contact pattern");
   m.def("_verify", &verify, py::arg("cases"));
   return contact;
 }

@@ -78,6 +78,12 @@ const KeyTable& scatter_keys() {
                  "greatest of `percentiles` of the peak to peak has grown by 5 %, and the "
                  "tolerance to tighten first [T14.19]"),
        Key::flag(
+           "pattern", &S::pattern, "false",
+           "if true, the result has the density of the contact pattern on both flanks, of "
+           "the first 256 / `replicates` samples of each replicate: for each place, the share "
+           "of samples in which marking compound of the thickness of [contact] shows there "
+           "[T14.27]"),
+       Key::flag(
            "loaded", &S::loaded, "false",
            "if true, loaded transmission error, pressure and face load factor are computed for the "
            "first 256 / `replicates` samples of each replicate, under the torques of [load] and "

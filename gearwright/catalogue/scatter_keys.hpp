@@ -50,6 +50,7 @@ struct ScatterInput {
   bool indices = false;
   bool worst_case = false;
   bool loosening = false;
+  bool pattern = false;                       ///< the density of patterns is in the result
   bool loaded = false;                        ///< also under the torques of [load]
   std::optional<std::array<int, 2>> quality;  ///< A of both gears; by default their own
   /// One for each of error_entries(), in the unit of the key.

@@ -1,6 +1,7 @@
 #include "gearwright/catalogue/scatter_quantities.hpp"
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/catalogue/scatter_pattern_quantities.hpp"
 
 namespace gearwright {
 
@@ -272,6 +273,11 @@ void say(Quantities<V>& q) {
        [](const V& v) { return Value(loaded_spread_quantities().each(v.loaded)); })
       .list({0})
       .when([](const V& v) { return v.task->load.has_value(); })
+      .doors(kJson);
+  q.record<density_quantities>("pattern",
+                               "density of the contact pattern on both flanks; only with `pattern`",
+                               [](const V& v) { return v.density; })
+      .when([](const V& v) { return v.task->density.has_value(); })
       .doors(kJson);
   q.record<robust_quantities>("robust",
                               "corrections for a percentile; only with `[scatter.robust]`",

@@ -83,7 +83,8 @@ struct ScatterView {
   std::array<std::optional<SpreadView>, kScatterQuantities> spread;
   std::optional<WorstView> worst_peak_to_peak, worst_least_play;
   std::optional<RobustView> robust;
-  std::vector<LoadedSpreadView> loaded;  ///< one for each torque
+  std::vector<LoadedSpreadView> loaded;     ///< one for each torque
+  const PatternDensity* density = nullptr;  ///< for figures, and for results if requested
 };
 
 const Quantities<ScatterView>& scatter_quantities();

@@ -24,8 +24,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kLoadedSamples = 256;   // of all replicates
-constexpr int kLoadedPositions = 16;  // per pitch, if [load] has none
+constexpr int kFewSamples = 256;       // of all replicates, under load and for patterns
+constexpr int kLoadedPositions = 16;   // per pitch, if [load] has none
+constexpr int kDensityPositions = 16;  // per pitch, between which the gap is a parabola
 
 // The tolerances of a grade that the spec does not give individually.
 class Grades {
@@ -260,6 +261,13 @@ Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& i
   return task;
 }
 
+// A power of two: samples of each replicate, `most` of all, but at least one of each.
+int few_samples(const ScatterTask& task, int most) {
+  int samples = 1;
+  while (2 * samples <= std::min(task.samples, most / task.replicates)) samples *= 2;
+  return samples;
+}
+
 // Teeth under torque for the first samples of each replicate, with the tables that all share.
 Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   // The samples under load are those without: the same flanks.
@@ -282,9 +290,7 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   // A member that loses contact has no numbers; teeth as drawn must have them.
   if (auto error = judge_load(load, load.contact(*compliance), job.warnings)) return *error;
   request.progress = nullptr;
-  int samples = 1;
-  while (2 * samples <= std::min(task.samples, kLoadedSamples / task.replicates)) samples *= 2;
-  return LoadedFamily{std::move(compliance).take(), request, samples};
+  return LoadedFamily{std::move(compliance).take(), request, few_samples(task, kFewSamples)};
 }
 
 }  // namespace
@@ -296,6 +302,21 @@ Error of_scatter(const ScatterTask& task, Error error) {
   if (error.field == "tolerances") error.field = "scatter";
   if (error.field == "percentile") error.field = "scatter.robust";
   return error;
+}
+
+DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, int most) {
+  DensityRequest request;
+  request.marking = job.spec.contact.marking;
+  request.positions = std::min(task.member.positions, kDensityPositions);
+  request.samples = few_samples(task, most > 0 ? most : kFewSamples);
+  return request;
+}
+
+PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer, Progress* progress,
+                          int most) {
+  ScatterTask task = answer.task;
+  task.progress = progress;
+  return pattern_density(answer.setup, task, answer.scatter, density_request(job, task, most));
 }
 
 Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
@@ -342,6 +363,7 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
     load = std::move(family).take();
   }
   if (input.loaded) task.load = load;
+  if (input.pattern) task.density = density_request(job, task);
   auto scatter = scatter_of(answer.setup, task);
   if (!scatter) return of_scatter(task, scatter.error());
   answer.scatter = std::move(scatter).take();

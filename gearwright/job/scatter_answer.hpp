@@ -33,6 +33,13 @@ Result<ScatterAnswer> prepared_scatter(SolvedJob& job);
 ///           unknown input; as scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr, int threads = 0);
 
+/// The density of patterns for the first samples of each replicate, at most as many in all; 0 for
+/// the usual number.
+DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, int most = 0);
+/// This density, for the figures of an answer that has none.
+PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer,
+                          Progress* progress = nullptr, int most = 0);
+
 /// An error of the room scatter with the keys of [scatter].
 Error of_scatter(const ScatterTask& task, Error error);
 

@@ -120,6 +120,11 @@ def test_scatter():
     assert abs(members["errors.crossing_deg"]).max() <= 0.02
     assert members["peak_to_peak_arcsec"].max() == pytest.approx(told["peak_to_peak_arcsec"]["greatest"])
     assert np.isnan(members["long_period_arcsec"]).all()
+    assert len(answer.figures) == 3  # the distribution, its cumulative curve, the play
+    marked = gw.scatter(p, **keys, pattern=True)
+    assert [f.title for f in marked.figures[3:]] == ["Contact pattern of gear 1", "Contact pattern of gear 2"]
+    share = np.array(marked.pattern.gear1.share)
+    assert share.shape == (17, 33) and share.max() == 1 and share.min() == 0
 
 
 def test_designs_ranked_by_their_scatter():

@@ -175,7 +175,7 @@ export interface FlankRaster {
 /** The distribution of the peak-to-peak transmission error over tolerances. */
 export interface Scattered {
   percentiles: { percent: number; arcsec: number }[]; // those of [scatter]; empty if contact is lost
-  figures: Figure[]; // "scatter-te", its cumulative curve, "scatter-play"
+  figures: Figure[]; // "scatter-te", its cumulative curve, "scatter-play", "scatter-pattern1" and 2
   samples?: number; // of complete contacts; absent for an estimate
   events?: { words: string; count: number; of: number; upper: number }[]; // upper limit of the share
 }
