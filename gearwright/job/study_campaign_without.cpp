@@ -1,4 +1,6 @@
 // The version without the store keeps no folder of a study.
+#include <nlohmann/json.hpp>
+
 #include "gearwright/job/search_campaign.hpp"
 #include "gearwright/job/study_campaign.hpp"
 
