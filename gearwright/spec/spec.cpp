@@ -179,8 +179,9 @@ void refuse_halves(const Json* gear, const std::string& path, const Json& tree) 
 }
 
 // The designs of a search take the modifications of a gear without teeth.
-void check_modifications(const Json& gear, const char* name, const std::filesystem::path& folder) {
-  TableReader t(blank_keys(), gear, name);
+void check_modifications(const Json* gear, const char* name, const std::filesystem::path& folder) {
+  if (!gear || gear->contains("teeth")) return;  // read_gear() reads those of a complete gear
+  TableReader t(blank_keys(), *gear, name);
   read_modifications(t, folder);
 }
 
@@ -238,9 +239,8 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   }
   if (search && !drives) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
   if (spec.search) {
-    for (const auto& [gear, name] : {std::pair{gear_1, "gear1"}, std::pair{gear_2, "gear2"}})
-      if (gear && !gear->contains("teeth"))
-        lacks.of([&] { check_modifications(*gear, name, folder); });
+    lacks.of([&] { check_modifications(gear_1, "gear1", folder); });
+    lacks.of([&] { check_modifications(gear_2, "gear2", folder); });
   }
   if (const Json* scatter = t.table("scatter"))
     lacks.of([&] { spec.scatter = read_scatter(*scatter); });
