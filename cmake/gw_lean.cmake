@@ -11,12 +11,13 @@
 #   design/candidate_simd  plain doubles                               Highway
 #   pair/closed_forms_simd plain doubles                               Highway
 #   job/search_campaign    a search writes no folder                   zstd and SQLite
+#   job/study_campaign     a study of designs writes no folder
 #   apps/common/watch      no progress line                            threads and signals
 #
 # Functions that only the folder of a search needs are omitted together with the store.
 include_guard()
 
-set(gw_store_sources "/gearwright/store/|/gearwright/job/search_(files|record|tables)\\.cpp$")
+set(gw_store_sources "/gearwright/store/|/gearwright/job/(campaign|search_(files|record|tables))\\.cpp$")
 
 # Removes from the list the source of each pair that this build does not use. On Windows,
 # X_windows.cpp replaces X.cpp in the same way.

@@ -112,6 +112,7 @@ void CommandLine::add_answering() {
   app_.get_subcommand("gear")->add_option(
       "--as-rack", o.as_rack,
       "Describe the same teeth by a rack of this MODULE,ANGLE; one of the two may be empty");
+  add_study_options(app_.get_subcommand("scatter"), study_);
   CLI::App* drive = app_.get_subcommand("drive");
   drive->add_flag_callback(
       "--expand", [&o] { o.expand = true; },
@@ -268,7 +269,8 @@ int CommandLine::answer(const std::string& verb) const {
   const Options& o = options_;
   if (o.as_rack) return gear_as_rack(o);
   if (o.grid) return nominal_points(o);
-  if (const Verb* row = find_verb(verb)) return answering_verb(*row, o);
+  if (const Verb* row = find_verb(verb))
+    return row->use == SpecUse::scatter ? scatter(*row) : answering_verb(*row, o);
   if (verb == "run") return run_verb(o);
   if (verb == "outline") return outline_verb(o);
   if (verb == "search") return run_search_verb(search_);
@@ -286,6 +288,20 @@ int CommandLine::answer(const std::string& verb) const {
   if (verb == "import") return import_verb(o);
   if (verb == "verify") return verify_verb(o);
   return usage("the verb " + verb + " is not supported in this version; see gearwright --help");
+}
+
+int CommandLine::scatter(const Verb& row) const {
+  StudyCommand study = study_;
+  study.json = options_.json;
+  study.csv = options_.csv;
+  const auto text = read_spec_text(options_.spec);
+  if (!text) return fail(text.error(), study.json);
+  const auto spec = read_spec(*text);
+  const bool designs = spec && spec->search && !spec->gears[0];
+  if (!study.given() && !designs) return answering_verb(row, options_, &*text);
+  if (options_.take)
+    return usage("--take is for one pair; search --take N prints the spec of a design");
+  return run_study_verb(study, *text);
 }
 
 int CommandLine::run(std::vector<std::string> words) {

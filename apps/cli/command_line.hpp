@@ -8,6 +8,7 @@
 
 #include "apps/cli/verbs.hpp"
 #include "apps/common/search_verb.hpp"
+#include "apps/common/study_verb.hpp"
 
 namespace gearwright::apps {
 
@@ -33,9 +34,12 @@ class CommandLine {
   std::optional<int> answer_at_once(const std::vector<std::string>& words) const;
   int unknown_verb(const std::string& word) const;
   int answer(const std::string& verb) const;
+  /// Ranks the designs of a search, or answers for the pair of the spec.
+  int scatter(const Verb& row) const;
 
   Options options_;
   SearchCommand search_;
+  StudyCommand study_;
   CLI::App app_;
 };
 

@@ -5,9 +5,11 @@
 namespace gearwright::apps {
 
 Result<JobSpec> Door::read(SpecUse use) {
-  auto text = read_spec_text(options_.spec);
-  if (!text) return text.error();
-  text_ = std::move(text).take();
+  if (!text_) {
+    auto text = read_spec_text(options_.spec);
+    if (!text) return text.error();
+    text_ = std::move(text).take();
+  }
   auto spec = read_spec(*text_, use);
   if (spec) given_ = spec->given;
   return spec;

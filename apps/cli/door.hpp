@@ -16,7 +16,10 @@ namespace gearwright::apps {
 /// their lines.
 class Door {
  public:
-  explicit Door(const Options& o) : options_(o) {}
+  /// `text` is the spec if it has already been read.
+  explicit Door(const Options& o, const SpecText* text = nullptr) : options_(o) {
+    if (text) text_ = *text;
+  }
 
   /// Reads the spec. If an input that `use` requires is missing, the result is an error.
   Result<JobSpec> read(SpecUse use = SpecUse::geometry);

@@ -51,8 +51,8 @@ std::string read_text(const std::string& path) {
 
 }  // namespace
 
-int answering_verb(const Verb& verb, const Options& o) {
-  Door door(o);
+int answering_verb(const Verb& verb, const Options& o, const SpecText* text) {
+  Door door(o, text);
   auto read = door.read(verb.use);
   if (!read) return door.fail(read.error());
   JobSpec spec = std::move(read).take();

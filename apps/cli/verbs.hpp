@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gearwright/job/verbs.hpp"
+#include "gearwright/spec/spec_text.hpp"
 
 namespace gearwright::apps {
 
@@ -40,7 +41,8 @@ struct Options {
 
 // All functions throw IoError if the system fails.
 /// Runs any verb of the table. Prints the answer as JSON, CSV or text, or the spec of one of its proposals.
-int answering_verb(const Verb& verb, const Options& o);
+/// `text` is the spec if it has already been read.
+int answering_verb(const Verb& verb, const Options& o, const SpecText* text = nullptr);
 /// `gear --as-rack`: prints the description of the teeth by another rack.
 int gear_as_rack(const Options& o);
 /// `measure --points`: prints nominal points of the flanks.

@@ -52,6 +52,19 @@ CLI::App* add_search(CLI::App& app, SearchCommand& c) {
   return sub;
 }
 
+std::optional<Shard> parse_shard(const std::string& text) {
+  const auto slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  Shard s;
+  const auto number = [&](std::size_t from, std::size_t to, int& value) {
+    const char* end = text.data() + to;
+    const auto [at, error] = std::from_chars(text.data() + from, end, value);
+    return error == std::errc() && at == end;
+  };
+  if (!number(0, slash, s.which) || !number(slash + 1, text.size(), s.of)) return std::nullopt;
+  return s.which >= 1 && s.which <= s.of && s.of <= 1'000'000 ? std::optional(s) : std::nullopt;
+}
+
 namespace {
 
 std::atomic<bool> stop_wanted{false};
@@ -111,23 +124,6 @@ class ProgressLine {
   bool terminal_ = is_terminal(stderr);
   bool shown_ = false, said_last_ = false;
 };
-
-struct Shard {
-  int which = 1, of = 1;
-};
-
-std::optional<Shard> parse_shard(const std::string& text) {
-  const auto slash = text.find('/');
-  if (slash == std::string::npos) return std::nullopt;
-  Shard s;
-  const auto number = [&](std::size_t from, std::size_t to, int& value) {
-    const char* end = text.data() + to;
-    const auto [at, error] = std::from_chars(text.data() + from, end, value);
-    return error == std::errc() && at == end;
-  };
-  if (!number(0, slash, s.which) || !number(slash + 1, text.size(), s.of)) return std::nullopt;
-  return s.which >= 1 && s.which <= s.of && s.of <= 1'000'000 ? std::optional(s) : std::nullopt;
-}
 
 int say_unfinished(const SearchCommand& c, const SearchRun& run) {
   const std::string state = fmt::format("{} of {} chunks are done", run.chunks_done, run.chunks);

@@ -33,6 +33,13 @@ struct Together {
   std::function<bool()> finish_together;
 };
 
+/// One of several processes that share a folder, counted from 1.
+struct Shard {
+  int which = 1, of = 1;
+};
+/// Reads "3/8"; none if it is not a shard.
+std::optional<Shard> parse_shard(const std::string& text);
+
 /// Returns the exit status.   Throws  IoError
 int run_search_verb(const SearchCommand& command, const Together* together = nullptr);
 

@@ -30,7 +30,8 @@ extern "C" void on_stop(int signal) {
 
 }  // namespace
 
-Watch::Watch(std::string verb) : verb_(std::move(verb)), terminal_(is_terminal(stderr)) {
+Watch::Watch(std::string verb, WatchWords words)
+    : verb_(std::move(verb)), words_(std::move(words)), terminal_(is_terminal(stderr)) {
   received = 0;
   for (std::size_t i = 0; i < kStops.size(); ++i) {
     before_[i] = std::signal(kStops[i], on_stop);
@@ -61,8 +62,9 @@ void Watch::wait() {
     if (signal > 0 && progress_.writing()) {
       signal_ = signal;
     } else if (signal > 0) {
-      std::fprintf(stderr, "%sgearwright: %s stopped; nothing was written\n",
-                   terminal_ && shown_ ? "\n" : "", verb_.c_str());
+      std::fprintf(stderr, "%sgearwright: %s stopped; %s\n", terminal_ && shown_ ? "\n" : "",
+                   verb_.c_str(),
+                   words_.stopped ? words_.stopped().c_str() : "nothing was written");
       std::_Exit(kStopped);
     }
     say(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -74,8 +76,9 @@ void Watch::say(double seconds) {
   if (seconds < kFirst || (shown_ && seconds - said_ < pause)) return;
   const Progress::State s = progress_.state();
   const char* stage = s.stage ? s.stage : "reading";
-  std::fprintf(stderr, "%sgearwright: %s, %.0f s: %s", terminal_ ? "\r" : "", verb_.c_str(),
-               seconds, stage);
+  const std::string before = words_.before_stage ? words_.before_stage() : "";
+  std::fprintf(stderr, "%sgearwright: %s, %.0f s: %s%s", terminal_ ? "\r" : "", verb_.c_str(),
+               seconds, before.c_str(), stage);
   // The number of steps is only an estimate. If more steps are done, the work is nearly complete.
   if (s.of > 0)
     std::fprintf(stderr, " %.0f %%",

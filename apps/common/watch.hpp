@@ -3,6 +3,7 @@
 
 #include <array>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -11,6 +12,12 @@
 
 namespace gearwright::apps {
 
+/// Words of a verb, called from the watching thread; empty functions say nothing more.
+struct WatchWords {
+  std::function<std::string()> before_stage{};  ///< "3 of 20 designs, "
+  std::function<std::string()> stopped{};       ///< instead of "nothing was written"
+};
+
 /// While this object exists, Ctrl-C (SIGINT) and SIGTERM end the program within half a second, with
 /// status 3. Nothing is printed or written before the computation is complete, so no partial result
 /// remains. While files are being written, signals wait until the files are complete. After two seconds, a
@@ -18,7 +25,7 @@ namespace gearwright::apps {
 /// ten seconds.
 class Watch {
  public:
-  explicit Watch(std::string verb);
+  explicit Watch(std::string verb, WatchWords words = {});
   ~Watch();
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
@@ -30,6 +37,7 @@ class Watch {
   void say(double seconds);
 
   std::string verb_;
+  WatchWords words_;
   Progress progress_;
   bool terminal_, shown_ = false;
   double said_ = 0.0;  // s
@@ -43,8 +51,8 @@ class Watch {
 
 /// Runs a computation that may be long, with a line of progress.
 template <class Work>
-auto watched(const char* verb, const Work& work) {
-  Watch watch(verb);
+auto watched(const char* verb, const Work& work, const WatchWords& words = {}) {
+  Watch watch(verb, words);
   return work(watch.progress());
 }
 

@@ -4,7 +4,8 @@
 
 namespace gearwright::apps {
 
-Watch::Watch(std::string verb) : verb_(std::move(verb)), terminal_(false) {}
+Watch::Watch(std::string verb, WatchWords words)
+    : verb_(std::move(verb)), words_(std::move(words)), terminal_(false) {}
 
 Watch::~Watch() = default;
 

@@ -1,6 +1,7 @@
-// The program gearwright-mpi, which runs the verb search on many ranks.
+// The program gearwright-mpi, which runs the verb search, and scatter over its designs, on many ranks.
 //
 //   mpirun -n 8 gearwright-mpi search spec.toml --out found
+//   mpirun -n 8 gearwright-mpi scatter spec.toml --designs found --out ranked
 //
 // Every rank computes. The number of the next chunk is a counter in a window of rank 0. Ranks
 // increment the counter by fetch-and-op, so no rank is reserved as a master. Finished chunks are saved in
@@ -15,6 +16,7 @@
 #include <memory>
 
 #include "apps/common/search_verb.hpp"
+#include "apps/common/study_verb.hpp"
 #include "gearwright/base/version.hpp"
 
 namespace {
@@ -62,10 +64,13 @@ int main(int argc, char** argv) {
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
 
   gearwright::apps::SearchCommand command;
-  CLI::App app("Gearwright: the design search on many ranks.", "gearwright-mpi");
+  gearwright::apps::StudyCommand study;
+  CLI::App app("Gearwright: the design search, and the scatter of its designs, on many ranks.",
+               "gearwright-mpi");
   app.set_version_flag("--version", std::string("gearwright-mpi ") + gearwright::kVersion);
   app.require_subcommand(1);
   gearwright::apps::add_search(app, command);
+  gearwright::apps::add_study(app, study);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -91,8 +96,9 @@ int main(int argc, char** argv) {
       MPI_Barrier(MPI_COMM_WORLD);
       return rank == 0;
     };
-    if (provided < MPI_THREAD_SERIALIZED && command.threads > 1) command.threads = 1;
-    status = gearwright::apps::run_search_verb(command, &together);
+    if (provided < MPI_THREAD_SERIALIZED) command.threads = study.threads = 1;
+    status = app.got_subcommand("scatter") ? gearwright::apps::run_study_verb(study, &together)
+                                           : gearwright::apps::run_search_verb(command, &together);
   } catch (const std::exception& e) {
     // The other ranks wait for this rank, so they must also be ended.
     std::cerr << "gearwright-mpi: rank " << rank << ": " << e.what() << "\n";

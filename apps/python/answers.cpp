@@ -18,6 +18,7 @@
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/job/verify.hpp"
+#include "gearwright/report/report_sections.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright::python {
@@ -211,8 +212,10 @@ py::object scatter(const py::object& given, const py::kwargs& kwargs) {
   SolvedJob job = model->job;
   const ScatterAnswer found = watched_result(
       model->given(), [&](Progress* progress) { return answer_scatter(job, progress); });
-  const py::object record = by_name(Value(scatter_quantities().of(scatter_view(job, found))));
+  const ScatterView view = scatter_view(job, found);
+  const py::object record = by_name(Value(scatter_quantities().of(view)));
   record.attr("_attributes").attr("__setitem__")("members", members_of(found));
+  record.attr("_attributes").attr("__setitem__")("figures", py::cast(scatter_figures(view)));
   return record;
 }
 
@@ -296,7 +299,9 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
         "Computes the effect of tolerances on a pair; arguments are keys of [scatter] (errors=, "
         "gear1=, samples=, robust=). Returns a Record with a distribution for each quantity, "
         "probability, indices, worst and robust; its attribute members is a structured array with "
-        "a row for each sample and a column for each input and quantity, named by its key");
+        "a row for each sample and a column for each input and quantity, named by its key; its "
+        "attribute figures contains those of the report, with pattern=True also the density of the "
+        "contact pattern");
   m.def("_verify", &verify, py::arg("cases"));
   return contact;
 }

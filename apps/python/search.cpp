@@ -12,7 +12,9 @@
 #include "apps/python/watched.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/version.hpp"
+#include "gearwright/catalogue/scatter_keys.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/job/scatter_study.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/job/search_record.hpp"
@@ -151,6 +153,29 @@ py::dict counts_of(const Found& found) {
   return all;
 }
 
+// The designs ranked by their scatter, as in the JSON of the program.
+py::object ranked_by_scatter(const Found& found, const std::optional<long long>& top, int threads,
+                             const py::kwargs& kwargs) {
+  threads_in_range(threads);
+  if (top && *top < 1) raise({"top", std::to_string(*top), "must be at least 1"});
+  Json tree = found.spec.tree->tables;
+  const Json changes = with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, "scatter");
+  for (const auto& [key, value] : changes.items()) tree["scatter"][key] = value;
+  const JobSpec spec = value_or_raise(read_spec_tree(tree, found.text.folder));
+  StudyOptions options;
+  options.folder = found.text.folder;
+  options.threads = threads;
+  if (top) options.top = static_cast<std::size_t>(*top);
+  for (const DesignRow& row : found.run.answer.designs)
+    options.list.push_back({static_cast<std::int64_t>(options.list.size()) + 1, row.trial.index});
+  if (options.list.empty()) raise({"search", "", "no design is feasible"});
+  const StudyRun run = watched_result(spec.given, [&](Progress* progress) {
+    options.progress = progress;
+    return run_study(spec, options);
+  });
+  return to_python(parse_json(study_json_text(spec, run))["scatter_designs"]);
+}
+
 // A pickle contains the finished run, because the search may have taken hours. Designs and changes are packed.
 template <class Run>
 auto plain_members(Run& run) {
@@ -204,6 +229,12 @@ void bind_search(py::module_& m) {
   type.def("__len__", [](const Found& f) { return f.run.answer.designs.size(); })
       .def("__getitem__", &design, "The design of this rank as a Record")
       .def("pair", &pair_of, py::arg("place") = 0, "The Pair of a design")
+      .def(
+          "scatter", &ranked_by_scatter, py::arg("top") = py::none(), py::arg("threads") = 0,
+          "Ranks the designs by the greatest percentile of their transmission error, with the keys "
+          "of [scatter] (errors=, quality=, samples=); absent ones are those of the spec. A dict "
+          "as `scatter_designs` of the program's JSON; pair(row[\"design\"] - 1) is the Pair of a "
+          "row. top: only the best of the search")
       .def("to_numpy", &to_numpy,
            "A structured array with the columns of search.parquet and a row for each design")
       .def("to_parquet", &to_parquet, py::arg("path"),

@@ -75,7 +75,7 @@ void say_numbers(Quantities<V>& q) {
         [](const V& v) { return v.row->trial.index; })
       .always()
       .column("trial")
-      .doors(kColumns);
+      .doors(kJson);
   q.number("module_mm", "normal module", "m_n", "", [](const V& v) { return v.row->trial.module; })
       .always()
       .column("module_mm")

@@ -217,7 +217,7 @@ const KeyTable& cutter_keys() {
 const KeyTable& blank_keys() {
   static const KeyTable table = [] {
     KeyTable t = only(gear_keys(), {"normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
-                                    "rack", "material"});
+                                    "rack", "material", "modifications"});
     t.name = "blank";
     t.meaning = "Values of a gear that a search does not determine";
     return t;

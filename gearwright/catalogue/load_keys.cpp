@@ -19,7 +19,8 @@ const KeyTable& load_keys() {
       "load",
       "Teeth under torque: the verb `load`, and for drives the verbs `drive`, `rate` and `run`",
       {Key::number("torque_Nm", "T_1", Range::above(0, kMaxInput), &LoadInput::torques, "",
-                   "torque on gear 1; several torques in a list give the Harris map; for a drive one torque on its "
+                   "torque on gear 1; several torques in a list give the Harris map; for a drive "
+                   "one torque on its "
                    "input, by default that of the drive")
            .with_list(KeyList{1, kMostTorques, true})
            .with_fields({"torques"})

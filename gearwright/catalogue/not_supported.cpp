@@ -47,6 +47,9 @@ constexpr auto kRows = std::to_array<Row>({
      "is not a key; give the reading of the helix angle at the reference cylinder by "
      "helix_angle_deg"},
     {"measured", "", "is not a table of the spec; give the readings of a gear in [gear1.measured]"},
+    {"compensate.aim", "\"percentile\"",
+     "is not an aim of [compensate], which works for given errors; [scatter.robust] minimises a percentile over the "
+     "tolerances of [scatter], with percentile = 95"},
     {"scatter.correlations", "",
      "is not supported; only the bores can be correlated, by [scatter.bearings]"},
     {"*.herringbone", "", kTwoHalves},

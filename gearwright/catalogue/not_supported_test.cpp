@@ -21,6 +21,7 @@ TEST(NotSupported, a_number_in_a_path_is_any_and_a_star_any_table) {
 
 TEST(NotSupported, a_value_may_be_refused_where_the_key_is_known) {
   EXPECT_FALSE(not_supported("gear1.teeth", "0").empty());
+  EXPECT_FALSE(not_supported("compensate.aim", "\"percentile\"").empty());
   EXPECT_TRUE(not_supported("gear1.teeth", "17").empty());
   EXPECT_TRUE(not_supported("gear1.teeth").empty());
 }

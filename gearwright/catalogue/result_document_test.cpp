@@ -23,6 +23,7 @@
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
+#include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/testing/document_blocks.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
@@ -64,6 +65,7 @@ const std::map<std::string, const QuantityTable*>& blocks() {
       {"compensate", &compensate_quantities().table()},
       {"propose", &propose_quantities().table()},
       {"scatter", &scatter_quantities().table()},
+      {"scatter_designs", &scatter_study_quantities().table()},
       {"load", &load_quantities().table()},
       {"load.torques", &load_torque_quantities().table()},
       {"load.positions", &load_position_quantities().table()},

@@ -50,6 +50,7 @@ struct ScatterInput {
   bool indices = false;
   bool worst_case = false;
   bool loosening = false;
+  bool pattern = false;                       ///< true if the density of patterns is also computed
   bool loaded = false;                        ///< true if contact under [load] is also computed
   std::optional<std::array<int, 2>> quality;  ///< A for both gears; by default their own grades
   /// A distribution for each of error_entries(), in the unit of its key.

@@ -1,6 +1,7 @@
 #include "gearwright/catalogue/scatter_quantities.hpp"
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/catalogue/scatter_pattern_quantities.hpp"
 
 namespace gearwright {
 
@@ -112,26 +113,6 @@ const Quantities<V>& worsts_quantities() {
                                [of](const V& v) { return of(v.worst_peak_to_peak); });
     q.record<worst_quantities>("least_play_deg", "least value found by a search",
                                [of](const V& v) { return of(v.worst_least_play); });
-  });
-  return kAll;
-}
-
-const Quantities<V>& probabilities_quantities() {
-  static const Quantities<V> kAll("scatter.probability", [](Quantities<V>& q) {
-    q.record<probability_quantities>(
-         "edge_contact", "samples in which an edge of a tooth touches at some position",
-         [](const V& v) -> const auto& { return v.scatter->edge_contact; })
-        .always();
-    q.record<probability_quantities>(
-         "jam", "samples in which the least play is negative",
-         [](const V& v) -> const auto& { return v.scatter->jam; })
-        .always();
-    q.record<probability_quantities>(
-         "contact_lost",
-         "samples in which no teeth touch at some position; these samples are not in the "
-         "distributions",
-         [](const V& v) -> const auto& { return v.scatter->contact_lost; })
-        .always();
   });
   return kAll;
 }
@@ -301,6 +282,11 @@ void say(Quantities<V>& q) {
       .list({0})
       .when([](const V& v) { return v.task->load.has_value(); })
       .doors(kJson);
+  q.record<density_quantities>("pattern",
+                               "density of the contact pattern on both flanks; only with `pattern`",
+                               [](const V& v) { return v.density; })
+      .when([](const V& v) { return v.task->density.has_value(); })
+      .doors(kJson);
   q.record<robust_quantities>("robust",
                               "corrections for a percentile; only with `[scatter.robust]`",
                               [](const V& v) { return Value(robust_quantities().of(*v.robust)); })
@@ -408,6 +394,25 @@ const Quantities<SpreadView>& spread_quantities() {
           "other inputs",
           &S::samples)
         .list({0})
+        .always();
+  });
+  return kAll;
+}
+
+const Quantities<V>& probabilities_quantities() {
+  static const Quantities<V> kAll("scatter.probability", [](Quantities<V>& q) {
+    q.record<probability_quantities>(
+         "edge_contact", "an edge of a tooth touches at some position",
+         [](const V& v) -> const auto& { return v.scatter->edge_contact; })
+        .always();
+    q.record<probability_quantities>(
+         "jam", "the least play is negative",
+         [](const V& v) -> const auto& { return v.scatter->jam; })
+        .always();
+    q.record<probability_quantities>(
+         "contact_lost",
+         "no teeth touch at some position; these samples are not in the distributions",
+         [](const V& v) -> const auto& { return v.scatter->contact_lost; })
         .always();
   });
   return kAll;

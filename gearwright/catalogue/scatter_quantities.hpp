@@ -83,12 +83,15 @@ struct ScatterView {
   std::array<std::optional<SpreadView>, kScatterQuantities> spread;
   std::optional<WorstView> worst_peak_to_peak, worst_least_play;
   std::optional<RobustView> robust;
-  std::vector<LoadedSpreadView> loaded;  ///< one for each torque
+  std::vector<LoadedSpreadView> loaded;     ///< one for each torque
+  const PatternDensity* density = nullptr;  ///< for figures, and for results if requested
 };
 
 const Quantities<ScatterView>& scatter_quantities();
-/// The quantities of a distribution and of a probability.
+
+/// The quantities of a distribution, of the probabilities of a family and of one probability.
 const Quantities<SpreadView>& spread_quantities();
+const Quantities<ScatterView>& probabilities_quantities();
 const Quantities<Probability>& probability_quantities();
 const Quantities<LoadedSpreadView>& loaded_spread_quantities();
 

@@ -122,4 +122,31 @@ Figure index_figure(const IndexScene& scene) {
   return f;
 }
 
+Figure ranking_figure(const RankingScene& scene) {
+  GW_EXPECTS(!scene.entries.empty());
+  double most = 0.0;
+  for (const auto& e : scene.entries)
+    most = std::max({most, e.percentile, e.mean, e.upper.value_or(0.0)});
+  Figure f{
+      .id = scene.id,
+      .title = "Designs by rank: " + scene.words,
+      .description = fmt::format(
+          "The {} point of each design with its confidence interval, and the mean.", scene.percent),
+      .caption =
+          fmt::format(": the {} point with its confidence interval, and the mean.", scene.percent),
+      .x = {"rank", "", 0.4, static_cast<double>(scene.entries.size()) + 0.6, true},
+      .y = {scene.words, scene.unit, 0.0, most > 0.0 ? 1.06 * most : 1.0}};
+  f.keys = {{"g1", scene.percent + " point"}, {"g2", "mean"}};
+  for (std::size_t i = 0; i < scene.entries.size(); ++i) {
+    const auto& e = scene.entries[i];
+    const double at = static_cast<double>(i) + 1.0;
+    if (e.lower && e.upper) f.line({{at, *e.lower}, {at, *e.upper}}, "curve ink");
+    f.dot({at, e.mean}, 2.4, "mark g2",
+          fmt::format("{}, mean: {}{}", e.name, shown(e.mean), scene.unit));
+    f.dot({at, e.percentile}, 2.4, "mark g1",
+          fmt::format("{}, {}: {}{}", e.name, scene.percent, shown(e.percentile), scene.unit));
+  }
+  return f;
+}
+
 }  // namespace gearwright

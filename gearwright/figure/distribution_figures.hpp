@@ -1,6 +1,9 @@
-// Distribution of a quantity over many samples, and the contribution of each input to its variance.
+// Distribution of a quantity over many samples, the contribution of each input to its variance, the
+// places of a flank that carry, and designs in their order.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,5 +44,40 @@ struct IndexScene {
 ///
 /// Domain    at least one group (contract)
 Figure index_figure(const IndexScene& scene);
+
+/// Designs in the order of their rank, each with a percentile of its distribution.
+struct RankingScene {
+  std::string id;
+  std::string words;    ///< name of the quantity
+  std::string unit;     ///< "″"
+  std::string percent;  ///< "95 %"
+  struct Entry {
+    std::string name;  ///< plain text
+    double percentile, mean;
+    std::optional<double> lower, upper;  ///< confidence interval of the percentile
+  };
+  std::vector<Entry> entries;
+};
+
+/// Percentile with its interval, and mean, over the rank.
+///
+/// Domain    at least one entry (contract)
+Figure ranking_figure(const RankingScene& scene);
+
+/// How often each place of a flank carries.
+struct DensityScene {
+  std::string id;
+  std::size_t which = 0;  ///< gear 1 or 2: 0, 1
+  bool internal = false;
+  std::vector<double> diameter, height;  ///< mm, growing: rows and columns
+  std::vector<double> share;             ///< 0 to 1, [row · columns + column]
+  double marking = 0.0;                  ///< thickness of the marking compound, mm
+  std::int64_t samples = 0;
+};
+
+/// The developed flank with shades of the share of the samples whose contact pattern covers a place.
+///
+/// Domain    two rows and columns at least (contract)
+Figure density_figure(const DensityScene& scene);
 
 }  // namespace gearwright

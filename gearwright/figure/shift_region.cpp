@@ -228,14 +228,14 @@ ShiftChart shift_chart(const ShiftGraph& graph, const Vec2& design) {
 }
 
 Figure shift_limits_figure(const ShiftGraph& graph, const Bounds& window) {
-  Figure f{
-      "region",
-      "Profile shifts within the limits",
-           "The profile shift of gear 1 increases to the right and that of gear 2 upwards, in modules. No shifts are "
+  Figure f{"region",
+           "Profile shifts within the limits",
+           "The profile shift of gear 1 increases to the right and that of gear 2 upwards, in "
+           "modules. No shifts are "
            "feasible.",
-      "",
-      {"profile shift of gear 1", ""},
-      {"profile shift of gear 2", ""}};
+           "",
+           {"profile shift of gear 1", ""},
+           {"profile shift of gear 2", ""}};
   f.x.symbol = "x_1";
   f.y.symbol = "x_2";
   f.x.lo = window.lo.x();
@@ -252,8 +252,10 @@ Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window) 
   const ShiftRegion& region = chart.region;
   Figure f = shift_limits_figure(chart.graph, window.box);
   f.description = fmt::format(
-      "The profile shift of gear 1 increases to the right and that of gear 2 upwards, in modules. The feasible region "
-      "has the area {:.4g}. It extends from ({}, {}) at the least sum of the profile shifts to ({}, {}) at the greatest "
+      "The profile shift of gear 1 increases to the right and that of gear 2 upwards, in modules. "
+      "The feasible region "
+      "has the area {:.4g}. It extends from ({}, {}) at the least sum of the profile shifts to "
+      "({}, {}) at the greatest "
       "sum.",
       region.area, shown_shift(region.lo.x()), shown_shift(region.lo.y()),
       shown_shift(region.hi.x()), shown_shift(region.hi.y()));

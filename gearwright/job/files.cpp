@@ -362,7 +362,13 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   const auto scatter = scatter_part(job, options.progress);
   if (!scatter) return scatter.error();
   std::optional<ScatterView> scatter_shown;
-  if (*scatter) scatter_shown = scatter_view(job, **scatter);
+  std::optional<PatternDensity> density;  // a figure of the report, also if results do not have it
+  if (*scatter) {
+    scatter_shown = scatter_view(job, **scatter);
+    if (!scatter_shown->density && options.wants("report"))
+      density = density_of(job, **scatter, options.progress);
+    if (density) scatter_shown->density = &*density;
+  }
   const auto rating = rating_part(job);
   if (!rating) return rating.error();
   const RatingAnswer* const rated = *rating ? &**rating : nullptr;

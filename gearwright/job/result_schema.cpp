@@ -21,6 +21,7 @@
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
+#include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
 
@@ -125,6 +126,18 @@ Json search_schema(Schema& schema) {
                          schema.reference(drive_search_quantities().table()), stopped}}};
 }
 
+// A finished study of designs, or the state of one that other shards continue.
+Json study_schema(Schema& schema) {
+  const Json unfinished{{"type", "object"},
+                        {"properties",
+                         {{"finished", {{"const", false}}},
+                          {"done", {{"type", "integer"}}},
+                          {"count", {{"type", "integer"}}}}},
+                        {"required", {"finished", "done", "count"}},
+                        {"additionalProperties", false}};
+  return {{"anyOf", Json{schema.reference(scatter_study_quantities().table()), unfinished}}};
+}
+
 Json error_schema() {
   const Json text{{"type", "string"}};
   return {{"type", "object"},
@@ -142,19 +155,20 @@ Json error_schema() {
 }  // namespace
 
 std::vector<const QuantityTable*> result_tables() {
-  return with_inner_tables({&gear_quantities().table(),       &measure_quantities().table(),
-                            &as_rack_quantities().table(),    &double_helical_quantities().table(),
-                            &outline_quantities().table(),    &pair_quantities().table(),
-                            &rack_quantities().table(),       &rack_pair_quantities().table(),
-                            &drive_quantities().table(),      &drive_body_quantities().table(),
-                            &drive_mesh_quantities().table(), &contact_quantities().table(),
-                            &compensate_quantities().table(), &propose_quantities().table(),
-                            &scatter_quantities().table(),    &load_quantities().table(),
-                            &rating_quantities().table(),     &fit_quantities().table(),
-                            &identify_quantities().table(),   &drawing_quantities().table(),
-                            &search_quantities().table(),     &drive_search_quantities().table(),
-                            &file_quantities().table(),       &warning_quantities().table(),
-                            &verdict_quantities().table()});
+  return with_inner_tables(
+      {&gear_quantities().table(),          &measure_quantities().table(),
+       &as_rack_quantities().table(),       &double_helical_quantities().table(),
+       &outline_quantities().table(),       &pair_quantities().table(),
+       &rack_quantities().table(),          &rack_pair_quantities().table(),
+       &drive_quantities().table(),         &drive_body_quantities().table(),
+       &drive_mesh_quantities().table(),    &contact_quantities().table(),
+       &compensate_quantities().table(),    &propose_quantities().table(),       &scatter_quantities().table(),
+              &scatter_study_quantities().table(), &load_quantities().table(),
+       &rating_quantities().table(),        &fit_quantities().table(),
+       &identify_quantities().table(),      &drawing_quantities().table(),
+       &search_quantities().table(),        &drive_search_quantities().table(),
+       &file_quantities().table(),          &warning_quantities().table(),
+       &verdict_quantities().table()});
 }
 
 Json result_schema() {
@@ -189,6 +203,7 @@ Json result_schema() {
   properties["compensate"] = schema.reference(compensate_quantities().table());
   properties["propose"] = schema.reference(propose_quantities().table());
   properties["scatter"] = schema.reference(scatter_quantities().table());
+  properties["scatter_designs"] = study_schema(schema);
   properties["load"] = schema.reference(load_quantities().table());
   properties["rating"] = schema.reference(rating_quantities().table());
   properties["fit"] = schema.reference(fit_quantities().table());

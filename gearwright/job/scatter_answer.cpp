@@ -24,8 +24,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kLoadedSamples = 256;   // total over all replicates
-constexpr int kLoadedPositions = 16;  // per pitch, if [load] gives no number
+constexpr int kFewSamples = 256;       // of all replicates, under load and for patterns
+constexpr int kLoadedPositions = 16;   // per pitch, if [load] has none
+constexpr int kDensityPositions = 16;  // per pitch, between which the gap is a parabola
 
 // Adds the tolerances of an accuracy grade that the spec does not give individually.
 class Grades {
@@ -262,6 +263,13 @@ Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& i
   return task;
 }
 
+// Returns the number of samples of each replicate, a power of two, at most `most` for all replicates but at least one.
+int few_samples(const ScatterTask& task, int most) {
+  int samples = 1;
+  while (2 * samples <= std::min(task.samples, most / task.replicates)) samples *= 2;
+  return samples;
+}
+
 // The family of loaded teeth for the first samples of each replicate. All samples share the compliance.
 Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   // The samples under load must use the same flanks as the samples without load.
@@ -284,9 +292,7 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   // A sample that loses contact has no numbers, but the teeth as drawn must have them.
   if (auto error = judge_load(load, load.contact(*compliance), job.warnings)) return *error;
   request.progress = nullptr;
-  int samples = 1;
-  while (2 * samples <= std::min(task.samples, kLoadedSamples / task.replicates)) samples *= 2;
-  return LoadedFamily{std::move(compliance).take(), request, samples};
+  return LoadedFamily{std::move(compliance).take(), request, few_samples(task, kFewSamples)};
 }
 
 }  // namespace
@@ -298,6 +304,21 @@ Error of_scatter(const ScatterTask& task, Error error) {
   if (error.field == "tolerances") error.field = "scatter";
   if (error.field == "percentile") error.field = "scatter.robust";
   return error;
+}
+
+DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, int most) {
+  DensityRequest request;
+  request.marking = job.spec.contact.marking;
+  request.positions = std::min(task.member.positions, kDensityPositions);
+  request.samples = few_samples(task, most > 0 ? most : kFewSamples);
+  return request;
+}
+
+PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer, Progress* progress,
+                          int most) {
+  ScatterTask task = answer.task;
+  task.progress = progress;
+  return pattern_density(answer.setup, task, answer.scatter, density_request(job, task, most));
 }
 
 Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
@@ -328,13 +349,14 @@ Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
   return answer;
 }
 
-Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
+Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int threads) {
   const ScatterInput& input = job.spec.scatter;
   auto prepared = prepared_scatter(job);
   if (!prepared) return prepared.error();
   ScatterAnswer answer = std::move(prepared).take();
   ScatterTask& task = answer.task;
   task.progress = progress;
+  task.threads = threads;
   const bool robust_under_load = input.robust && under_load(input.robust->aim);
   std::optional<LoadedFamily> load;
   if (input.loaded || robust_under_load) {
@@ -343,6 +365,7 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress) {
     load = std::move(family).take();
   }
   if (input.loaded) task.load = load;
+  if (input.pattern) task.density = density_request(job, task);
   auto scatter = scatter_of(answer.setup, task);
   if (!scatter) return of_scatter(task, scatter.error());
   answer.scatter = std::move(scatter).take();

@@ -31,7 +31,14 @@ Result<ScatterAnswer> prepared_scatter(SolvedJob& job);
 
 /// Errors    `scatter.…` for a range or a correction that is impossible for the teeth, or for a group
 ///           with an unknown input; the errors of scatter_of() and ContactSetup::of
-Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr);
+Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr, int threads = 0);
+
+/// The density of patterns for the first samples of each replicate, at most as many in all; 0 for
+/// the usual number.
+DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, int most = 0);
+/// This density, for the figures of an answer that has none.
+PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer,
+                          Progress* progress = nullptr, int most = 0);
 
 /// Replaces the names in an error of the room scatter by keys of [scatter].
 Error of_scatter(const ScatterTask& task, Error error);

@@ -264,5 +264,32 @@ TEST(ScatterAnswer, TablesHaveARowForEachSample) {
   EXPECT_EQ(scatter_answered(tree), scatter_answered(tree));
 }
 
+// The raster is in the result only with the key, and the shares are those of at most 256 samples.
+TEST(ScatterAnswer, PatternsAreCountedOnRequest) {
+  const std::string family =
+      R"({"samples": 256, "replicates": 4, "errors": {"crossing_deg": [-0.02, 0.02]})";
+  EXPECT_FALSE(scatter_answered(spec_with(family + "}"))["scatter"].contains("pattern"));
+  Json spec = spec_with(family + R"(, "pattern": true})");
+  spec["contact"]["marking_mm"] = 0.003;
+  const Json pattern = scatter_answered(spec)["scatter"]["pattern"];
+  EXPECT_EQ(pattern["samples"], 256);
+  EXPECT_EQ(pattern["marking_mm"], 0.003);
+  for (const char* gear : {"gear1", "gear2"}) {
+    const Json& flank = pattern[gear];
+    ASSERT_EQ(flank["share"].size(), flank["diameter_mm"].size());
+    double most = 0.0, least = 1.0;
+    for (const Json& row : flank["share"]) {
+      ASSERT_EQ(row.size(), flank["height_mm"].size());
+      for (const Json& share : row) {
+        most = std::max(most, share.get<double>());
+        least = std::min(least, share.get<double>());
+      }
+    }
+    // 3 µm of compound against 8 µm of crowning: never at the ends of the face, always somewhere.
+    EXPECT_EQ(most, 1.0);
+    EXPECT_EQ(least, 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -323,6 +323,7 @@ ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& a) {
       view.spread[at] = spread_view(job, a, entry, *spread, x_of);
   }
   view.loaded = loaded_views(job, a, a.scatter.loaded, x_of);
+  if (a.scatter.density) view.density = &*a.scatter.density;
   if (a.robust) view.robust = robust_view(job, a);
   const auto worst = [&](const std::optional<WorstMember>& w,
                          ScatterQuantity q) -> std::optional<WorstView> {

@@ -119,6 +119,9 @@ std::string face_words(const SearchProblem& p) {
   return words.empty() ? fmt::format("{:g} modules", kFaceModules) : words;
 }
 
+// The tables of a pair that a search does not use; its designs have them.
+constexpr const char* kPairTables[] = {"errors", "contact", "load", "compensate", "scatter"};
+
 // The table [rating], with the required safeties of the search.
 Json rating_of(const Json& tree, const SearchLimits& limits) {
   Json rating = tree["rating"];
@@ -337,7 +340,10 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
     if (const Json rack = rack_of(tree, row.trial.rack, i); !rack.is_null()) g["rack"] = rack;
     if (const Json material = of_gear(tree, i, "material"); p.rating && !material.is_null())
       g["material"] = material;
-    j[i == 0 ? "gear1" : "gear2"] = std::move(g);
+    const char* const table = i == 0 ? "gear1" : "gear2";
+    if (tree.contains(table) && tree[table].contains("modifications"))
+      g["modifications"] = tree[table]["modifications"];
+    j[table] = std::move(g);
   }
   Json pair;
   pair["center_distance_mm"] = row.center_distance;
@@ -355,6 +361,8 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
     pair["center_distance_tolerance"] = *p.allowances.distance_tolerance;
   j["pair"] = std::move(pair);
   if (p.rating) j["rating"] = rating_of(tree, p.limits);
+  for (const char* table : kPairTables)
+    if (tree.contains(table)) j[table] = tree[table];
   return j;
 }
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "gearwright/job/campaign.hpp"
 #include "gearwright/job/search_closing.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_record.hpp"
 #include "gearwright/job/search_workers.hpp"
-#include "gearwright/store/chunk_store.hpp"
 #include "gearwright/store/parquet.hpp"
 
 namespace gearwright {
@@ -63,26 +63,16 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
                                const SearchOptions& options) {
   SearchRun run = begun(spec, search);
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
-  const bool first = !options.many;
-  if (options.folder_is_open && !first && !options.folder_is_open(true)) return run;
-  // Ranks that a scheduler restarts always have --resume. They continue with the existing chunks, if there are any.
-  const OpenAs as = options.many || (options.together && options.resume) ? OpenAs::join
-                    : options.resume                                     ? OpenAs::resume
-                                                                         : OpenAs::fresh;
   const auto other =
       ChunkStore::is_in(options.out) ? std::nullopt : refuse_other_search(options.out, spec);
-  auto opened = other ? Result<ChunkStore>(*other)
-                      : ChunkStore::open(options.out, {search_fingerprint(spec, chunk), run.chunks},
-                                         count_names(), as, options.writer);
-  if (options.folder_is_open && first) options.folder_is_open(static_cast<bool>(opened));
+  auto opened =
+      open_campaign({search_fingerprint(spec, chunk), run.chunks}, count_names(), options, other);
   if (!opened) return opened.error();
-  ChunkStore store = std::move(opened).take();
+  std::optional<ChunkStore> joined = std::move(opened).take();
+  if (!joined) return run;
+  ChunkStore store = *std::move(joined);
   run.notes = store.notes();
-  std::vector<std::int64_t> todo = store.missing();
-  if (!options.next_chunk) {
-    std::erase_if(todo, [&](std::int64_t c) { return c % options.shards != options.shard - 1; });
-  }
-  SearchWorkers workers(search, chunk, std::move(todo), options);
+  SearchWorkers workers(search, chunk, own_chunks(store, options), options);
   workers.run([&](std::int64_t c, const ChunkFinds& finds, const SearchCounts& n) {
     store.put(c, pack(finds), as_chunk(n));
   });

@@ -93,11 +93,13 @@ SearchRun begun(const JobSpec& spec, const Search& search) {
   return run;
 }
 
-std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk) {
+std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk,
+                               const std::vector<std::string>& more) {
   const Json& tree = spec.tree->tables;
   std::string lines;
   std::vector<std::string> tables{"search", "gear1", "gear2"};
   if (spec.search && spec.search->rating) tables.emplace_back("rating");
+  tables.insert(tables.end(), more.begin(), more.end());
   for (const std::string& table : tables)
     if (tree.contains(table)) flatten(tree[table], table, lines);
   lines += fmt::format("trials of a chunk = {}\nversion = {}\n", chunk, kVersion);

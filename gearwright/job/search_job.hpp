@@ -15,6 +15,7 @@
 
 #include "gearwright/design/nearest_change.hpp"
 #include "gearwright/design/search.hpp"
+#include "gearwright/job/chunk_queue.hpp"
 #include "gearwright/spec/spec.hpp"
 
 namespace gearwright {
@@ -34,28 +35,13 @@ struct SearchProgress {
   std::int64_t left = 0;  ///< trials that remain for this process
 };
 
-struct SearchOptions {
-  std::filesystem::path out;  ///< folder of the files; empty if there are none
-  bool resume = false;
-  int shard = 1, shards = 1;  ///< this process computes every `shards`-th chunk, from shard − 1 on
-  bool many = false;          ///< other processes may have opened the folder (shards, ranks)
-  /// True for ranks. The first rank then opens a campaign, even for a small search.
-  bool together = false;
+struct SearchOptions : CampaignOptions {
   bool yes_large = false;
-  std::optional<std::size_t> top;      ///< number of designs to keep; by default kDefaultDesigns
-  std::optional<std::int64_t> chunk;   ///< trials of a chunk; the default depends on the search
-  std::optional<std::size_t> regions;  ///< number of listed designs with regions; by default all
-  int threads = 0;                     ///< 0 means as many as the machine has
-  std::string writer = "search";       ///< name of this process in the journal
-  /// Returns the number of the next chunk from a shared queue. Without this function, the process uses a queue of
-  /// its own. Only one thread at a time calls the function.
-  std::function<std::int64_t()> next_chunk;
-  /// Called when the folder has been opened; the argument is false if this failed. Ranks that join call it
-  /// before they open the folder. It returns true to continue.
-  std::function<bool(bool opened)> folder_is_open;
-  /// Waits until all processes are done, and returns true if this process makes the files.
-  std::function<bool()> finish_together;
-  /// Called many times a second, but only by one thread at a time.
+  std::optional<std::size_t> top;      ///< designs to keep; by default kDefaultDesigns
+  std::optional<std::int64_t> chunk;   ///< trials of a chunk; by default by the search's size
+  std::optional<std::size_t> regions;  ///< listed designs with regions; by default all
+  int threads = 0;                     ///< with 0, as many as the machine has
+  /// Called many times a second, by one thread at a time.
   std::function<void(const SearchProgress&)> progress;
   /// If set to true, the search ends at once and discards the chunks in work.
   const std::atomic<bool>* stop = nullptr;
@@ -101,7 +87,9 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
 /// The number of trials in a chunk, for a search with this number of trials.
 std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials);
 
-/// All inputs that determine the result, as lines "key = value".
-std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk);
+/// All inputs that determine the result, as lines "key = value". `more` are further tables of the
+/// spec, without which a search is complete.
+std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk,
+                               const std::vector<std::string>& more = {});
 
 }  // namespace gearwright

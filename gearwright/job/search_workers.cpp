@@ -1,6 +1,7 @@
 #include "gearwright/job/search_workers.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "gearwright/base/parallel.hpp"
@@ -10,10 +11,13 @@ namespace gearwright {
 
 SearchWorkers::SearchWorkers(const Search& search, std::int64_t chunk,
                              std::vector<std::int64_t> todo, const SearchOptions& options)
-    : search_(search), chunk_(chunk), todo_(std::move(todo)), options_(options) {
+    : search_(search),
+      chunk_(chunk),
+      options_(options),
+      queue_(std::move(todo), (*search.space().size() + chunk - 1) / chunk, options.next_chunk) {
   progress_.of_chunks = (*search.space().size() + chunk - 1) / chunk;
-  progress_.chunks = progress_.of_chunks - static_cast<std::int64_t>(todo_.size());
-  for (const std::int64_t c : todo_) progress_.left += trials_of(c);
+  progress_.chunks = progress_.of_chunks - static_cast<std::int64_t>(queue_.todo().size());
+  for (const std::int64_t c : queue_.todo()) progress_.left += trials_of(c);
 }
 
 void SearchWorkers::run(const Done& done) {
@@ -32,7 +36,9 @@ void SearchWorkers::work(const Done& done) {
     if (trials > 0 || asked++ % kSeldom == 0) tell();
     return true;
   };
-  while (const auto c = next()) {
+  while (!stopped()) {
+    const auto c = queue_.next();
+    if (!c) return;
     ChunkFinds finds;
     const std::int64_t from = *c * chunk_;
     // Only files contain the points. Every result contains their counts.
@@ -61,20 +67,6 @@ void SearchWorkers::tell() {
 
 std::int64_t SearchWorkers::trials_of(std::int64_t c) const {
   return std::min(chunk_, *search_.space().size() - c * chunk_);
-}
-
-std::optional<std::int64_t> SearchWorkers::next() {
-  if (stopped()) return std::nullopt;
-  const std::lock_guard lock(queue_mutex_);
-  if (options_.next_chunk) {
-    // Chunks that were already finished when this process opened the folder are skipped.
-    std::int64_t c = options_.next_chunk();
-    while (c < progress_.of_chunks && !std::binary_search(todo_.begin(), todo_.end(), c))
-      c = options_.next_chunk();
-    return c < progress_.of_chunks ? std::optional(c) : std::nullopt;
-  }
-  if (place_ == todo_.size()) return std::nullopt;
-  return todo_[place_++];
 }
 
 }  // namespace gearwright

@@ -7,7 +7,6 @@
 #include <atomic>
 #include <functional>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 #include "gearwright/job/search_job.hpp"
@@ -33,14 +32,12 @@ class SearchWorkers {
   void work(const Done& done);
   void tell();
   std::int64_t trials_of(std::int64_t c) const;
-  std::optional<std::int64_t> next();
 
   const Search& search_;
   std::int64_t chunk_;
-  std::vector<std::int64_t> todo_;
   const SearchOptions& options_;
-  std::size_t place_ = 0;
-  std::mutex queue_mutex_, mutex_;
+  ChunkQueue queue_;
+  std::mutex mutex_;
   SearchProgress progress_;  // state at the start
   std::atomic<std::int64_t> trials_done_{0}, chunks_done_{0};
 };

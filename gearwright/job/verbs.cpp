@@ -155,7 +155,7 @@ Result<Answer> run_propose(const JobSpec& spec, Progress* progress) {
 Result<Answer> run_scatter(const JobSpec& spec, Progress* progress) {
   auto answer = solved_answer<ScatterAnswer>(
       {.scope = Scope::pair,
-       .find = answer_scatter,
+       .find = [](SolvedJob& job, Progress* h) { return answer_scatter(job, h); },
        .judge = [](const SolvedJob& job, const ScatterAnswer&) { return judge(job); },
        .record = scatter_json,
        .listing = scatter_listing,

@@ -78,6 +78,9 @@ std::string scatter_section(const ScatterView& view);
 /// figures.
 std::optional<DistributionScene> distribution_scene(const ScatterView& view,
                                                     ScatterQuantity quantity, const char* id);
+/// The figures of a scatter, for the report, the page and notebooks: distributions that vary, and
+/// the density of patterns if the view has it.
+std::vector<Figure> scatter_figures(const ScatterView& view);
 
 /// Strength: inputs, factors, stresses and safeties, each with its clause in the standard.
 std::string rating_section(const RatingView& view);

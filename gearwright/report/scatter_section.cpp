@@ -145,13 +145,35 @@ std::optional<DistributionScene> distribution_scene(const ScatterView& view,
   return scene;
 }
 
+std::vector<Figure> scatter_figures(const ScatterView& view) {
+  std::vector<Figure> figures;
+  if (const auto te = distribution_scene(view, ScatterQuantity::peak_to_peak, "scatter-te")) {
+    figures.push_back(histogram_figure(*te));
+    figures.push_back(cumulative_figure(*te));
+  }
+  if (const auto play = distribution_scene(view, ScatterQuantity::least_play, "scatter-play"))
+    figures.push_back(histogram_figure(*play));
+  for (std::size_t which = 0; view.density && which < 2; ++which) {
+    const FlankDensity& flank = view.density->flanks[which];
+    DensityScene scene{fmt::format("scatter-pattern{}", which + 1),
+                       which,
+                       flank.internal,
+                       flank.diameter,
+                       flank.height,
+                       {},
+                       view.density->marking,
+                       view.density->samples};
+    for (std::size_t i = 0; i < flank.count.size(); ++i)
+      scene.share.push_back(flank.share(i, view.density->samples));
+    figures.push_back(density_figure(scene));
+  }
+  return figures;
+}
+
 std::string scatter_section(const ScatterView& view) {
   const Scatter& s = *view.scatter;
   std::string figures;
-  if (const auto te = distribution_scene(view, ScatterQuantity::peak_to_peak, "scatter-te"))
-    figures += figure_html(histogram_figure(*te)) + figure_html(cumulative_figure(*te));
-  if (const auto play = distribution_scene(view, ScatterQuantity::least_play, "scatter-play"))
-    figures += figure_html(histogram_figure(*play));
+  for (const Figure& figure : scatter_figures(view)) figures += figure_html(figure);
   return fmt::format(
              "<section class=\"scatter\">\n<h2>Scatter</h2>\n<p>The table shows the effect of the "
              "tolerances on {} random pairs. {}, {}, and {}.</p>\n",

@@ -202,17 +202,18 @@ void lead_circle(Figure& f, double radius, std::string markup) {
 
 std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name) {
   if (has_outline(gear)) return figure_html(tooth_figure(gear, shape, name), kWidth);
-  return fmt::format("<p class=\"nopicture\"><strong>{}: there is no picture.</strong> {}</p>\n", name,
-                     escaped(why_no_outline(gear)));
+  return fmt::format("<p class=\"nopicture\"><strong>{}: there is no picture.</strong> {}</p>\n",
+                     name, escaped(why_no_outline(gear)));
 }
 
 Figure tooth_figure(const Gear& gear, const std::string& shape, const std::string& name) {
   GW_EXPECTS(has_outline(gear));
   Figure f = plane_figure(
       "tooth-" + shape, name,
-      fmt::format("One of {} teeth with its arcs in colours, the neighbouring teeth in grey, and the "
-                  "reference, {}tip, root and form circles.",
-                  gear.spec.teeth, gear.involute() ? "base, " : ""),
+      fmt::format(
+          "One of {} teeth with its arcs in colours, the neighbouring teeth in grey, and the "
+          "reference, {}tip, root and form circles.",
+          gear.spec.teeth, gear.involute() ? "base, " : ""),
       window(gear));
   f.caption = ", transverse section, mm. ";
   add_upright_gear(f, gear, shape, "neighbour");

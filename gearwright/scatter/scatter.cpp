@@ -156,6 +156,7 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
   }
   if (task.loosening) s.loosening = loosening_of(setup, task);
   if (task.load) s.loaded = loaded_spreads(setup, task, s.samples);
+  if (task.density) s.density = pattern_density(setup, task, s, *task.density);
   return s;
 }
 

@@ -17,6 +17,7 @@
 #include "gearwright/load/loaded_contact.hpp"
 #include "gearwright/math/statistics.hpp"
 #include "gearwright/scatter/member.hpp"
+#include "gearwright/scatter/pattern_density.hpp"
 
 namespace gearwright {
 
@@ -49,6 +50,7 @@ struct ScatterTask {
   bool worst_case = false;
   bool loosening = false;
   std::optional<LoadedFamily> load{};
+  std::optional<DensityRequest> density{};
   int threads = 0;  ///< with 0, as many as the machine has
   Progress* progress = nullptr;
 };
@@ -128,6 +130,7 @@ struct Scatter {
   std::optional<WorstMember> worst_peak_to_peak, worst_least_play;
   std::optional<Loosening> loosening;
   std::vector<LoadedSpread> loaded;  ///< by torque of ScatterTask::load
+  std::optional<PatternDensity> density;
 };
 
 /// Domain    tolerances, samples a power of two, 1 ≤ replicates, 0 < confidence < 1 (contract)

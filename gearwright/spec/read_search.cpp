@@ -169,7 +169,8 @@ Blank read_blank(const Json* node, const std::string& path) {
   b.alpha_deg = t.number("normal_pressure_angle_deg");
   b.helix_deg = t.number("helix_angle_deg");
   b.face_mm = t.number("face_width_mm");
-  t.table("material");  // for a rated search: read_search_rating
+  t.table("material");       // for a rated search: read_search_rating
+  t.table("modifications");  // of the designs: spec.cpp
   if (const Json* rack = t.any("rack");
       rack && rack->is_object() && rack->contains("kind") && (*rack)["kind"] != "straight") {
     t.fail("rack.kind",

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/missing.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/gear/gear_field.hpp"
@@ -17,6 +18,7 @@
 #include "gearwright/spec/read_drive_search.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/read_measured.hpp"
+#include "gearwright/spec/read_modifications.hpp"
 #include "gearwright/spec/read_scatter.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/read_search_rating.hpp"
@@ -187,6 +189,13 @@ void refuse_halves(const Json* gear, const std::string& path, const Json& tree) 
     t.fail("double_helical", "does not apply to the pinion of a rack");
 }
 
+// The designs of a search take the modifications of a gear without teeth.
+void check_modifications(const Json* gear, const char* name, const std::filesystem::path& folder) {
+  if (!gear || gear->contains("teeth")) return;  // read_gear() reads those of a complete gear
+  TableReader t(blank_keys(), *gear, name);
+  read_modifications(t, folder);
+}
+
 JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUse use) {
   Inherited made = inherit(with_named_materials(given));
   if (is_drive(made.tree) || is_drive_search(made.tree.value("search", Json())))
@@ -241,6 +250,10 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
     lacks.of([&] { read_drive_search(*search); });  // the table is read again when it is used
   }
   if (search && !drives) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
+  if (spec.search) {
+    lacks.of([&] { check_modifications(gear_1, "gear1", folder); });
+    lacks.of([&] { check_modifications(gear_2, "gear2", folder); });
+  }
   if (const Json* scatter = t.table("scatter"))
     lacks.of([&] { spec.scatter = read_scatter(*scatter); });
   for (const Key& key : spec_keys().keys)

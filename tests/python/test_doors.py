@@ -120,6 +120,24 @@ def test_scatter():
     assert abs(members["errors.crossing_deg"]).max() <= 0.02
     assert members["peak_to_peak_arcsec"].max() == pytest.approx(told["peak_to_peak_arcsec"]["greatest"])
     assert np.isnan(members["long_period_arcsec"]).all()
+    assert len(answer.figures) == 3  # the distribution, its cumulative curve, the play
+    marked = gw.scatter(p, **keys, pattern=True)
+    assert [f.title for f in marked.figures[3:]] == ["Contact pattern of gear 1", "Contact pattern of gear 2"]
+    share = np.array(marked.pattern.gear1.share)
+    assert share.shape == (17, 33) and share.max() == 1 and share.min() == 0
+
+
+def test_designs_ranked_by_their_scatter():
+    keys = {"samples": 8, "replicates": 2, "errors": {"crossing_deg": [-0.02, 0.02]}}
+    found = gw.search(SEARCH, top=6, progress=False)
+    ranked = found.scatter(top=4, **keys)
+    assert ranked["count"] == 4 and len(ranked["designs"]) == 4
+    for row in ranked["designs"]:
+        one = gw.scatter(found.pair(row["design"] - 1), **keys)
+        assert row["peak_to_peak_arcsec"] == one.as_dict()["peak_to_peak_arcsec"]
+    with pytest.raises(gw.SpecError) as e:
+        found.scatter()
+    assert e.value.key == "scatter.errors"
 
 
 def test_measure():

@@ -50,4 +50,5 @@ class Record:
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Record, (self._attributes, self._items, self._keys)
+        kept = {name: value for name, value in self._attributes.items() if name != "figures"}  # they are not pickled
+        return Record, (kept, self._items, self._keys)

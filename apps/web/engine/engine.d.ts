@@ -175,7 +175,7 @@ export interface FlankRaster {
 /** The distribution of the peak-to-peak transmission error over tolerances. */
 export interface Scattered {
   percentiles: { percent: number; arcsec: number }[]; // percentiles requested in [scatter]; empty if contact is lost
-  figures: Figure[]; // "scatter-te" is the histogram; then its cumulative curve and "scatter-play"
+  figures: Figure[]; // "scatter-te" (histogram), its cumulative curve, "scatter-play", "scatter-pattern1" and 2
   samples?: number; // number of complete contacts; absent for an estimate
   events?: { words: string; count: number; of: number; upper: number }[]; // upper: upper limit of the share
 }

@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kSketched = 128, kSketchedPositions = 16;  // samples and positions of the estimate
 constexpr int kFirstSamples = 4, kMostSamples = 128, kMostReplicates = 8;  // of complete contacts
+constexpr int kPatterns = 32;        // samples of the density of patterns
 constexpr double kLongestMs = 1500;  // longest expected time of the last and largest family
 
 Json figures_of(const DistributionScene& scene, double width) {
@@ -64,7 +65,7 @@ Result<Json> Session::scatter(double width) {
   ScatterInput& input = job.spec.scatter;
   const int most = std::min(input.samples, kMostSamples);
   input.replicates = std::min(input.replicates, kMostReplicates);
-  input.indices = input.worst_case = input.loosening = input.loaded = false;
+  input.indices = input.worst_case = input.loosening = input.loaded = input.pattern = false;
   input.robust.reset();
   input.samples = std::min(kFirstSamples, most);
   Stopwatch watch;
@@ -75,7 +76,9 @@ Result<Json> Session::scatter(double width) {
     answer = answer_scatter(job);
   }
   if (!answer) return answer.error();
-  const ScatterView view = scatter_view(job, *answer);
+  ScatterView view = scatter_view(job, *answer);
+  const PatternDensity density = density_of(job, *answer, nullptr, kPatterns);
+  view.density = &density;
   const auto& spread = view.spread[0];
   Json percentiles = Json::array();
   for (std::size_t i = 0; spread && i < spread->spread->percentiles.size(); ++i) {
@@ -83,10 +86,7 @@ Result<Json> Session::scatter(double width) {
     percentiles.push_back(point(p.percent, p.estimate.value * kArcsecPerRad));
   }
   Json figures = Json::array();
-  if (const auto te = distribution_scene(view, ScatterQuantity::peak_to_peak, "scatter-te"))
-    figures = figures_of(*te, width);
-  if (const auto play = distribution_scene(view, ScatterQuantity::least_play, "scatter-play"))
-    figures.push_back(shape(histogram_figure(*play), width));
+  for (const Figure& figure : scatter_figures(view)) figures.push_back(shape(figure, width));
   const auto share = [](const char* words, const Probability& p) {
     return Json{{"words", words}, {"count", p.count}, {"of", p.of}, {"upper", p.interval.upper}};
   };

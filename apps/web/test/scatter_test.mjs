@@ -39,7 +39,7 @@ describe("scatter", () => {
     await state("^\\d+ pairs");
     assert.equal(await highest(), Number((await percentile(text)).toFixed(2)));
     assert.equal(await page.locator("#room-scatter .sliders input").count(), 8);
-    for (const id of ["scatter-te", "scatter-play"]) await page.waitForSelector(`#room-scatter [id^="${id}"]`);
+    for (const id of ["scatter-te", "scatter-play", "scatter-pattern1", "scatter-pattern2"]) await page.waitForSelector(`#room-scatter [id^="${id}"]`);
     assert.equal(await page.locator("#room-scatter .scatter-events li").count(), 3);
   });
 

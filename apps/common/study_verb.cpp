@@ -1,0 +1,147 @@
+#include "apps/common/study_verb.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "apps/common/output.hpp"
+#include "apps/common/watch.hpp"
+#include "gearwright/base/system.hpp"
+#include "gearwright/job/scatter_study.hpp"
+#include "gearwright/job/search_refusal.hpp"
+
+namespace gearwright::apps {
+
+void add_study_options(CLI::App* sub, StudyCommand& c) {
+  sub->add_option(
+      "--designs", c.designs,
+      "Rank the designs of a search: its --out folder, its search.json or the output of "
+      "search --json; without it, the search of the spec is run");
+  sub->add_option("--top", c.top, "Of a search: only its best designs, as many (default: all)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
+  sub->add_option("--out", c.out,
+                  "Of a search: folder for scatter.json, scatter.csv, scatter.html, and for the "
+                  "finished designs");
+  sub->add_flag("--resume", c.resume, "Of a search: continue the study in --out");
+  sub->add_option("--shard", c.shard,
+                  "Of a search: i/N, compute every Nth design, starting with the ith; all shards "
+                  "share one --out");
+  sub->add_option("--threads", c.threads, "Threads (default: as many as the machine has)")
+      ->check(CLI::Range(1, 1024));
+}
+
+CLI::App* add_study(CLI::App& app, StudyCommand& c) {
+  CLI::App* sub = app.add_subcommand(
+      "scatter", "Effect of the tolerances of [scatter] on the designs of a search, ranked");
+  sub->add_flag("--json", c.json, "Print one JSON object to stdout and nothing else");
+  sub->add_option("SPEC", c.spec, "The spec of the search, with [scatter]")->required();
+  add_study_options(sub, c);
+  return sub;
+}
+
+namespace {
+
+int say_unfinished(const StudyCommand& c, const StudyRun& run) {
+  if (c.json) {
+    print_json(unfinished_study(run));
+  } else {
+    print(
+        fmt::format("{} of {} designs are done in {}; the last shard to finish writes the result\n",
+                    run.done, run.of, *c.out));
+  }
+  return 0;
+}
+
+int print_study(const StudyCommand& c, const JobSpec& spec, const StudyRun& run) {
+  if (c.json) {
+    print(study_json_text(spec, run));
+  } else if (c.csv) {
+    print(study_csv(spec, run));
+  } else {
+    std::string files;
+    for (const auto& file : run.files) files += "  " + native_text(file) + "\n";
+    print(study_listing(spec, run, c.top.value_or(kListedStudy)) +
+          (files.empty() ? "" : "\nfiles\n" + files));
+  }
+  return 0;
+}
+
+}  // namespace
+
+int run_study_verb(const StudyCommand& c, const SpecText& text, const Together* together) {
+  const bool speaks = !together || together->rank == 0;
+  const auto wrong = [&](const std::string& message) { return speaks ? usage(message) : 2; };
+  const auto failed = [&](const Error& error) { return speaks ? fail(error, c.json, &text) : 1; };
+  if (c.out && c.out->empty()) return wrong("--out needs the name of a folder");
+  if (!c.out && (c.resume || c.shard))
+    return wrong(std::string(c.resume ? "--resume" : "--shard") +
+                 " needs --out DIR, the folder of the study");
+  if (together && !c.out)
+    return wrong("a study on several ranks needs --out DIR, the folder that they share");
+  StudyOptions options;
+  if (c.shard) {
+    const auto shard = parse_shard(*c.shard);
+    if (!shard || together)
+      return wrong(together ? "--shard cannot be used under mpirun, whose ranks share one queue"
+                            : "--shard takes i/N with 1 <= i <= N: --shard 3/8");
+    options.shard = shard->which;
+    options.shards = shard->of;
+    options.many = true;
+  }
+  const auto spec = read_spec(text);
+  if (!spec) return failed(spec.error());
+  if (!spec->search)
+    return failed({c.designs ? "search" : "", "",
+                   c.designs ? "is missing; --designs needs the spec of that search, with "
+                               "[scatter] added"
+                             : "--out, --top, --shard and --resume are for the designs of a "
+                               "search; for one pair, run writes files"});
+  options.designs = c.designs;
+  options.out = c.out.value_or("");
+  options.folder = text.folder;
+  options.resume = c.resume;
+  options.top = c.top;
+  options.threads = c.threads;
+  options.writer = together  ? fmt::format("rank {}", together->rank)
+                   : c.shard ? "shard " + *c.shard
+                             : "scatter";
+  if (together) {
+    options.many = together->rank > 0;
+    options.together = true;
+    options.next_chunk = together->next_chunk;
+    options.folder_is_open = together->folder_is_open;
+    options.finish_together = together->finish_together;
+    if (options.threads == 0) options.threads = 1;
+  }
+  std::atomic<std::int64_t> done{0}, of{0};
+  options.on_design = [&](std::int64_t now, std::int64_t all) {
+    done = now;
+    of = all;
+  };
+  const WatchWords words{
+      [&] { return of == 0 ? "" : fmt::format("{} of {} designs, ", done.load(), of.load()); },
+      [&] {
+        return !c.out ? "nothing was written; with --out DIR a study can be resumed"
+                      : fmt::format("{} of {} designs are done, --resume continues", done.load(),
+                                    of.load());
+      }};
+  const auto work = [&](Progress* progress) {
+    options.progress = progress;
+    return run_study(*spec, options);
+  };
+  const auto run = speaks ? watched("scatter", work, words) : work(nullptr);
+  if (!run) return failed(spelled(run.error(), spec->given));
+  for (const std::string& note : run->notes) std::fprintf(stderr, "gearwright: %s\n", note.c_str());
+  if (!run->finished) return speaks ? say_unfinished(c, *run) : 0;
+  return print_study(c, *spec, *run);
+}
+
+int run_study_verb(const StudyCommand& c, const Together* together) {
+  const auto text = read_spec_text(c.spec);
+  if (!text) return !together || together->rank == 0 ? fail(text.error(), c.json) : 1;
+  return run_study_verb(c, *text, together);
+}
+
+}  // namespace gearwright::apps

@@ -1,0 +1,62 @@
+#include "gearwright/catalogue/scatter_pattern_quantities.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// The flank of one gear.
+struct DensityView {
+  const FlankDensity* flank;
+  std::int64_t samples;
+};
+
+const Quantities<DensityView>& flank_density_quantities() {
+  using D = DensityView;
+  static const Quantities<D> kAll("scatter.pattern gear", [](Quantities<D>& q) {
+    q.number("diameter_mm", "diameters", "", "diameters of the rows", [](const D& d) {
+       return d.flank->diameter;
+     }).list({0});
+    q.number("height_mm", "heights", "", "heights of the columns", [](const D& d) {
+       return d.flank->height;
+     }).list({0});
+    q.number("share", "share of the samples", "",
+             "share of the samples whose pattern covers the place, 0 to 1",
+             [](const D& d) {
+               ValueList rows;
+               const std::size_t columns = d.flank->height.size();
+               for (std::size_t i = 0; i < d.flank->diameter.size(); ++i) {
+                 ValueList row;
+                 for (std::size_t k = 0; k < columns; ++k)
+                   row.emplace_back(d.flank->share(i * columns + k, d.samples));
+                 rows.push_back(std::move(row));
+               }
+               return Value(std::move(rows));
+             })
+        .list({0, 0});
+  });
+  return kAll;
+}
+
+}  // namespace
+
+const Quantities<PatternDensity>& density_quantities() {
+  using D = PatternDensity;
+  static const Quantities<D> kAll("scatter.pattern", [](Quantities<D>& q) {
+    q.number("marking_mm", "thickness of the marking compound", "δ", "that of `[contact]`",
+             [](const D& d) { return d.marking; })
+        .always();
+    q.add(Type::index, "samples", "number of samples", "", "the first of each replicate",
+          [](const D& d) { return static_cast<long long>(d.samples); })
+        .always();
+    const auto gear = [](std::size_t i) {
+      return [i](const D& d) {
+        return Value(flank_density_quantities().of({&d.flanks[i], d.samples}));
+      };
+    };
+    q.record<flank_density_quantities>("gear1", "the flank of gear 1", gear(0)).always();
+    q.record<flank_density_quantities>("gear2", "the flank of gear 2", gear(1)).always();
+  });
+  return kAll;
+}
+
+}  // namespace gearwright

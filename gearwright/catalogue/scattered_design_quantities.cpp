@@ -1,0 +1,110 @@
+#include "gearwright/catalogue/scattered_design_quantities.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using D = ScatteredDesign;
+using S = ScatterStudyView;
+
+// Of the numbers of a pair, those by which one design is distinguished from another.
+constexpr ScatterQuantity kShown[] = {ScatterQuantity::peak_to_peak, ScatterQuantity::along_face,
+                                      ScatterQuantity::least_play, ScatterQuantity::long_period};
+
+bool computed(const D& d) { return d.scatter != nullptr; }
+
+void say_design(Quantities<D>& q) {
+  q.add(Type::index, "design", "number of the design", "",
+        "its rank in the search; `search --take` with this number prints its spec",
+        [](const D& d) { return static_cast<long long>(d.number); })
+      .always();
+  q.number("module_mm", "normal module", "m_n", "", [](const D& d) {
+     return d.design.row->trial.module;
+   }).always();
+  q.term("teeth", "[z1, z2]; negative for an internal gear",
+         [](const D& d) {
+           return std::array{d.design.row->trial.z1, d.design.row->trial.z2};
+         })
+      .per_gear()
+      .always();
+  q.term("helix_angle_deg", "> 0 right hand",
+         [](const D& d) {
+           const auto& helix = d.design.row->trial.helix;
+           return Value(std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])});
+         })
+      .per_gear()
+      .always();
+  q.whole("rack", "rack", "", "number of the rack, from 1; only with several racks",
+          [](const D& d) { return d.design.row->trial.rack + 1; })
+      .always()
+      .when([](const D& d) { return d.design.problem->racks.size() > 1; });
+  q.term("profile_shift", "[x1, x2]", [](const D& d) { return d.design.row->shift; })
+      .per_gear()
+      .always();
+  q.term("center_distance_mm", "of the design, as mounted", [](const D& d) {
+     return d.design.row->center_distance;
+   }).always();
+  q.term("face_width_mm", "of both gears", [](const D& d) {
+     return d.design.row->face_width;
+   }).always();
+  for (const ScatterQuantity quantity : kShown) {
+    const auto at = static_cast<std::size_t>(quantity);
+    const ScatterEntry& entry = scatter_entries()[at];
+    q.record<spread_quantities>(entry.key, entry.meaning,
+                                [at](const D& d) {
+                                  const auto& spread = d.scatter->spread[at];
+                                  return spread ? Value(spread_quantities().of(*spread)) : Value();
+                                })
+        .when(computed)
+        .doors(kJson);
+  }
+  q.record<probabilities_quantities>("probability",
+                                     "probabilities of events, with the interval of Clopper and "
+                                     "Pearson",
+                                     [](const D& d) -> const ScatterView& { return *d.scatter; })
+      .when(computed)
+      .doors(kJson);
+  q.record<loaded_spread_quantities>(
+       "loaded", "results under each torque of `[load]`; only with `loaded`",
+       [](const D& d) { return Value(loaded_spread_quantities().each(d.scatter->loaded)); })
+      .list({0})
+      .when([](const D& d) { return computed(d) && d.scatter->task->load.has_value(); })
+      .doors(kJson);
+  q.text("reason", "only in `refused`: why the design has no scatter", [](const D& d) {
+     return d.reason;
+   }).when([](const D& d) { return !computed(d); });
+}
+
+}  // namespace
+
+const Quantities<ScatteredDesign>& scattered_design_quantities() {
+  static const Quantities<D> kAll("scatter_designs.designs", say_design);
+  return kAll;
+}
+
+const Quantities<ScatterStudyView>& scatter_study_quantities() {
+  static const Quantities<S> kAll("scatter_designs", [](Quantities<S>& q) {
+    q.number("percentile", "percentile of the ranking", "p", "the greatest of `percentiles`",
+             &S::percent)
+        .always();
+    q.whole("samples", "samples of each replicate", "n", "", &S::samples).always();
+    q.whole("replicates", "replicates", "R", "", &S::replicates).always();
+    q.add(Type::index, "seed", "seed", "", "", &S::seed).always();
+    q.add(Type::index, "count", "number of designs", "", "with those in `refused`", &S::count)
+        .always();
+    q.record<scattered_design_quantities>(
+         "designs",
+         "designs, the one with the least percentile of the peak-to-peak transmission error first; "
+         "designs that lose contact in more samples than the percentile leaves out come last",
+         [](const S&) { return Value(ValueList()); })
+        .list({0})
+        .always();
+    q.record<scattered_design_quantities>("refused", "designs without a scatter",
+                                          [](const S&) { return Value(ValueList()); })
+        .list({0})
+        .always();
+  });
+  return kAll;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,29 @@
+// The quantities of designs ranked by their scatter: `scatter_designs` of a result.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "gearwright/catalogue/scatter_quantities.hpp"
+#include "gearwright/catalogue/search_quantities.hpp"
+
+namespace gearwright {
+
+/// A design of a search with its scatter, or with the reason why there is none.
+struct ScatteredDesign {
+  std::int64_t number;  ///< its rank in the search
+  DesignView design;
+  const ScatterView* scatter;  ///< null if it could not be computed
+  std::string reason{};        ///< if it could not
+};
+const Quantities<ScatteredDesign>& scattered_design_quantities();
+
+/// Designs ranked by a percentile. The rows are read one by one (scattered_design_quantities).
+struct ScatterStudyView {
+  double percent;  ///< of the ranking
+  int samples, replicates;
+  long long seed, count;
+};
+const Quantities<ScatterStudyView>& scatter_study_quantities();
+
+}  // namespace gearwright

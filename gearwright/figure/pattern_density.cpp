@@ -1,0 +1,52 @@
+// How often each place of a flank carries, in steps of the share of the samples.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/figure/contact_figures.hpp"
+#include "gearwright/figure/distribution_figures.hpp"
+#include "gearwright/figure/markup.hpp"
+
+namespace gearwright {
+
+namespace {
+
+const std::vector<double> kLevels{10, 30, 50, 70, 90};  // % of the samples
+
+}  // namespace
+
+Figure density_figure(const DensityScene& scene) {
+  GW_EXPECTS(scene.diameter.size() >= 2 && scene.height.size() >= 2);
+  GW_EXPECTS(scene.share.size() == scene.diameter.size() * scene.height.size());
+  FlankRaster raster{scene.diameter, scene.height, {}};
+  for (const double share : scene.share) raster.gap.push_back(100 * share);
+  Figure f = flank_frame(scene.id, fmt::format("Contact pattern of gear {}", scene.which + 1),
+                         raster, scene.internal, scene.which);
+  const double most = *std::max_element(raster.gap.begin(), raster.gap.end());
+  const std::string proportions = std::move(f.caption);
+  f.description =
+      "The developed usable flank: the face from left to right, the root below, the tip above. "
+      "Shades show the share of the samples whose contact pattern covers a place.";
+  f.caption = fmt::format(
+                  ": the share of {} samples in which marking compound of {} µm shows at a place "
+                  "after a full "
+                  "mesh, at most {} %; brighter shades are greater shares. ",
+                  scene.samples, fixed(scene.marking / kMmPerUm, 2), fixed(most, 0)) +
+              proportions;
+  f.shades = {kLevels, "≤ 100 %", ""};
+  std::erase_if(f.marks, [](const FigureMark& m) {  // the key replaces the names of the limits
+    return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
+  });
+  const ContourField field = field_of(raster);
+  const std::size_t n = kLevels.size() + 1;
+  // The whole flank is drawn first, then each lower step on top of it.
+  f.area(region_below(raster, field, 200.0), shade_style(n - 1, n));
+  for (std::size_t i = kLevels.size(); i-- > 0;)
+    f.area(region_below(raster, field, kLevels[i]), shade_style(i, n) + " step");
+  return f;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,92 @@
+// Designs ranked by their scatter: each row is the answer of scatter for the spec of the design, the
+// order is that of the percentile, and lists of other files are rejected.
+#include "gearwright/job/scatter_study.hpp"
+#include "gearwright/job/testing/answered.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/job/search_answer.hpp"
+
+namespace gearwright {
+namespace {
+
+JobSpec study_spec() {
+  const Json tree =
+      Json::parse(R"({"search": {"ratio": [1.95, 2.05], "center_distance_mm": [99, 101],
+    "modules_mm": [2, 2.5], "pinion_teeth": [26, 34], "helix_angle_deg": [0, 10], "helix_step_deg": 10,
+    "face_width_mm": 20},
+    "gear1": {"modifications": {"lead_crowning_um": 6}}, "gear2": {"modifications": {"profile_crowning_um": 4}},
+    "scatter": {"samples": 4, "replicates": 2, "percentiles": [95, 50], "indices": true,
+      "errors": {"crossing_deg": [-0.02, 0.02]}, "gear1": {"modifications": {"lead_crowning_um": [-3, 3]}}}})");
+  auto spec = read_spec_tree(tree);
+  EXPECT_TRUE(spec) << spec.error().message();
+  return std::move(spec).take();
+}
+
+TEST(ScatterStudy, RowsAreTheAnswersOfScatter) {
+  const JobSpec spec = study_spec();
+  const auto run = run_study(spec, {});
+  ASSERT_TRUE(run) << run.error().message();
+  ASSERT_GT(run->designs.size(), 5u);
+  EXPECT_TRUE(run->refused.empty());
+  const Search search(*spec.search);
+  SearchOptions options;
+  const auto found = run_search(spec, search, options);
+  for (const Json& row : run->designs) {
+    const auto n = row["design"].get<std::size_t>();
+    const Json pair = pair_spec(spec, search, found->answer.designs[n - 1]);
+    EXPECT_EQ(pair["gear1"]["modifications"]["lead_crowning_um"], 6);
+    EXPECT_EQ(pair["gear2"]["modifications"]["profile_crowning_um"], 4);
+    const Json one = testing::answered(pair, "scatter")["scatter"];
+    for (const char* key : {"peak_to_peak_arcsec", "least_play_deg", "probability"})
+      EXPECT_EQ(row[key].dump(), one[key].dump()) << key << " of design " << n;
+    EXPECT_EQ(row["teeth"][0], pair["gear1"]["teeth"]);
+  }
+}
+
+// The greatest percentile counts, wherever it is in the list.
+TEST(ScatterStudy, IsRankedByTheGreatestPercentile) {
+  const auto run = run_study(study_spec(), {});
+  ASSERT_TRUE(run);
+  const auto of = [](const Json& row) {
+    return row["peak_to_peak_arcsec"]["percentiles"][0].get<double>();
+  };
+  EXPECT_TRUE(std::is_sorted(run->designs.begin(), run->designs.end(),
+                             [&](const Json& a, const Json& b) { return of(a) < of(b); }));
+}
+
+// A family that loses contact more often than the percentile leaves out has no such percentile.
+TEST(ScatterStudy, LostContactComesLast) {
+  const auto row = [](int design, double arcsec, double lost) {
+    return Json{{"design", design},
+                {"peak_to_peak_arcsec", {{"percentiles", {arcsec, 0.0}}}},
+                {"probability", {{"contact_lost", {{"value", lost}}}}}};
+  };
+  StudyRun run;
+  rank_rows(study_spec(),
+            {row(1, 3.0, 0.0), row(2, 1.0, 0.06), row(3, 2.0, 0.04), row(4, 2.0, 0.0),
+             Json{{"design", 5}, {"reason", "why"}}},
+            run);
+  std::vector<int> order;
+  for (const Json& r : run.designs) order.push_back(r["design"]);
+  EXPECT_EQ(order, (std::vector{3, 4, 1, 2}));
+  ASSERT_EQ(run.refused.size(), 1u);
+}
+
+TEST(ScatterStudy, ASpecThatIsWrongForAllDesignsIsAnError) {
+  Json tree = study_spec().tree->tables;
+  tree.erase("scatter");
+  const auto none = run_study(read_spec_tree(tree).value(), {});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().field, "scatter.errors");
+  tree["scatter"] = {{"errors", {{"crossing_deg", {-0.01, 0.01}}}}, {"groups", {{"a", {"b"}}}}};
+  const auto group = run_study(read_spec_tree(tree).value(), {});
+  ASSERT_FALSE(group);
+  EXPECT_EQ(group.error().field, "scatter.groups.a");
+}
+
+}  // namespace
+}  // namespace gearwright

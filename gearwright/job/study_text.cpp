@@ -1,0 +1,236 @@
+// The result of a study as JSON, CSV, a table for a terminal and a page. All but the JSON walk one
+// table of columns.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/base/version.hpp"
+#include "gearwright/catalogue/scattered_design_quantities.hpp"
+#include "gearwright/job/csv_answer.hpp"
+#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/scatter_study.hpp"
+#include "gearwright/job/value_json.hpp"
+#include "gearwright/report/study_report.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// A column: its head in CSV, its head for users with the width of a terminal, and the place of its
+// value in a row. A % in the place is the number of the percentile.
+struct StudyColumn {
+  const char* csv;
+  const char* head;  ///< empty: not for users
+  int width;
+  const char* place;
+  int digits;  ///< < 0: as many as needed
+  double factor;
+  const char* unit;
+  const char* meaning;
+};
+constexpr StudyColumn kColumns[] = {
+    {"design", "design", 8, "/design", -1, 1, "", "rank in the search, as in search --take"},
+    {"module_mm", "m_n", 8, "/module_mm", -1, 1, "mm", "normal module"},
+    {"z1", "z1", 5, "/teeth/0", -1, 1, "", "teeth of gear 1"},
+    {"z2", "z2", 6, "/teeth/1", -1, 1, "", "teeth of gear 2"},
+    {"helix1_deg", "β", 8, "/helix_angle_deg/0", -1, 1, "°", "helix angle of gear 1"},
+    {"helix2_deg", "", 0, "/helix_angle_deg/1", -1, 1, "°", ""},
+    {"x1", "x1", 9, "/profile_shift/0", 4, 1, "", "profile shift of gear 1"},
+    {"x2", "x2", 9, "/profile_shift/1", 4, 1, "", "profile shift of gear 2"},
+    {"center_distance_mm", "a", 10, "/center_distance_mm", 4, 1, "mm", "centre distance"},
+    {"face_width_mm", "", 0, "/face_width_mm", -1, 1, "mm", ""},
+    {"percentile_arcsec", "%", 10, "/peak_to_peak_arcsec/percentiles/%", 4, 1, "″",
+     "percentile of the peak-to-peak transmission error, which ranks the designs"},
+    {"percentile_lower_arcsec", "from", 10, "/peak_to_peak_arcsec/lower/%", 4, 1, "″",
+     "lower end of the confidence interval of the percentile"},
+    {"percentile_upper_arcsec", "to", 10, "/peak_to_peak_arcsec/upper/%", 4, 1, "″",
+     "upper end of the confidence interval of the percentile"},
+    {"mean_arcsec", "mean", 10, "/peak_to_peak_arcsec/mean", 4, 1, "″",
+     "mean of the peak-to-peak transmission error"},
+    {"edge_contact", "edge", 8, "/probability/edge_contact/value", 1, 100, "%",
+     "share of the samples in which an edge touches"},
+    {"edge_contact_lower", "", 0, "/probability/edge_contact/lower", -1, 1, "", ""},
+    {"edge_contact_upper", "", 0, "/probability/edge_contact/upper", -1, 1, "", ""},
+    {"jam", "jam", 8, "/probability/jam/value", 1, 100, "%",
+     "share of the samples in which the gears jam"},
+    {"jam_upper", "", 0, "/probability/jam/upper", -1, 1, "", ""},
+    {"contact_lost", "lost", 8, "/probability/contact_lost/value", 1, 100, "%",
+     "share of the samples that lose contact; these are not in the percentile"},
+    {"contact_lost_upper", "", 0, "/probability/contact_lost/upper", -1, 1, "", ""}};
+
+std::size_t ranking_place(const JobSpec& spec) {
+  const std::vector<double>& all = spec.scatter.percentiles;
+  return static_cast<std::size_t>(std::max_element(all.begin(), all.end()) - all.begin());
+}
+
+std::string percent_words(const JobSpec& spec) {
+  return format_number(spec.scatter.percentiles[ranking_place(spec)]) + " %";
+}
+
+// The value of a column in a row; null if the row has none.
+Json cell(const JobSpec& spec, const StudyColumn& column, const Json& row) {
+  std::string place = column.place;
+  if (place.ends_with('%')) place.replace(place.size() - 1, 1, std::to_string(ranking_place(spec)));
+  const Json::json_pointer at(place);
+  return row.contains(at) ? row[at] : Json();
+}
+
+std::string shown(const StudyColumn& column, const Json& value) {
+  if (!value.is_number()) return "–";
+  if (column.digits < 0) return format_number(value.get<double>());
+  return fixed_decimals(column.factor * value.get<double>(), column.digits);
+}
+
+std::string head_of(const JobSpec& spec, const StudyColumn& column) {
+  const std::string head = column.head;
+  return head == "%" ? percent_words(spec) : head;
+}
+
+// "63 designs, 1024 samples each (8 replicates of 128), ranked by the 95 % point of …"
+std::string study_words(const JobSpec& spec, const StudyRun& run) {
+  const ScatterInput& in = spec.scatter;
+  return fmt::format(
+      "{} designs, {} samples of each ({} replicates of {}), ranked by the {} point of the "
+      "peak-to-peak transmission error",
+      run.of, in.samples * in.replicates, in.replicates, in.samples, percent_words(spec));
+}
+
+std::string lost_words(const JobSpec& spec, const StudyRun& run) {
+  const double left_out = 1.0 - spec.scatter.percentiles[ranking_place(spec)] / 100.0;
+  const auto lost = std::count_if(run.designs.begin(), run.designs.end(), [&](const Json& row) {
+    return row["probability"]["contact_lost"]["value"].get<double>() > left_out;
+  });
+  return lost == 0
+             ? ""
+             : fmt::format("The last {} of them lose contact in more than {:g} % of the samples.",
+                           lost, 100 * left_out);
+}
+
+// What the best design lacks, although it comes first.
+std::string jam_words(const StudyRun& run) {
+  if (run.designs.empty()) return "";
+  const Json& best = run.designs[0];
+  const double jam = best["probability"]["jam"]["value"].get<double>();
+  if (jam == 0.0) return "";
+  return fmt::format(
+      "The gears of design {} jam in {:.3g} % of the samples; thinner teeth, thickness_series or "
+      "backlash_mm in [search], avoid that.",
+      best["design"].get<std::int64_t>(), 100 * jam);
+}
+
+std::string design_words(const Json& row) {
+  return fmt::format("design {}, {}:{} teeth, module {}", row["design"].get<std::int64_t>(),
+                     row["teeth"][0].get<int>(), row["teeth"][1].get<int>(),
+                     format_number(row["module_mm"].get<double>()));
+}
+
+}  // namespace
+
+std::string study_json_text(const JobSpec& spec, const StudyRun& run) {
+  const ScatterInput& in = spec.scatter;
+  Json head = to_json(scatter_study_quantities().of(
+      {in.percentiles[ranking_place(spec)], in.samples, in.replicates, in.seed, run.of}));
+  head.erase("designs");
+  head.erase("refused");
+  std::string text = "{\n";
+  if (!spec.title.empty()) text += "  \"title\": " + json_text(Json(spec.title)) + ",\n";
+  text += "  \"scatter_designs\": " + json_text(head);
+  text.pop_back();  // the closing brace, before which the rows are inserted
+  const auto add = [&](const char* key, const std::vector<Json>& rows) {
+    text += fmt::format(",\n  \"{}\": [", key);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      text += (i == 0 ? "\n    " : ",\n    ") + json_text(rows[i]);
+    text += rows.empty() ? "]" : "\n  ]";
+  };
+  add("designs", run.designs);
+  add("refused", run.refused);
+  return text + "},\n  \"warnings\": []\n}\n";
+}
+
+Json unfinished_study(const StudyRun& run) {
+  return {{"scatter_designs", {{"finished", false}, {"done", run.done}, {"count", run.of}}},
+          {"warnings", Json::array()}};
+}
+
+std::string study_listing(const JobSpec& spec, const StudyRun& run, std::size_t most) {
+  std::string text = spec.title.empty() ? "" : spec.title + "\n";
+  text += study_words(spec, run) + "\n\n" + fmt::format("{:>5}", "rank");
+  for (const StudyColumn& c : kColumns)
+    if (c.width > 0)
+      text += fmt::format("{:>{}}", head_of(spec, c) + (*c.unit ? fmt::format(" {}", c.unit) : ""),
+                          c.width);
+  text += "\n";
+  for (std::size_t i = 0; i < run.designs.size() && i < most; ++i) {
+    text += fmt::format("{:>5}", i + 1);
+    for (const StudyColumn& c : kColumns)
+      if (c.width > 0)
+        text += fmt::format("{:>{}}", shown(c, cell(spec, c, run.designs[i])), c.width);
+    text += "\n";
+  }
+  if (run.designs.size() > most)
+    text += fmt::format("    … {} more; --csv, --json and --out DIR give all of them\n",
+                        run.designs.size() - most);
+  for (const std::string& line : {lost_words(spec, run), jam_words(run)})
+    if (!line.empty()) text += line + "\n";
+  if (!run.refused.empty())
+    text += fmt::format("\nDesigns without a scatter: {}\n", run.refused.size());
+  for (std::size_t i = 0; i < run.refused.size() && i < most; ++i)
+    text += fmt::format("  {}: {}\n", design_words(run.refused[i]),
+                        run.refused[i]["reason"].get<std::string>());
+  if (!run.designs.empty())
+    text += fmt::format("\nsearch with --take {} prints the spec of the best design.\n",
+                        run.designs[0]["design"].get<std::int64_t>());
+  return text;
+}
+
+std::string study_csv(const JobSpec& spec, const StudyRun& run) {
+  std::string text = "rank";
+  for (const StudyColumn& c : kColumns) text += fmt::format(",{}", c.csv);
+  text += ",reason\r\n";
+  const auto add = [&](const std::string& rank, const Json& row) {
+    text += rank;
+    for (const StudyColumn& c : kColumns) text += "," + csv_cell(to_value(cell(spec, c, row)));
+    text += "," + (row.contains("reason") ? csv_cell(to_value(row["reason"])) : "") + "\r\n";
+  };
+  for (std::size_t i = 0; i < run.designs.size(); ++i) add(std::to_string(i + 1), run.designs[i]);
+  for (const Json& row : run.refused) add("", row);
+  return text;
+}
+
+std::string study_page(const JobSpec& spec, const StudyRun& run) {
+  StudyReport report;
+  report.title = spec.title.empty() ? "Designs and their tolerances" : spec.title;
+  report.sentence = study_words(spec, run) + ". " + lost_words(spec, run) + jam_words(run);
+  report.spec_text = spec.text;
+  report.version = kVersion;
+  report.percentile = percent_words(spec);
+  for (const StudyColumn& c : kColumns)
+    if (c.width > 0) report.columns.push_back({head_of(spec, c), c.unit, c.meaning});
+  const std::size_t at = ranking_place(spec);
+  for (const Json& row : run.designs) {
+    StudyReport::Row& r = report.rows.emplace_back();
+    for (const StudyColumn& c : kColumns) {
+      if (c.width == 0) continue;
+      const Json value = cell(spec, c, row);
+      r.cells.push_back(
+          {shown(c, value), value.is_number() ? std::optional(value.get<double>()) : std::nullopt});
+    }
+    const Json& te = row["peak_to_peak_arcsec"];
+    const auto number = [&](const Json& list) {
+      return list.is_array() && list[at].is_number() ? std::optional(list[at].get<double>())
+                                                     : std::nullopt;
+    };
+    r.percentile = te["percentiles"][at].get<double>();
+    r.lower = number(te["lower"]);
+    r.upper = number(te["upper"]);
+    r.mean = te["mean"].get<double>();
+    r.words = design_words(row);
+  }
+  for (const Json& row : run.refused)
+    report.refused.push_back(design_words(row) + ": " + row["reason"].get<std::string>());
+  return study_report(report);
+}
+
+}  // namespace gearwright

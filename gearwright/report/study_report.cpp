@@ -1,0 +1,82 @@
+#include "gearwright/report/study_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gearwright/figure/distribution_figures.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/page_parts.hpp"
+#include "gearwright/report/search_table.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::string table_of(const StudyReport& report) {
+  std::string text =
+      "<div class=\"scroll sheet\" tabindex=\"0\" role=\"region\" aria-label=\"Designs\"><table "
+      "class=\"designs\">\n<thead><tr><th scope=\"col\" class=\"value\" aria-sort=\"ascending\" "
+      "data-first=\"ascending\" title=\"rank\">#</th>";
+  for (const StudyReport::Column& c : report.columns) {
+    text += fmt::format(
+        "<th scope=\"col\" class=\"value\" title=\"{}\" data-first=\"ascending\">{}{}</th>",
+        escaped(c.meaning), escaped(c.head),
+        c.unit.empty() ? "" : fmt::format(" <span class=\"unit\">{}</span>", escaped(c.unit)));
+  }
+  text += "</tr></thead>\n<tbody>\n";
+  const std::size_t count = std::min(kStudyRows, report.rows.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    text += fmt::format("<tr><th scope=\"row\" class=\"value\" data-v=\"{0}\">{0}</th>", i + 1);
+    for (const StudyReport::Cell& cell : report.rows[i].cells)
+      text += fmt::format("<td class=\"value\" data-v=\"{}\">{}</td>",
+                          cell.key ? fmt::format("{:.12g}", *cell.key) : "", escaped(cell.text));
+    text += "</tr>\n";
+  }
+  text += "</tbody></table></div>\n";
+  if (count < report.rows.size())
+    text += fmt::format("<p>{} more are in the files.</p>\n", report.rows.size() - count);
+  text += "<details class=\"column-key\"><summary>What the columns mean</summary>\n<dl>\n";
+  for (const StudyReport::Column& c : report.columns)
+    text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(c.head), escaped(c.meaning));
+  return text + "</dl></details>\n";
+}
+
+std::string figure_of(const StudyReport& report) {
+  if (report.rows.empty()) return {};
+  RankingScene scene{
+      "scatter-ranking", "transmission error, peak to peak", "″", report.percentile, {}};
+  for (std::size_t i = 0; i < std::min(kStudyDots, report.rows.size()); ++i) {
+    const StudyReport::Row& r = report.rows[i];
+    scene.entries.push_back({r.words, r.percentile, r.mean, r.lower, r.upper});
+  }
+  return picture_hint() + side_by_side(figure_html(ranking_figure(scene)));
+}
+
+std::string refused_section(const StudyReport& report) {
+  if (report.refused.empty()) return {};
+  std::string text = "<section>\n<h2>Designs without a scatter</h2>\n<ul class=\"reasons\">\n";
+  for (const std::string& line : report.refused) text += "<li>" + escaped(line) + "</li>\n";
+  return text + "</ul>\n</section>\n";
+}
+
+}  // namespace
+
+std::string study_report(const StudyReport& report) {
+  std::string page = page_head(report.title, report.version, search_style());
+  page += fmt::format(
+      "<body>\n<header>\n<p class=\"kind\">Designs under their tolerances</p>\n<h1>{}</h1>\n<p "
+      "class=\"verdict\">{}</p>\n</header>\n<main>\n",
+      escaped(report.title), escaped(report.sentence));
+  page += with_contents("<section>\n<h2>Ranking</h2>\n" + figure_of(report) + table_of(report) +
+                        "</section>\n" + refused_section(report) + spec_section(report.spec_text)) +
+          "</main>\n";
+  page += fmt::format(
+      "<footer>\n<p>Gearwright{}. Rigid teeth; the samples of every design are computed as by the "
+      "verb scatter.</p>\n</footer>\n",
+      report.version.empty() ? "" : " " + escaped(report.version));
+  return page + page_end(sort_script());
+}
+
+}  // namespace gearwright
