@@ -48,7 +48,8 @@ constexpr auto kRows = std::to_array<Row>({
      "helix_angle_deg"},
     {"measured", "", "is not a table of the spec; give the readings of a gear in [gear1.measured]"},
     {"compensate.aim", "\"percentile\"",
-     "is not an aim of [compensate], which works for given errors; [scatter.robust] minimises a percentile over the "
+     "is not an aim of [compensate], which works for given errors; [scatter.robust] minimises a "
+     "percentile over the "
      "tolerances of [scatter], with percentile = 95"},
     {"scatter.correlations", "",
      "is not supported; only the bores can be correlated, by [scatter.bearings]"},

@@ -79,11 +79,12 @@ const KeyTable& scatter_keys() {
                  "if true, the result contains the factor by which each tolerance can grow until "
                  "the greatest of `percentiles` of the peak-to-peak transmission error has grown "
                  "by 5 %, and the tolerance to tighten first [T14.19]"),
-       Key::flag(
-           "pattern", &S::pattern, "false",
-           "if true, the result contains the density of the contact pattern on both flanks for the first 256 / `replicates` "
-           "samples of each replicate: for each point of the flank, the share of samples in which marking compound of the "
-           "thickness in [contact] shows contact [T14.27]"),
+       Key::flag("pattern", &S::pattern, "false",
+                 "if true, the result contains the density of the contact pattern on both flanks "
+                 "for the first 256 / `replicates` "
+                 "samples of each replicate: for each point of the flank, the share of samples in "
+                 "which marking compound of the "
+                 "thickness in [contact] shows contact [T14.27]"),
        Key::flag("loaded", &S::loaded, "false",
                  "if true, loaded transmission error, pressure and face load factor are computed "
                  "for the first 256 / `replicates` samples of each replicate, under the torques of "

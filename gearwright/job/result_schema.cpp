@@ -156,19 +156,19 @@ Json error_schema() {
 
 std::vector<const QuantityTable*> result_tables() {
   return with_inner_tables(
-      {&gear_quantities().table(),          &measure_quantities().table(),
-       &as_rack_quantities().table(),       &double_helical_quantities().table(),
-       &outline_quantities().table(),       &pair_quantities().table(),
-       &rack_quantities().table(),          &rack_pair_quantities().table(),
-       &drive_quantities().table(),         &drive_body_quantities().table(),
-       &drive_mesh_quantities().table(),    &contact_quantities().table(),
-       &compensate_quantities().table(),    &propose_quantities().table(),       &scatter_quantities().table(),
-              &scatter_study_quantities().table(), &load_quantities().table(),
-       &rating_quantities().table(),        &fit_quantities().table(),
-       &identify_quantities().table(),      &drawing_quantities().table(),
-       &search_quantities().table(),        &drive_search_quantities().table(),
-       &file_quantities().table(),          &warning_quantities().table(),
-       &verdict_quantities().table()});
+      {&gear_quantities().table(),         &measure_quantities().table(),
+       &as_rack_quantities().table(),      &double_helical_quantities().table(),
+       &outline_quantities().table(),      &pair_quantities().table(),
+       &rack_quantities().table(),         &rack_pair_quantities().table(),
+       &drive_quantities().table(),        &drive_body_quantities().table(),
+       &drive_mesh_quantities().table(),   &contact_quantities().table(),
+       &compensate_quantities().table(),   &propose_quantities().table(),
+       &scatter_quantities().table(),      &scatter_study_quantities().table(),
+       &load_quantities().table(),         &rating_quantities().table(),
+       &fit_quantities().table(),          &identify_quantities().table(),
+       &drawing_quantities().table(),      &search_quantities().table(),
+       &drive_search_quantities().table(), &file_quantities().table(),
+       &warning_quantities().table(),      &verdict_quantities().table()});
 }
 
 Json result_schema() {
