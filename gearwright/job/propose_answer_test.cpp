@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/load_answer.hpp"
