@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "gearwright/arrange/body.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
