@@ -126,7 +126,7 @@ TEST_F(ChunkStoreTest, a_changed_campaign_is_told_by_its_lines) {
   const auto names = ChunkStore::open(folder_, campaign(40), {"one"}, OpenAs::resume, "test");
   ASSERT_FALSE(names);
   EXPECT_TRUE(contains(names.error().message(), "counts was shift_limits, contact ratio,"));
-  EXPECT_TRUE(contains(names.error().message(), " and is now one;"));
+  EXPECT_TRUE(contains(names.error().message(), " and is now one)"));
   opened(OpenAs::resume, campaign(40));  // and none of this did any harm
 }
 

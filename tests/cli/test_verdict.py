@@ -113,7 +113,7 @@ center_distance_mm = 60
         for verb, pending in (("gear", ["pair"]), ("pair", ["contact", "load"]), ("contact", ["load"]), ("load", ["contact"])):
             verdict = Run(verb, spec, "--json").json["verdict"]
             self.assertEqual((verdict["level"], verdict["not_judged"]), ("green", pending), verb)
-        self.assertIn("Not judged: contact, load.", " ".join(Run("pair", spec).out.split()))
+        self.assertIn("Parts that are not judged: contact, load.", " ".join(Run("pair", spec).out.split()))
         ran = Run("run", spec, "--json", "--only", "result").json["verdict"]
         self.assertEqual((ran["level"], ran["not_judged"]), ("green", []))
 

@@ -80,7 +80,7 @@ class Ranks(Campaign):
             return end(start(small, out, *args, program=MPI, env=AS_ROOT), 60)
 
         for wanted, words, *args in ((1, "this folder contains a search", "o", *SMALL_CHUNK),
-                                     (1, "this folder contains another search", "o", "--resume", "--chunk", 90),
+                                     (1, "this folder contains a search with another spec", "o", "--resume", "--chunk", 90),
                                      (2, "--shard", "none", "--shard", "1/2"), (2, "--top", "none", "--top", 0),
                                      (3, "/proc/none", "/proc/none")):
             status, out, err = ask(*args)

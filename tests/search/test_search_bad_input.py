@@ -55,7 +55,8 @@ class Refused(Asked):
 
     def test_modules(self):
         names = ("ISO54-I", "ISO54-I+II", "a list")
-        for value, words in (([2, 0], ("0 cannot", "greater than 0")), ([2, -1.5], ("-1.5 cannot", "greater than 0")),
+        for value, words in (([2, 0], ("contains 0, but a module", "greater than 0")),
+                             ([2, -1.5], ("contains -1.5, but a module", "greater than 0")),
                              ([2, 2.5, 2], ("2 twice",)), ([], ("empty", *names)), ("ISO54", names), (["2"], ("not a number", *names)),
                              ([1e-9], ("0.001",)), (1e9, ("1000",)), (True, names)):
             self.no(spec(modules_mm=value), "search.modules_mm", *words)
@@ -231,7 +232,7 @@ class Campaigns(Asked):
             (where / "case.toml").write_text(spec(**changed))
             for how in (("--resume",), ("--shard", "1/2")):
                 err = self.no(where, "o", *how, *self.CHUNK)
-                for word in ("this folder contains another search", *words):
+                for word in ("this folder contains a search with another spec", *words):
                     self.assertIn(word, err)
             self.assertIn("this folder contains another search", self.no(where, "o", *self.CHUNK))
         (where / "case.toml").write_text(spec(after="[gear1]\nface_width_mm = 30\n"))
