@@ -94,8 +94,8 @@ int run_study_verb(const StudyCommand& c, const SpecText& text, const Together* 
   if (!spec) return failed(spec.error());
   if (!spec->search)
     return failed({c.designs ? "search" : "", "",
-                   c.designs ? "is missing; --designs needs the spec of that search, with "
-                               "[scatter] added"
+                   c.designs ? "is missing; --designs needs the spec of the search that found the "
+                               "designs, with [scatter] added"
                              : "--out, --top, --shard and --resume are for the designs of a "
                                "search; for one pair, run writes files"});
   options.designs = c.designs;

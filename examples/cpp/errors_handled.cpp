@@ -42,7 +42,7 @@ int main() {
 error: normal_module = -1: must lie between 0.001 and 1000 mm
 9 teeth, tip diameter 22.000 mm
   warning undercut
-error: gear2.normal_module = 2.5: the normal base pitches differ by 1.47607 mm: gear 1 has 5.90426 mm, gear 2 7.38033 mm; gears mesh only with equal m_n cos α_n. At this pressure angle the module would have to be 2 mm, at this base helix the base diameter 56.3815572 mm
+error: gear2.normal_module = 2.5: the normal base pitches differ by 1.47607 mm, because gear 1 has 5.90426 mm and gear 2 has 7.38033 mm; gears mesh only with equal m_n cos α_n. Gear 2 needs the module 2 mm at its pressure angle, or the base diameter 56.3815572 mm at its base helix angle
 mend: the wheel
 contact lost: yes
 */

@@ -200,7 +200,7 @@ std::string running(const Drive& drive) {
     if (rating) ratings.push_back(&rating->rating);
   text += safety_words(ratings);
   constexpr double kNone = 1e-9;  // mm, for rounding
-  if (*least > kNone) return text + fmt::format(" The least normal backlash is {:.3f} mm.", *least);
+  if (*least > kNone) return text + fmt::format(" The least backlash is {:.3f} mm.", *least);
   const double recommended = recommended_backlash(distance, module);
   // Both gears of a mesh are thinned by the same amount, j_n = −2 E_sn cos α_n.
   const double allowance =

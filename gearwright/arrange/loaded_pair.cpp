@@ -93,8 +93,8 @@ std::optional<Error> not_for_points(const LoadInput& input) {
                                      std::pair("load.deflection_bow", input.deflection_bow)})
     if (value != 0.0)
       return refused(field, value,
-                     "applies to teeth with line contact; these teeth have point contact, which "
-                     "moves under `errors`");
+                     "applies only to teeth with line contact; these teeth have point contact. "
+                     "`errors` describe how their contact moves");
   return std::nullopt;
 }
 

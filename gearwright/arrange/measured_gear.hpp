@@ -27,7 +27,7 @@ struct ChordMeasure {
 
 struct BallMeasure {
   BallSeat seat;
-  double dimension;  ///< M_d  mm, over or between two
+  double dimension;  ///< M_d  mm, dimension over or between two balls
 };
 
 struct PinMeasure {

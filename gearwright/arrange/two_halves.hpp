@@ -21,8 +21,8 @@ struct Halves {
   double half_face_width = 0.0;           ///< b_B  mm
   std::optional<double> groove_diameter;  ///< mm, as given or d_f ∓ m_n/2; none without a gap
   std::optional<double> hob_run_out;      ///< mm, the least gap for the run-out of the hob
-  double axial_shift_per_index_error;  ///< Δz/e, the axial shift by which floating distributes an
-                                       ///< index error
+  double axial_shift_per_index_error;  ///< Δz/e, the axial shift of the floating gear that divides
+                                       ///< an index error between both halves
 };
 
 /// Replaces each double-helical gear by its half.

@@ -48,8 +48,8 @@ const KeyTable& contact_keys() {
       {Key::number("positions", "", Range::between(4, 100'000), &ContactInput::positions, "64",
                    "positions per pitch of gear 1"),
        Key::number("pitches", "", Range::between(1, 10'000), &ContactInput::pitches, "1",
-                   "number of pitches, all equal to the first pitch; positions times pitches must "
-                   "be at most 10⁶"),
+                   "number of pitches in the result; each repeats the results of the first. "
+                   "Positions times pitches must be at most 10⁶"),
        Key::number("marking_mm", "δ", Range::above(0, 1, ", usually 0.003 to 0.01"),
                    &ContactInput::marking, "0.00635",
                    "thickness of the marking compound for ellipses and pattern"),

@@ -169,7 +169,7 @@ void say_contact(Quantities<V>& q) {
 }
 
 void say_limits(Quantities<V>& q) {
-  q.number("backlash_normal_mm", "normal backlash along the line of action", "j_bn",
+  q.number("backlash_normal_mm", "normal backlash, shortest distance of the flanks", "j_bn",
            "`backlash.normal_base_mm` of the pair",
            [](const V& v) { return v.row->backlash_normal; })
       .always()

@@ -164,8 +164,8 @@ const KeyTable& gear_keys() {
         .meaning =
             "the pinion cutter, which is a gear of the spec or a separate cutter in a table"},
        Key::number("profile_shift_pair", "e", {}, {}, "",
-                   "sum of the profile shifts of the gear and its cutter, with `cut_by`; instead "
-                   "of `profile_shift`")
+                   "sum of the profile shifts of the gear and its cutter; a gear with `cut_by` may "
+                   "have this key instead of `profile_shift`")
            .with_needs({"cut_by"}),
        Key::part("basic", basic_keys, {},
                  "dimensions that describe the gear independently of the rack"),

@@ -54,8 +54,8 @@ const std::array<ModificationEntry, 7>& modification_entries() {
        "negative"},
       {"end_relief", "C_βI = C_βII", "end relief", P::end_relief, &M::end_relief, nullptr,
        "_length_mm", "over",
-       "amount C; the removal grows from 0 at the length l from an end of the face to C at the "
-       "end, at both ends"},
+       "amount C; at each end of the face, the removal is 0 at the distance l from the end and "
+       "grows to C at the end"},
   }};
   return entries;
 }

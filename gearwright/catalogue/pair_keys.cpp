@@ -39,13 +39,15 @@ const KeyTable& pair_keys() {
                    "shaft angle Σ = β_w1 + β_w2, for internal pairs β_w1 − β_w2; two right-hand "
                    "external gears have Σ > 0, and two left-hand external gears Σ < 0")
            .with_also({"axis_angle", "crossing_angle"}),
-       Key::number("backlash_mm", "j_n", no_pressing(),
-                   KeyPlace::mean_and_ends<PairInput>(
-                       [](auto& p) -> auto& { return p.backlash; },
-                       [](auto& p) -> auto& { return p.backlash_ends; }),
-                   "backlash of the given allowances and centre distance",
-                   "normal backlash for which the teeth are thinned; instead of "
-                   "`thickness_allowance_mm`; two numbers are the least and the greatest backlash")
+       Key::number(
+           "backlash_mm", "j_n", no_pressing(),
+           KeyPlace::mean_and_ends<PairInput>(
+               [](auto& p) -> auto& { return p.backlash; },
+               [](auto& p) -> auto& { return p.backlash_ends; }),
+           "backlash of the given allowances and centre distance",
+           "backlash in the normal section at the pitch point, j_bn/cos α_wn, for which the "
+           "teeth are thinned; instead of `thickness_allowance_mm`; two numbers are the "
+           "least and the greatest backlash")
            .with_list(kOneOrEnds)
            .with_excludes({"backlash_circumferential_mm", "backlash_deg"})
            .with_also({"backlash", "play", "normal_backlash", "jn"}),

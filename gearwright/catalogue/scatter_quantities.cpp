@@ -158,7 +158,7 @@ const Quantities<RobustView>& robust_quantities() {
          [](const R& r) { return Value(correction_quantities().each(r.corrections)); })
         .list({0})
         .always();
-    q.word("aim", "quantity of each sample", "value of the key `aim`",
+    q.word("aim", "quantity computed for each sample", "value of the key `aim`",
            [](const R& r) {
              return r.under_load ? "loaded_transmission_error" : "transmission_error";
            })

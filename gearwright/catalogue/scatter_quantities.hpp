@@ -1,4 +1,4 @@
-// The quantities of the scatter due to tolerances, which are `scatter` in a result.
+// The quantities that describe the scatter due to tolerances. A result contains them under `scatter`.
 #pragma once
 
 #include <array>

@@ -218,7 +218,8 @@ std::vector<Key> design_keys() {
       Key::number(
           "backlash_mm", "j_n", Range::not_negative(),
           {&P::allowances, &SearchAllowances::backlash}, "backlash by `thickness_series`",
-          "least and greatest normal backlash of every design, for which the teeth are thinned")
+          "least and greatest backlash of every design in the normal section, j_bn/cos α_wn, for "
+          "which the teeth are thinned")
           .with_list(kBand)
           .with_form("a backlash in mm, or a band [least, greatest]")
           .with_excludes({"thickness_series"})

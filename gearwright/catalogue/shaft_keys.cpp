@@ -19,8 +19,8 @@ std::optional<KeyFault> check_shaft(Shaft& shaft, const KeyGiven&) {
       "steps_mm",
       diameters == 1
           ? std::string("needs several diameters in diameter_mm, one diameter more than steps")
-          : fmt::format("must have one number less than diameter_mm ({} numbers for {} diameters), "
-                        "because the numbers are the places at which the diameter changes",
+          : fmt::format("must have one entry fewer than diameter_mm ({} entries for {} diameters), "
+                        "because its entries are the places at which the diameter changes",
                         diameters - 1, diameters)};
 }
 
@@ -54,7 +54,7 @@ const KeyTable& shaft_keys() {
            .with_also({"diameters", "diameter", "d"}),
        Key::number("steps_mm", "", Range::between(-kMaxInput, kMaxInput), &Shaft::steps,
                    "a shaft with a single diameter",
-                   "places at which the diameter changes, one number less than `diameter_mm`")
+                   "places at which the diameter changes, one entry fewer than `diameter_mm`")
            .with_list({.least = 1,
                        .most = kMostShaftDiameters - 1,
                        .single = true,

@@ -96,8 +96,8 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   spec.root_fillet.reset();
   spec.tip_fillet.reset();
   const PinionMotion motion{cutter.spec.teeth, wanted.teeth, e};
-  // By default, the tip radius is the one that the root of the cutter leaves. The number is the same as
-  // in cut_by_pinion(), so that rounding does not decide between blank and cutter.
+  // By default, the tip radius is the radius to which the root of the cutter cuts. It is computed exactly as in
+  // cut_by_pinion(); otherwise rounding could determine whether the blank or the cutter limits the tip.
   spec.tip_diameter = wanted.tip_diameter.value_or(2 * left_by_root(*cutter.tooth, motion));
   if (auto error = check_limits(spec)) return *error;
   Gear gear = detail::described(spec);

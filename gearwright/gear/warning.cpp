@@ -219,8 +219,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::not_read, "not_read", kNote,
      "a part of the spec has no effect in this version or with this verb", "", "Leave it out."},
     {C::rating_crowning, "rating_crowning", kNote,
-     "the face load factor is that of teeth without crowning, helix slope and end relief",
-     "a face load factor without lead modifications"},
+     "the face load factor is that of teeth without crowning, helix slope and end relief"},
     {C::tip_bulge, "tip_bulge", kNote,
      "the tip projects beyond the involute, because the flank of the cutter was too short; another "
      "mating gear can collide with the projection; the message gives the tip diameter that removes "

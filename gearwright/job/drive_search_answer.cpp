@@ -51,8 +51,8 @@ std::string advice(const FoundDrives& f) {
     case DriveFault::no_teeth:
     case DriveFault::verdict: break;
   }
-  return "No drive has a green verdict. Try greater numbers of teeth, profile_shift or another "
-         "coaxial_teeth; the verb drive gives the reason for one set.";
+  return "No drive has a green verdict. Try greater numbers of teeth, add profile_shift, or "
+         "change coaxial_teeth. The verb drive shows why a given set has no green verdict.";
 }
 
 // A row of words or numbers. Only the values that this search has are included.

@@ -2,7 +2,8 @@
 //
 // The amounts follow from the greatest torque, the grades of the gears and the deflection of their
 // shafts. Each proposal is a spec, and its effects are those that `load` computes for this spec. The
-// tables of the teeth are computed once.     theory: docs/theory/12-loaded-contact.md, [T12.27] to [T12.33]
+// tables of the teeth are computed once. Internal to job/ and the programs.
+//                           theory: docs/theory/12-loaded-contact.md, [T12.27] to [T12.33]
 #pragma once
 
 #include <vector>

@@ -69,8 +69,9 @@ Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDe
 /// Laws      (1) the same rows and files with any threads, shards and ranks
 Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options);
 
-/// Ranks rows: first those whose contact is lost in no more samples than the percentile leaves out,
-/// then by the percentile, then by N. Rows without a scatter are moved to `refused`.
+/// Ranks the rows. A row that loses contact in more samples than the percentile leaves out comes after
+/// all others. Within each group, the rows are sorted by the percentile, then by N. Rows without a
+/// scatter are moved to `refused`.
 void rank_rows(const JobSpec& spec, std::vector<Json> rows, StudyRun& run);
 
 /// The whole result as text, one design per line.

@@ -38,7 +38,7 @@ struct PairPlaces {
 class GapSearch {
  public:
   static constexpr int kRows = 17;  ///< number of points on a profile at which the search starts
-  /// `heights` are the z of the slices on gear 1 in N, mm.
+  /// `heights`, in mm, are the z coordinates of the slices on gear 1 in the frame N.
   GapSearch(const ContactPair& pair, std::vector<double> heights);
   const std::vector<double>& heights() const { return heights_; }
   /// All tooth pairs whose flanks face each other in at least one slice, at a rotation in N.

@@ -16,13 +16,14 @@
 namespace gearwright::detail {
 
 /// The least gap between each tip (corner or rounded) and the mating gear's fillet, as a turn of gear
-/// 2. For internal pairs, the least gap to the whole tooth is added if it is less.
+/// 2. For internal pairs, the least gap to the whole tooth is included if it is smaller.
 ///
 /// Formula   [T4.33], minimised over the tip cylinder by a grid and quadratic steps
 /// Domain    crossed axes, both gears with a tooth, tips above the mating roots (contract: crossed)
-/// Accuracy  every gap is that of two points of the surfaces. A minimum is found to rounding, but if
-///           two minima lie within one grid step (a ninth of the range; internal pairs: a 49th around
-///           and a ninth along the face), one may be missed. A rounded tip is evaluated at 17 places
+/// Accuracy  every gap is the distance between two points of the surfaces. A minimum is exact to
+///           rounding, but one of two minima less than one grid step apart may be missed. The step is
+///           1/9 of the range; for internal pairs it is 1/49 of the circumference and 1/9 of the face.
+///           A rounded tip is evaluated at 17 places
 std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair);
 
 }  // namespace gearwright::detail

@@ -93,7 +93,7 @@ std::string min_distance_figure(const CrossedPair& pair);
 /// if there are none.
 std::string min_distance_table(const CrossedPair& pair);
 
-/// The table and the figure of the least centre distance, folded, for users who check a manual calculation.
+/// The table and the figure of the least centre distance in a folded section, for users who check a manual calculation.
 std::string min_distance_part(const CrossedPair& pair);
 
 }  // namespace gearwright

@@ -44,8 +44,9 @@ std::string caption(const ShiftGraph& graph, const ShiftRegion& region) {
                 symbol_html("λ"), problem.lambda);
   return fmt::format(
       ". The filled region has {}, in normal modules. The faint rectangle shows the limits of the "
-      "profile shifts. {}The thin dashed line is {}, thick where it is feasible. The dots are the "
-      "middles of the region at the least and at the greatest {}. The ring marks the design. Edges "
+      "profile shifts. {}The dashed line is {}; its feasible part is thick. The dots are the "
+      "middles of the region along the lines with the least and with the greatest {}. The ring "
+      "marks the design. Edges "
       "of the region:",
       area, problem.center_distance ? "The thin lines are centre distances in mm. " : "", line,
       symbol_html("Σx"));

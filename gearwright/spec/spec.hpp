@@ -41,7 +41,8 @@ struct JobSpec : SpecTables {
 };
 
 /// Reads a spec from text. File names are relative to `folder`, or to the working directory if
-/// `folder` is empty. All missing inputs, in general and for `use`, are reported as one error.
+/// `folder` is empty. All missing inputs, both those of every spec and those
+/// that `use` needs, are reported as one error.
 ///
 /// Throws    IoError if a named file exists and cannot be read
 /// Errors    the key with its table ("gear1.normal_module_mm") as the field, its value, and the

@@ -37,7 +37,7 @@ const std::vector<Means> kLongerContact{
     {A::face_width, W::pair, +1}};
 
 constexpr const char* kContactRatio = "the contact ratio is {:.3f}";
-constexpr const char* kBacklash = "the normal backlash is {:.4f} mm";
+constexpr const char* kBacklash = "the backlash is {:.4f} mm";
 
 const std::vector<Cure>& cures() {
   static const std::vector<Cure> kAll{

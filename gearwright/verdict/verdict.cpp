@@ -56,7 +56,7 @@ std::string joined(const std::vector<std::string>& list) {
 // A backlash that would be printed as 0.0000 mm is stated as no backlash, with the recommended
 // value for running gears.
 std::string backlash_words(double j, double center_distance, double normal_module) {
-  if (std::abs(j) >= 0.5e-4) return fmt::format("a normal backlash of {:.4f} mm", j);
+  if (std::abs(j) >= 0.5e-4) return fmt::format("a backlash of {:.4f} mm", j);
   return fmt::format("no backlash (ISO/TR 10064-2 recommends at least {:.2f} mm)",
                      recommended_backlash(center_distance, normal_module));
 }

@@ -182,7 +182,7 @@ class ScatterDesigns(unittest.TestCase):
         self.no(other, 1, "--designs", "another search", args=("--designs", "found"))
         self.no(folder(spec(SEARCH)), 1, "scatter.errors", "crossing_deg", args=())
         pair = "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[scatter]\nquality = 6\n"
-        self.no(folder(pair), 1, "search", "spec of that search", args=("--designs", "x.json"))
+        self.no(folder(pair), 1, "search", "spec of the search", args=("--designs", "x.json"))
         self.no(folder(pair), 1, "", "run writes files", args=("--out", "o"))
         self.no(folder(TEXT.replace("lead_crowning_um", "lead_crown_um")), 1, "gear1.modifications.lead_crown_um", "lead_crowning_um")
         self.assertEqual([p.name for p in folder(TEXT).iterdir()], ["case.toml"])
@@ -193,7 +193,7 @@ class ScatterDesigns(unittest.TestCase):
         changed.write_text(TEXT.replace("samples = 16", "samples = 32"))
         r = Run("scatter", None, "--designs", "found", "--out", "other", "--resume", "--json", folder=self.where, name="changed.toml")
         self.assertEqual(r.status, 1)
-        self.assertIn("scatter.samples was 16, is 32", r.err)
+        self.assertIn("scatter.samples was 16 and is now 32", r.err)
 
 
 if __name__ == "__main__":

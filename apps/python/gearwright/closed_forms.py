@@ -124,7 +124,7 @@ def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_
              helix_angle: ArrayLike = 0.0, *, thickness_allowance1: ArrayLike = 0.0,
              thickness_allowance2: ArrayLike = 0.0, normal_module: float = 1.0,
              normal_pressure_angle: float = _ALPHA) -> Any:
-    """The normal backlash j_n at a centre distance. It is negative if the teeth overlap."""
+    """The backlash j_n in the normal section at a centre distance. It is negative if the teeth overlap."""
     columns, rows, shape = _columns(z1, z2, x1, x2, _sine_of_helix(helix_angle), thickness_allowance1,
                                     thickness_allowance2, center_distance)
     tan_alpha = math.tan(_pressure_angle(normal_pressure_angle))

@@ -1,0 +1,89 @@
+// Tests what a figure of the page does: a point that is dragged, circles that follow an error, a map that is clicked,
+// sliders, the values at the pointer, and files.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { describe } from "node:test";
+import { example, it, native, put, settled, withPage } from "./stage.mjs";
+
+let page;
+withPage((stage) => ({ page } = stage));
+
+describe("figures", () => {
+  it("the shift chart's point moves the design", async () => {
+    await put(page, example("helical_pair"), "shifts");
+    await page.waitForSelector("#room-shifts .design");
+    await page.focus(".shift-room");
+    await page.keyboard.press("ArrowRight");
+    await page.waitForFunction(() => /profile_shift = 0\.31\b/.test(window.gearwright.text()));
+  });
+
+  it("the shift chart has the limits and the design if no shifts are feasible", async () => {
+    await put(page, example("helical_pair") + "\n[search]\ncontact_ratio_min = 9\n", "shifts");
+    await page.waitForSelector("#room-shifts .design.outside");
+    assert.match(await page.textContent(".shift-sentence"), /No shifts satisfy the limits/);
+    assert.equal(await page.locator("#room-shifts .limits-box").count(), 1);
+  });
+
+  it("the circles of a gear follow an error of the centre distance", async () => {
+    await put(page, example("helical_pair") + "\n[errors]\ncenter_distance_mm = 1\n", "mesh");
+    await settled(page);
+    const apart = await page.evaluate(() => {
+      const plot = document.querySelector("#room-mesh g.plot");
+      const gears = [...plot.querySelectorAll("use[data-turn]")].map((use) => use.getBoundingClientRect());
+      const middle = (box) => box.left + box.width / 2;
+      return gears.map((gear) =>
+        Math.min(...[...plot.querySelectorAll("circle.thin")].map((c) => Math.abs(middle(c.getBoundingClientRect()) - middle(gear)))),
+      );
+    });
+    for (const px of apart) assert.ok(px < 1, `${px} px between a gear and its circles`);
+  });
+
+  it("a map of errors is read and clicked before it is complete", async () => {
+    await put(page, example("misaligned_pair"), "contact");
+    await page.waitForSelector("#room-contact #te path.curve");
+    await page.click(".error-map .map-head button");
+    await page.waitForSelector(".error-map g.plot");
+    await page.click(".error-map .map-head button:has-text('Cancel')");
+    const box = await page.locator(".error-map g.plot").boundingBox();
+    const before = await page.evaluate(() => window.gearwright.text());
+    await page.mouse.click(box.x + 0.75 * box.width, box.y + 0.5 * box.height, { button: "right" });
+    assert.equal(await page.evaluate(() => window.gearwright.text()), before);
+    await page.mouse.click(box.x + 0.75 * box.width, box.y + 0.5 * box.height);
+    await page.waitForFunction((before) => window.gearwright.text() !== before, before);
+  });
+
+  it("an error slider moves transmission error and text", async () => {
+    await put(page, example("misaligned_pair"), "contact");
+    await page.waitForSelector("#room-contact #te path.curve");
+    const before = await page.textContent("#room-contact .view-sentence");
+    await page.fill('[data-slide="errors.crossing_deg"]', "0.06");
+    await page.waitForFunction(
+      (before) => document.querySelector("#room-contact .view-sentence").textContent !== before,
+      before,
+    );
+    assert.match(await page.evaluate(() => window.gearwright.text()), /crossing_deg = 0\.06/);
+  });
+
+  it("a figure is read by the pointer, a press chooses the position, its values are saved", async () => {
+    await put(page, example("misaligned_pair"), "contact");
+    await page.waitForSelector("#room-contact #te path.curve");
+    await page.waitForSelector("#room-contact #bearing2 .marked");
+    const plot = await page.locator("#te path.measured, #te rect.measured").boundingBox();
+    const slider = '#room-contact input[aria-label="position within the pitch"]';
+    await page.mouse.click(plot.x + plot.width * 0.25, plot.y + plot.height / 2);
+    assert.ok(Math.abs(Number(await page.inputValue(slider)) - 16) <= 1, await page.inputValue(slider));
+    assert.ok((await page.locator("#te .cursor").count()) >= 1);
+    for (let y = 0.05; y < 1 && !(await page.locator(".readout").count()); y += 0.1)
+      await page.mouse.move(plot.x + plot.width * 0.3, plot.y + plot.height * y);
+    assert.match(await page.textContent(".readout text"), /^tooth pair .*: −?[\d.]+ at −?[\d.]+$/);
+    const [file] = await Promise.all([
+      page.waitForEvent("download"),
+      page.locator(".figure-slot", { has: page.locator("#te") }).getByText("CSV").click(),
+    ]);
+    const rows = readFileSync(await file.path(), "utf8").trim().split("\n");
+    const values = rows.slice(1).map((row) => Number(row.split(",").at(-1)));
+    const expected = native("contact", example("misaligned_pair")).contact.peak_to_peak_arcsec;
+    assert.ok(Math.abs(Math.max(...values) - Math.min(...values) - expected) < 0.02 * expected);
+  });
+});
