@@ -31,6 +31,9 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
     return not_loaded(
         "does not apply to a drive with a closed loop of meshes, whose torques depend on the "
         "compliance of shafts");
+  if (!drive.geometry.faults.empty())
+    return not_loaded("does not apply to gears that do not fit: " +
+                      drive.geometry.faults.front().message);
   if (!drive.flow)
     return not_loaded(
         "needs the torques of all meshes, and so a normal module, or efficiencies of the meshes");

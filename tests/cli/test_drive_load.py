@@ -86,6 +86,7 @@ class Messages(unittest.TestCase):
         pair = "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[load]\ntorque_Nm = 5\n"
         stepped = (SOURCE / "examples/drives/robot_joint.toml").read_text()
         differential = SET.replace("planets = 3", 'planets = 3\nfixed = []\ninput = ["sun", "ring"]')
+        apart = SET.replace("sun = 20", "sun = 19").replace("planet = 25", "planet = 17").replace("ring = 70", "ring = 56")
         for verb, spec, *words in (
                 ("load", pair + 'floating = "sun"\n', "load.floating", "[planetary]"),
                 ("load", pair + "pin_error_um = 5\n", "load.pin_error_um", "planets of a drive"),
@@ -95,6 +96,7 @@ class Messages(unittest.TestCase):
                 ("drive", SET + DRAFT + 'floating = "sum"\n', "load.floating", "sun"),
                 ("drive", SET + DRAFT + 'floating = "planet"\n', "load.floating", "the central gears"),
                 ("drive", SET + DRAFT + "pin_error_um = [1, 2]\n", "load.pin_error_um", "3 planets"),
+                ("drive", apart + DRAFT, "load", "gears that do not fit: "),
                 ("drive", SET.replace("planets = 3", "planets = 1") + DRAFT + 'floating = "sun"\n', "load.floating", "single planet"),
                 ("drive", SET + DRAFT + "driver = 2\n", "load.driver", "--take N"),
                 ("drive", STAGE + DRAFT + "pin_error_um = [1, 2]\n", "load.pin_error_um", "has none"),

@@ -19,7 +19,8 @@ describe("figures", () => {
   });
 
   it("the shift chart has the limits and the design if no shifts are feasible", async () => {
-    await put(page, example("helical_pair") + "\n[search]\ncontact_ratio_min = 9\n", "shifts");
+    // The contact ratio of two gears of seven teeth is less than the 1.2 of the limits.
+    await put(page, "[gear1]\nteeth = 7\nnormal_module_mm = 2\n[gear2]\nteeth = 7\n", "shifts");
     await page.waitForSelector("#room-shifts .design.outside");
     assert.match(await page.textContent(".shift-sentence"), /No shifts satisfy the limits/);
     assert.equal(await page.locator("#room-shifts .limits-box").count(), 1);
@@ -30,13 +31,17 @@ describe("figures", () => {
     await settled(page);
     const apart = await page.evaluate(() => {
       const plot = document.querySelector("#room-mesh g.plot");
-      const gears = [...plot.querySelectorAll("use[data-turn]")].map((use) => use.getBoundingClientRect());
-      const middle = (box) => box.left + box.width / 2;
-      return gears.map((gear) =>
-        Math.min(...[...plot.querySelectorAll("circle.thin")].map((c) => Math.abs(middle(c.getBoundingClientRect()) - middle(gear)))),
+      const on_screen = (element, x, y) => new DOMPoint(x, y).matrixTransform(element.getScreenCTM());
+      const centers = [...plot.querySelectorAll("circle.thin")].map((c) =>
+        on_screen(c, c.cx.baseVal.value, c.cy.baseVal.value),
       );
+      return [...plot.querySelectorAll("use[data-turn]")].map((use) => {
+        const axis = on_screen(use, 0, 0);
+        return Math.min(...centers.map((one) => Math.hypot(one.x - axis.x, one.y - axis.y)));
+      });
     });
-    for (const px of apart) assert.ok(px < 1, `${px} px between a gear and its circles`);
+    assert.equal(apart.length, 4); // the body and the outline of both gears
+    for (const px of apart) assert.ok(px < 0.2, `${px} px between a gear and its circles`);
   });
 
   it("a map of errors is read and clicked before it is complete", async () => {
@@ -45,6 +50,7 @@ describe("figures", () => {
     await page.click(".error-map .map-head button");
     await page.waitForSelector(".error-map g.plot");
     await page.click(".error-map .map-head button:has-text('Cancel')");
+    await page.locator(".error-map svg").scrollIntoViewIfNeeded();
     const box = await page.locator(".error-map g.plot").boundingBox();
     const before = await page.evaluate(() => window.gearwright.text());
     await page.mouse.click(box.x + 0.75 * box.width, box.y + 0.5 * box.height, { button: "right" });
