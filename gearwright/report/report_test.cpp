@@ -82,7 +82,7 @@ TEST(Report, KeyFiguresHaveTheBacklashAtBothEnds) {
     const std::size_t at = page.find("<dd>", page.find("<dt>" + words)) + 4;
     return page.substr(at, page.find("</dd>", at) - at);
   };
-  const std::string middle = key("Normal backlash");
+  const std::string middle = key("Backlash in the normal section");
   EXPECT_EQ(middle.find("…"), middle.npos);
   std::string both;
   for (const double distance : {61.05, 61.2}) {
@@ -90,7 +90,7 @@ TEST(Report, KeyFiguresHaveTheBacklashAtBothEnds) {
     input.pair_ends.push_back(pair_quantities().of(pair));
     both += (both.empty() ? "" : " … ") + printed(pair.involute()->mesh.backlash.normal, 4);
   }
-  EXPECT_EQ(key("Normal backlash"), both + " mm");
+  EXPECT_EQ(key("Backlash in the normal section"), both + " mm");
   EXPECT_EQ(key("Centre distance"), "61.1000 mm");
 }
 
@@ -150,7 +150,7 @@ TEST(Report, PairNumbersAreThePairs) {
   EXPECT_EQ(row(page, "Transverse contact ratio"), (Values{printed(m.path_ratio, 5)}));
   EXPECT_EQ(row(page, "Effective total contact ratio"),
             (Values{printed(pair.contact_ratio_true(), 5)}));
-  EXPECT_EQ(row(page, "Normal backlash along the line of action"),
+  EXPECT_EQ(row(page, "Normal backlash, shortest distance of the flanks"),
             (Values{printed(m.backlash.normal_base, 4)}));
   EXPECT_EQ(row(page, "Circumferential backlash"),
             (Values{printed(m.backlash.circumferential[0], 4),
