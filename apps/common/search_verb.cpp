@@ -52,19 +52,6 @@ CLI::App* add_search(CLI::App& app, SearchCommand& c) {
   return sub;
 }
 
-std::optional<Shard> parse_shard(const std::string& text) {
-  const auto slash = text.find('/');
-  if (slash == std::string::npos) return std::nullopt;
-  Shard s;
-  const auto number = [&](std::size_t from, std::size_t to, int& value) {
-    const char* end = text.data() + to;
-    const auto [at, error] = std::from_chars(text.data() + from, end, value);
-    return error == std::errc() && at == end;
-  };
-  if (!number(0, slash, s.which) || !number(slash + 1, text.size(), s.of)) return std::nullopt;
-  return s.which >= 1 && s.which <= s.of && s.of <= 1'000'000 ? std::optional(s) : std::nullopt;
-}
-
 namespace {
 
 std::atomic<bool> stop_wanted{false};
@@ -201,22 +188,8 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   const bool speaks = !together || together->rank == 0;
   SearchOptions options;
   const auto wrong = [&](const std::string& message) { return speaks ? usage(message) : 2; };
-  if (c.out && c.out->empty()) return wrong("--out needs the name of a folder");
-  if (!c.out && (c.resume || c.shard))
-    return wrong(std::string(c.resume ? "--resume" : "--shard") +
-                 " needs --out DIR, the folder of the search");
-  if (c.shard) {
-    const auto shard = parse_shard(*c.shard);
-    if (!shard || together) {
-      return wrong(together ? "--shard cannot be used under mpirun, whose ranks share one queue"
-                            : "--shard takes i/N with 1 <= i <= N, for example --shard 3/8");
-    }
-    options.shard = shard->which;
-    options.shards = shard->of;
-    options.many = true;
-  }
-  if (together && !c.out)
-    return wrong("a search on several ranks needs --out DIR, the folder that they share");
+  if (const auto error = fill_campaign(c, together, "search", "search", options))
+    return wrong(*error);
   const auto text = read_spec_text(c.spec);
   if (!text) return speaks ? fail(text.error(), c.json) : 1;
   const auto spec = read_spec(*text);
@@ -227,8 +200,6 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   }
   if (!spec->search) return speaks ? fail(no_search(), c.json, &*text) : 1;
   const Search search(*spec->search);
-  options.out = c.out.value_or("");
-  options.resume = c.resume;
   options.yes_large = c.yes_large;
   options.top = c.top;
   if (c.take)
@@ -238,21 +209,10 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
   options.chunk = c.chunk;
-  options.threads = c.threads;
+  options.threads = threads_of(c, together);
   options.stop = &stop_wanted;
-  options.writer = together   ? fmt::format("rank {}", together->rank)
-                   : !c.shard ? "search"
-                              : "shard " + *c.shard;
   ProgressLine progress;
   if (speaks) options.progress = [&](const SearchProgress& p) { progress(p); };
-  if (together) {
-    options.many = together->rank > 0;
-    options.together = true;
-    options.next_chunk = together->next_chunk;
-    options.folder_is_open = together->folder_is_open;
-    options.finish_together = together->finish_together;
-    if (options.threads == 0) options.threads = 1;
-  }
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   const auto run = run_search(*spec, search, options);
@@ -263,9 +223,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   if (c.json) {
     print(search_json_text(search, *run));
   } else {
-    std::string files;
-    for (const auto& file : run->files) files += "  " + native_text(file) + "\n";
-    print(search_listing(search, *run) + (files.empty() ? "" : "\nfiles\n" + files));
+    print(search_listing(search, *run) + written_files(run->files));
   }
   return 0;
 }

@@ -60,10 +60,7 @@ int print_study(const StudyCommand& c, const JobSpec& spec, const StudyRun& run)
   } else if (c.csv) {
     print(study_csv(spec, run));
   } else {
-    std::string files;
-    for (const auto& file : run.files) files += "  " + native_text(file) + "\n";
-    print(study_listing(spec, run, c.top.value_or(kListedStudy)) +
-          (files.empty() ? "" : "\nfiles\n" + files));
+    print(study_listing(spec, run, c.top.value_or(kListedStudy)) + written_files(run.files));
   }
   return 0;
 }
@@ -74,22 +71,9 @@ int run_study_verb(const StudyCommand& c, const SpecText& text, const Together* 
   const bool speaks = !together || together->rank == 0;
   const auto wrong = [&](const std::string& message) { return speaks ? usage(message) : 2; };
   const auto failed = [&](const Error& error) { return speaks ? fail(error, c.json, &text) : 1; };
-  if (c.out && c.out->empty()) return wrong("--out needs the name of a folder");
-  if (!c.out && (c.resume || c.shard))
-    return wrong(std::string(c.resume ? "--resume" : "--shard") +
-                 " needs --out DIR, the folder of the study");
-  if (together && !c.out)
-    return wrong("a study on several ranks needs --out DIR, the folder that they share");
   StudyOptions options;
-  if (c.shard) {
-    const auto shard = parse_shard(*c.shard);
-    if (!shard || together)
-      return wrong(together ? "--shard cannot be used under mpirun, whose ranks share one queue"
-                            : "--shard takes i/N with 1 <= i <= N: --shard 3/8");
-    options.shard = shard->which;
-    options.shards = shard->of;
-    options.many = true;
-  }
+  if (const auto error = fill_campaign(c, together, "scatter", "study", options))
+    return wrong(*error);
   const auto spec = read_spec(text);
   if (!spec) return failed(spec.error());
   if (!spec->search)
@@ -99,22 +83,9 @@ int run_study_verb(const StudyCommand& c, const SpecText& text, const Together* 
                              : "--out, --top, --shard and --resume are for the designs of a "
                                "search; for one pair, run writes files"});
   options.designs = c.designs;
-  options.out = c.out.value_or("");
   options.folder = text.folder;
-  options.resume = c.resume;
   options.top = c.top;
-  options.threads = c.threads;
-  options.writer = together  ? fmt::format("rank {}", together->rank)
-                   : c.shard ? "shard " + *c.shard
-                             : "scatter";
-  if (together) {
-    options.many = together->rank > 0;
-    options.together = true;
-    options.next_chunk = together->next_chunk;
-    options.folder_is_open = together->folder_is_open;
-    options.finish_together = together->finish_together;
-    if (options.threads == 0) options.threads = 1;
-  }
+  options.threads = threads_of(c, together);
   std::atomic<std::int64_t> done{0}, of{0};
   options.on_design = [&](std::int64_t now, std::int64_t all) {
     done = now;

@@ -6,16 +6,14 @@
 #include <optional>
 #include <string>
 
-#include "apps/common/search_verb.hpp"
+#include "apps/common/campaign_command.hpp"
+#include "gearwright/spec/spec_text.hpp"
 
 namespace gearwright::apps {
 
-struct StudyCommand {
-  std::string spec;
-  std::optional<std::string> designs, out, shard;
-  bool json = false, csv = false, resume = false;
-  std::optional<std::size_t> top;
-  int threads = 0;
+struct StudyCommand : CampaignCommand {
+  std::optional<std::string> designs;
+  bool csv = false;
 
   /// True if an option is given that only a study of designs has.
   bool given() const { return designs || out || shard || resume || top; }
