@@ -25,13 +25,13 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
   Material m = given.kind ? material_of_kind(*given.kind) : Material{};
   if (given.name) {
     const auto row = material_named(*given.name, given.surface_hardness);
-    const bool in_table = material_named(*given.name).has_value();
-    if (!row && in_table && !(given.sigma_Hlim && given.sigma_Flim)) {
+    const auto listed = material_named(*given.name);
+    if (!row && listed && !(given.sigma_Hlim && given.sigma_Flim)) {
       return refused(owner + ".surface_hardness", *given.surface_hardness,
                      "is outside the range of ISO 6336-5 for this material; give `sigma_Hlim` and "
                      "`sigma_Flim` of the material");
     }
-    if (row) m = *row;
+    if (row || listed) m = row ? *row : *listed;
     m.name = *given.name;
   }
   if (given.kind) m.kind = *given.kind;

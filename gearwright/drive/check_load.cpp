@@ -66,7 +66,7 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
 std::optional<Error> not_possible(const Drive& drive, const DriveLoadCase& load) {
   const DriveGraph& graph = drive.graph;
   if (load.floating) {
-    std::string list;
+    std::vector<std::string> names;
     int sets = 0;
     bool known = false;
     for (const PlanetSet& set : drive.sets) {
@@ -78,7 +78,7 @@ std::optional<Error> not_possible(const Drive& drive, const DriveLoadCase& load)
         }
       for (const std::size_t b : bodies) {
         const std::string& name = graph.bodies[b].name;
-        if (list.find(name) == std::string::npos) list += (list.empty() ? "" : ", ") + name;
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
       }
       const bool here = std::find(bodies.begin(), bodies.end(), *load.floating) != bodies.end();
       known = known || here;
@@ -90,10 +90,10 @@ std::optional<Error> not_possible(const Drive& drive, const DriveLoadCase& load)
     const std::string& name = graph.bodies[*load.floating].name;
     if (!known)
       return Error{"load.floating", name,
-                   list.empty() ? "cannot float, because the drive has no planets"
-                                : fmt::format("cannot float; the carrier and the central gears of "
-                                              "a set can: {}",
-                                              list)};
+                   names.empty() ? "cannot float, because the drive has no planets"
+                                 : fmt::format("cannot float; the carrier and the central gears of "
+                                               "a set can: {}",
+                                               fmt::join(names, ", "))};
     if (sets > 1)
       return Error{"load.floating", name,
                    "belongs to several sets; a body that floats is computed in one set only"};

@@ -64,8 +64,8 @@ std::optional<double> direction(const Drive& drive, std::size_t m, std::size_t g
   return theta / kTurn + (towards_b ? 0.0 : 0.5);
 }
 
-// Copies of a planet mesh γ later; copies of meshed planets follow their central gear of the same
-// frequency.
+// The copies of a planet engage γ later. The copies of meshed planets follow their central gear of the
+// same frequency.
 void find_delays(const Drive& drive, std::size_t m, MeshPhase& phase) {
   const DriveGraph& graph = drive.graph;
   const PlanetSet* set = set_of(drive, m);

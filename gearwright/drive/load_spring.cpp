@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/math/newton.hpp"
 
 namespace gearwright::detail {
 
@@ -58,22 +59,15 @@ double LoadSpring::approach(double force) const {
   const auto above =
       std::upper_bound(nodes_.begin(), nodes_.end(), force,
                        [](double f, const SpringNode& node) { return f < node.force; });
-  double lo = (above - 1)->approach, hi = above->approach;
+  const double lo = (above - 1)->approach, hi = above->approach;
   if (force == (above - 1)->force) return lo;
-  // Newton steps within a bracket; halving alone reaches the last bit in kSteps.
-  constexpr int kSteps = 60;
-  double x = lo + (hi - lo) * (force - (above - 1)->force) / (above->force - (above - 1)->force);
-  for (int i = 0; i < kSteps && lo < hi; ++i) {
+  const double start =
+      lo + (hi - lo) * (force - (above - 1)->force) / (above->force - (above - 1)->force);
+  const auto excess = [&](double x) {
     const Value value = at(x);
-    if (value.force == force) break;
-    (value.force < force ? lo : hi) = x;
-    const double next = value.slope > 0.0 ? x - (value.force - force) / value.slope : lo;
-    const double halved = lo + (hi - lo) / 2;
-    const double to = next > lo && next < hi ? next : halved;
-    if (to == x) break;
-    x = to;
-  }
-  return x;
+    return Slope<double>{value.force - force, value.slope};
+  };
+  return newton_in_bracket(excess, lo, hi, start, true).x;
 }
 
 }  // namespace gearwright::detail

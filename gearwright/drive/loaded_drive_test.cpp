@@ -105,6 +105,21 @@ TEST(LoadedDriveTest, EqualPlanetsInPhaseShareEqually) {
   EXPECT_GT(loaded.error.peak_to_peak, 0.0);
 }
 
+// The sun turns counter-clockwise in the carrier, and planet i lies i/3 of a turn further in this sense.
+// It meets what planet 0 met γ_i = 20 i/3 pitches before.
+TEST(LoadedDriveTest, PlanetsInSequenceHaveTheSharesOfEachOtherLater) {
+  constexpr int kPositions = 6;
+  const Drive drive = drive_of({{20, 25, 70}});
+  const PlanetShares shares = under(drive, load_of(drive, 30.0, kPositions)).sets[0];
+  ASSERT_GT(span(shares.share[0]), 1e-3);
+  for (std::size_t i = 1; i < 3; ++i)
+    for (int j = 0; j < kPositions; ++j) {
+      const int later = static_cast<int>(20 * i * kPositions / 3) % kPositions;
+      const auto k = static_cast<std::size_t>((j - later + kPositions) % kPositions);
+      EXPECT_NEAR(shares.share[i][static_cast<std::size_t>(j)], shares.share[0][k], 1e-8) << i << j;
+    }
+}
+
 TEST(LoadedDriveTest, AnErrorOfAPinUnloadsThePlanetAhead) {
   const Drive drive = drive_of({{20, 25, 70}});
   DriveLoadCase load = load_of(drive, 30.0, 6);
@@ -120,7 +135,7 @@ TEST(LoadedDriveTest, AnErrorOfAPinUnloadsThePlanetAhead) {
   EXPECT_GT(*floating.greatest_displacement(), 1e-3);
 }
 
-// With N = 1 the set adds the curves of both meshes at their known force.
+// A drive of one mesh has the curve that loaded contact gives for its pair.
 TEST(LoadedDriveTest, OneMeshHasTheLoadedCurveOfItsPair) {
   StageSpec stage;
   stage.pair.teeth = {19, 58};

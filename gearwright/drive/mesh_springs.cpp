@@ -33,12 +33,17 @@ Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, L
   parallel_for(rotations.size(), [&](std::size_t i) { turn.solve(i, i + 1); });
   const LoadedContact contact = turn.result();
   // Greater forces than an equal share may be missing; the tangent then replaces them.
-  for (std::size_t k = 0; k < levels.size() && contact.slices_too_fine; ++k)
-    for (const LoadedPosition& p : contact.torques[k].positions)
-      if (levels[k] <= 1.0 && p.unfinished)
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    for (const LoadedPosition& p : contact.torques[k].positions) {
+      if (levels[k] > 1.0 || !p.unfinished) continue;
+      if (contact.slices_too_fine)
         return Error{"load.slices", std::to_string(request.slices),
                      "are narrower than the contact under an equal share of the load; reduce the "
                      "torque or the number of slices"};
+      return Error{"load", "",
+                   "has no result, because the forces of this mesh do not converge under an equal "
+                   "share of the load; reduce the torque or change load.slices"};
+    }
   MeshSprings made;
   const double lead = setup.gear(2).base_radius() * pair.turned();
   for (std::size_t i = 0; i < rotations.size(); ++i) {

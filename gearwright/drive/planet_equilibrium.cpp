@@ -64,8 +64,8 @@ void PlanetEquilibrium::find_weights(const std::vector<MeshPhase>& phases) {
   }
 }
 
-// Without friction, the rotation of all bodies together costs nothing, so one central body is held:
-// the output or a held body, if it is among them.
+// A common rotation of all bodies changes no approach, so one central body is held: the output or a
+// held body, if it is one of them.
 void PlanetEquilibrium::find_unknowns() {
   const DriveGraph& graph = drive_.graph;
   columns_.assign(graph.bodies.size(), std::nullopt);
@@ -123,8 +123,8 @@ Vec2 PlanetEquilibrium::pushed(std::size_t m, std::size_t planet, const MeshPhas
   const double sin_w = std::sqrt(std::max(0.0, 1 - cos_w * cos_w));
   const bool drives = phase.first_drives == (side == 0);
   const double sense = turning(drive_, central.body, m) < 0.0 ? -1.0 : 1.0;
-  // An external gear pushes the planet in its own direction if it drives, a ring is pushed by the
-  // planet in its own direction if it is driven. Both are outward.
+  // The tangential component of n has the sense of the central gear if a sun drives or a ring is
+  // driven, otherwise the opposite sense. The radial component is outward.
   const double along = sense * (ring == drives ? -1.0 : 1.0) * cos_w;
   const Vec2 n(-along * std::sin(psi) + sin_w * std::cos(psi),
                along * std::cos(psi) + sin_w * std::sin(psi));

@@ -17,11 +17,17 @@ namespace {
 
 constexpr double kCircle = 360.0;  // degrees
 
-// Degrees of the input in a period of the meshes of a set.
+// Degrees of the input in a period of a mesh. A mesh that does not roll has no period of its own.
+double period_of(double frequency_ratio) {
+  constexpr double kLeast = 1e-9;  // teeth per turn
+  return std::abs(frequency_ratio) > kLeast ? kCircle / std::abs(frequency_ratio) : kCircle;
+}
+
+// The same for the meshes of a set.
 double period_of(const Drive& drive, const PlanetShares& shares) {
   for (const std::size_t m : drive.sets[shares.set].group.meshes)
     if (drive.flow && drive.flow->driver[m] >= 0)
-      if (const auto teeth = drive.frequency_ratio(m)) return kCircle / std::abs(*teeth);
+      if (const auto teeth = drive.frequency_ratio(m)) return period_of(*teeth);
   return kCircle;
 }
 
@@ -113,7 +119,7 @@ std::optional<Figure> displacement_figure(const Drive& drive, std::size_t set) {
 Figure loaded_output_figure(const Drive& drive, std::size_t curve) {
   GW_EXPECTS(drive.loaded && curve < drive.loaded->curves.size());
   const LoadedDrive::Curve& c = drive.loaded->curves[curve];
-  const double period = kCircle / std::max(std::abs(c.frequency_ratio), 1e-9);
+  const double period = period_of(c.frequency_ratio);
   Figure f{
       .id = "loaded-output" + suffix(curve),
       .title = "Transmission error of the output",

@@ -127,7 +127,7 @@ std::string drive_csv(const Drive& drive) {
 std::string load_factor_sentence(const Drive& drive) {
   const auto computed = mesh_load_factor(drive), rated = rated_mesh_load_factor(drive);
   if (!computed || !rated) return "";
-  return fmt::format("  The rating uses the given K_γ = {}; the planets under this load have {}.\n",
+  return fmt::format("  The rating uses K_γ = {}; the planets under this load have {}.\n",
                      fixed_decimals(*rated, 3), fixed_decimals(*computed, 3));
 }
 

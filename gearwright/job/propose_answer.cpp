@@ -167,15 +167,22 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
     edges = "no edge of a tooth carries load, and ";
   if (p.at_limits && edge_rank(given) > 0 && edge_rank(p) == 0)
     edges = "no edge of a tooth carries load, not even at the limits of the helix slopes, and ";
+  const bool scored =
+      std::isfinite(given.worst.peak_to_peak.rad()) && std::isfinite(pressed(given).max_pressure);
   std::string text =
-      best == 0
-          ? std::string(
-                "No proposal with at most the transmission error of the spec as given is "
-                "better than it.")
+      best == 0 ? std::string(
+                      "No proposal with at most the transmission error of the spec as given is "
+                      "better than it.")
+      : !scored
+          ? fmt::format(
+                "The spec as given has no result under this load. Among the proposals, {}the "
+                "sum of transmission error and pressure is the least.",
+                edges)
           : fmt::format(
                 "Among the proposals with at most the transmission error of the spec as given, "
                 "{}the sum of transmission error ({}″) and pressure ({} N/mm²{}), each relative to "
-                "the spec as given, is the least.",
+                "the spec as given, is the least; a proposal with more changes must be better by 1 "
+                "%.",
                 edges, arrow(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
                 arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
                 p.at_limits ? " at the limits of the helix slopes" : "");
@@ -267,15 +274,23 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
       list_proposals(given, task, *compliance, lead, grades.pitch.value_or(0.0));
   a.short_deflection = wanted.short_deflection;
   begin_stage(progress, "proposals under load", static_cast<std::int64_t>(wanted.proposals.size()));
+  std::vector<std::string> left_out;
   for (Proposal p : wanted.proposals) {
     count_step(progress);
     Json spec = with_proposal(tree, p, given.spec.load.driver == 2);
     auto own = job_of(spec);
-    if (!own) continue;  // teeth that cannot have these modifications
-    jobs.push_back(std::move(own).take());
-    const auto its = quick_task(jobs.back());
-    if (!its || find_effects(p, *its, *compliance, grades.helix, jobs.back().warnings)) {
-      jobs.pop_back();
+    std::optional<Error> error;
+    if (own) {
+      jobs.push_back(std::move(own).take());
+      const auto its = quick_task(jobs.back());
+      error = its ? find_effects(p, *its, *compliance, grades.helix, jobs.back().warnings)
+                  : std::optional<Error>(its.error());
+      if (error) jobs.pop_back();
+    } else {
+      error = own.error();  // teeth that cannot have these modifications
+    }
+    if (error) {
+      left_out.push_back(fmt::format("There is no {}: {}.", words_of(p), error->message()));
       continue;
     }
     a.proposals.push_back(std::move(p));
@@ -284,7 +299,8 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   for (std::size_t i = 0; i < a.specs.size(); ++i) a.proposals[i].spec = to_value(a.specs[i]);
   a.recommended = recommended(a.proposals);
   a.reason = reason_of(a.proposals, a.recommended);
-  for (const std::string& remark : wanted.remarks) a.reason += " " + remark;
+  for (const auto& remarks : {wanted.remarks, left_out})
+    for (const std::string& remark : remarks) a.reason += " " + remark;
   for (std::size_t i = 0; i < a.proposals.size(); ++i) a.notes.push_back({origin(a, i)});
   job.warnings = jobs[a.recommended].warnings;
   a.verdict = judge(jobs[a.recommended], {.load = true});

@@ -40,7 +40,7 @@ std::string text_of_file(const fs::path& path) {
 }
 
 // Results of [scatter] that belong to one pair and that rows do not show.
-constexpr const char* kOfOnePair[] = {"indices", "worst_case", "loosening", "robust"};
+constexpr const char* kOfOnePair[] = {"indices", "worst_case", "loosening", "robust", "pattern"};
 
 // The spec of a design as `search --take` prints it.
 Json spec_of(const JobSpec& spec, const Search& search, const DesignRow& row) {
@@ -48,11 +48,6 @@ Json spec_of(const JobSpec& spec, const Search& search, const DesignRow& row) {
   if (tree.contains("scatter"))
     for (const char* key : kOfOnePair) tree["scatter"].erase(key);
   return tree;
-}
-
-std::size_t ranking_percentile(const JobSpec& spec) {
-  const std::vector<double>& all = spec.scatter.percentiles;
-  return static_cast<std::size_t>(std::max_element(all.begin(), all.end()) - all.begin());
 }
 
 // A failure that concerns all designs, because it is about the tolerances as given.
@@ -65,6 +60,16 @@ std::string teeth_words(const std::array<int, 2>& teeth) {
 }
 
 }  // namespace
+
+std::size_t ranking_percentile(const JobSpec& spec) {
+  const std::vector<double>& all = spec.scatter.percentiles;
+  return static_cast<std::size_t>(std::max_element(all.begin(), all.end()) - all.begin());
+}
+
+bool loses_contact(const JobSpec& spec, const Json& row) {
+  const double left_out = 100.0 - spec.scatter.percentiles[ranking_percentile(spec)];
+  return 100.0 * row["probability"]["contact_lost"]["value"].get<double>() > left_out;
+}
 
 Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
   std::error_code error;
@@ -151,7 +156,6 @@ Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDe
 
 void rank_rows(const JobSpec& spec, std::vector<Json> rows, StudyRun& run) {
   const std::size_t at = ranking_percentile(spec);
-  const double left_out = 1.0 - spec.scatter.percentiles[at] / 100.0;
   using Key = std::tuple<bool, double, std::int64_t>;
   std::vector<std::pair<Key, Json>> ranked;
   for (Json& row : rows) {
@@ -159,8 +163,8 @@ void rank_rows(const JobSpec& spec, std::vector<Json> rows, StudyRun& run) {
       run.refused.push_back(std::move(row));
       continue;
     }
-    const bool lost = row["probability"]["contact_lost"]["value"].get<double>() > left_out;
-    const Key key{lost, row["peak_to_peak_arcsec"]["percentiles"][at].get<double>(),
+    const Key key{loses_contact(spec, row),
+                  row["peak_to_peak_arcsec"]["percentiles"][at].get<double>(),
                   row["design"].get<std::int64_t>()};
     ranked.emplace_back(key, std::move(row));
   }

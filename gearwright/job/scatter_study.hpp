@@ -69,6 +69,12 @@ Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDe
 /// Laws      (1) the same rows and files with any threads, shards and ranks
 Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options);
 
+/// Index of the greatest of the requested percentiles, by which the designs are ranked.
+std::size_t ranking_percentile(const JobSpec& spec);
+
+/// True if the design of the row loses contact in more samples than this percentile leaves out.
+bool loses_contact(const JobSpec& spec, const Json& row);
+
 /// Ranks the rows. A row that loses contact in more samples than the percentile leaves out comes after
 /// all others. Within each group, the rows are sorted by the percentile, then by N. Rows without a
 /// scatter are moved to `refused`.

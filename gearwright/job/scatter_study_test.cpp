@@ -19,7 +19,7 @@ JobSpec study_spec() {
     "modules_mm": [2, 2.5], "pinion_teeth": [26, 34], "helix_angle_deg": [0, 10], "helix_step_deg": 10,
     "face_width_mm": 20},
     "gear1": {"modifications": {"lead_crowning_um": 6}}, "gear2": {"modifications": {"profile_crowning_um": 4}},
-    "scatter": {"samples": 4, "replicates": 2, "percentiles": [95, 50], "indices": true,
+    "scatter": {"samples": 4, "replicates": 2, "percentiles": [95, 50], "indices": true, "pattern": true,
       "errors": {"crossing_deg": [-0.02, 0.02]}, "gear1": {"modifications": {"lead_crowning_um": [-3, 3]}}}})");
   auto spec = read_spec_tree(tree);
   EXPECT_TRUE(spec) << spec.error().message();
@@ -68,11 +68,11 @@ TEST(ScatterStudy, LostContactComesLast) {
   StudyRun run;
   rank_rows(study_spec(),
             {row(1, 3.0, 0.0), row(2, 1.0, 0.06), row(3, 2.0, 0.04), row(4, 2.0, 0.0),
-             Json{{"design", 5}, {"reason", "why"}}},
+             row(6, 2.5, 0.05), Json{{"design", 5}, {"reason", "why"}}},
             run);
   std::vector<int> order;
   for (const Json& r : run.designs) order.push_back(r["design"]);
-  EXPECT_EQ(order, (std::vector{3, 4, 1, 2}));
+  EXPECT_EQ(order, (std::vector{3, 4, 6, 1, 2}));  // 5 % are exactly what the percentile leaves out
   ASSERT_EQ(run.refused.size(), 1u);
 }
 

@@ -60,19 +60,15 @@ constexpr StudyColumn kColumns[] = {
      "share of the samples that lose contact; these are not in the percentile"},
     {"contact_lost_upper", "", 0, "/probability/contact_lost/upper", -1, 1, "", ""}};
 
-std::size_t ranking_place(const JobSpec& spec) {
-  const std::vector<double>& all = spec.scatter.percentiles;
-  return static_cast<std::size_t>(std::max_element(all.begin(), all.end()) - all.begin());
-}
-
 std::string percent_words(const JobSpec& spec) {
-  return format_number(spec.scatter.percentiles[ranking_place(spec)]) + " %";
+  return format_number(spec.scatter.percentiles[ranking_percentile(spec)]) + " %";
 }
 
 // The value of a column in a row; null if the row has none.
 Json cell(const JobSpec& spec, const StudyColumn& column, const Json& row) {
   std::string place = column.place;
-  if (place.ends_with('%')) place.replace(place.size() - 1, 1, std::to_string(ranking_place(spec)));
+  if (place.ends_with('%'))
+    place.replace(place.size() - 1, 1, std::to_string(ranking_percentile(spec)));
   const Json::json_pointer at(place);
   return row.contains(at) ? row[at] : Json();
 }
@@ -88,24 +84,23 @@ std::string head_of(const JobSpec& spec, const StudyColumn& column) {
   return head == "%" ? percent_words(spec) : head;
 }
 
-// "63 designs, 1024 samples each (8 replicates of 128), ranked by the 95 % point of …"
+// "63 designs, 1024 samples of each (8 replicates of 128), ranked by the 95 % point of …"
 std::string study_words(const JobSpec& spec, const StudyRun& run) {
   const ScatterInput& in = spec.scatter;
   return fmt::format(
-      "{} designs, {} samples of each ({} replicates of {}), ranked by the {} point of the "
+      "{} design{}, {} samples of each ({} replicates of {}), ranked by the {} point of the "
       "peak-to-peak transmission error",
-      run.of, in.samples * in.replicates, in.replicates, in.samples, percent_words(spec));
+      run.of, run.of == 1 ? "" : "s", in.samples * in.replicates, in.replicates, in.samples,
+      percent_words(spec));
 }
 
 std::string lost_words(const JobSpec& spec, const StudyRun& run) {
-  const double left_out = 1.0 - spec.scatter.percentiles[ranking_place(spec)] / 100.0;
-  const auto lost = std::count_if(run.designs.begin(), run.designs.end(), [&](const Json& row) {
-    return row["probability"]["contact_lost"]["value"].get<double>() > left_out;
-  });
-  return lost == 0
-             ? ""
-             : fmt::format("The last {} of them lose contact in more than {:g} % of the samples.",
-                           lost, 100 * left_out);
+  const auto lost = std::count_if(run.designs.begin(), run.designs.end(),
+                                  [&](const Json& row) { return loses_contact(spec, row); });
+  if (lost == 0) return "";
+  return fmt::format("The last {} contact in more than {:g} % of the samples.",
+                     lost == 1 ? "of them loses" : fmt::format("{} of them lose", lost),
+                     100.0 - spec.scatter.percentiles[ranking_percentile(spec)]);
 }
 
 // What the best design lacks, although it comes first.
@@ -131,7 +126,7 @@ std::string design_words(const Json& row) {
 std::string study_json_text(const JobSpec& spec, const StudyRun& run) {
   const ScatterInput& in = spec.scatter;
   Json head = to_json(scatter_study_quantities().of(
-      {in.percentiles[ranking_place(spec)], in.samples, in.replicates, in.seed, run.of}));
+      {in.percentiles[ranking_percentile(spec)], in.samples, in.replicates, in.seed, run.of}));
   head.erase("designs");
   head.erase("refused");
   std::string text = "{\n";
@@ -202,13 +197,15 @@ std::string study_csv(const JobSpec& spec, const StudyRun& run) {
 std::string study_page(const JobSpec& spec, const StudyRun& run) {
   StudyReport report;
   report.title = spec.title.empty() ? "Designs and their tolerances" : spec.title;
-  report.sentence = study_words(spec, run) + ". " + lost_words(spec, run) + jam_words(run);
+  report.sentence = study_words(spec, run) + ".";
+  for (const std::string& words : {lost_words(spec, run), jam_words(run)})
+    if (!words.empty()) report.sentence += " " + words;
   report.spec_text = spec.text;
   report.version = kVersion;
   report.percentile = percent_words(spec);
   for (const StudyColumn& c : kColumns)
     if (c.width > 0) report.columns.push_back({head_of(spec, c), c.unit, c.meaning});
-  const std::size_t at = ranking_place(spec);
+  const std::size_t at = ranking_percentile(spec);
   for (const Json& row : run.designs) {
     StudyReport::Row& r = report.rows.emplace_back();
     for (const StudyColumn& c : kColumns) {

@@ -161,8 +161,12 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
     });
     std::array<double, 2> least{std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity()};
-    for (std::size_t i = 0; i < tips.size(); ++i)
-      if (!(distance[i] >= least[tips[i].gear])) least[tips[i].gear] = distance[i];
+    // A place without a solution leaves the least distance of its gear unknown (NaN).
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+      double& known = least[tips[i].gear];
+      if (std::isnan(distance[i]) || distance[i] < known)
+        known = std::isnan(known) ? known : distance[i];
+    }
     bool still = true;
     for (std::size_t g = 0; g < 2; ++g) {
       if (found.turns == 1) found.unloaded[g] = least[g] > 0.0;

@@ -117,7 +117,7 @@ std::string load_part(const Drive& drive) {
     text += fmt::format(" The most loaded planet carries {} times an equal share.",
                         fixed_decimals(*computed, 3));
     if (const auto rated = rated_mesh_load_factor(drive))
-      text += fmt::format(" The rating uses the given K_γ = {}.", fixed_decimals(*rated, 3));
+      text += fmt::format(" The rating uses K_γ = {}.", fixed_decimals(*rated, 3));
   }
   text += "</p>\n";
   std::string figures;

@@ -64,6 +64,27 @@ TEST(PatternDensity, MoreCompoundLowersNoShareAndThreadsDoNotMatter) {
   EXPECT_TRUE(more);
 }
 
+TEST(PatternDensity, CountsTheFirstSamplesOfEachReplicate) {
+  const ContactSetup setup = testing::crowned_helical_pair().setup();
+  const DensityRequest request{.positions = 8, .samples = 4, .size = {5, 9}};
+  const auto found = scatter_of(setup, task_of({testing::crossing(0.03)}, 16, 2, request));
+  ASSERT_TRUE(found);
+  std::array<std::vector<std::int64_t>, 2> count;
+  for (const std::size_t n : {0, 1, 2, 3, 16, 17, 18, 19}) {
+    ContactErrors errors;
+    errors.crossing = Angle::degrees(found->samples[n].x[0]);
+    const auto pattern = contact_pattern(setup.pair(errors, false), 8, request.size);
+    for (const std::size_t which : {0, 1}) {
+      count[which].resize(pattern[which].gap.size());
+      for (std::size_t i = 0; i < count[which].size(); ++i)
+        count[which][i] += pattern[which].gap[i] <= request.marking ? 1 : 0;
+    }
+  }
+  for (const std::size_t which : {0, 1})
+    for (std::size_t i = 0; i < count[which].size(); ++i)
+      EXPECT_EQ(found->density->flanks[which].count[i], count[which][i]) << which << ' ' << i;
+}
+
 TEST(PatternDensity, IsTheClosedFormOfLeadCrownedSpurTeeth) {
   testing::DrawnPair drawn = testing::spur_pair(false);
   constexpr double kCrowning = 0.02, kFace = 20.0, kRange = 0.05;  // mm, mm, degrees

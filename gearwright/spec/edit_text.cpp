@@ -253,6 +253,7 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
   if (wished.is_structured() && has_null(wished))
     return Error{std::string(path), "null", "is not a value of a spec; leave out the key"};
   if (const auto named = named_material_of(*before, parts)) {
+    if (wished.is_null() && parts.back() != material_keys().shorthand) return std::string(toml);
     const auto whole = with_key(toml, named->first, json_text(named->second));
     return whole ? with_key(*whole, path, value) : whole;
   }

@@ -78,7 +78,7 @@ class Shares(unittest.TestCase):
         self.assertEqual(loaded.json["drive"]["load"]["rated_mesh_load_factor"], 1.1)
         self.assertEqual({name: mesh["rating"] for name, mesh in plain.json["drive"]["meshes"].items()},
                          {name: mesh["rating"] for name, mesh in loaded.json["drive"]["meshes"].items()})
-        self.assertIn("The rating uses the given K_γ = 1.100", Run("rate", text + rating + DRAFT).out)
+        self.assertIn("The rating uses K_γ = 1.100", Run("rate", text + rating + DRAFT).out)
 
 
 class Messages(unittest.TestCase):

@@ -1,4 +1,5 @@
 """scatter over the designs of a search: rows are those of scatter, to the last bit; shards, ranks and kills change no byte."""
+import csv
 import json
 import os
 import shutil
@@ -54,6 +55,24 @@ class ScatterDesigns(unittest.TestCase):
         assert r.status == 0, r.err
         cls.result = r.json["scatter_designs"]
         cls.alone = contents(cls.where / "alone")
+
+    def test_the_table_has_the_values_of_the_result(self):
+        rows = list(csv.DictReader(self.alone["scatter.csv"].decode().splitlines()))
+        designs = self.result["designs"]
+        self.assertEqual(len(rows), len(designs) + len(self.result["refused"]))
+        for row, design in zip(rows, designs):
+            spread, of = design["peak_to_peak_arcsec"], design["probability"]
+            expected = {
+                "design": design["design"], "module_mm": design["module_mm"], "z1": design["teeth"][0],
+                "z2": design["teeth"][1], "x1": design["profile_shift"][0], "x2": design["profile_shift"][1],
+                "center_distance_mm": design["center_distance_mm"], "percentile_arcsec": spread["percentiles"][1],
+                "percentile_lower_arcsec": spread["lower"][1], "percentile_upper_arcsec": spread["upper"][1],
+                "mean_arcsec": spread["mean"], "edge_contact": of["edge_contact"]["value"],
+                "edge_contact_lower": of["edge_contact"]["lower"], "edge_contact_upper": of["edge_contact"]["upper"],
+                "jam": of["jam"]["value"], "jam_upper": of["jam"]["upper"], "contact_lost": of["contact_lost"]["value"],
+                "contact_lost_upper": of["contact_lost"]["upper"]}
+            for key, value in expected.items():
+                self.assertEqual(float(row[key]), value, key)
 
     def go(self, out, *args, **options):
         status, printed, err = end(begin(self.where, self.where / out, *args, **options))
