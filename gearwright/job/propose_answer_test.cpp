@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
@@ -157,6 +159,31 @@ TEST(Propose, EqualGearsGetEqualReliefs) {
   EXPECT_LT(a.proposals[2].worst.peak_to_peak.rad(), 0.5 * a.proposals[0].worst.peak_to_peak.rad());
   EXPECT_TRUE(a.proposals[0].worst.edge_carries);
   EXPECT_FALSE(a.proposals[a.recommended].worst.edge_carries);
+}
+
+// ISO 1328-1:2013: f_pt = (0.001 d + 0.4 m_n + 5) √2^(A − 5) µm, to 0.5 µm below 10 µm, else to 1 µm. So it is 9 µm for
+// 25 teeth of class 6, and 13 µm for 60 teeth of class 7. [T12.28]
+TEST(Propose, AmountsAreDeflectionAndPitchDeviationOfTheirGear) {
+  const ProposeAnswer a =
+      propose_for(spur_spec("quality = 6\n", "quality = 7\n", 60) + "torque_Nm = 72\n");
+  const double pitch = std::hypot(0.009, 0.013) * std::cos(20 * std::acos(-1.0) / 180);
+  ASSERT_TRUE(a.pitch_deviation && a.short_deflection);
+  EXPECT_NEAR(*a.pitch_deviation, pitch, 1e-12);
+  ASSERT_NE(std::ceil(1000 * (*a.short_deflection)[0]), std::ceil(1000 * (*a.short_deflection)[1]));
+  const auto amounts = [&](bool with_lead, bool with_pitch) {
+    for (const Proposal& p : a.proposals)
+      if (p.profile == ProposedProfile::short_tips && p.lead == with_lead && p.pitch == with_pitch)
+        return std::array{1000 * *p.gears[0].tip_relief, 1000 * *p.gears[1].tip_relief};
+    ADD_FAILURE() << with_lead << with_pitch;
+    return std::array{0.0, 0.0};
+  };
+  for (const std::size_t g : {0, 1}) {
+    EXPECT_NEAR(amounts(false, false)[g], std::ceil(1000 * (*a.short_deflection)[g]), 1e-9);
+    // Both amounts are rounded up, from the same deflection.
+    const double more = amounts(true, true)[g] - amounts(true, false)[g];
+    EXPECT_GE(more, std::floor(1000 * pitch) - 1e-9);
+    EXPECT_LE(more, std::ceil(1000 * pitch) + 1e-9);
+  }
 }
 
 // A helix slope that is equal to the deflection restores the aligned contact.
