@@ -113,8 +113,7 @@ struct OnePairOfFlanks {
   Touch before, last;
 
   OnePairOfFlanks(const ContactPair& pair, double first, double pitch_step)
-      : field(pair.patches(1)[0], pair.patches(2)[0], pair.mount(), pair.ratio(),
-              pair.rotation_sign()),
+      : field(pair.field(pair.patches(1)[0], pair.patches(2)[0])),
         search(field, pair.mesh_azimuth(), pair.reach()),
         step(pitch_step) {
     field.set_rotation(first);

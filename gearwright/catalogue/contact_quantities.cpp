@@ -32,6 +32,14 @@ auto touching(F get) {
   return [get](const P& p) { return touches(p) ? Value(std::invoke(get, p)) : Value(); };
 }
 
+// True if gear 2 is a rack, or if it is a gear. Results for racks are travels instead of angles.
+const auto is_rack = [](const auto& x) { return static_cast<bool>(x.rack); };
+const auto is_gear = [](const auto& x) { return !x.rack; };
+bool of_rack(const V& v) { return is_rack(*v.working); }
+bool of_gear(const V& v) { return !of_rack(v); }
+
+double travel_um(const RackTravel& rack, Angle angle) { return kUmPerMm * rack.of(angle); }
+
 const Quantities<ContactEllipse>& ellipse_quantities() {
   using E = ContactEllipse;
   static const Quantities<E> kAll("contact.positions ellipse", [](Quantities<E>& q) {
@@ -74,11 +82,22 @@ void say_position(Quantities<P>& q) {
   q.under("");
   q.term("rotation1_deg", "clockwise seen from +z", &P::rotation1).always();
   q.number("rotation2_deg", "rotation of gear 2", "φ_2", "position of gear 2 when gear 1 drives it",
-           touching([](const P& p) { return p.rotation2.deg(); }));
+           touching([](const P& p) { return p.rotation2.deg(); }))
+      .when(is_gear);
+  q.number("travel_mm", "travel of the rack", "",
+           "position of the rack when gear 1 drives it, > 0 along −y",
+           touching([](const P& p) { return p.rack.of(p.rotation2); }))
+      .when(is_rack);
   q.term("transmission_error_arcsec",
          "rotation 2 minus |z1/z2| times rotation 1, without removing the mean; > 0 if gear 2 is "
          "ahead [T8.2]",
-         touching([](const P& p) { return p.te.arcsec(); }));
+         touching([](const P& p) { return p.te.arcsec(); }))
+      .when(is_gear);
+  q.term("transmission_error_um",
+         "travel minus r times rotation 1, without removing the mean; > 0 if the rack is ahead "
+         "[T8.28]",
+         touching([](const P& p) { return travel_um(p.rack, p.te); }))
+      .when(is_rack);
   q.whole("tooth", "tooth pair", "k",
           "number k of the touching tooth pair, which reaches the centre line k pitches later",
           touching(&P::pair));
@@ -93,7 +112,14 @@ void say_position(Quantities<P>& q) {
       .list({3});
   q.term("normal", "unit vector in the housing frame, out of gear 1", at_place(&P::normal))
       .list({3});
-  q.number("diameter_mm", "diameter of contact", "", "per gear", at_place(&P::diameter)).per_gear();
+  q.number("diameter_mm", "diameter of contact", "", "per gear; null for a rack",
+           at_place([](const P& p) {
+             return ValueList{Value(p.diameter[0]), p.rack ? Value() : Value(p.diameter[1])};
+           }))
+      .per_gear();
+  q.number("rack_height_mm", "height of contact on the rack", "", "above the datum line",
+           at_place([](const P& p) { return p.diameter[1]; }))
+      .when(is_rack);
   q.number("height_mm", "height of contact", "z",
            "per gear, from the middle of the face, or for double-helical gears from the middle of "
            "the face of the half",
@@ -135,12 +161,23 @@ const Quantities<ContactResult>& non_working_quantities() {
     q.term("transmission_error_arcsec", "at each position",
            each([](const P& p) { return p.te.arcsec(); }))
         .list({0})
+        .when(is_gear)
+        .doors(kJson);
+    q.term("transmission_error_um", "at each position",
+           each([](const P& p) { return travel_um(p.rack, p.te); }))
+        .list({0})
+        .when(is_rack)
         .doors(kJson);
     q.term("kind", "at each position", each([](const P& p) { return to_string(p.kind); }))
         .list({0})
         .doors(kJson);
     q.term("peak_to_peak_arcsec", "over the positions with contact", &R::peak_to_peak)
-        .words("transmission error of the non-working flanks, peak to peak");
+        .words("transmission error of the non-working flanks, peak to peak")
+        .when(is_gear);
+    q.term("peak_to_peak_um", "over the positions with contact",
+           [](const R& r) { return travel_um(r.rack, r.peak_to_peak); })
+        .words("transmission error of the non-working flanks, peak to peak")
+        .when(is_rack);
     q.flag("contact_lost", "contact of the non-working flanks is lost",
            "at some position no tooth pair touches", &R::contact_lost)
         .doors(kJson);
@@ -151,19 +188,22 @@ const Quantities<ContactResult>& non_working_quantities() {
 // Derivatives of the transmission error and of the contact point at every position, in the units of the keys.
 Value sensitivities(const V& v) {
   ValueMap all;
+  const RackTravel rack = v.working->rack;
+  const double unit = rack ? kUmPerMm * rack.radius : kArcsecPerRad;
   for (std::size_t i = 0; i < v.slopes.size(); ++i) {
     ValueList te, points;
     for (std::size_t k = 0; k < v.working->positions.size(); ++k) {
       const Sensitivity& s = v.working->sensitivities[i][k];
       const TouchKind kind = v.working->positions[k].kind;
-      te.push_back(kind == TouchKind::none ? Value()
-                                           : Value(s.te * v.slopes[i].unit * kArcsecPerRad));
+      te.push_back(kind == TouchKind::none ? Value() : Value(s.te * v.slopes[i].unit * unit));
       // A contact line has no single contact point.
       const bool point = kind != TouchKind::none && kind != TouchKind::line;
       points.push_back(point ? Value(Vec3(s.point * v.slopes[i].unit)) : Value());
     }
-    all.emplace_back(v.slopes[i].name, ValueMap{{"transmission_error_arcsec", std::move(te)},
-                                                {"point_mm", std::move(points)}});
+    all.emplace_back(
+        v.slopes[i].name,
+        ValueMap{{rack ? "transmission_error_um" : "transmission_error_arcsec", std::move(te)},
+                 {"point_mm", std::move(points)}});
   }
   return all;
 }
@@ -218,7 +258,8 @@ const Quantities<V>& pattern_quantities() {
       };
     };
     q.record<raster_quantities>("gear1", "the flank of gear 1", gear(0)).always();
-    q.record<raster_quantities>("gear2", "the flank of gear 2", gear(1)).always();
+    q.record<raster_quantities>("gear2", "the flank of gear 2; absent for a rack", gear(1))
+        .when(of_gear);
   });
   return kAll;
 }
@@ -258,18 +299,32 @@ void say(Quantities<V>& q) {
       .always()
       .doors(kJson);
   q.under(kContact);
-  q.term("peak_to_peak_arcsec", "over the positions with contact", [](const V& v) {
-     return v.working->peak_to_peak;
-   }).always();
+  q.term("peak_to_peak_arcsec", "over the positions with contact",
+         [](const V& v) { return v.working->peak_to_peak; })
+      .when(of_gear)
+      .always();
+  q.term("peak_to_peak_um", "over the positions with contact, along the rack", [](const V& v) {
+     return travel_um(v.working->rack, v.working->peak_to_peak);
+   }).when(of_rack);
   q.number("continuous_peak_to_peak_arcsec",
            "transmission error, peak to peak of the continuous curve", "",
            "peak to peak between the extremes of the curve [T14.11], independent of the positions; "
            "null if contact is lost at some rotation",
            &V::continuous_span)
+      .when(of_gear)
+      .doors(kJson);
+  q.number("continuous_peak_to_peak_um", "transmission error, peak to peak of the continuous curve",
+           "", "the same along a rack",
+           [](const V& v) {
+             return v.continuous_span ? Value(travel_um(v.working->rack, *v.continuous_span))
+                                      : Value();
+           })
+      .when(of_rack)
       .doors(kJson);
   q.number("mean_slope", "mean slope of the transmission error", "",
            "least-squares slope over the rotation of gear 1, rad per rad",
            [](const V& v) { return v.working->mean_slope; })
+      .when(of_gear)
       .doors(kJson);
   q.term("harmonics_arcsec",
          "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and at most as many as "
@@ -280,7 +335,17 @@ void say(Quantities<V>& q) {
            return Value(std::move(list));
          })
       .list({0})
+      .when(of_gear)
       .always()
+      .doors(kJson);
+  q.term("harmonics_um", "the same along a rack",
+         [](const V& v) {
+           ValueList list;
+           for (const Angle h : v.working->harmonics) list.push_back(travel_um(v.working->rack, h));
+           return Value(std::move(list));
+         })
+      .list({0})
+      .when(of_rack)
       .doors(kJson);
   q.term("contact_lost", "at some position no tooth pair touches",
          [](const V& v) { return v.working->contact_lost; });
@@ -292,7 +357,14 @@ void say(Quantities<V>& q) {
            "least play between both flanks over the positions; negative if the gears jam; null if "
            "one of the flanks never touches",
            &V::min_play)
+      .when(of_gear)
       .digits(6);
+  q.number(
+       "least_play_mm", "minimum backlash along the rack", "",
+       "least play between both flanks over the positions; negative if pinion and rack jam; null "
+       "if one of the flanks never touches",
+       [](const V& v) { return v.min_play ? Value(v.working->rack.of(*v.min_play)) : Value(); })
+      .when(of_rack);
   q.add(Type::map, "sensitivity", "sensitivities", "",
         "exact derivatives [T8.10] with respect to each error and each modification of the spec, "
         "under names such as `center_distance_per_mm`. Each derivative has two lists over the "

@@ -33,6 +33,22 @@ double least_squares_slope(const std::vector<ContactPoint>& points) {
 
 }  // namespace
 
+std::optional<Angle> play_between(const ContactPoint& working, const ContactPoint& non_working,
+                                  bool gear2_drives) {
+  if (working.kind == TouchKind::none || non_working.kind == TouchKind::none) return std::nullopt;
+  return (gear2_drives ? -1.0 : 1.0) * (non_working.te - working.te);
+}
+
+std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
+                                bool gear2_drives) {
+  std::optional<Angle> least;
+  for (std::size_t i = 0; i < working.positions.size(); ++i) {
+    const auto play = play_between(working.positions[i], non_working.positions[i], gear2_drives);
+    if (play) least = std::min(least.value_or(*play), *play);
+  }
+  return least;
+}
+
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n) {
   const ContactPair& pair = transmission.pair();
   if (!pair.gear2_drives()) return transmission.over_a_pitch(first, n);
@@ -126,6 +142,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
     result.sensitivities.push_back(std::move(column));
   }
   result.unfinished = transmission.too_long();
+  result.rack = {pair.rack_radius()};
   result.work = transmission.count();
   return result;
 }

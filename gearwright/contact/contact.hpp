@@ -31,6 +31,7 @@ struct ContactResult {
   std::vector<Angle> harmonics;  ///< amplitudes of 1, 2, … per pitch; empty for given rotations
   bool contact_lost = false;     ///< true if there is a position at which no tooth pair touches
   long unfinished = 0;           ///< searches that did not converge; normally 0
+  RackTravel rack{};             ///< if gear 2 is a rack
   TouchCount work;
 };
 
@@ -39,6 +40,14 @@ struct ContactResult {
 /// Domain    positions ≥ 2, pitches ≥ 1, marking > 0 (contract)
 /// Accuracy  TE is exact to rounding; ledger rows `contact.*`
 ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request);
+
+/// The play of gear 2 at one position, the difference of its rotations when gear 1 touches it from
+/// either side; < 0 if the gears jam. None without contact of both flanks.
+std::optional<Angle> play_between(const ContactPoint& working, const ContactPoint& non_working,
+                                  bool gear2_drives);
+/// The least play over the positions of both results, which are the same.
+std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
+                                bool gear2_drives);
 
 /// The touches at n positions over one pitch. Position i is the rotation `first` + i pitch/n, in the
 /// housing's sense.

@@ -30,6 +30,12 @@ End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   return End::seam;
 }
 
+// The twist of a gear's teeth in N, with its errors: of the lead, and of the additional rotation.
+std::array<double, 2> twist_in_n(const Gear& g, const ContactErrors& e, int i, double mirror) {
+  const double lead = with_cutter_lead(g.twist(), g.reference_diameter / 2, e.cutter_lead[i].rad());
+  return {mirror * lead, mirror * e.helix_twist[i]};
+}
+
 }  // namespace
 
 ContactErrors mirrored(const ContactErrors& errors) {
@@ -58,19 +64,15 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   const double pi = std::numbers::pi;
   const bool right_1 = !mount.gear2_drives;
   const bool right_2 = right_1 != internal_;
-  const auto twist = [&](const Gear& g, int i) {
-    const double r = g.reference_diameter / 2;
-    const double lead = with_cutter_lead(g.twist(), r, e.cutter_lead[i].rad());
-    return std::array{mirror * lead, mirror * e.helix_twist[i]};
-  };
   for (int i = 0; i < 2; ++i) {
     const Gear& g = i == 0 ? g1 : g2;
     slope_unit_[i] = mirror / (g.reference_diameter / 2 * g.spec.face_width);
   }
-  add_patches(0, gear_1, twist(g1, 0), mesh_azimuth(), internal_ ? 1.0 : -1.0, right_1);
+  add_patches(0, gear_1, twist_in_n(g1, e, 0, mirror), mesh_azimuth(), internal_ ? 1.0 : -1.0,
+              right_1);
   // At rotation 0, the teeth are in mesh at the height of the middle of face 1.
   const double apart = mirror * g2.twist() * (middle(2) - middle(1));
-  add_patches(1, gear_2, twist(g2, 1), pi + pi / z2 + apart, -1.0, right_2);
+  add_patches(1, gear_2, twist_in_n(g2, e, 1, mirror), pi + pi / z2 + apart, -1.0, right_2);
   set_mount();
   // Points of gear 1 farther than this from the mesh lie outside the mating gear's annulus.
   const auto radius = [](const std::vector<FlankPatch>& patches, bool greatest) {
@@ -93,6 +95,44 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
     aside = std::atan2(across, along);
   }
   reach_ = std::min(pi, std::acos(std::clamp(cosine, -1.0, 1.0)) + aside);
+}
+
+ContactPair::ContactPair(const ContactGear& pinion, const RackGeometry& rack,
+                         const ContactMount& mount)
+    : place_(mount), internal_(false), ratio_(1.0), rotation_sign_(-1.0) {
+  const Gear& g = *pinion.gear;
+  const ContactErrors& e = mount.errors;
+  GW_EXPECTS(g.involute() && !g.internal() && g.exists() && g.tooth);
+  GW_EXPECTS(mount.axis_angle == Angle() && !mount.fillets && mount.middle[1] == mount.middle[0] &&
+             e.helix_twist[1] == 0.0 && e.cutter_lead[1] == Angle());
+  const double r = g.reference_diameter / 2;
+  const double tan_t = std::tan(g.reference().transverse_pressure_angle);
+  alpha_n_ = g.spec.normal_pressure_angle.rad();
+  pitch_ = 2 * std::numbers::pi / g.spec.teeth;
+  rack_radius_ = r;
+  slope_unit_[0] = 1.0 / (r * g.spec.face_width);
+  add_patches(0, pinion, twist_in_n(g, e, 0, 1.0), 0.0, -1.0, !mount.gear2_drives);
+  // At rotation 0, a space of the rack is on the centre line.
+  const double half = rack.thickness / (2 * r * std::cos(rack.helix_angle.rad()));
+  const Profile::RackFlank flank{-rack.form_depth() / r, rack.addendum / r, half, tan_t};
+  FlankPatch p{Profile(flank, -1.0), pitch_ / 2, std::tan(rack.helix_angle.rad()) / r,
+               -rack.face_width / 2, rack.face_width / 2};
+  p.s_lo = p.u_lo = flank.u_lo;
+  p.s_hi = p.u_hi = flank.u_hi;
+  patches_[1].push_back(p);
+  set_mount();
+  const double a = mount.center_distance + e.center_distance;
+  double r_1 = 0.0;
+  for (const FlankPatch& one : patches_[0]) r_1 = std::max(r_1, std::exp(one.u_hi));
+  reach_ = std::acos(std::clamp((a - rack.addendum) / r_1, -1.0, 1.0));
+}
+
+double ContactPair::diameter(int gear, double u) const {
+  return gear == 2 && is_rack() ? rack_radius_ * u : 2 * std::exp(u);
+}
+
+double ContactPair::u_at(int gear, double diameter) const {
+  return gear == 2 && is_rack() ? diameter / rack_radius_ : std::log(diameter / 2);
 }
 
 void ContactPair::add_patches(int which, const ContactGear& gear,

@@ -21,6 +21,7 @@
 
 #include "gearwright/contact/gap_field.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
 
@@ -65,15 +66,29 @@ class ContactPair {
  public:
   /// Domain  gears that exist, with a flank; |z1|, |z2| any (contract)
   ContactPair(const ContactGear& gear_1, const ContactGear& gear_2, const ContactMount& mount);
+  /// A pinion and its rack, which has no modifications and no errors of its teeth. A rotation of
+  /// gear 2 is the travel of the rack divided by the reference radius of the pinion. [T8.28]
+  ///
+  /// Domain  an axis angle of 0, no fillets (contract)
+  ContactPair(const ContactGear& pinion, const RackGeometry& rack, const ContactMount& mount);
 
   const std::vector<FlankPatch>& patches(int gear) const { return patches_[gear - 1]; }
   const RelativeMount& mount() const { return relative_; }
-  double ratio() const { return ratio_; }                  ///< |z1/z2|
+  GapField field(const FlankPatch& one, const FlankPatch& two) const {
+    return {one, two, relative_, ratio_, rotation_sign_, rack_radius_};
+  }
+  double ratio() const { return ratio_; }                  ///< |z1/z2|; 1 for a rack
   double pitch() const { return pitch_; }                  ///< 2π/|z1|  rad
   double rotation_sign() const { return rotation_sign_; }  ///< of gear 1 in N
   double mesh_azimuth() const { return internal_ ? std::numbers::pi : 0.0; }
   double reach() const { return reach_; }
   bool internal() const { return internal_; }
+  bool is_rack() const { return rack_radius_ > 0.0; }
+  /// The reference radius of the pinion of a rack, mm; 0 for two gears.
+  double rack_radius() const { return rack_radius_; }
+  /// The diameter of a gear at u, mm. For a rack, it is the height above the datum line.
+  double diameter(int gear, double u) const;
+  double u_at(int gear, double diameter) const;  ///< the inverse of diameter()
   bool gear2_drives() const { return place_.gear2_drives; }
   const ContactMount& place() const { return place_; }
   double normal_pressure_angle() const { return alpha_n_; }  ///< of gear 1's straight rack, rad
@@ -105,7 +120,7 @@ class ContactPair {
   ContactMount place_;
   bool internal_;
   double alpha_n_;
-  double ratio_, pitch_, rotation_sign_, reach_ = 0.0;
+  double ratio_, pitch_, rotation_sign_, reach_ = 0.0, rack_radius_ = 0.0;
   std::array<std::vector<FlankPatch>, 2> patches_;
   RelativeMount relative_;
   Mat3 tilt_ = Mat3::Identity();

@@ -212,6 +212,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
                       double marking) {
   ContactPoint p;
   p.rotation1 = rotation1;
+  p.rack = {transmission.pair().rack_radius()};
   if (!touch.found()) return p;
   const ContactPair& pair = transmission.pair();
   const GapField& field = transmission.field(touch.fields);
@@ -241,7 +242,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   }
   const GapJet j = transmission.jet_at(touch, at.s, at.z);
   p.point = pair.in_housing(j.w1, at.z);
-  p.diameter = {2 * std::abs(j.w1), 2 * std::exp(j.u.v)};
+  p.diameter = {2 * std::abs(j.w1), pair.diameter(2, j.u.v)};
   p.height = {turned * at.z, turned * j.Z.v};
   const auto rack_angle = field.one().profile.is_involute() ? pair.normal_pressure_angle()
                                                             : field.one().profile.rack_angle(at.s);

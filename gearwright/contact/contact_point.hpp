@@ -59,14 +59,24 @@ struct ContactRidge {
   bool by_height = false;    ///< true for an end relief, whose sides differ by their height
 };
 
+/// Rotations of gear 2 in results. If gear 2 is a rack, its travel is stored as the angle by which the
+/// pinion rolls along it, travel/r.
+struct RackTravel {
+  double radius = 0.0;  ///< r  mm; 0 if gear 2 is not a rack
+  explicit operator bool() const { return radius > 0.0; }
+  double of(Angle angle) const { return radius * angle.rad(); }  ///< mm
+};
+
 struct ContactPoint {
   Angle rotation1, rotation2;
   Angle te;      ///< > 0 if gear 2 is ahead
   int pair = 0;  ///< k
   TouchKind kind = TouchKind::none;
-  Vec3 point = Vec3::Zero();                           ///< mm, housing
-  Vec3 normal = Vec3::Zero();                          ///< points out of gear 1, in the housing
-  std::array<double, 2> diameter{}, height{};          ///< 2ρ and z in the frame of each gear, mm
+  Vec3 point = Vec3::Zero();   ///< mm, housing
+  Vec3 normal = Vec3::Zero();  ///< points out of gear 1, in the housing
+  /// 2ρ and z in the frame of each gear, mm; for a rack, the height above its datum line instead of 2ρ
+  std::array<double, 2> diameter{}, height{};
+  RackTravel rack{};
   std::optional<Angle> rack_angle;                     ///< normal angle of the rack that cut gear 1
   std::optional<std::array<double, 2>> gap_curvature;  ///< k1, k2  1/mm, of kinds interior and line
   std::optional<ContactEllipse> ellipse;

@@ -29,9 +29,11 @@ Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
 }
 
 // The angle from flank 2 as cut to a point. It is measured from the expected rotation, so that it never
-// exceeds half a turn.
+// exceeds half a turn. On a rack, it is the travel divided by r.
 double angle_from(const FlankPatch& two, const RadialJet& q, double expected,
-                  const GapField::Place2& place) {
+                  const GapField::Place2& place, double rack_radius) {
+  if (rack_radius > 0.0)
+    return -place.w.imag() / rack_radius - (q.phase + two.center + expected + place.Z * two.twist);
   const Complex back =
       turned(std::conj(q.factor), -(q.phase + two.center + expected + place.Z * two.twist));
   const Complex gap = times(place.w, back);
@@ -41,8 +43,13 @@ double angle_from(const FlankPatch& two, const RadialJet& q, double expected,
 }  // namespace
 
 GapField::GapField(const FlankPatch& one, const FlankPatch& two, const RelativeMount& mount,
-                   double ratio, double rotation_sign)
-    : one_(&one), two_(&two), mount_(mount), ratio_(ratio), rotation_sign_(rotation_sign) {
+                   double ratio, double rotation_sign, double rack_radius)
+    : one_(&one),
+      two_(&two),
+      mount_(mount),
+      ratio_(ratio),
+      rotation_sign_(rotation_sign),
+      rack_radius_(rack_radius) {
   const Mat3& m = mount.rotation;
   from_x_ = {m(0, 0), m(1, 0)};
   from_y_ = {m(0, 1), m(1, 1)};
@@ -72,9 +79,10 @@ GapField::Place2 GapField::on_gear_2(const Complex& w1, double z) const {
 }
 
 double GapField::value(const Place2& place, double& s2) const {
-  const double u = 0.5 * std::log(std::norm(place.w));
+  const double u =
+      rack_radius_ > 0.0 ? -place.w.real() / rack_radius_ : 0.5 * std::log(std::norm(place.w));
   const RadialJet q = two_->profile.at_radius(u, s2);
-  const double t = angle_from(*two_, q, expected_, place);
+  const double t = angle_from(*two_, q, expected_, place, rack_radius_);
   return two_->removal ? t - turn_of_removal(*two_, s2, u, place.Z).v : t;
 }
 
@@ -118,22 +126,33 @@ GapJet GapField::at(double s, double z, double& s2) const {
   j.w_s = across(d[0]);
   j.w_z = across(d[1]) + from_z_;
   j.Z = {place.Z, along(d[0]), along(d[1]) + r(2, 2), along(d[2]), along(d[3]), along(d[4])};
-  // L = ln w. The real part is u, and the imaginary part is the azimuth.
+  // L = ln w, or −w/r on a rack. The real part is u, and the imaginary part is the azimuth.
+  const bool rack = rack_radius_ > 0.0;
+  const double height = -j.w.real();
+  if (rack) j.w = -rack_radius_;
   const double square = std::norm(j.w);
   const Complex over = std::conj(j.w) / square;
   const Complex L_s = times(j.w_s, over);
   const Complex L_z = times(j.w_z, over);
-  const Complex L_ss = times(across(d[2]), over) - times(L_s, L_s);
-  const Complex L_sz = times(across(d[3]), over) - times(L_s, L_z);
-  const Complex L_zz = times(across(d[4]), over) - times(L_z, L_z);
-  j.u = {0.5 * std::log(square), L_s.real(), L_z.real(), L_ss.real(), L_sz.real(), L_zz.real()};
+  Complex L_ss = times(across(d[2]), over);
+  Complex L_sz = times(across(d[3]), over);
+  Complex L_zz = times(across(d[4]), over);
+  if (rack) {
+    j.w_s = j.w_z = 0.0;
+  } else {
+    L_ss -= times(L_s, L_s);
+    L_sz -= times(L_s, L_z);
+    L_zz -= times(L_z, L_z);
+  }
+  const double u = rack ? height / rack_radius_ : 0.5 * std::log(square);
+  j.u = {u, L_s.real(), L_z.real(), L_ss.real(), L_sz.real(), L_zz.real()};
   const RadialJet q = two_->profile.at_radius(j.u.v, s2);
   double t1 = q.d1;
   double t2 = q.d2;
   double z1 = two_->twist;
   double uz = 0.0;
   double zz = 0.0;
-  j.t.v = angle_from(*two_, q, expected_, place);
+  j.t.v = angle_from(*two_, q, expected_, place, rack_radius_);
   if (two_->removal) {
     const Jet2 m = turn_of_removal(*two_, s2, j.u.v, j.Z.v);
     j.t.v -= m.v;

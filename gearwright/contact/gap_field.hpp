@@ -9,6 +9,9 @@
 //
 //   φ2*(ρ, ψ, Z) = ψ − θ2(ρ) − m2(ρ, Z) − Z τ2
 //
+//   If gear 2 is a rack, travel along the rack replaces the azimuth, and height above the datum line
+//   replaces ln ρ, both divided by the reference radius r of the pinion:  u + iψ = −w/r  [T8.28].
+//
 // The flanks touch where T is greatest over the part of flank 1 that lies opposite flank 2. One
 // evaluation returns all data of a Newton step, without memory allocation and virtual calls.
 #pragma once
@@ -60,14 +63,16 @@ struct GapJet {
   double bend2_uu, bend2_uZ, bend2_ZZ;  ///< derivatives of these slopes
   Complex w1, w1_s, w1_z;  ///< the point of gear 1 in the transverse plane, mm, before mounting
   Complex w1_ss, w1_sz, w1_zz;
-  Complex w, w_s, w_z;  ///< the same point in the frame of gear 2
+  /// ∂w/∂(u + iψ) with its derivatives: the same point in the frame of gear 2, or −r, 0, 0 on a rack.
+  Complex w, w_s, w_z;
 };
 
 class GapField {
  public:
   /// `rotation_sign` is −1 if increasing φ1 turns gear 1 clockwise, and +1 if counter-clockwise.
+  /// `rack_radius` is r if gear 2 is a rack, and 0 otherwise.
   GapField(const FlankPatch& one, const FlankPatch& two, const RelativeMount& mount, double ratio,
-           double rotation_sign);
+           double rotation_sign, double rack_radius = 0.0);
 
   void set_rotation(double phi1);
   double rotation() const { return phi1_; }
@@ -98,7 +103,7 @@ class GapField {
   const FlankPatch* one_;
   const FlankPatch* two_;
   RelativeMount mount_;
-  double ratio_, rotation_sign_;
+  double ratio_, rotation_sign_, rack_radius_;
   Complex from_x_, from_y_, from_z_, from_0_;
   double phi1_ = 0.0, phase1_ = 0.0, expected_ = 0.0;
   Complex rotation_factor_{1.0, 0.0};

@@ -34,7 +34,7 @@ TEST(GapField, is_the_rotation_at_which_flank_2_passes) {
   const auto p = testing::involutes(20, 41, 15);
   const ContactPair pair = p.pair();
   const FlankPatch &one = pair.patches(1)[0], &two = pair.patches(2)[0];
-  GapField field(one, two, pair.mount(), pair.ratio(), pair.rotation_sign());
+  GapField field = pair.field(one, two);
   for (const double phi : {-0.11, 0.0, 0.07}) {
     field.set_rotation(phi);
     const double s = 0.5 * (one.s_lo + one.s_hi), z = 3.0;
@@ -61,7 +61,7 @@ TEST(GapField, derivatives) {
   for (const auto& p : all) {
     const ContactPair pair = p.pair();
     const FlankPatch &one = pair.patches(1)[0], &two = pair.patches(2)[0];
-    GapField field(one, two, pair.mount(), pair.ratio(), pair.rotation_sign());
+    GapField field = pair.field(one, two);
     field.set_rotation(0.03);
     for (const double x : {0.3, 0.7}) {
       SCOPED_TRACE(::testing::Message() << "sample " << &p - &all[0] << " at " << x);

@@ -15,19 +15,19 @@ std::vector<double> spread(double lo, double hi, int n) {
   return v;
 }
 
-FlankRaster empty_raster(const std::vector<FlankPatch>& patches, const RasterSize& size) {
+FlankRaster empty_raster(const ContactPair& pair, int gear, const RasterSize& size) {
   double u_lo = kInfinity;
   double u_hi = -kInfinity;
   double z_lo = kInfinity;
   double z_hi = -kInfinity;
-  for (const FlankPatch& p : patches) {
+  for (const FlankPatch& p : pair.patches(gear)) {
     u_lo = std::min(u_lo, p.u_lo);
     u_hi = std::max(u_hi, p.u_hi);
     z_lo = std::min(z_lo, p.z_lo);
     z_hi = std::max(z_hi, p.z_hi);
   }
   FlankRaster r;
-  r.diameter = spread(2 * std::exp(u_lo), 2 * std::exp(u_hi), size.rows);
+  r.diameter = spread(pair.diameter(gear, u_lo), pair.diameter(gear, u_hi), size.rows);
   r.height = spread(z_lo, z_hi, size.columns);
   r.gap.assign(r.diameter.size() * r.height.size(), kInfinity);
   return r;
@@ -71,14 +71,12 @@ constexpr double kNear = 1e-4;  // relative to a patch: the series is accurate f
 class Rasterer {
  public:
   Rasterer(const ContactPair& pair, const RasterSize& size)
-      : pair_(pair),
-        rasters_{empty_raster(pair.patches(1), size), empty_raster(pair.patches(2), size)} {
+      : pair_(pair), rasters_{empty_raster(pair, 1, size), empty_raster(pair, 2, size)} {
     const FlankRaster& r = rasters_[0];
     for (const double d : r.diameter)
-      for (const double z : r.height) nodes_.push_back(node_at(std::log(d / 2), z));
+      for (const double z : r.height) nodes_.push_back(node_at(pair.u_at(1, d), z));
     for (const FlankPatch& a : pair.patches(1))
-      for (const FlankPatch& b : pair.patches(2))
-        fields_.emplace_back(a, b, pair.mount(), pair.ratio(), pair.rotation_sign());
+      for (const FlankPatch& b : pair.patches(2)) fields_.push_back(pair.field(a, b));
     seen_.resize(nodes_.size());
     for (std::size_t which = 0; which < 2; ++which) {
       for (auto* gaps : {&now_, &last_, &before_})
@@ -174,8 +172,8 @@ class Rasterer {
     const std::size_t columns = rasters_[0].height.size();
     const std::size_t rows = rasters_[0].diameter.size();
     const auto row_of = [&](double u) {
-      return (2 * std::exp(u) - r.diameter.front()) / (r.diameter.back() - r.diameter.front()) *
-             static_cast<double>(r.diameter.size() - 1);
+      return (pair_.diameter(2, u) - r.diameter.front()) /
+             (r.diameter.back() - r.diameter.front()) * static_cast<double>(r.diameter.size() - 1);
     };
     const auto column_of = [&](double Z) {
       return (Z - r.height.front()) / (r.height.back() - r.height.front()) *
@@ -226,7 +224,7 @@ class Rasterer {
         const auto column = static_cast<std::size_t>(x);
         Gap& here = now_[1][row * r.height.size() + column];
         here = std::min(here, gap_on_2(between(&Node::u), between(&Node::z),
-                                       std::log(r.diameter[row] / 2), r.height[column]));
+                                       pair_.u_at(2, r.diameter[row]), r.height[column]));
       }
     }
   }

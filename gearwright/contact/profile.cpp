@@ -51,6 +51,16 @@ Profile::Profile(const Arc& arc, double side, double twist)
   }
 }
 
+Profile::Profile(const RackFlank& flank, double side)
+    : side_(side),
+      s_lo_(flank.u_lo),
+      s_hi_(flank.u_hi),
+      u_lo_(flank.u_lo),
+      u_hi_(flank.u_hi),
+      grows_(true),
+      half_(flank.half),
+      slope_(flank.slope) {}
+
 PolarJet Profile::at(double s) const {
   if (involute_) return involute_->polar_jet(s).on_side(side_);
   if (circle_) return circle_->polar_jet(s).on_side(side_);
@@ -107,6 +117,7 @@ RadialJet Profile::circle_at_radius(double u, double& s) const {
 }
 
 RadialJet Profile::curve_at_radius(double u) const {
+  GW_EXPECTS(curve_ != nullptr);
   const double rho = std::exp(u);
   const CurvePoint p = curve_->at(curve_->parameter_at_radius(rho, t_lo_, t_hi_));
   const double theta = std::atan2(p.point.y(), p.point.x());
@@ -122,6 +133,7 @@ RadialJet Profile::curve_at_radius(double u) const {
 }
 
 RadialJet Profile::at_radius(double u, double& s) const {
+  if (!curve_) return {1.0, side_ * (half_ - slope_ * u), -side_ * slope_, 0.0};
   const double inside = std::clamp(u, u_lo_, u_hi_);
   RadialJet r = involute_ ? involute_at_radius(inside)
                 : circle_ ? circle_at_radius(inside, s)

@@ -8,6 +8,7 @@
 //   involute       s = ξ   roll angle (an internal gear's is negative)
 //   rack circle    s = τ   normal angle of the generating rack
 //   other curves   s = u
+//   flank of a rack  s = u, the height above the datum line by r  [T8.28]
 //
 // The radius is monotone along a piece, so that θ is a function of u.
 #pragma once
@@ -42,6 +43,12 @@ class Profile {
   /// rad/mm, from which the normal of the surface is computed.
   Profile(const Arc& arc, double side, double twist);
 
+  /// The straight flank of a rack, θ(u) = side (half − slope u) for u_lo ≤ u ≤ u_hi.
+  struct RackFlank {
+    double u_lo, u_hi, half, slope;
+  };
+  Profile(const RackFlank& flank, double side);
+
   double s_lo() const { return s_lo_; }  ///< s_lo < s_hi
   double s_hi() const { return s_hi_; }
   double u_lo() const { return u_lo_; }  ///< least ln ρ
@@ -70,7 +77,7 @@ class Profile {
   RadialJet circle_at_radius(double u, double& s) const;
   RadialJet curve_at_radius(double u) const;
 
-  CurvePtr curve_;
+  CurvePtr curve_;                        // none for the flank of a rack
   const Involute* involute_ = nullptr;    // the curve, if it is an involute
   const RackTrochoid* circle_ = nullptr;  // the curve, if a circle of a rack has cut it
   double side_;
@@ -78,7 +85,8 @@ class Profile {
   bool grows_;
   double xi_sign_ = 1.0;
   double t_lo_ = 0.0, t_hi_ = 0.0;
-  double arm_per_cos_ = 0.0;  // r cos β, or r_b cos β_b
+  double arm_per_cos_ = 0.0;         // r cos β, or r_b cos β_b
+  double half_ = 0.0, slope_ = 0.0;  // of the flank of a rack
 };
 
 }  // namespace gearwright

@@ -17,8 +17,7 @@ struct Search {
 
   explicit Search(const testing::SamplePair& p, double phi = 0.0)
       : pair(p.pair()),
-        field(pair.patches(1)[0], pair.patches(2)[0], pair.mount(), pair.ratio(),
-              pair.rotation_sign()),
+        field(pair.field(pair.patches(1)[0], pair.patches(2)[0])),
         search(field, pair.mesh_azimuth(), pair.reach()) {
     field.set_rotation(phi);
   }

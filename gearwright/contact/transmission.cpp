@@ -71,14 +71,15 @@ double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch
   double least = 1.0;
   const auto take = [&](double rho1) {
     const double rho2 = std::exp(pair.internal() ? two.u_lo : two.u_hi);
-    const double cosine = (a * a + rho1 * rho1 - rho2 * rho2) / (2 * a * rho1);
+    const double cosine = pair.is_rack() ? (a - pair.diameter(2, two.u_hi)) / rho1
+                                         : (a * a + rho1 * rho1 - rho2 * rho2) / (2 * a * rho1);
     least = std::min(least, pair.internal() ? -cosine : cosine);
   };
   if (!(a > 0.0)) return pair.reach();
   take(lo);
   take(hi);
   const double rho2 = std::exp(two.u_hi);
-  const double flattest = a > rho2 ? std::sqrt(a * a - rho2 * rho2) : 0.0;
+  const double flattest = !pair.is_rack() && a > rho2 ? std::sqrt(a * a - rho2 * rho2) : 0.0;
   if (!pair.internal() && flattest > lo && flattest < hi) take(flattest);
   return std::acos(std::max(-1.0, least));
 }
@@ -91,8 +92,7 @@ Transmission::Transmission(const ContactPair& pair, Progress* progress)
   for (const FlankPatch& a : pair.patches(1)) {
     widest = std::max(widest, std::abs(a.twist) * std::max(std::abs(a.z_lo), std::abs(a.z_hi)));
     for (const FlankPatch& b : pair.patches(2)) {
-      fields_.push_back(
-          std::make_unique<GapField>(a, b, pair.mount(), pair.ratio(), pair.rotation_sign()));
+      fields_.push_back(std::make_unique<GapField>(pair.field(a, b)));
       searches_.push_back(std::make_unique<TouchSearch>(*fields_.back(), pair.mesh_azimuth(),
                                                         reach_of(pair, a, b)));
     }

@@ -10,6 +10,7 @@
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/fillet_contact.hpp"
 #include "gearwright/contact/halves.hpp"
+#include "gearwright/contact/rack_contact.hpp"
 
 namespace gearwright {
 
@@ -35,18 +36,22 @@ ContactErrors errors_at(const ContactSetup& setup, const ContactMapInput& m, dou
   return with_error(setup, e, m.key[1], y);
 }
 
-void warn_of_jam(Angle least_play, const char* touched, std::vector<Warning>& warnings) {
+void warn_of_jam(Angle least_play, RackTravel rack, const char* touched,
+                 std::vector<Warning>& warnings) {
   constexpr Angle kTouching = Angle::radians(1e-12);  // rounding; teeth without backlash do not jam
   if (!(least_play < -kTouching)) return;
-  warnings.push_back({WarningCode::jam,
-                      fmt::format("The gears jam, because {} in contact at once. Gear 2 would have "
-                                  "to yield by {:.6f} degrees.",
-                                  touched, -least_play.deg()),
-                      0});
+  warnings.push_back(
+      {WarningCode::jam,
+       fmt::format("The {} jam, because {} in contact at once. {} would have to yield by {}.",
+                   rack ? "pinion and the rack" : "gears", touched, rack ? "The rack" : "Gear 2",
+                   rack ? fmt::format("{:.6f} mm", rack.of(-least_play))
+                        : fmt::format("{:.6f} degrees", -least_play.deg())),
+       0});
 }
 
 // Adds warnings about facts that the numbers do not show.
-void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
+void warn_about(const ContactAnswer& answer, const std::vector<const Gear*>& gears,
+                std::vector<Warning>& warnings) {
   const auto warn = [&](WarningCode code, std::string text, int gear = 0) {
     warnings.push_back({code, std::move(text), gear});
   };
@@ -55,8 +60,8 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
     below[0] = below[0] || p.kind == TouchKind::form1;
     below[1] = below[1] || p.kind == TouchKind::form2;
   }
-  for (int i = 0; i < 2; ++i) {
-    const Gear& gear = answer.setup.gear(i + 1);
+  for (std::size_t i = 0; i < gears.size(); ++i) {
+    const Gear& gear = *gears[i];
     if (!below[i] || gear.undercut) continue;
     warn(WarningCode::contact_below_form,
          fmt::format(
@@ -64,12 +69,14 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
              "where the root fillet begins. The tip of the mating gear enters the fillet, and the "
              "true transmission error there is larger than the computed error.",
              i + 1, 2 * *gear.root_form_radius()),
-         i + 1);
+         static_cast<int>(i) + 1);
   }
   if (answer.driving.contact_lost)
     warn(WarningCode::contact_lost,
          "Contact is lost at some positions, where no tooth pair touches.");
-  if (answer.min_play) warn_of_jam(*answer.min_play, "both flanks of a tooth space are", warnings);
+  if (answer.min_play)
+    warn_of_jam(*answer.min_play, answer.driving.rack, "both flanks of a tooth space are",
+                warnings);
   if (answer.driving.unfinished + answer.other.unfinished > 0) {
     warn(WarningCode::contact_search_unfinished,
          fmt::format("{} searches for a contact point did not converge. The best point found is "
@@ -91,20 +98,13 @@ void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>
        touch.gear});
 }
 
-// The play of gear 2, which is the difference of its rotations when gear 1 touches it from either side.
-std::optional<Angle> play_between(const ContactPoint& driving, const ContactPoint& behind,
-                                  bool gear2_drives) {
-  if (driving.kind == TouchKind::none || behind.kind == TouchKind::none) return std::nullopt;
-  return (gear2_drives ? -1.0 : 1.0) * (behind.te - driving.te);
-}
-
 // Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the outlines of the
 // gears determine whether this happens, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Progress* progress) {
   const bool gear2_drives = input.driver == 2;
-  const auto driving_outlines = answer.setup.outlines(gear2_drives);
-  const auto other_outlines = answer.setup.outlines(!gear2_drives);
+  const auto driving_outlines = answer.setup->outlines(gear2_drives);
+  const auto other_outlines = answer.setup->outlines(!gear2_drives);
   if (!driving_outlines || !other_outlines) {
     warnings.push_back(
         {WarningCode::fillets_not_asked,
@@ -135,18 +135,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
   }
   // If the flanks alone jam, there is already a warning.
   const bool flanks_jam = answer.min_play && *answer.min_play < Angle();
-  if (least && !flanks_jam) warn_of_jam(*least, "root fillets and flanks are", warnings);
-}
-
-// The least play of gear 2 between both flanks over all positions.
-std::optional<Angle> least_play(const ContactAnswer& answer, bool gear2_drives) {
-  std::optional<Angle> least;
-  for (std::size_t i = 0; i < answer.driving.positions.size(); ++i) {
-    const auto play =
-        play_between(answer.driving.positions[i], answer.other.positions[i], gear2_drives);
-    if (play) least = std::min(least.value_or(*play), *play);
-  }
-  return least;
+  if (least && !flanks_jam) warn_of_jam(*least, {}, "root fillets and flanks are", warnings);
 }
 
 // Analyses the pair of a setup at the positions of the input.
@@ -159,27 +148,59 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup, const 
   request.progress = progress;
   ContactRequest other = request;
   for (const NamedInfluence& i : influences_of(job)) request.influences.push_back(i.influence);
-  answer.driving = analyse_contact(answer.setup.pair(gear2_drives), request);
-  answer.other = analyse_contact(answer.setup.pair(!gear2_drives), other);
+  answer.driving = analyse_contact(answer.setup->pair(gear2_drives), request);
+  answer.other = analyse_contact(answer.setup->pair(!gear2_drives), other);
   const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
   const auto& positions = answer.driving.positions;
   if (std::none_of(positions.begin(), positions.end(), touches))
-    return nothing_touches(answer.setup);
-  answer.min_play = least_play(answer, gear2_drives);
+    return nothing_touches(*answer.setup);
+  answer.min_play = least_play(answer.driving, answer.other, gear2_drives);
   answer.continuous_span =
-      continuous_span(answer.setup.pair(gear2_drives), std::max(kLeastPositions, input.positions));
+      continuous_span(answer.setup->pair(gear2_drives), std::max(kLeastPositions, input.positions));
   if (input.map) {
     const auto te_at = [&](double x, double y) {
-      const ContactErrors errors = errors_at(answer.setup, *input.map, x, y);
-      return transmission_error(answer.setup.pair(errors, gear2_drives), input.positions);
+      const ContactErrors errors = errors_at(*answer.setup, *input.map, x, y);
+      return transmission_error(answer.setup->pair(errors, gear2_drives), input.positions);
     };
     answer.map = make_map(*input.map, te_at, progress);
   }
   if (input.pattern)
     answer.pattern =
-        contact_pattern(answer.setup.pair(gear2_drives), input.positions, {}, progress);
-  warn_about(answer, warnings);
+        contact_pattern(answer.setup->pair(gear2_drives), input.positions, {}, progress);
+  warn_about(answer, {&answer.setup->gear(1), &answer.setup->gear(2)}, warnings);
   if (job.spec.errors.any()) warn_about_fillets(answer, input, warnings, progress);
+  return answer;
+}
+
+// Analyses a pinion and its rack.
+Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
+  const ContactInput& input = job.spec.contact;
+  if (input.map) return Error{"contact.map", "", "is not available for a rack; it needs two gears"};
+  ContactOptions options;
+  const auto& flanks = job.completed.gear(1).modifications;
+  options.modifications[0] = {flanks[0], flanks[1]};
+  options.gear2_drives = input.driver == 2;
+  options.request = {input.positions, input.pitches, input.marking, input.rotations};
+  for (const NamedInfluence& i : influences_of(job))
+    options.request.influences.push_back(i.influence);
+  options.request.progress = progress;
+  auto contacts = contact(*job.rack, errors_of(job), options);
+  if (!contacts) return contacts.error();
+  RackContact found = std::move(contacts).take();
+  const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
+  if (std::none_of(found.positions.begin(), found.positions.end(), touches))
+    return Error{
+        "errors", "",
+        "no teeth touch, because at no position a flank of the pinion lies opposite a flank "
+        "of the rack; smaller errors, or faces that overlap, would help",
+        FailureKind::nothing_touches};
+  ContactAnswer answer{};
+  if (input.pattern) answer.pattern = contact_pattern(*found.pair, input.positions, {}, progress);
+  answer.min_play = found.min_play;
+  answer.continuous_span = found.continuous_span;
+  answer.other = std::move(found.non_working);
+  answer.driving = std::move(found);
+  warn_about(answer, {&job.rack->pinion}, job.warnings);
   return answer;
 }
 
@@ -224,7 +245,7 @@ class HalvesAnswer {
     whole.driving = std::move(both.result);
     whole.float_axial = std::move(both.float_axial);
     whole.other = whole_contact(other.mesh, {&first->other, &second.other}, per_pitch).result;
-    whole.min_play = least_play(whole, drives_2);
+    whole.min_play = least_play(whole.driving, whole.other, drives_2);
     whole.continuous_span =
         continuous_span(driving.mesh, std::max(kLeastPositions, input.positions));
     if (map) {
@@ -261,6 +282,7 @@ class HalvesAnswer {
 }  // namespace
 
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
+  if (job.rack) return answer_of_rack(job, progress);
   auto setup = setup_of(job, errors_of(job));
   if (!setup) return setup.error();
   if (job.halves[0]) return HalvesAnswer(job, *setup, progress).answer();

@@ -14,7 +14,8 @@ namespace gearwright {
 /// For a double-helical pair, the results are those of the whole gears. Their halves share the load,
 /// because one gear floats along its axis (contact/halves.hpp). There is no pattern.
 struct ContactAnswer {
-  ContactSetup setup;             ///< for a double-helical pair, the setup of the half at z > 0
+  /// For a double-helical pair, the setup of the half at z > 0; none for a rack.
+  std::optional<ContactSetup> setup;
   ContactResult driving;          ///< working flanks for the requested driver
   ContactResult other;            ///< the non-working flanks, at the same positions
   std::optional<Angle> min_play;  ///< play of gear 2 between its flanks; < 0 if the gears jam

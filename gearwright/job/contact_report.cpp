@@ -131,7 +131,7 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
 ContactReport report_of_half(const SolvedJob& job, const ContactAnswer& half, Angle behind,
                              bool below) {
   const bool gear2_drives = job.spec.contact.driver == 2;
-  const ContactPair pair = half.setup.pair(gear2_drives);
+  const ContactPair pair = half.setup->pair(gear2_drives);
   const auto& gears = job.pair->mounted().gears;
   ContactReport r;
   static_cast<ContactScene&>(r) =
@@ -164,7 +164,7 @@ Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer
   const auto& gears = job.pair->mounted().gears;
   ContactReport r;
   static_cast<ContactScene&>(r) = contact_scene(
-      {&gears[0], &gears[1]}, answer.setup.pair(input.driver == 2), input.marking, answer.driving);
+      {&gears[0], &gears[1]}, answer.setup->pair(input.driver == 2), input.marking, answer.driving);
   r.other = answer.other;
   r.min_play = given.min_play;
   const Angle behind = gearwright::behind(job.halves[0]->given.stagger_pitches, gears[0]);
@@ -191,7 +191,7 @@ void add_assumptions(ContactReport& r, const SolvedJob& job, const ContactAnswer
 ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   const ContactInput& input = job.spec.contact;
   const bool gear2_drives = input.driver == 2;
-  const ContactPair pair = answer.setup.pair(gear2_drives);
+  const ContactPair pair = answer.setup->pair(gear2_drives);
   ContactReport r;
   const auto& gears = job.pair->mounted().gears;
   static_cast<ContactScene&>(r) =
@@ -201,10 +201,10 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   if (!input.rotations.empty() || input.pitches != 1) {
     const ContactRequest pitch{input.positions, 1, input.marking};
     r.driving = analyse_contact(pair, pitch);
-    r.other = analyse_contact(answer.setup.pair(!gear2_drives), pitch);
+    r.other = analyse_contact(answer.setup->pair(!gear2_drives), pitch);
   }
   r.min_play = answer.min_play;
-  make_patterns(r, job, answer.setup);
+  make_patterns(r, job, *answer.setup);
   r.middle = middle_of(r.driving.positions);
   if (r.middle) r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, kGap);
   return r;

@@ -62,7 +62,8 @@ std::string legend_of(const ContactResult& result) {
     explained.push_back(p.kind);
     text += fmt::format("{}: {}; ", to_string(p.kind), words_of(p.kind));
   }
-  return text + "major, minor: semi-axes of the contact ellipse";
+  return text + (result.rack ? "height 2: above the datum line of the rack; " : "") +
+         "major, minor: semi-axes of the contact ellipse";
 }
 
 // Lists the transmission error and the movement of the whole gears, and where each half touches.
@@ -128,15 +129,19 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   if (!r.harmonics.empty()) {
     std::string waves;
     for (std::size_t i = 0; i < std::min<std::size_t>(5, r.harmonics.size()); ++i)
-      waves += fmt::format("{}{:.4f}", i ? ", " : "", r.harmonics[i].arcsec());
-    row("Harmonics 1 to 5, amplitudes", waves + " arcsec");
+      waves += fmt::format("{}{:.4f}", i ? ", " : "",
+                           r.rack ? kUmPerMm * r.rack.of(r.harmonics[i]) : r.harmonics[i].arcsec());
+    row("Harmonics 1 to 5, amplitudes", waves + (r.rack ? " µm" : " arcsec"));
   }
   if (!answer.halves.empty()) return out + halves_listing(answer);
-  out +=
-      fmt::format("\n  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n", "rotation1",
-                  "TE", "tooth", "kind", "diam. 1", "diam. 2", "z 1", "z 2", "major", "minor");
-  out += fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n", "°",
-                     "arcsec", "", "", "mm", "mm", "mm", "mm", "mm", "mm");
+  const RackTravel rack = r.rack;
+  const auto line = [](const auto&... cells) {
+    return fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n",
+                       cells...);
+  };
+  out += "\n" + line("rotation1", "TE", "tooth", "kind", "diam. 1", rack ? "height 2" : "diam. 2",
+                     "z 1", "z 2", "major", "minor");
+  out += line("°", rack ? "µm" : "arcsec", "", "", "mm", "mm", "mm", "mm", "mm", "mm");
   // The rows are limited to one page. --json has all positions.
   const std::size_t step = std::max<std::size_t>(1, r.positions.size() / 32);
   for (std::size_t i = 0; i < r.positions.size(); i += step) {
@@ -148,11 +153,11 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
     const std::string major =
         p.ellipse && p.ellipse->semi_major ? fixed_decimals(*p.ellipse->semi_major, 4) : "-";
     const std::string minor = p.ellipse ? fixed_decimals(p.ellipse->semi_minor, 4) : "-";
-    out += fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n",
-                       fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(p.te.arcsec(), 5),
-                       p.pair, to_string(p.kind), fixed_decimals(p.diameter[0], 4),
-                       fixed_decimals(p.diameter[1], 4), fixed_decimals(p.height[0], 4),
-                       fixed_decimals(p.height[1], 4), major, minor);
+    const double te = rack ? kUmPerMm * rack.of(p.te) : p.te.arcsec();
+    out +=
+        line(fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(te, 5), p.pair, to_string(p.kind),
+             fixed_decimals(p.diameter[0], 4), fixed_decimals(p.diameter[1], 4),
+             fixed_decimals(p.height[0], 4), fixed_decimals(p.height[1], 4), major, minor);
   }
   return out + "\n  " + legend_of(r) + "\n";
 }

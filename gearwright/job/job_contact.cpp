@@ -9,8 +9,10 @@
 namespace gearwright {
 
 ContactErrors errors_of(const SolvedJob& job) {
-  if (!job.pair) return {};
-  const std::array<const Gear*, 2> gears{&job.pair->gear(1), &job.pair->gear(2)};
+  if (!job.pair && !job.rack) return {};
+  // An error of a rack's teeth is rejected later, so its amount does not matter.
+  const std::array<const Gear*, 2> gears{job.rack ? &job.rack->pinion : &job.pair->gear(1),
+                                         job.rack ? &job.rack->pinion : &job.pair->gear(2)};
   ContactErrors errors;
   for (std::size_t i = 0; i < kErrorCount; ++i)
     error_entries()[i].set(errors, gears, job.spec.errors.value[i]);
@@ -36,9 +38,10 @@ bool alike_halves(const SolvedJob& job) {
 std::vector<NamedInfluence> influences_of(const SolvedJob& job) {
   std::vector<NamedInfluence> list;
   for (const ErrorEntry& e : error_entries()) {
-    if (e.kind) list.push_back({fmt::format("{}_per_{}", e.name(), e.unit()), e.si(), {*e.kind}});
+    if (e.kind && !(job.rack && e.gear == 2))
+      list.push_back({fmt::format("{}_per_{}", e.name(), e.unit()), e.si(), {*e.kind}});
   }
-  for (const int which : {1, 2}) {
+  for (int which = 1; which <= (job.rack ? 1 : 2); ++which) {
     const auto& flanks = job.completed.gear(which).modifications;
     if (!any_modification(flanks)) continue;
     for (const ModificationEntry& m : modification_entries()) {

@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// The errors of the spec. A single gear has no errors.
+/// The errors of the spec, for a pair or a rack and its pinion. A single gear has no errors.
 ContactErrors errors_of(const SolvedJob& job);
 
 /// Domain    a job with a pair (contract)
@@ -30,7 +30,8 @@ struct NamedInfluence {
   Influence influence;
 };
 
-/// Influences of every error, and of every modification that has its place on the drawing.
+/// Influences of every error, and of every modification that has its place on the drawing; without those
+/// of a rack.
 std::vector<NamedInfluence> influences_of(const SolvedJob& job);
 
 }  // namespace gearwright

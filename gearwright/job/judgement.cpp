@@ -28,9 +28,11 @@ std::vector<std::string> not_judged(const SolvedJob& job, const JudgedParts& par
 
 // The verdict on the pinion and on its mesh with the rack. Changes of the spec are not tried, so
 // remedies have no numbers.
-Verdict rack_verdict(const SolvedJob& job) {
+Verdict rack_verdict(const SolvedJob& job, const JudgedParts& parts) {
   Judged judged;
   judged.gears = {&job.gears[0]};
+  judged.rack = &*job.rack;
+  judged.contact = parts.contact;
   judged.warnings = &job.warnings;
   Verdict verdict = verdict_of(judged);
   if (verdict.level == Level::green) verdict.headline = "The rack and pinion run as specified.";
@@ -40,7 +42,7 @@ Verdict rack_verdict(const SolvedJob& job) {
 }  // namespace
 
 Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
-  if (job.rack) return rack_verdict(job);
+  if (job.rack) return rack_verdict(job, parts);
   JudgedWith with{.contact = parts.contact, .errors = job.spec.errors.any()};
   with.contact_again = [&](Arranged& changed) -> std::optional<ContactResult> {
     SolvedJob again{std::move(changed), job.spec, job.halves};

@@ -133,10 +133,11 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
   if (spec.rack && scope != Scope::gears) {
-    return Error{"gear2.form", "rack",
-                 "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, "
-                 "outline, export and run compute a rack and its pinion. A gear 2 with teeth = "
-                 "1000 can replace the rack, and its results differ by the order of 1/teeth"};
+    return Error{
+        "gear2.form", "rack",
+        "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, contact, "
+        "outline, export and run compute a rack and its pinion. A gear 2 with teeth = "
+        "1000 can replace the rack, and its results differ by the order of 1/teeth"};
   }
   return solve_gears(spec, scope);
 }

@@ -124,7 +124,8 @@ Result<Answer> run_contact(const JobSpec& spec, Progress* progress) {
                    const ContactAnswer& a) { return judge(job, {.contact = &a.judged()}); },
        .record = contact_json,
        .listing = contact_listing,
-       .csv = contact_csv},
+       .csv = contact_csv,
+       .rack = true},
       spec, progress);
 }
 

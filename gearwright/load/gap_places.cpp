@@ -103,7 +103,7 @@ GapSearch::GapSearch(const ContactPair& pair, std::vector<double> heights)
       forward[i] = std::cos(kFarFromMesh) * std::abs(a.profile.at(row_of(a, i)).factor);
     std::vector<Rows> rows;
     for (const FlankPatch& b : pair.patches(2)) {
-      GapField field(a, b, pair.mount(), pair.ratio(), pair.rotation_sign());
+      GapField field = pair.field(a, b);
       if (rows.empty()) {
         for (const double z : heights_) {
           Rows& at = rows.emplace_back();

@@ -73,7 +73,7 @@ std::optional<Scanned> scanned(const ContactPair& pair, double turn, double z) {
   for (const FlankPatch& a : pair.patches(1)) {
     if (z < a.z_lo || z > a.z_hi) continue;
     for (const FlankPatch& b : pair.patches(2)) {
-      GapField field(a, b, pair.mount(), pair.ratio(), pair.rotation_sign());
+      GapField field = pair.field(a, b);
       field.set_rotation(turn);
       double lo = a.s_lo, hi = a.s_hi, s2 = 0.5 * (b.s_lo + b.s_hi), at = lo;
       Scanned own;

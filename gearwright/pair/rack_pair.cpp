@@ -47,11 +47,6 @@ RackGeometry geometry(const Gear& pinion, const RackBar& bar) {
   return r;
 }
 
-// The depth below the datum line at which the rack's straight flank ends above its fillet. [T2.39]
-double form_depth(const Gear& pinion, const RackGeometry& rack) {
-  return rack.dedendum - rack.fillet_radius * (1 - std::sin(alpha_n(pinion)));
-}
-
 // Approach and recess on the usable flanks. The pinion's flank begins at its form circle or base
 // tangent point, and the rack's flank ends with its straight part. [T2.39]
 void clip(RackPair& p) {
@@ -60,8 +55,7 @@ void clip(RackPair& p) {
   const double r_Ff = p.pinion.root_form_radius().value_or(r_b);
   const double flank = reach - std::sqrt(std::max(0.0, r_Ff * r_Ff - r_b * r_b));
   p.true_approach = std::min({p.approach, reach, flank});
-  const double below =
-      p.center_distance - p.pinion.reference_diameter / 2 + form_depth(p.pinion, p.rack);
+  const double below = p.center_distance - p.pinion.reference_diameter / 2 + p.rack.form_depth();
   p.true_recess = std::min(p.recess, below / std::sin(alpha_t(p.pinion)));
 }
 
@@ -111,6 +105,10 @@ void find_faults(RackPair& p) {
 
 std::optional<double> RackGeometry::length() const {
   return bar.teeth ? std::optional(*bar.teeth * transverse_pitch) : std::nullopt;
+}
+
+double RackGeometry::form_depth() const {
+  return dedendum - fillet_radius * (1 - std::sin(normal_pressure_angle.rad()));
 }
 
 std::optional<double> RackPair::mounting_distance() const {

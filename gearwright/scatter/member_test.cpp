@@ -17,17 +17,6 @@ using Q = ScatterQuantity;
 
 Deviation none(const ContactSetup& setup) { return deviation_at(setup, {}, {}); }
 
-// Least backlash, as computed by the verb contact.
-double least_play(const ContactResult& driving, const ContactResult& other, bool gear2_drives) {
-  Angle least = Angle::degrees(360);
-  for (std::size_t i = 0; i < driving.positions.size(); ++i) {
-    const Angle play =
-        (gear2_drives ? -1.0 : 1.0) * (other.positions[i].te - driving.positions[i].te);
-    least = std::min(least, play);
-  }
-  return least.rad();
-}
-
 TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
   for (auto drawn :
        {testing::crowned_helical_pair(), testing::plain_helical_pair(), testing::spur_pair(true)}) {
@@ -43,7 +32,7 @@ TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
       EXPECT_EQ(m[Q::harmonic1], driving.harmonics[0].rad());
       EXPECT_EQ(m[Q::harmonic2], driving.harmonics[1].rad());
       EXPECT_EQ(m[Q::harmonic3], driving.harmonics[2].rad());
-      EXPECT_EQ(m[Q::least_play], least_play(driving, other, gear2_drives));
+      EXPECT_EQ(m[Q::least_play], least_play(driving, other, gear2_drives)->rad());
       double sum = 0.0;
       int edges = 0;
       for (const ContactPoint& p : driving.positions) {

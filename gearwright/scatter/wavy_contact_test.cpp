@@ -23,7 +23,7 @@ double greatest_on_a_grid(const ContactPair& pair, double phi) {
   double best = -std::numeric_limits<double>::infinity();
   for (const FlankPatch& a : pair.patches(1)) {
     for (const FlankPatch& b : pair.patches(2)) {
-      GapField field(a, b, pair.mount(), pair.ratio(), pair.rotation_sign());
+      GapField field = pair.field(a, b);
       for (int k = -3; k <= 3; ++k) {
         field.set_rotation(phi - k * pair.pitch());
         for (int i = 0; i < kHeights; ++i) {

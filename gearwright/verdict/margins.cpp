@@ -76,7 +76,8 @@ std::vector<Finding> margin_findings(const Pair& pair) {
   return findings;
 }
 
-std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& pair) {
+std::vector<Finding> contact_findings(const ContactResult& contact,
+                                      const std::array<double, 2>& face_widths) {
   std::vector<Finding> findings;
   std::size_t touching = 0, edges = 0, points = 0;
   std::array<double, 2> places{};  // on each face, as a share of half its width
@@ -86,8 +87,7 @@ std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& 
     if (is_edge(p.kind)) ++edges;
     if (p.kind == TouchKind::line) continue;
     ++points;
-    for (const std::size_t i : {0u, 1u})
-      places[i] += p.height[i] / (pair.mounted().gears[i].spec.face_width / 2);
+    for (const std::size_t i : {0u, 1u}) places[i] += p.height[i] / (face_widths[i] / 2);
   }
   if (touching == 0) return findings;
   const double share = static_cast<double>(edges) / static_cast<double>(touching);

@@ -2,6 +2,7 @@
 // Internal to verdict/.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "gearwright/verdict/verdict.hpp"
@@ -12,6 +13,7 @@ namespace gearwright::detail {
 std::vector<Finding> margin_findings(const Pair& pair);
 
 /// Findings for contact at edges and for a contact pattern that is not in the middle of the face.
-std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& pair);
+std::vector<Finding> contact_findings(const ContactResult& contact,
+                                      const std::array<double, 2>& face_widths);
 
 }  // namespace gearwright::detail

@@ -246,7 +246,12 @@ std::vector<Finding> findings_of(const Judged& judged) {
   };
   if (judged.pair) add(detail::margin_findings(*judged.pair));
   if (judged.rating) add(detail::rating_findings(*judged.rating));
-  if (judged.contact && judged.pair) add(detail::contact_findings(*judged.contact, *judged.pair));
+  if (judged.contact && judged.pair)
+    add(detail::contact_findings(*judged.contact, {judged.pair->gear(1).spec.face_width,
+                                                   judged.pair->gear(2).spec.face_width}));
+  if (judged.contact && judged.rack)
+    add(detail::contact_findings(
+        *judged.contact, {judged.rack->pinion.spec.face_width, judged.rack->rack.face_width}));
   return findings;
 }
 

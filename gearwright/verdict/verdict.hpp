@@ -18,6 +18,7 @@
 
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 #include "gearwright/rating/sizing.hpp"
 
 namespace gearwright {
@@ -106,6 +107,7 @@ struct JudgedRating {
 struct Judged {
   std::vector<const Gear*> gears;  ///< one or two gears; if there is a pair, the gears of the pair
   const Pair* pair = nullptr;      ///< null if the gears are not mounted
+  const RackPair* rack = nullptr;  ///< the rack, if gear 2 is one
   const std::vector<Warning>* warnings = nullptr;  ///< of all results
   const ContactResult* contact = nullptr;          ///< of the working flanks; null if not computed
   bool errors = false;                             ///< true if `contact` was computed under errors

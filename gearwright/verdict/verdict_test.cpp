@@ -154,7 +154,10 @@ TEST(Verdict, edges_and_places_under_errors) {
   contact.positions.resize(4);
   for (ContactPoint& p : contact.positions) p.kind = TouchKind::interior;
   const auto judged_with = [&](const std::vector<Warning>& warnings) {
-    return verdict_of({{&involutes.gears[0], &involutes.gears[1]}, &pair, &warnings, &contact});
+    return verdict_of({.gears = {&involutes.gears[0], &involutes.gears[1]},
+                       .pair = &pair,
+                       .warnings = &warnings,
+                       .contact = &contact});
   };
   EXPECT_FALSE(finds(judged_with(none), WarningCode::edge_contact, Level::amber));
   contact.positions[1].kind = TouchKind::tip2;

@@ -38,10 +38,47 @@ class ARack(unittest.TestCase):
             self.assertEqual(answer["pair"]["kind"], "rack_and_pinion")
             self.assertEqual(answer["pair"]["mounting_distance_mm"], 20 + 18)
 
+    def test_contact_under_errors_is_that_of_a_large_wheel(self):
+        # 1 µm of a wheel of 4000 teeth at r = 4000 mm; the limit differs by the order of 1/z2.
+        errors = "[gear1.modifications]\nlead_crowning_um = 10\nprofile_crowning_um = 5\n" \
+                 "[errors]\ncrossing_deg = 0.02\ncenter_distance_mm = 0.05\n[contact]\npattern = true\n"
+        rack = json.loads(Run("contact", RACK + errors, "--json").out)["contact"]
+        wheel = RACK.replace('form = "rack"', "teeth = 4000")
+        large = json.loads(Run("contact", wheel + errors, "--json").out)["contact"]
+        to_um = math.radians(1 / 3600) * 4000e3
+        self.assertAlmostEqual(rack["peak_to_peak_um"], large["peak_to_peak_arcsec"] * to_um, delta=0.02)
+        self.assertAlmostEqual(rack["continuous_peak_to_peak_um"],
+                               large["continuous_peak_to_peak_arcsec"] * to_um, delta=0.02)
+        for a, b in zip(rack["positions"], large["positions"]):
+            self.assertAlmostEqual(a["transmission_error_um"], b["transmission_error_arcsec"] * to_um, delta=0.2)
+            self.assertAlmostEqual(a["diameter_mm"][0], b["diameter_mm"][0], delta=0.1)
+            self.assertIsNone(a["diameter_mm"][1])
+            self.assertNotIn("rotation2_deg", a)
+        slopes = rack["sensitivity"]["crossing_per_deg"]["transmission_error_um"]
+        of_wheel = large["sensitivity"]["crossing_per_deg"]["transmission_error_arcsec"]
+        self.assertAlmostEqual(slopes[32], of_wheel[32] * to_um, delta=0.01 * abs(slopes[32]))
+        self.assertNotIn("helix_slope2_per_um", rack["sensitivity"])
+        self.assertEqual(list(rack["pattern"]), ["gear1"])
+
+    def test_contact_without_errors_is_exact(self):
+        r = Run("contact", RACK)
+        self.assertEqual(r.status, 0, r.err)
+        for words in ("height 2", "µm", "Verdict: green"):
+            self.assertIn(words, r.out)
+        answer = json.loads(Run("contact", RACK, "--json").out)["contact"]
+        self.assertLess(answer["peak_to_peak_um"], 1e-9)
+        self.assertAlmostEqual(answer["least_play_mm"], 0, 12)
+        header = Run("contact", RACK, "--csv").out.splitlines()[0]
+        self.assertIn("transmission_error_um", header)
+        self.assertNotIn("arcsec", header)
+
     def test_what_a_rack_cannot_be_is_said(self):
         for verb, extra, *words in (
-                ("contact", "", "gear2.form", "The verbs gear, pair, outline, export and run", "teeth = 1000"),
-                ("load", "", "gear2.form", "needs two gears"),
+                ("load", "", "gear2.form", "The verbs gear, pair, contact, outline, export and run",
+                 "teeth = 1000"),
+                ("contact", "[errors]\nhelix_slope2_um = 5\n", "errors.helix_slope2_um", "rack"),
+                ("contact", "[contact.map]\nx = \"crossing_deg\"\nx_range = [-0.1, 0.1]\n"
+                 "y = \"center_distance_mm\"\ny_range = [0, 0.1]\n", "contact.map", "two gears"),
                 ("rate", "", "gear2.form", "needs two gears"),
                 ("scatter", "", "gear2.form", "needs two gears"),
                 ("outline --gear 2", "", "gear2.teeth", "length of the rack"),

@@ -48,8 +48,7 @@ TEST(ContactEngine, case_file) {
     const double size = static_cast<double>(pair.pitch_radius_1);
     const ContactSet set = contact_set(with_ends(pair, 7.2L, 62, 6 * pair.pitch_radius_1));
     const ContactPair contact = set.pair();
-    GapField field(contact.patches(1)[0], contact.patches(2)[0], contact.mount(), contact.ratio(),
-                   contact.rotation_sign());
+    GapField field = contact.field(contact.patches(1)[0], contact.patches(2)[0]);
     for (const json& t : c.at("tca")) {
       ++positions;
       field.set_rotation(number_of(t, "phi1p"));

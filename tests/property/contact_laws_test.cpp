@@ -230,7 +230,7 @@ TEST(ContactLaws, pieces_meet) {
     const auto& patches = pair.patches(1);
     const FlankPatch& mate = pair.patches(2)[0];
     const auto jet = [&](const FlankPatch& f, double s, double z) {
-      const GapField field(f, mate, pair.mount(), pair.ratio(), pair.rotation_sign());
+      const GapField field = pair.field(f, mate);
       double s2 = 0.5 * (mate.s_lo + mate.s_hi);
       return field.at(s, z, s2).t;
     };

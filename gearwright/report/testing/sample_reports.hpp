@@ -155,7 +155,10 @@ inline std::vector<CrossedPair> crossed_pairs() {
 
 /// The verdict on the content of a report, with additional warnings.
 inline void judge(ReportInput& input, std::vector<Warning> warnings) {
-  Judged judged{input.gears, input.pair ? &*input.pair : nullptr, &warnings, nullptr};
+  Judged judged;
+  judged.gears = input.gears;
+  judged.pair = input.pair ? &*input.pair : nullptr;
+  judged.warnings = &warnings;
   input.verdict = verdict_of(judged);
 }
 

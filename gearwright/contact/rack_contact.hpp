@@ -1,0 +1,42 @@
+// Tooth contact of a pinion with its rack under errors of mounting.
+//
+// The analysis is that of two gears with the travel of the rack in place of the rotation of gear 2
+// [T8.28]. Travel and its errors are stored as angles x/r, where r is the reference radius of the pinion.
+// A positive travel is along −y of the housing, as for the rim of a gear 2.
+//
+//   const auto touching = contact(*rack_pair, {.crossing = 0.02_deg});
+//   if (touching) use(touching->rack.of(touching->peak_to_peak));   // mm
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gearwright/contact/pair_contact.hpp"
+#include "gearwright/pair/rack_pair.hpp"
+
+namespace gearwright {
+
+struct RackContact : ContactResult {
+  RackContact() = default;  ///< empty, and not an aggregate; contact() makes it
+  /// The non-working flanks at the same positions.
+  ContactResult non_working;
+  /// Peak to peak of the continuous curve; none if contact is lost at some rotation.
+  std::optional<Angle> continuous_span;
+  std::optional<Angle> min_play;  ///< least play of the rack between both flanks; < 0 if they jam
+  std::shared_ptr<const ContactPair> pair;  ///< also keeps the modifications alive
+};
+
+/// Analyses the contact of a pinion and a rack under errors.
+///
+/// Units     mm, rad; `options.modifications[1]` must be empty (contract)
+/// Errors    `gear1` without a usable flank; `gear1.modifications.…` as make_removal_field;
+///           `errors.cutter_lead[0]` as check_cutter_lead; `errors.helix_twist[1]` and
+///           `errors.cutter_lead[1]` if they are not 0
+/// Domain    `options.request` as analyse_contact (contract)
+/// Accuracy  as analyse_contact
+/// Laws      (1) without errors and modifications, the transmission error is constant, at every
+///           centre distance   (2) a wheel of z2 teeth differs by the order of 1/z2
+Result<RackContact> contact(const RackPair& pair, const ContactErrors& errors = {},
+                            const ContactOptions& options = {});
+
+}  // namespace gearwright
