@@ -45,8 +45,8 @@ TEST(SincosTurn, ToothZIsToothZero) {
   }
 }
 
-// A fraction that is not in lowest terms is the same turn: k/n = mk/(mn). Here m is a power of two, for
-// which the quotient rounds alike.
+// A fraction need not be in lowest terms: k/n and mk/(mn) are the same turn. Here m is a power of
+// two, so both quotients round to the same double.
 TEST(SincosTurn, TheFractionIsWhatCounts) {
   for (long long n = 1; n <= 100; ++n) {
     for (long long k = 0; k < n; ++k) {
@@ -56,8 +56,9 @@ TEST(SincosTurn, TheFractionIsWhatCounts) {
   }
 }
 
-// The library's sin and cos are within 0.55 ε relative, so s² + c² is within 1.1 ε; the two squares
-// and their sum round by ε/2 at most together each: 2.1 ε.
+// The library's sin and cos are within 0.55 ε relative, so s² + c² is within 1.1 ε. The rounding of
+// the two squares adds at most ε/2, and the rounding of their sum adds ε/2. The limit is therefore
+// 2.1 ε.
 TEST(SincosTurn, LiesOnTheUnitCircle) {
   for (long long n = 1; n <= 1000; ++n) {
     for (long long k = 0; k < n; ++k) {
@@ -98,7 +99,7 @@ TEST(Angle, DegreesAndRadiansAreOneThing) {
   EXPECT_EQ(22.5_deg + 22.5_deg, 45_deg);
   EXPECT_LT(-(20_deg), 15_deg);
   for (int d = -720; d <= 720; ++d) {
-    // The two constants and two products round by 4 · ε/2 relative at most, together.
+    // The two constants and the two products each round by at most ε/2 relative, 2 ε in total.
     EXPECT_NEAR(Angle::degrees(d).deg(), d, 2 * kEps * std::abs(d)) << d;
   }
 }
@@ -111,8 +112,7 @@ TEST(Angle, degrees_of_ten_decimals_come_back_as_they_were_given) {
     }
   }
   EXPECT_EQ(Angle::degrees(60).deg(), 60);
-  // Other values agree to the last bit but one. A value that is not a number of degrees is returned
-  // unchanged.
+  // Any other angle is returned within 2e-15. NaN and −0 are returned unchanged.
   EXPECT_NEAR(Angle::degrees(12.345678901234567).deg(), 12.345678901234567, 2e-15);
   EXPECT_TRUE(std::isnan(Angle::radians(std::nan("")).deg()));
   EXPECT_TRUE(std::signbit(Angle::radians(-0.0).deg()));

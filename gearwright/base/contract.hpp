@@ -3,17 +3,18 @@
 // A fact about a gear (undercut, no contact) is a Result (base/result.hpp), never a contract.
 // Contracts are checked in every build, because a comparison costs less than a wrong gear.
 //
-// A violation is thrown, and no room catches it, so the state of the task is discarded with the
-// stack. The interfaces (the program, its batch, Python, the engine of the page) report the message
-// and continue with the next spec. A build with GEARWRIGHT_STOP_AT_VIOLATIONS (presets `dev` and
-// `fuzz`) aborts at that point instead, so that a debugger or a sanitizer shows the stack.
+// A violation is thrown as an exception. No library code catches it, so the state of the task is
+// discarded with the stack. The interfaces (the program, its batch mode, Python and the web page)
+// report the message and continue with the next spec. A build with GEARWRIGHT_STOP_AT_VIOLATIONS
+// (presets `dev` and `fuzz`) aborts instead, so that a debugger or a sanitizer shows the stack.
 #pragma once
 
 #include <stdexcept>
 
 namespace gearwright {
 
-/// A defect in Gearwright. what() contains the condition and its place, and requests a report.
+/// A defect in Gearwright. what() contains the condition, its file and line, and asks the user to
+/// report the defect.
 class ContractViolation : public std::logic_error {
  public:
   using std::logic_error::logic_error;

@@ -13,11 +13,13 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSame = 1e-12;  // relative difference up to which a decimal equals the limit
+constexpr double kSame = 1e-12;  // a decimal within this relative difference of the limit counts as
+                                 // equal to it
 
 enum class Side { down, up };
 
-// The limit as text, rounded towards the allowed side unless the nearest decimal equals the limit.
+// Formats the limit. It is rounded towards the allowed side unless the nearest decimal equals the
+// limit.
 std::string limit_text(double limit, int digits, Side side) {
   const std::string nearest = with_digits(limit, digits);
   const double read = std::strtod(nearest.c_str(), nullptr);

@@ -1,12 +1,12 @@
 // The error of an input, with the information that the user needs to correct the input.
 //
 //   field   the member of the library's structs, "tip_diameter", "rack.dedendum", "gear1.teeth"
-//   value   its value, with the digits that a user needs
-//   rule    one sentence: the fault, the allowed range with its reason, and a remedy. Other members
-//           are in backticks, `pair.center_distance`
+//   value   its value, with as many digits as the user needs
+//   rule    one sentence: the fault, the allowed range with its reason, and a remedy. The names of
+//           other members are in backticks, `pair.center_distance`
 //
-// Programmers receive this text unchanged. Interfaces that use files replace the members by keys
-// (catalogue/spelling.hpp) and keep the sentence.
+// C++ callers receive this text unchanged. Interfaces that read files replace the member names by
+// the keys of the file (catalogue/spelling.hpp) and keep the sentence.
 #pragma once
 
 #include <initializer_list>
@@ -30,17 +30,18 @@ enum class FailureKind {
 
 struct Error {
   std::string field;  ///< empty if the error concerns no single member
-  std::string value;  ///< empty if no value fits into a sentence
+  std::string value;  ///< empty if the value does not fit into a sentence
   std::string rule;
   FailureKind kind = FailureKind::value;
 
-  /// "rack.dedendum = 9: the cutter's tooth is pointed before it gets that deep; …"
+  /// "rack.dedendum = 9: the tooth of the cutter becomes pointed before …"
   std::string message() const;
   /// The message as part of another sentence, with the field in backticks: "`rack.dedendum` = 9: …".
   std::string quoted() const;
 };
 
-/// The field is missing. `rest` continues the sentence "is missing": "; a pair needs a second gear".
+/// The error of a missing field. `rest` is appended to "is missing", for example "; a pair needs a
+/// second gear".
 Error absent_input(std::string field, std::string_view rest = {});
 
 /// The error {field, value, rule} with the value written to six digits.
@@ -53,11 +54,12 @@ Error refused(std::string field, int value, std::string rule);
 Error refused(std::string field, double value, std::initializer_list<double> limits,
               std::string_view rule);
 
-/// The error of a part, with the whole in front of the field: "rack.dedendum" of "gear1" becomes "gear1.rack.dedendum".
+/// An error of a member, with the name of its owner added in front: "rack.dedendum" of "gear1"
+/// becomes "gear1.rack.dedendum".
 Error within(std::string_view whole, Error error);
 
-/// The same error, attributed to the input that causes it: "pair.center_distance = 30: it asks for
-/// `gear1.profile_shift` = -3: …".
+/// The error of a derived value, attributed to the input that causes it: "pair.center_distance =
+/// 30: it requires `gear1.profile_shift` = -3: …".
 Error following_from(std::string field, std::string value, std::string_view how,
                      const Error& error);
 

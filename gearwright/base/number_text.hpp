@@ -1,4 +1,4 @@
-// Formats numbers as text for people and for files. Each function implements one rule.
+// Formats numbers as text for users and for files.
 #pragma once
 
 #include <string>

@@ -17,8 +17,8 @@ namespace {
 }
 
 fs::path beside(const fs::path& path) {
-  // The temporary file is in the same folder, so renaming stays on one file system. The
-  // process id separates two runs.
+  // The temporary file is in the same folder, so renaming stays on one file system. The process id
+  // gives each run its own file.
   return path.parent_path() /
          ("." + path.filename().string() + "." + std::to_string(process_id()) + ".part");
 }

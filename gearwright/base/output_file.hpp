@@ -10,8 +10,8 @@
 
 namespace gearwright {
 
-/// A failure of the system, such as a full disk or a missing permission. The program ends with
-/// status 3.
+/// A failure of the system, such as a full disk or a missing permission. The program then exits
+/// with status 3.
 class IoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -105,7 +105,7 @@ TEST_F(OutputFile, AFolderIsRefused) {
   EXPECT_NE(message_of([&] { write_file(folder_, "solid"); }).find("directory"), std::string::npos);
 }
 
-// Root may write everywhere, so a child process with the user id of nobody writes.
+// Root may write everywhere, so a child process writes with the user id of `nobody`.
 TEST_F(OutputFile, NoPermissionIsAnIoError) {
   fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
                                fs::perms::others_exec);

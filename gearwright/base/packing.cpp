@@ -25,7 +25,7 @@ std::string deflated(std::string_view content) {
   int status = deflateInit2(&stream, kLevel, Z_DEFLATED, kRawDeflate, kMemory, Z_DEFAULT_STRATEGY);
   GW_ENSURES(status == Z_OK);
   std::string out(deflateBound(&stream, static_cast<uLong>(content.size())), '\0');
-  // zlib does not write to its input. Its interface lacks const, because it is older than const.
+  // zlib does not write to its input. Its interface is older than const, so a cast is needed.
   stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(content.data()));
   stream.avail_in = static_cast<uInt>(content.size());
   stream.next_out = reinterpret_cast<Bytef*>(out.data());

@@ -17,7 +17,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kQuality = 8;  // candidates for a match; at least 5, and larger values are slower
+constexpr int kQuality = 8;  // number of candidates compared for a match; at least 5, and larger
+                             // values are slower
 constexpr std::size_t kZlibHeader = 2;   // bytes before the deflate stream
 constexpr std::size_t kZlibTrailer = 4;  // bytes of the Adler-32 checksum after it
 

@@ -24,7 +24,7 @@ void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int 
     tbb::parallel_for(std::size_t{0}, n, f);
     return;
   }
-  // The arena limits the threads of this work. The control permits more threads than the machine
+  // The arena limits the threads of this call. The control permits more threads than the machine
   // has cores.
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));

@@ -11,17 +11,18 @@
 
 namespace gearwright {
 
-/// The number of threads that `threads` means; 0 means as many as the machine has.
+/// The number of threads that are used: `threads`, or one for each core if `threads` is 0.
 int thread_count(int threads);
 
 /// Calls f(0) … f(n − 1) once each, in any order and from several threads. If a call throws, the
 /// exception is thrown again after the other calls have ended.
 void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int threads = 0);
 
-/// Processes many items at once and delivers the results in the order of the items. It holds only a
-/// few items per thread.
+/// Processes many items at once and delivers the results in the order of the items. Only a few
+/// items per thread are in memory at a time.
 ///
-///   next   writes the next item and returns false if there is none     work   is called from many threads at once
+///   next   writes the next item and returns false if there is none
+///   work   is called from many threads at once
 void in_order(const std::function<bool(std::string&)>& next,
               const std::function<std::string(const std::string&)>& work,
               const std::function<void(const std::string&)>& take, int threads = 0);

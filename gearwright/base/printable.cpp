@@ -25,7 +25,7 @@ std::string printable(const std::string& text, std::size_t most) {
     bool whole = true;
     for (std::size_t k = 1; k < length; ++k)
       whole = whole && (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
-    // For U+0080 to U+009F the second byte is sufficient.
+    // The control characters U+0080 to U+009F are C2 followed by a byte below A0.
     const bool control = byte == 0xC2 && whole && static_cast<unsigned char>(text[i + 1]) < 0xA0;
     if (whole && !control) {
       out += text.substr(i, length);

@@ -10,8 +10,8 @@ constexpr std::size_t kLongText =
     400;  ///< longest part of a title or a file name that is shown, in bytes
 
 /// Escapes control characters (including those of ISO 6429 above 0x7F) and invalid UTF-8, so that a
-/// terminal shows them instead of executing them. A longer text is cut after the character that
-/// reaches `most` bytes.
+/// terminal shows them instead of executing them. Text longer than `most` bytes is cut after the
+/// character that reaches this length.
 std::string printable(const std::string& text, std::size_t most = kLongText);
 
 }  // namespace gearwright

@@ -16,11 +16,11 @@ struct WorkStopped {};
 class Progress {
  public:
   struct State {
-    const char* stage;  ///< "map of two errors"; null if nothing has begun
+    const char* stage;  ///< for example "map of two errors"; null before the first stage
     std::int64_t done, of;
   };
 
-  /// Starts a stage of about this many steps. The words must have static lifetime.
+  /// Starts a stage of about `steps` steps. The text must have static lifetime.
   void begin(const char* stage, std::int64_t steps) {
     done_ = 0;
     of_ = steps;

@@ -1,4 +1,4 @@
-// The calls that differ among operating systems: open files, processes, the console.
+// The functions that differ among operating systems: open files, processes, the console.
 //
 // No other file includes a header of an operating system. Internal to base/, store/, job/ and the programs.
 #pragma once
@@ -34,7 +34,7 @@ class FileHandle {
   ~FileHandle() { close(); }
 
   bool is_open() const { return descriptor_ >= 0; }
-  /// Error number with which opening failed.
+  /// The error number if opening failed, otherwise 0.
   int error() const { return error_; }
 
   /// Writes all bytes.
@@ -53,9 +53,9 @@ class FileHandle {
 };
 
 long process_id();
-/// True if process `id` of this host has ended; false if this cannot be determined.
+/// True if process `id` of this host has ended, false if it runs or its state cannot be determined.
 bool process_has_ended(long id);
-/// "unnamed" if the system does not give a name.
+/// The name of this host, or "unnamed" if the system has none.
 std::string host_name();
 
 bool is_terminal(std::FILE* stream);

@@ -3,7 +3,7 @@
 #include <process.h>
 #include <sys/stat.h>
 #include <windows.h>
-// after windows.h
+// must follow windows.h
 #include <shellapi.h>
 
 #include <algorithm>

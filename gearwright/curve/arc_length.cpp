@@ -16,7 +16,8 @@ constexpr int kDeepest = 10;  // halvings, which give 1024 panels at most
 // so the errors in the coefficients of the speed are 3e-14. Both limits are well above these errors.
 constexpr double kPointTail = 1e-14;
 constexpr double kSpeedTail = 1e-12;
-// Last step of Newton's method in the parameter x of a panel; two spacings of doubles at 1.
+// Newton's method ends when a step in the parameter x of a panel is at most this long, which is two
+// spacings of doubles at 1.
 constexpr double kLastStep = 4e-16;
 
 }  // namespace
@@ -35,8 +36,9 @@ double ArcLength::value(const Series& series, double x) {
 
 void ArcLength::add(const Curve& curve, double t_begin, double t_end, double scale, int depth) {
   constexpr std::size_t n = kDegree;
-  // The nodes are x_j = cos(π j/n), where j = n is the beginning. cos(π jk/n) is computed from jk/(2n)
-  // of a full turn, which is exact at multiples of a right angle.
+  // The nodes are x_j = cos(π j/n), where j = n is the beginning. The angle of cos(π jk/n) is given
+  // as the fraction jk/(2n) of a full turn, so that cosines at multiples of a right angle are
+  // exact.
   const auto cosine = [](std::size_t j, std::size_t k) {
     return sincos_turn(static_cast<long long>(j * k), 2 * static_cast<long long>(n)).cos;
   };

@@ -7,8 +7,8 @@
 // at Chebyshev points (degree 16) and differentiated, and |W'| is integrated term by term (Trefethen,
 // Approximation Theory and Approximation Practice, ch. 19, 21).
 //
-// A spline by arc length usually needs fewer poles. The trochoid of a rounded cutter tip is
-// parametrised by the angle of the rack's normal, and its speed is high at one end only. A quintic
+// A spline parametrised by arc length usually needs fewer poles. The trochoid of a rounded cutter tip
+// is parametrised by the angle of the rack's normal, and its speed is high at one end only. A quintic
 // with uniform knots and an error of 1e-6 mm needs 25 poles for this parameter and 13 poles for arc
 // length (20 teeth, module 2). A curve with a cusp at its end needs more poles by arc length.
 //

@@ -32,7 +32,7 @@ struct Cusp final : Curve {
   CurvePoint at(double t) const override { return {point(t), 0.0, 0.0}; }
 };
 
-// A straight line with the speed 1/√t of its parameter, for which no polynomial series converges
+// A straight line whose speed is proportional to 1/√t, for which no polynomial series converges
 // quickly.
 struct SlowLine final : Curve {
   Vec2 point(double t) const override { return {std::sqrt(t), 0.0}; }
@@ -84,7 +84,8 @@ TEST(ArcLength, ThereAndBack) {  // laws 2, 3
 }
 
 TEST(ArcLength, EqualLengthsAreEqualSteps) {
-  // The chords of pieces of equal length are equal up to second order in the turn of the tangent.
+  // Pieces of equal arc length have equal chords, up to second order in the rotation of the
+  // tangent.
   const Ellipse ellipse(5.0, 2.0);
   const ArcLength arc(ellipse, 0.0, 1.5);
   const int n = 4000;

@@ -1,4 +1,4 @@
-// Circle and involute: the laws of their header, and tangent and curvature against differences of
+// Tests the laws of circle and involute, and compares tangent and curvature with differences of
 // points.
 #include "gearwright/curve/basic_curves.hpp"
 
@@ -16,8 +16,8 @@ namespace {
 
 using testing::kEps;
 
-// Tangent angle and curvature are computed from points alone. Central differences of step h err by h²
-// W‴/6 and by 2 ε |W|/h²; both are below 1e-6 for the curves here.
+// Tangent angle and curvature are computed from points alone. The central differences with the step
+// h have the errors h² W‴/6 and 2 ε |W|/h², which are both below 1e-6 for the curves here.
 void expect_tangent_and_curvature(const Curve& curve, double t) {
   const double h = 1e-4;
   const Vec2 before = curve.point(t - h), here = curve.point(t), after = curve.point(t + h);
@@ -82,7 +82,8 @@ TEST(Involute, parameter_at_radius_is_closed) {
   }
 }
 
-// A curve that provides only its points: the base class solves for the rest with a bracket.
+// A curve that provides only its points. The base class finds the parameter at a radius in a
+// bracket.
 class Spiral final : public Curve {
  public:
   Vec2 point(double t) const override { return {(1 + t) * std::cos(t), (1 + t) * std::sin(t)}; }
@@ -98,7 +99,7 @@ TEST(Curve, solves_for_a_radius_either_way_round) {
   EXPECT_NEAR(spiral.polar_angle(0.5), 0.5, 4 * kEps);
 }
 
-// A curve can be queried for its class. The spiral is of none of the known classes.
+// curve_if() tests whether a curve belongs to a class. The spiral belongs to none of these classes.
 TEST(Curve, says_of_which_kind_it_is) {
   const Involute involute(10.0, 0.1);
   const AxisCircle circle(10.0);

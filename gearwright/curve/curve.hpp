@@ -5,9 +5,9 @@
 //                                                          theory: docs/theory/01-frames.md
 //
 // Curves are immutable and shared. An envelope contains the curve that generates it, so a pinion that
-// is cut by a rack can itself be the cutter of a wheel. Most code uses only the points of a curve. Code
-// with a closed form for one class of curves checks whether a curve is of this class. The files of
-// curve/ contain no name of a class that is defined in a folder above it.
+// is cut by a rack can itself be the cutter of a wheel. Most code uses only the points of a curve.
+// Code with a closed form for one class of curves checks whether a curve belongs to this class. The
+// files of curve/ do not name the classes that higher-level folders define.
 #pragma once
 
 #include <memory>

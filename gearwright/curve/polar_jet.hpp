@@ -11,7 +11,7 @@ namespace gearwright {
 
 using Complex = std::complex<double>;
 
-/// A complex product without the special treatment of infinities in the library, which is slower.
+/// The product of two complex numbers without the library's treatment of infinities, which is slow.
 inline Complex times(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }

@@ -1,4 +1,4 @@
-// Lines and stretched circles: tangent and curvature against differences of points.
+// Compares tangent and curvature of lines and stretched circles with differences of points.
 #include "gearwright/curve/straight_curves.hpp"
 
 #include <gtest/gtest.h>

@@ -49,8 +49,8 @@ bool is_undercut(const EdgeCircle& flank, const std::optional<Angle>& limit) {
   return flank.q > 0.0 ? *limit > flank.begin_tau : *limit < flank.begin_tau;
 }
 
-// Finds undercut. The data of the gear are those of an undercut flank arc, or of the lowest one if none
-// is undercut. Arcs that join two flanks are not examined, because they have no contact.
+// Finds undercut. The gear records the data of an undercut flank arc or, if no arc is undercut, of
+// the lowest one. Arcs that join two flanks are not examined, because they have no contact.
 void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& edge) {
   auto& flanks = std::get<ArcTeeth>(gear.flanks);
   bool first = true;

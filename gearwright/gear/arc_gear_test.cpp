@@ -1,4 +1,5 @@
-// Gears with circular-arc teeth from their specs: the data that they have and lack, flags and errors.
+// Tests gears with circular-arc teeth: which data they have, which data they lack, flags and
+// errors.
 #include "gearwright/gear/arc_gear.hpp"
 #include "gearwright/base/testing/violation.hpp"
 #include "gearwright/gear/testing/made.hpp"
@@ -57,8 +58,8 @@ TEST(ArcGear, has_diameters_of_its_rack_and_no_involute) {
                                       ArcName::tip_land}));
 }
 
-// Where the edge crosses the pitch line the gear's point is cut on the pitch circle, at the same
-// distance along it.
+// The point at which the edge of the rack crosses the pitch line is cut on the pitch circle. Both
+// are at the same distance, one along the pitch line and the other along the circle.
 TEST(ArcGear, thickness_on_the_reference_cylinder) {
   for (const double allowance : {0.0, -0.08}) {
     for (const Cutter cutter : {Cutter::F, Cutter::P}) {
@@ -75,8 +76,8 @@ TEST(ArcGear, thickness_on_the_reference_cylinder) {
   }
 }
 
-// The convex arc, the step and the concave arc all belong to the flank. The usable flank extends from
-// the lowest to the highest.
+// The convex arc, the step and the concave arc all belong to the flank. The usable flank extends
+// from the lowest to the highest of these arcs.
 TEST(ArcGear, double_arcs_have_three_flank_arcs) {
   const Gear gear = made(double_spec(25));
   EXPECT_EQ(names(gear), (std::vector{ArcName::root_fillet, ArcName::flank, ArcName::flank,
@@ -84,7 +85,7 @@ TEST(ArcGear, double_arcs_have_three_flank_arcs) {
   const auto& arcs = gear.tooth->outline.arcs;
   EXPECT_DOUBLE_EQ(*gear.root_form_radius(), arcs[1].begin_point.norm());
   EXPECT_DOUBLE_EQ(gear.tip_form_radius(), arcs[3].end_point.norm());
-  // From root to tip the concave part turns left, the convex one right.
+  // From root to tip, the concave part turns left and the convex part turns right.
   EXPECT_GT(arcs[1].at(0.5).curvature, 0.0);
   EXPECT_LT(arcs[3].at(0.5).curvature, 0.0);
 }
@@ -116,7 +117,7 @@ TEST(ArcGear, pointed_diameter) {
   }
 }
 
-// If the blank is too large, the land at the end of the arcs ends the tooth.
+// If the blank is too large, the tooth ends at the land that follows the arcs.
 TEST(ArcGear, the_arcs_end_tops_the_tooth) {
   CylindricalSpec s = spec_of(Cutter::P, 60);
   s.tip_diameter = made(s).reference_diameter + 4.0;

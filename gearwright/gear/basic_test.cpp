@@ -1,4 +1,5 @@
-// A gear described by its base cylinder and by different racks, and the rack that cuts a given root.
+// Tests gears described by their base cylinder and by different racks, and the rack that cuts a
+// given root.
 #include "gearwright/gear/basic.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +58,7 @@ CylindricalSpec spec(int teeth, double x) {
   return s;
 }
 
-// The root of the generated tooth, given as input again, yields its rack.
+// If the root of a generated tooth is given as input, the result is the rack that cut this root.
 TEST(RackLeavingRoot, gives_back_the_rack_that_cut_it) {
   for (const double radius : {0.0, 0.2, 0.38}) {
     CylindricalSpec s = spec(40, 0.1);

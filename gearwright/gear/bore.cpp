@@ -19,7 +19,7 @@ std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   if (!bore) return Error{"bore.diameter", "", need};
   if (bore->keyway_width > 0.0) {
     return refused("bore.keyway_width", bore->keyway_width,
-                   "an internal gear has no keyway; leave out its width");
+                   "an internal gear has no keyway; leave out the keyway width");
   }
   if (!(bore->diameter / 2.0 >= room)) {
     return refused("bore.diameter", bore->diameter, need);
@@ -75,7 +75,7 @@ std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimit
   };
   auto error = at(limits.groove.value_or(limits.root));
   if (error && limits.groove && !at(limits.root))
-    error->rule += ", because the groove between the halves is deeper than the teeth";
+    error->rule += "; the limit is the groove between the halves, which is deeper than the teeth";
   return error;
 }
 

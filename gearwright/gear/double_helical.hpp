@@ -15,7 +15,7 @@ namespace gearwright {
 /// The values on the drawing. The face width of the gear includes both halves and the gap.
 struct DoubleHelical {
   double gap = 0.0;                         ///< mm, between the halves
-  double stagger_pitches = 0.0;             ///< s, of the half at z < 0 relative to the other half
+  double stagger_pitches = 0.0;             ///< s, offset of the half at z < 0 from the other half
   std::optional<double> groove_diameter{};  ///< mm, of the groove in the gap
   std::optional<double> hob_diameter{};     ///< d_a0  mm; if absent, the run-out is not computed
   Angle hob_lead_angle{};                   ///< γ_0
@@ -25,12 +25,12 @@ struct DoubleHelical {
 /// End of the message for an absent face width.
 inline constexpr const char* kWholeFace =
     "; for a double-helical gear it includes both halves and the gap";
-/// The error of a gap that leaves no half. `face` is the whole face width, mm.
+/// The error if the gap leaves no face width for the halves. `face` is the whole face width, mm.
 ///
 /// Errors    `double_helical.gap`
 std::optional<Error> half_error(const DoubleHelical& given, double face);
-/// The error of two gears that mesh. The halves of the narrower gear must lie within the halves of the
-/// other gear. `faces` are the whole face widths, mm.
+/// The error if two mating gears do not match. The halves of the narrower gear must lie within the
+/// halves of the other gear. `faces` are the whole face widths, mm.
 ///
 /// Domain    at least one gear is double-helical (contract)
 /// Errors    `gearN.double_helical` if only the mating gear is double-helical,

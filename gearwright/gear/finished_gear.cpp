@@ -66,9 +66,10 @@ void warn_about_tip(Gear& gear) {
   if (gear.pointed()) {
     const double end = gear.tooth ? 2 * gear.tooth->tip_radius : *gear.pointed_diameter;
     warn(gear, WarningCode::pointed,
-         fmt::format("The tooth is pointed and ends at a diameter of {:.4f} mm, before the tip "
-                     "diameter of {:.4f} mm.",
-                     end, gear.tip_diameter));
+         fmt::format(
+             "The tooth is pointed and ends at a diameter of {:.4f} mm, so it does not reach "
+             "the tip diameter of {:.4f} mm.",
+             end, gear.tip_diameter));
   } else if (s_an && *s_an < 0.2 * gear.spec.normal_module &&
              !(gear.tooth && gear.tooth->rounded_tip)) {
     warn(gear, WarningCode::thin_tip,
@@ -78,7 +79,8 @@ void warn_about_tip(Gear& gear) {
   }
 }
 
-// Adds the warnings of an internal gear without a tooth. Of its rack, only addendum and dedendum apply.
+// Adds the warnings of an internal gear without a tooth. Only the addendum and dedendum of its rack
+// have an effect.
 void warn_about_ring(Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||

@@ -1,5 +1,5 @@
-// Data that are computed for all gears, independently of the cutter: closed forms before the tooth is
-// cut, and tip, root and warnings afterwards. Internal to gear/.
+// Computes the data that do not depend on the kind of cutter: closed forms before the tooth is cut,
+// and tip, root and warnings afterwards. Internal to gear/.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // A cylindrical gear: its values on the drawing, the derived values, and the tooth as cut.
 //
-// Symbols are those of ISO 21771; see gear/reference.hpp and docs/theory/00-notation.md.
+// The symbols follow ISO 21771; see gear/reference.hpp and docs/theory/00-notation.md.
 #pragma once
 
 #include <optional>
@@ -40,7 +40,7 @@ struct CylindricalSpec {
 struct PinionCutting {
   int cutter_teeth;           ///< z_0
   double distance;            ///< E  mm
-  double tip_rounding = 0.0;  ///< ρ_a0  mm, of the cutter's tip corners; 0 if sharp
+  double tip_rounding = 0.0;  ///< ρ_a0  mm, radius of the cutter's tip corners; 0 if sharp
   bool by_default = false;    ///< true if gear/ring_cutter.hpp chose the cutter
 };
 
@@ -58,7 +58,8 @@ struct ArcTeeth {
   RackOfArcs rack;                            ///< in modules
   std::optional<double> reference_thickness;  ///< s_n  mm, with the allowance
   Angle flank_begin;                          ///< τ at the root end of the flank arc; if there are
-                                              ///< several, of the undercut arc or the lowest one
+                                              ///< several flank arcs, of the undercut one or else
+                                              ///< of the lowest one
   std::optional<Angle> undercut_limit;        ///< τ of the cusp of this arc, if it has a cusp
 };
 
@@ -78,11 +79,12 @@ struct Gear {
   double tip_diameter;        ///< d_a   mm, of the blank
   double root_diameter;       ///< d_f   mm, negative if the rack passes through the axis
   double lead;                ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
-  bool undercut;  ///< true if the cutter has removed part of the flank; not with `root_fillet`
-  std::optional<double> pointed_diameter;            ///< mm, at which the two flanks meet
+  bool undercut;  ///< true if the cutter has removed part of the flank; always false with a
+                  ///< `root_fillet`
+  std::optional<double> pointed_diameter;            ///< mm, diameter at which the two flanks meet
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
   std::optional<TipBulge> tip_bulge;                 ///< none if the tip does not project
-  std::optional<Bore> bore;             ///< of the body, or of the rim of an internal gear
+  std::optional<Bore> bore;             ///< bore of the body, or rim of an internal gear
   std::optional<double> gap;            ///< mm, if this gear is one half of a double-helical gear
   std::optional<GeneratedTooth> tooth;  ///< none for an internal gear that no pinion cutter has cut
   std::vector<Warning> warnings;

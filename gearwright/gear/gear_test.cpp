@@ -23,7 +23,8 @@ using testing::warns;
 
 using namespace literals;
 
-// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
+// The type is not an aggregate. C++20 would accept values for some members of an aggregate and set
+// the others to 0.
 static_assert(!std::is_constructible_v<Gear, CylindricalSpec>);
 static_assert(!std::is_aggregate_v<Gear>);
 
@@ -64,7 +65,8 @@ TEST(MakeGear, lead_has_the_sign_of_the_hand) {
               1e-12 * right.lead);
 }
 
-// An allowance thins the tooth. Flanks and root follow from x_E, the tip follows from x.
+// A thickness allowance thins the tooth. Flanks and root follow from x_E, and the tip follows from
+// x.
 TEST(MakeGear, allowance_moves_the_root_and_not_the_tip) {
   CylindricalSpec s = spec(30);
   s.thickness_allowance = -0.1;

@@ -1,5 +1,5 @@
-// Formulas of one gear for any scalar type. Their text is in gear/leaf_formulas.inc, and this file adds
-// the selection functions that the text uses in place of branches.
+// Formulas of one gear for any scalar type. The formulas are in gear/leaf_formulas.inc. This file
+// adds the selection functions that replace branches in the formulas.
 #pragma once
 
 #include <cmath>

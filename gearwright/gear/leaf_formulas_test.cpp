@@ -1,4 +1,5 @@
-// Leaf formulas against the reference geometry, which computes the same numbers with other formulas.
+// Compares the leaf formulas with the reference geometry, which computes the same numbers with
+// other formulas.
 #include "gearwright/gear/leaf_formulas.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,8 @@ namespace {
 using testing::kDegree;
 using testing::kEps;
 
-// tan β_b from sin β, as in the lanes, and from the angle of the reference geometry.
+// tan β_b is computed from sin β, as in the SIMD lanes, and from the angle of the reference
+// geometry.
 TEST(LeafFormulas, base_helix_without_an_angle) {
   for (const double alpha : {14.5, 20.0, 30.0}) {
     for (double beta = -85.0; beta <= 85.0; beta += 5.0) {
@@ -30,7 +32,7 @@ TEST(LeafFormulas, base_helix_without_an_angle) {
   }
 }
 
-// The flank begins on the base circle at the limit of undercut.
+// At the limit of undercut, the flank begins on the base circle.
 TEST(LeafFormulas, undercut_begins_where_the_flank_does_on_the_base_circle) {
   for (const int z : {1, 5, 17, 40}) {
     const double sin_t = std::sin(21.0 * kDegree);

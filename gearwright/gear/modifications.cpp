@@ -21,22 +21,24 @@ constexpr double kMaxAmount = 0.1;
 // unmodified flank, with an error of half the square of the slope, here 2 % of the amount. A steeper
 // relief is a chamfer, which is a separate surface.
 constexpr double kSteepest = 0.2;
-// Least depth (length) of a relief, relative to the depth of the flank (to the face width). A shorter
-// relief is an edge.
+// Least depth of a profile relief, relative to the depth of the flank, and least length of an end
+// relief, relative to the face width. A shorter relief is an edge.
 constexpr double kMinReach = 1e-3;
-// Borders that are closer together, relative to the width of the flank, are merged. This changes a linear
-// relief by less than 1e-6 of its amount.
+// Borders closer together than this fraction of the width of the flank are merged. This changes a
+// linear relief by less than 1e-6 of its amount.
 constexpr double kSameBorder = 1e-9;
-// Relative tolerance of a grid that must reach a form diameter, because diameters in a spec are rounded.
+// A grid must reach the form diameters within this relative tolerance, because diameters in a spec
+// are rounded.
 constexpr double kSameDiameter = 1e-9;
-// Least L, relative to the greatest, at which √(ρ² − r0²) is used directly. If the flank begins on the
-// base circle, L has an error of half this value at that point only.
+// Least L, relative to the greatest L, at which √(ρ² − r0²) is used directly. If the flank begins
+// on the base circle, L has an error there of half this value, and no error elsewhere.
 constexpr double kMinRoll = 1e-6;
 // Relative rounding error of the form radius of a flank that begins on the base circle.
 constexpr double kOnBase = 1e-12;
 // Converts mm to µm as in the spec, without the rounding errors of the conversion in both directions.
 double in_um(double mm) {
-  constexpr double kSteps = 1e9;  // per µm: finer than any drawing, coarser than rounding
+  constexpr double kSteps = 1e9;  // steps per µm, finer than any drawing and coarser than rounding
+                                  // errors
   return std::round(mm / kMmPerUm * kSteps) / kSteps;
 }
 
@@ -44,7 +46,8 @@ double length(double rho, double r0) { return std::sqrt(std::max(0.0, (rho - r0)
 
 // Amounts in messages are in µm.
 constexpr const char* kTenth =
-    "must lie between {} and {} µm, because a tenth of the depth of the usable flank is allowed";
+    "must lie between {} and {} µm, because at most a tenth of the depth of the usable flank is "
+    "allowed";
 
 std::optional<Error> check_amount(std::string field, double amount, double greatest) {
   if (std::abs(amount) <= greatest) return std::nullopt;  // false for NaN

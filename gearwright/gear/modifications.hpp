@@ -4,8 +4,8 @@
 //   C      amount of one modification, mm          c(u, z)  material removed normal to the flank, mm
 //   ρ, u   radius, mm, and ln ρ                    z, b     height from the middle of the face, mm;
 //                                                           face width, mm
-//   L      roll length √(ρ² − r0²), mm, which gives the place along the profile; L_f at d_Ff and L_a
-//          at d_Fa
+//   L      roll length √(ρ² − r0²), mm, which measures the position along the profile; L_f at d_Ff
+//          and L_a at d_Fa
 //   r0     base radius of an involute; 0 for other teeth, so that L is the radius
 //   w      (L − (L_f + L_a)/2)/(L_a − L_f), from −½ at the root to ½ at the tip
 //
@@ -20,8 +20,8 @@
 // A measured or designed topography is added. The formulas also hold for an internal gear, whose tip has
 // the lesser radius.
 //
-// The right and the left flank are those seen from +z with the tooth pointing up. If the centre line of
-// the tooth is the x axis, the right flank has y < 0.
+// The right and the left flank are defined as seen from +z with the tooth pointing up. If the
+// centre line of the tooth is the x axis, the right flank has y < 0.
 #pragma once
 
 #include <array>
@@ -49,9 +49,9 @@ struct FlankModifications {
   Relief tip_relief{};            ///< C_αa, at d_Fa
   Relief root_relief{};           ///< C_αf, at d_Ff
   double profile_crowning = 0.0;  ///< C_α   mm, at both ends of the usable flank; < 0 if hollow
-  double profile_slope = 0.0;     ///< C_Hα  mm, from root to tip; > 0 removes at the tip
+  double profile_slope = 0.0;     ///< C_Hα  mm, from root to tip; > 0 removes material at the tip
   double lead_crowning = 0.0;     ///< C_β   mm, at both faces; < 0 if hollow
-  double lead_slope = 0.0;        ///< C_Hβ  mm, over the face; > 0 removes at its +z end
+  double lead_slope = 0.0;        ///< C_Hβ  mm, over the face; > 0 removes material at its +z end
   Relief end_relief{};            ///< C_βI = C_βII
   std::shared_ptr<const Topography> topography{};
 };
@@ -76,7 +76,7 @@ struct Removal {
 ///   Laws  (1) at() = Σ amount · derivative() + topography
 ///         (2) pieces() cover the usable flank without overlap; the formulas of a piece are smooth and
 ///             continue beyond its borders, so that an iteration may leave the piece
-///         (3) the derivatives are those of c, everywhere
+///         (3) the derivatives returned are the exact derivatives of c at every point
 class RemovalField {
  public:
   enum class Parameter {
@@ -115,19 +115,19 @@ class RemovalField {
   ///           defined inside the base circle. Below half the least L of the usable flank (1e-6 of the
   ///           greatest L, if the flank begins on the base circle), L is therefore continued by another
   ///           function with the same value and the same first two derivatives
-  /// Accuracy  derivatives are those of the formulas, not differences. They grow as ρ²/L² towards the
-  ///           base circle, where c is not a smooth function of u
+  /// Accuracy  derivatives are computed by formulas, not by differences. They grow as ρ²/L² towards
+  ///           the base circle, where c is not a smooth function of u
   Removal at(double u, double z, const Piece& piece) const;
   Removal at(double u, double z) const { return at(u, z, piece_at(u, z)); }
 
-  /// Derivative of at() by the amount of a modification, in mm removed per mm of the amount. It is 0 for
-  /// a relief without a reach, which applies in no piece.
+  /// Derivative of at() with respect to the amount of a modification, in mm removed per mm of the
+  /// amount. It is 0 for a relief without a reach, which applies in no piece.
   Removal derivative(Parameter parameter, double u, double z, const Piece& piece) const;
 
   double amount(Parameter parameter) const { return amounts_[index(parameter)]; }  ///< C  mm
 
-  /// The piece that contains (u, z). On a border it is the upper piece, and beyond the flank the nearest
-  /// piece.
+  /// The piece that contains (u, z). On a border, it is the piece with the greater u or z. Outside
+  /// the flank, it is the nearest piece.
   const Piece& piece_at(double u, double z) const;
   /// Pieces in order of u, and for equal u in order of z.
   const std::vector<Cell>& pieces() const { return cells_; }

@@ -1,5 +1,5 @@
-// The removal field against its formulas in long double, differentiated by differences; borders,
-// continuations, refusals.
+// Compares the removal field with its formulas in long double, whose derivatives are computed by
+// differences. Tests borders, the continuation below the base circle, and errors.
 #include "gearwright/gear/modifications.hpp"
 
 #include <gtest/gtest.h>
@@ -16,13 +16,13 @@ using Long = long double;
 using Field = RemovalField;
 using P = Field::Parameter;
 
-// 17 teeth, m_n 2.5 on 20°: base circle 39.935 mm, usable flank from 41 to 47.5 mm diameter.
+// 17 teeth, m_n 2.5, α_n 20°: base circle 39.935 mm, usable flank from 41 to 47.5 mm diameter.
 const FlankExtent kGear{19.9676, 20.5, 23.75, 25.0};
-const FlankExtent kArcs{0.0, 20.5, 23.75, 25.0};   // not an involute, so the place is the radius
-const FlankExtent kRing{60.14, 66.0, 62.0, 30.0};  // tip inside
+const FlankExtent kArcs{0.0, 20.5, 23.75, 25.0};   // not an involute, so L is the radius
+const FlankExtent kRing{60.14, 66.0, 62.0, 30.0};  // the tip has the lesser radius
 const FlankExtent kFromBase{20.0, 20.0, 23.0, 25.0};
 
-// Diameters a fraction x of the way from the root form to the tip form circle.
+// The diameter at the fraction x of the way from the root form circle to the tip form circle.
 double diameter(const FlankExtent& e, double x) {
   return 2 * (e.rho_root_form + x * (e.rho_tip_form - e.rho_root_form));
 }
@@ -41,7 +41,7 @@ FlankModifications everything(const FlankExtent& e, ReliefShape shape) {
 
 Long roll(const FlankExtent& e, Long rho) { return std::sqrt(rho * rho - Long(e.r0) * e.r0); }
 
-// The formulas at the head of modifications.hpp, written a second time.
+// An independent implementation of the formulas at the head of modifications.hpp.
 Long removed(const FlankModifications& m, const FlankExtent& e, Long u, Long z,
              const Field::Piece& p) {
   const Long L = roll(e, std::exp(u));
@@ -67,8 +67,8 @@ Long removed(const FlankModifications& m, const FlankExtent& e, Long u, Long z,
   return c;
 }
 
-// Second-order differences, Richardson's step once: the error is h⁴ times the fifth or sixth
-// derivative. Second derivatives need longer steps than first ones, for their rounding.
+// Central differences with one Richardson step, so that the error is h⁴ times the fifth or sixth
+// derivative. Second derivatives need longer steps than first derivatives because of rounding.
 template <class F>
 Removal differences(const F& f, Long u, Long z) {
   const auto best = [](const auto& d, Long h) {
@@ -102,15 +102,17 @@ void expect_near(const Removal& got, const Removal& expected, const Tolerance& t
   EXPECT_NEAR(got.c_zz, expected.c_zz, t.second);
 }
 
-// c is some 0.05 mm, c_u up to 1, c_uu up to 70 on these flanks. In double, u ≈ 3 is rounded by
-// 2e-16, which each value multiplies by its next derivative: 4e-16, 2e-14, 1e-12. In long double u
-// and its exponential are rounded by 3e-19 together, which the differences multiply by c_u and by
-// 16/(3 h²), h = 3e-5, 1.8e-9, or 5/(3 h), h = 1e-5, 5e-14. The truncation is less.
+// On these flanks, c is about 0.05 mm, c_u up to 1 and c_uu up to 70. In double, u ≈ 3 is rounded
+// by 2e-16. This error is multiplied by the next derivative of each value, which gives 4e-16, 2e-14
+// and 1e-12. In long double, u and its exponential are rounded by 3e-19 in total. The differences
+// multiply this error by c_u and by 16/(3 h²) for h = 3e-5, which gives 1.8e-9, or by 5/(3 h) for h
+// = 1e-5, which gives 5e-14. The truncation error is less.
 constexpr Tolerance kClosedForm{1e-15, 1e-13, 2e-9};
 
 TEST(RemovalField, is_its_formulas_and_their_derivatives) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> unit(-0.2, 1.2);  // of a cell, also beyond its borders
+  std::uniform_real_distribution<double> unit(-0.2, 1.2);  // position in a cell, also beyond its
+                                                           // borders
   for (const FlankExtent& e : {kGear, kArcs, kRing}) {
     for (const ReliefShape shape : {ReliefShape::linear, ReliefShape::parabolic}) {
       const FlankModifications m = everything(e, shape);
@@ -151,7 +153,7 @@ TEST(RemovalField, is_the_sum_of_amounts_times_derivatives) {
   }
 }
 
-// The signs and places of a drawing, as explicit numbers.
+// Tests signs and positions as a drawing defines them, with explicit numbers.
 TEST(RemovalField, has_the_values_of_the_drawing_at_the_ends) {
   for (const FlankExtent& e : {kGear, kArcs, kRing, kFromBase}) {
     const FlankModifications m = everything(e, ReliefShape::linear);
@@ -166,15 +168,15 @@ TEST(RemovalField, has_the_values_of_the_drawing_at_the_ends) {
     const auto unit = [&](P p, double u, double z) {
       return field->derivative(p, u, z, field->piece_at(u, z)).c;
     };
-    // u, its logarithm and exponential and the step inside are rounded by 3e-15 together. If a flank
-    // begins on its base circle, its L has an error there of half of 1e-6 of the greatest L. No
-    // function here changes by more than 4 over the whole L.
+    // The rounding errors of u, its logarithm, its exponential and the step inside add up to 3e-15.
+    // If a flank begins on its base circle, L has an error there of half of 1e-6 of the greatest L.
+    // No function here changes by more than 4 over the whole range of L.
     const auto expect = [&](P p, double u, double value) {
       const bool on_base = e.rho_root_form == e.r0 && u < middle;
       const double slope = field->derivative(p, u, 0.0, field->piece_at(u, 0.0)).c_u;
       EXPECT_NEAR(unit(p, u, 0.0), value, on_base ? 2.1e-6 : 3e-15 * std::abs(slope) + 1e-15);
     };
-    // Just inside, so that piece_at is that of the end.
+    // slightly inside the ends, so that piece_at() returns the end piece
     const double at_tip = std::nextafter(tip, root);
     const double at_root = std::nextafter(root, tip);
     expect(P::tip_relief, at_tip, 1);
@@ -224,7 +226,7 @@ TEST(RemovalField, pieces_tile_the_flank) {
         EXPECT_EQ(field->piece_at(u, z), c.piece);
       }
       EXPECT_EQ(owners, 1);
-      // The drawing alone determines which reliefs apply.
+      // Only the drawing determines which reliefs apply.
       const double rho = std::exp(u);
       const double x = (rho - e.rho_root_form) / (e.rho_tip_form - e.rho_root_form);
       const Field::Piece expected{x > 0.6, x < 0.3, z<3.0 - half, z> half - 3.0};
@@ -235,8 +237,8 @@ TEST(RemovalField, pieces_tile_the_flank) {
   }
 }
 
-// Across a border c is continuous; its slope jumps for linear reliefs and does not for parabolic
-// ones, whose second derivative does.
+// c is continuous across every border. At a linear relief, the slope jumps. At a parabolic relief,
+// only the second derivative jumps.
 TEST(RemovalField, borders_are_where_the_kinks_are) {
   for (const ReliefShape shape : {ReliefShape::linear, ReliefShape::parabolic}) {
     const auto field = make_removal_field(everything(kGear, shape), kGear);
@@ -260,7 +262,8 @@ TEST(RemovalField, borders_are_where_the_kinks_are) {
   }
 }
 
-// Near and below the base circle the derivatives stay those of c, and c stays bounded.
+// Near and below the base circle, the returned derivatives remain the derivatives of c, and c
+// remains bounded.
 TEST(RemovalField, goes_on_below_an_involute) {
   FlankModifications m;
   m.profile_crowning = 0.01;
@@ -274,9 +277,10 @@ TEST(RemovalField, goes_on_below_an_involute) {
     for (const double beyond : {1e-2, 1e-3, 1e-4, 1e-5}) {
       const double u = end - beyond;
       const Removal r = field->at(u, 0.0, piece);
-      // L has turned into about −0.9 √(L0² + 2 r0² beyond): one flank's length below at most.
+      // L is now about −0.9 √(L0² + 2 r0² beyond), which is at most one length of the flank below
+      // 0.
       EXPECT_LT(std::abs(r.c), 0.01 * 4 * 4 + 0.01);
-      // The step is small beside the distance to where the formulas change, at L0/2.
+      // The step is small compared with the distance to L0/2, where the formulas change.
       const double h = 1e-4 * beyond;
       const Removal hi = field->at(u + h, 0.0, piece);
       const Removal lo = field->at(u - h, 0.0, piece);
@@ -324,7 +328,8 @@ TEST(RemovalField, adds_the_topography) {
   for (int k = 0; k < 100; ++k) {
     const double u = in_u(random);
     const double z = in_z(random);
-    // d² s_dd multiplies the spline's rounding, 1e-16 of its values over squared steps, by 2000.
+    // The rounding error of the spline's second derivative, 1e-16 of its values over squared steps,
+    // is multiplied by d², which is about 2000.
     expect_near(field->at(u, z), differences(f, u, z), {1e-15, 1e-13, 1e-9});
   }
 }
@@ -336,7 +341,7 @@ TEST(RemovalField, without_modifications_is_one_piece_of_nothing) {
   EXPECT_EQ(field->pieces().size(), 1u);
   EXPECT_EQ(field->at(3.1, 2.0).c, 0.0);
   EXPECT_EQ(field->derivative(P::tip_relief, 3.1, 2.0, {}).c, 0.0);
-  FlankModifications placed;  // no amount yet, but its derivative has a place
+  FlankModifications placed;  // no amount, but derivative() needs a position
   placed.tip_relief.reach = 46.0;
   const auto ready = make_removal_field(placed, kGear);
   ASSERT_TRUE(ready);
@@ -345,7 +350,7 @@ TEST(RemovalField, without_modifications_is_one_piece_of_nothing) {
   EXPECT_GT(ready->derivative(P::tip_relief, std::log(23.5), 0, ready->pieces()[1].piece).c, 0.5);
 }
 
-// Starts at the flank's own end or at each other are no borders of their own.
+// A relief that starts at an end of the flank, or where the other relief starts, adds no border.
 TEST(RemovalField, has_no_slivers) {
   FlankModifications m;
   m.tip_relief = {0.01, 2 * kGear.rho_root_form, ReliefShape::parabolic};
@@ -389,12 +394,12 @@ TEST(RemovalField, refuses_what_does_not_fit_and_names_it) {
   EXPECT_EQ(refusal_of(tip(NAN, 46.0)), "tip_relief.amount");
   EXPECT_EQ(refusal_of(tip(0.4, 41.0)), "tip_relief.amount");  // a tenth is 0.325
   EXPECT_EQ(refusal_of(tip(0.3, 41.0)), "");
-  EXPECT_EQ(refusal_of(tip(0.0999, 46.5)), "");  // 0.5 mm deep
+  EXPECT_EQ(refusal_of(tip(0.0999, 46.5)), "");  // the relief is 0.5 mm deep
   EXPECT_EQ(refusal_of(tip(0.1001, 46.5)), "tip_relief.amount");
   FlankModifications m = tip(0.0501, 46.5);
-  m.tip_relief.shape = ReliefShape::parabolic;  // twice as steep at its end
+  m.tip_relief.shape = ReliefShape::parabolic;  // the slope at the end doubles
   EXPECT_EQ(refusal_of(m), "tip_relief.amount");
-  // An internal gear's tip relief starts outside its tip.
+  // The tip relief of an internal gear starts outside its tip circle.
   EXPECT_EQ(refusal_of(tip(0.02, 126.0), kRing), "");
   EXPECT_EQ(refusal_of(tip(0.02, 124.0), kRing), "tip_relief.reach");
   EXPECT_EQ(refusal_of(tip(0.02, 123.0), kRing), "tip_relief.reach");

@@ -25,8 +25,8 @@ std::optional<Error> check_cutter(const Gear& cutter, int teeth);
 /// Errors    `profile_shift` if there is no such distance
 Result<double> generating_distance(const Gear& cutter, int teeth, double profile_shift);
 
-/// Makes the gear. Module, pressure angle and |β| are those of the cutter. An internal gear has the same
-/// hand as the cutter, and an external gear has the opposite hand.
+/// Makes the gear. The gear has the module, the pressure angle and |β| of the cutter. An internal
+/// gear has the same hand as the cutter, and an external gear has the opposite hand.
 ///
 /// Domain    `cutter` is an external involute gear that exists (contract)
 /// Errors    `teeth`, `cut_by`, `tip_diameter`, `face_width`

@@ -1,5 +1,5 @@
-// A gear cut by a gear: the distance determines the shift, hand and data follow from the cutter, and
-// errors name a value that is allowed.
+// Tests gears cut by a pinion cutter: the distance determines the profile shift, hand and data
+// follow from the cutter, and error messages name an allowed value.
 #include "gearwright/gear/pinion_cut.hpp"
 
 #include <gtest/gtest.h>
@@ -58,8 +58,9 @@ bool warns_of_topping(const Gear& gear) {
                      [](const Warning& w) { return w.code == WarningCode::tip_cut_by_rack; });
 }
 
-// The default tip is the one that the cutter leaves, so it is never truncated, whatever factor
-// multiplies all lengths. 17:−62 cut by 31 was once truncated with all lengths times 7.3.
+// The default tip is exactly the tip that the cutter leaves, so the cutter never truncates the
+// blank, for any scale of all lengths. With all lengths times 7.3, rounding once truncated 17:−62
+// cut by 31.
 TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
   testing::Draw random(20261123);
   std::vector<double> scales{1.0, 7.3};
@@ -74,7 +75,8 @@ TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
         const Gear gear = cut(cutter, {teeth, distance(cutter, teeth, 0.05), 20.0 * scale, {}});
         EXPECT_FALSE(gear.tooth->tip_cut_by_rack) << scale << " " << teeth << " " << x_0;
         EXPECT_FALSE(warns_of_topping(gear));
-        // The cutter truncates a blank that is larger by any amount, but not a smaller one.
+        // The cutter truncates a blank that is larger by any amount, but leaves a smaller blank
+        // unchanged.
         const double side = teeth > 0 ? 1.0 : -1.0;
         PinionCutSpec blank{teeth, gear.cut_by->distance, 20.0 * scale, gear.tip_diameter};
         *blank.tip_diameter += side * 0.001 * scale;
@@ -83,7 +85,7 @@ TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
         EXPECT_FALSE(cut(cutter, blank).tooth->tip_cut_by_rack);
       }
     }
-    // The land of a rack that rounds the tip lies at its addendum.
+    // If a rack rounds the tips of the gear, its bottom land lies at its addendum.
     for (const int teeth : {17, 29, 64}) {
       for (const double x : {0.0, 0.1, 0.37}) {
         CylindricalSpec s = testing::plain_spec(
@@ -121,7 +123,8 @@ TEST(GeneratingDistance, gives_the_shift_back) {
   EXPECT_GT(gears, 70);
 }
 
-// Without shift, the two roll on their reference circles; the allowance counts as shift.
+// Without profile shift, cutter and gear roll on their reference circles. The allowance counts as
+// profile shift.
 TEST(GeneratingDistance, reference_circles_touch_without_shift) {
   EXPECT_NEAR(distance(made(cutter_spec(20, 0.0)), 45, 0.0), 65.0, 1e-13);
   EXPECT_NEAR(distance(made(cutter_spec(20, 0.0)), -60, 0.0), 40.0, 1e-13);
@@ -141,7 +144,7 @@ TEST(GeneratingDistance, grows_with_the_shift_and_falls_on_a_ring) {
   }
 }
 
-// The limit that an error names is exact.
+// The limit in the error message is exact.
 TEST(GeneratingDistance, refuses_a_shift_without_a_working_angle) {
   const Gear cutter = made(cutter_spec(20, 0.0));
   const auto refusal = [&](int teeth) {
@@ -160,7 +163,8 @@ TEST(GeneratingDistance, refuses_a_shift_without_a_working_angle) {
   EXPECT_FALSE(generating_distance(cutter, -60, most + 1e-9));
 }
 
-// The gear meshes with its cutter at E without backlash: half pitches add up on the pitch circles.
+// The gear meshes with its cutter at E without backlash: the tooth thicknesses on the two pitch
+// circles add up to one pitch.
 TEST(PinionCut, meshes_with_its_cutter_without_backlash) {
   for (const double beta : {0.0, 30.0}) {
     const Gear cutter = made(cutter_spec(20, 0.2, Angle::degrees(beta)));
@@ -201,7 +205,8 @@ TEST(PinionCut, takes_module_angles_and_hand_from_the_cutter) {
   }
 }
 
-// The default tip is the one that the cutter's root leaves, and the root is the one that its tip cuts.
+// By default, the cutter's root determines the tip of the gear, and the cutter's tip determines the
+// root.
 TEST(PinionCut, default_tip_and_root) {
   const Gear cutter = made(two_teeth());
   const Gear gear = cut(cutter, {60, 61.106, 20.0, std::nullopt});
@@ -216,7 +221,7 @@ TEST(PinionCut, default_tip_and_root) {
   EXPECT_NEAR(*low.root_form_radius(), *gear.root_form_radius(), 1e-13);
 }
 
-// A cutter whose tip passes the gear's base tangent point undercuts it.
+// If the tip of the cutter passes the base tangent point of the gear, the gear is undercut.
 TEST(PinionCut, undercut_begins_at_the_base_tangent_point) {
   const Gear cutter = made(cutter_spec(40, 0.0));
   const double r_b0 = cutter.base_radius(), xi_a = std::sqrt(std::pow(42.5 / r_b0, 2) - 1);

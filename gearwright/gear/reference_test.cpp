@@ -1,4 +1,5 @@
-// Reference geometry in closed form: printed values, and the laws that hold to the last bit.
+// Tests the closed-form reference geometry with printed values and with laws that hold to the last
+// bit.
 #include "gearwright/gear/reference.hpp"
 
 #include <gtest/gtest.h>
@@ -24,14 +25,14 @@ TEST(Reference, helical_gear_by_hand) {
   EXPECT_NEAR(g.transverse_pressure_angle, alpha_t, 2 * kEps);
   EXPECT_NEAR(g.reference_diameter, 17 * 2.5 / cb, 2 * kEps * 44);
   EXPECT_NEAR(g.base_diameter, 17 * 2.5 / cb * std::cos(alpha_t), 2 * kEps * 41);
-  // tan β_b = tan β cos α_t, the other of ISO's two formulas.
+  // tan β_b = tan β cos α_t is the second of the two formulas of ISO.
   EXPECT_NEAR(std::tan(g.base_helix_angle), std::tan(15 * kDegree) * std::cos(alpha_t), 4 * kEps);
   EXPECT_NEAR(g.base_pitch_normal, kPi * 2.5 * std::cos(20 * kDegree), 4 * kEps * 8);
   EXPECT_NEAR(g.base_pitch_transverse * std::cos(g.base_helix_angle), g.base_pitch_normal,
               8 * kEps * 8);
   EXPECT_NEAR(g.reference_tooth_thickness_normal, 2.5 * (kPi / 2 + 0.6 * std::tan(20 * kDegree)),
               4 * kEps * 5);
-  // The involute through the reference thickness.
+  // The base thickness follows from the involutes through the ends of the reference thickness.
   EXPECT_NEAR(g.base_tooth_thickness / g.base_diameter,
               g.reference_tooth_thickness_transverse / g.reference_diameter + involute(alpha_t),
               4 * kEps);
@@ -61,8 +62,8 @@ TEST(Reference, allowance_is_a_shift) {
   EXPECT_EQ(reference_geometry(helical()).generating_profile_shift, 0.3);
 }
 
-// The space of an internal gear equals the tooth of its pinion: s_bt + the external gear's is the pitch
-// at x = 0.
+// The space of an internal gear equals the tooth of an external gear with the same numbers. At x =
+// 0, the base thicknesses of both gears add up to the pitch.
 TEST(Reference, ring_and_pinion_of_the_same_numbers_fill_the_pitch) {
   ReferenceInput<double> in = helical();
   in.profile_shift = 0.0;
@@ -95,7 +96,7 @@ TEST(ToothThickness, on_the_reference_circle_and_at_the_point) {
       g.base_diameter / std::cos(inverse_involute(g.base_tooth_thickness / g.base_diameter));
   EXPECT_NEAR(tooth_thickness_transverse(17, g.base_diameter, g.base_tooth_thickness, pointed), 0.0,
               64 * kEps * pointed);
-  // An internal gear's teeth grow thicker outward.
+  // The teeth of an internal gear become thicker outward.
   EXPECT_GT(tooth_thickness_transverse(-40, 80.0, 3.0, 84.0), 3.0);
 }
 

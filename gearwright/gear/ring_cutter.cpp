@@ -12,7 +12,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kCutterDedendum = 1.5;  // modules, with a sharp root, for any internal tip
+constexpr double kCutterDedendum = 1.5;  // modules; with a sharp root, so that the cutter clears
+                                         // the tip of any internal gear
 constexpr double kMinLand = 0.1;         // modules, at the cutter's tip
 constexpr double kSameTip = 1e-9;        // relative tolerance for the requested tip
 
@@ -63,8 +64,8 @@ std::optional<Gear> cut_with(const Gear& ring, const Cutter& cutter) {
   detail::warn(
       with, WarningCode::default_cutter,
       fmt::format(
-          "`cut_by` is not given, so the fillets of the internal gear are those of a pinion cutter "
-          "with {} teeth and without profile shift that reaches the root diameter.",
+          "`cut_by` is not given, so a default pinion cutter generates the fillets of the internal "
+          "gear. It has {} teeth and no profile shift, and it reaches the root diameter.",
           cutter.gear.spec.teeth));
   return with;
 }

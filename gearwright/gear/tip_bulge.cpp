@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNoise = 1e-9;  // of the module
+constexpr double kNoise = 1e-9;  // modules
 constexpr int kHalfDigits = std::numeric_limits<double>::digits / 2;
 
 double beyond_involute(const Gear& gear, const Vec2& p) {

@@ -1,5 +1,5 @@
-// Rounded tip corners, and the internal gear cut by a cutter with such corners, whose root is swept by
-// brute force.
+// Tests rounded tip corners, and internal gears cut by a cutter with such corners. The root of
+// these gears is compared with the region that the cutter sweeps, computed by brute force.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,8 +27,8 @@ CylindricalSpec cutter_spec(int teeth, double module, double radius, double x = 
   return s;
 }
 
-// (1) it ends on the tip circle, tangent to it   (2) it begins on the flank, tangent to it
-// (3) its curvature is that of its radius        (4) the land is the rest of the tip
+// (1) the corner ends on the tip circle, tangent to it   (2) it begins on the flank, tangent to it
+// (3) its curvature is 1/radius                          (4) the land is the rest of the tip
 TEST(TipCorner, touches_flank_and_tip_circle) {
   for (const int teeth : {20, 25, 80}) {
     for (const double x : {-0.1, 0.0, 0.2}) {
@@ -76,7 +76,8 @@ TEST(TipCorner, is_refused_where_it_does_not_fit) {
   EXPECT_EQ(make_gear(pointed).error().field, "tip_fillet.corner_radius");
 }
 
-// The half outline of a cutter's tooth, from scratch: the tip circle, the arc, the involute.
+// Half of the outline of a cutter's tooth, computed without the library: tip circle, arc and
+// involute.
 std::vector<Vec2> cutter_points(int teeth, double m, double x, double r_a, double rho) {
   const double alpha = 20.0 / 180 * kPi, r = teeth * m / 2, r_b = r * std::cos(alpha);
   const double psi_b = (kPi / 2 + 2 * x * std::tan(alpha)) / teeth + std::tan(alpha) - alpha;
@@ -84,8 +85,8 @@ std::vector<Vec2> cutter_points(int teeth, double m, double x, double r_a, doubl
     const double t = psi_b - xi;
     return Vec2(r_b * (std::cos(t) - xi * std::sin(t)), r_b * (std::sin(t) + xi * std::cos(t)));
   };
-  // The roll angle at which a circle of the radius ρ inside the flank reaches the tip circle: by
-  // bisection of its farthest point.
+  // The roll angle at which a circle of the radius ρ inside the flank reaches the tip circle. It is
+  // found by bisection of the point of the circle that is farthest from the axis.
   const auto center = [&](double xi) {
     const double t = psi_b - xi;  // the normal points to the base circle's tangent point
     const Vec2 foot(r_b * std::cos(t), r_b * std::sin(t));
@@ -116,12 +117,12 @@ std::vector<Vec2> cutter_points(int teeth, double m, double x, double r_a, doubl
   return points;
 }
 
-// The region swept by the cutter's tooth: the greatest polar angle that it reaches on the circle of the
-// radius ρ about the ring's axis, on its way through the space about the x axis.
+// The greatest polar angle that the cutter's tooth reaches on the circle of the radius ρ about the
+// axis of the ring while it passes through the space about the x axis.
 double swept_angle(const std::vector<Vec2>& cutter, double distance, double ratio, double rho) {
   double best = -1e300;
   const auto reach =
-      [&](double turned) {  // rotation of the ring; that of the cutter is `ratio` times as large
+      [&](double turned) {  // rotation of the ring; the cutter rotates `ratio` times as far
         const double c = std::cos(turned * ratio), s = std::sin(turned * ratio);
         double angle = -1e300, before = 0.0, polar_before = 0.0;
         for (std::size_t i = 0; i < cutter.size(); ++i) {

@@ -1,4 +1,5 @@
-// The spline through a topography, against cubics and against splines written as truncated powers.
+// Compares the spline through a topography with cubics and with splines written as truncated
+// powers.
 #include "gearwright/gear/topography.hpp"
 
 #include <gtest/gtest.h>
@@ -34,9 +35,9 @@ std::vector<double> uneven(std::mt19937& random, std::size_t n, double from, dou
   return x;
 }
 
-// The not-a-knot spline on n ≥ 4 points is the cubic with a jump of the third derivative at every
-// inner point but the first and the last one: 1, x, x², x³ and (x − x_j)³ for x > x_j. This gives
-// those functions, and two derivatives, at a place.
+// The not-a-knot spline on n ≥ 4 points is a cubic whose third derivative jumps at every inner
+// point except the first and the last inner point. Its basis is 1, x, x², x³ and (x − x_j)³ for x >
+// x_j. This function returns the basis and two derivatives at a place.
 LongMatrix powers(const std::vector<double>& x, Long at) {
   const auto n = static_cast<Eigen::Index>(x.size());
   LongMatrix b(n, 3);
@@ -67,8 +68,8 @@ LongMatrix weights(const std::vector<double>& x, Long at) {
   return LongMatrix(collocation.transpose()).fullPivLu().solve(powers(x, at));
 }
 
-// 1e-11: rounding of 1e-16 in values of size 1, times 1/h² for second derivatives with h ≥ 0.06,
-// times some 10 for what the elimination adds.
+// The limit is 1e-11: rounding errors of 1e-16 in values of size 1, times 1/h² for second
+// derivatives with h ≥ 0.06, times about 10 for the elimination.
 TEST(Topography, is_the_not_a_knot_spline) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
@@ -100,7 +101,8 @@ TEST(Topography, is_the_not_a_knot_spline) {
   }
 }
 
-// Crowning and twist are reproduced up to the edge, where a natural spline would be straight.
+// Crowning and twist are reproduced up to the edge, where the second derivative of a natural spline
+// would be 0.
 TEST(Topography, gives_back_cubics_beyond_the_edge_too) {
   std::mt19937 random(11);
   const auto f = [](double d, double z) {
@@ -138,8 +140,8 @@ TEST(Topography, two_points_are_a_line_and_three_a_parabola) {
   EXPECT_NEAR(got.zz, 2 * 82.0, 1e-11);
 }
 
-// Curvature is continuous from cell to cell, and the surface passes through the grid's points to the
-// last bit but one.
+// Curvature is continuous from cell to cell, and the surface passes through the points of the grid
+// within two units in the last place.
 TEST(Topography, is_smooth_to_the_second_derivative) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> value(-1.0, 1.0);

@@ -26,7 +26,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::no_body, "no_body", kProblem,
      "the bore or its keyway reaches the roots or the groove of a double-helical gear, or the rim "
      "of an internal gear does not enclose its roots",
-     "a bore leaves no body of the gear"},
+     "a bore leaves no gear body"},
     {C::no_flank, "no_flank", kProblem, "no usable involute is left between root fillet and tip",
      "a gear has no usable flank"},
     // The gears do not run.
@@ -36,13 +36,14 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the teeth do not touch"},
     {C::jam, "jam", kProblem,
      "verb contact: both flanks of a tooth space, or root fillets and flanks, are in contact at "
-     "once; the message gives the angle by which gear 2 would have to yield",
+     "the "
+     "same time; the message gives the angle by which gear 2 would have to yield",
      "the gears jam"},
     {C::negative_backlash, "negative_backlash", kProblem,
      "the teeth are too thick for the centre distance",
      "the teeth are too thick for this centre distance"},
     {C::contact_ratio, "contact_ratio", kProblem,
-     "the clipped ε_γ, or for crossed axes the clipped AE/p_bn, is below 1",
+     "ε_γ of the path clipped to the usable flanks, or AE/p_bn on crossed axes, is below 1",
      "contact is not continuous"},
     {C::load_unfinished, "load_unfinished", kProblem,
      "verbs load and compensate: at some positions the forces do not converge; these positions "
@@ -90,8 +91,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "touch; the message gives the lead crowning that prevents this [T4.36]",
      "the flanks overlap beside the line of action"},
     {C::contact_below_form, "contact_below_form", kCaution,
-     "verb contact: the tip of the mating gear passes the end of a usable flank without undercut "
-     "and enters the fillet",
+     "verb contact: on a gear without undercut, the mating gear's tip passes the end of the usable "
+     "flank and enters the root fillet",
      "a tip enters a root fillet"},
     {C::fillet_contact, "fillet_contact", kCaution,
      "verb contact under errors: a tip meets the root fillet of the mating gear before the flanks "
@@ -102,13 +103,12 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "lower bound",
      "an edge carries load"},
     {C::edge_contact, "edge_contact", kCaution,
-     "an edge is in contact under the errors; the message gives the share of the rotation",
-     "an edge touches"},
+     "an edge is in contact; the message gives the share of the rotation", "an edge touches"},
     {C::no_tip_clearance, "no_tip_clearance", kCaution,
      "a tip has no clearance to the mating gear's root, because one gear has cut the other",
      "a tip without clearance to the root of the mating gear"},
     {C::beyond_hertz, "beyond_hertz", kCaution,
-     "verb load: the contact is wider than a tenth of its radius of curvature",
+     "verb load: the contact is wider than a tenth of the radius of curvature there",
      "the contact is outside the range of Hertz’ formulas"},
     {C::nearly_parallel, "nearly_parallel", kCaution,
      "the axes cross at less than 1°; the message gives the helix angle that parallel axes need",
@@ -138,7 +138,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the clearance of the mating gear's tip corner to the root fillet is less than 0.0001 modules",
      "a tip corner close to a root fillet"},
     {C::contact_place, "contact_place", kCaution,
-     "under the errors the contact lies farther out than 0.7 of half the face width",
+     "under the errors, the contact lies more than 0.7 of half the face width from the middle of "
+     "the "
+     "face",
      "the contact lies near the end of the face"},
     {C::thickened_for_backlash, "thickened_for_backlash", kCaution,
      "the centre distance leaves more backlash than given, so the teeth are made thicker than "
@@ -173,15 +175,16 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "positions without an exact contact point", "Choose other positions."},
     {C::correction_at_bound, "correction_at_bound", kCaution,
      "verb compensate: a correction is at the end of the searched range",
-     "a correction at its bound", "Align the housing better."},
+     "a correction at its bound", "Align the axes more accurately."},
     {C::rack_not_used, "rack_not_used", kCaution,
-     "internal gear: some numbers of the rack have no effect",
-     "numbers of a rack that have no effect", "Leave out these numbers of the rack.", kGearUnnamed},
+     "internal gear: some dimensions of the rack have no effect",
+     "dimensions of a rack that have no effect", "Leave out these dimensions of the rack.",
+     kGearUnnamed},
     {C::default_shaft_angle, "default_shaft_angle", kCaution,
      "the axes cross at the angle of the minimum centre distance, because no shaft angle is given",
      "a default shaft angle", "Give the shaft angle, or equal helix angles of opposite hand."},
     {C::pressure_angle, "pressure_angle", kCaution,
-     "circular arcs: the pair touches at a pressure angle different from that of its rack",
+     "circular arcs: the flanks touch at a pressure angle that differs from the angle of the rack",
      "a pressure angle that does not match the rack",
      "Leave out the pressure angle, or write the angle at which the flanks touch.", kGearUnnamed},
     {C::unequal_lead, "unequal_lead", kCaution,
@@ -213,25 +216,28 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the rim is thinner than the rim thickness factor Y_B allows",
      "a rim thinner than the rim thickness factor allows", "", kGearUnnamed},
     {C::rating_plastic, "rating_plastic", kCaution,
-     "plastic teeth: wear, deformation and static peaks, which VDI 2736 covers too, are not rated",
+     "plastic teeth: wear, deformation and static peaks, which VDI 2736 also covers, are not rated",
      "wear and deformation that are not rated"},
     // Information only.
     {C::not_read, "not_read", kNote,
      "a part of the spec has no effect in this version or with this verb", "", "Leave it out."},
     {C::rating_crowning, "rating_crowning", kNote,
-     "the face load factor is that of teeth without crowning, helix slope and end relief"},
+     "the face load factor is computed without crowning, helix slope and end relief"},
     {C::tip_bulge, "tip_bulge", kNote,
-     "the tip projects beyond the involute, because the flank of the cutter was too short; another "
-     "mating gear can collide with the projection; the message gives the tip diameter that removes "
+     "the tip projects beyond the involute, because the flank of the cutter was too short; "
+     "mating gears other than the cutter can collide with the projection; the message gives the "
+     "tip diameter that removes "
      "it"},
     {C::fillets_not_asked, "fillets_not_asked", kNote,
      "verb contact: if the lead of the cutter is changed, contact of tips with root fillets is not "
-     "checked for circular fillets and for roots that a pinion cutter made"},
+     "checked for circular fillets and for roots cut by a pinion cutter"},
     {C::transverse_contact_ratio, "transverse_contact_ratio", kNote,
-     "the clipped ε_α is below 1, and the overlap compensates for it; the message gives the least "
+     "ε_α of the path clipped to the usable flanks is below 1, and the overlap compensates for it; "
+     "the message gives the least "
      "face width"},
     {C::self_locking, "self_locking", kNote,
-     "with this friction, the named gear or the input or output of a drive cannot drive"},
+     "with this friction, the gear in the message, or the input or output of a drive, cannot "
+     "drive"},
     {C::full_radius_root, "full_radius_root", kNote,
      "the root radius of a named rack does not fit; the full radius is used"},
     {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
@@ -242,7 +248,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "an internal gear has no `cut_by`, so a default cutter generates its fillets; the message "
      "gives the number of teeth of the cutter"},
     {C::inherited, "inherited", kNote,
-     "gear 2 has no material or quality in the spec and takes that of gear 1"},
+     "gear 2 has no material or quality in the spec, so the value of gear 1 is used"},
     {C::profile_shifts_chosen, "profile_shifts_chosen", kNote,
      "absent profile shifts are computed from the centre distance; the message gives them"},
     {C::tip_fillet_cut_off, "tip_fillet_cut_off", kNote,
@@ -287,9 +293,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "there is no possible place for an idler",
      "the gears do not fit on common axes"},
     {C::planets_collide, "planets_collide", kProblem,
-     "verb drive: the tip circles of neighbouring planets overlap, or there are fewer places than "
-     "planets",
-     "neighbouring planets cut each other"},
+     "verb drive: the tip circles of neighbouring planets overlap, or there are fewer mounting "
+     "positions than planets",
+     "neighbouring planets collide"},
     {C::unequal_spacing, "unequal_spacing", kCaution,
      "verb drive: the planets are unequally spaced", "the planets are unequally spaced"},
     {C::redundant_meshes, "redundant_meshes", kCaution,

@@ -17,7 +17,7 @@ enum class Severity {
 };
 /// The codes, the worst first. Findings of the same level are reported in this order.
 enum class WarningCode {
-  contact_lost,  ///< of the pair
+  contact_lost,  ///< at some positions no tooth pair touches
   // The gear does not exist.
   through_axis,
   severed,
@@ -40,7 +40,7 @@ enum class WarningCode {
   root_safety,
   flank_safety,
   // The gears run, but not as intended.
-  contact_lost_to_undercut,  ///< of a gear
+  contact_lost_to_undercut,  ///< a gear loses contact where undercut has removed the flank
   beyond_flank,
   saddle_gap,
   contact_below_form,
@@ -61,8 +61,8 @@ enum class WarningCode {
   fillet_margin,
   contact_place,
   thickened_for_backlash,
-  hob_run_out,          ///< of a double-helical gear
-  stagger_without_gap,  ///< of a double-helical gear
+  hob_run_out,          ///< only for double-helical gears
+  stagger_without_gap,  ///< only for double-helical gears
   // The user should check numbers of the result or of the spec.
   no_outline,
   no_corrections,
@@ -127,7 +127,7 @@ struct WarningMeaning {
   WarningCode code;
   const char* text;  ///< the name of the code in all results, "undercut"
   Severity severity;
-  const char* sentence;       ///< the condition for the warning, for documents
+  const char* sentence;       ///< the condition for the warning, used in documents
   const char* reason = "";    ///< a clause for headlines, "the gears jam"; empty for a note
   const char* advice = "";    ///< a change of the spec, if the remedy is not a number
   bool gear_unnamed = false;  ///< true if the message does not name the gear

@@ -15,10 +15,10 @@
 
 namespace gearwright::detail {
 
-// Relative difference between the tip circle and the end of a branch within which both are equal.
+// The tip circle and the end of a branch count as equal within this relative difference.
 constexpr double kSameEnd = 1e-12;
-// Least length of a root land, relative to half a pitch. A full-radius root may have a shorter land,
-// which is a rounding error.
+// Least length of a root land, relative to half a pitch. A full-radius root may have a shorter
+// land, which is only a rounding error.
 constexpr double kNoLand = 1e-12;
 
 double Branch::t_at(double h) const {
@@ -80,8 +80,8 @@ void end_at_tip(std::vector<Branch>& chain, double side, GeneratedTooth& tooth) 
       tooth.tip_radius = std::abs(branch.height_hi);
       tooth.rounded_tip = true;
     } else if (branch.theta_at(end) <= 0.0) {
-      // The end is found as a parameter, because the radius is nearly stationary and does not
-      // determine the position.
+      // The root finder solves for the parameter of the curve. The radius is nearly stationary here
+      // and does not determine the position accurately.
       const double t_end = branch.t_at(end);
       const auto theta = [&](double t) { return branch.curve->polar_angle(t); };
       branch.t_hi = find_root(theta, std::min(branch.t_lo, t_end), std::max(branch.t_lo, t_end)).x;

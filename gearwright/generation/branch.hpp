@@ -2,8 +2,9 @@
 //
 // Internal to generation/. The height is the radius on an external tooth and minus the radius on the
 // tooth of an internal gear, so it increases from root to tip on both. It also increases along every
-// branch. The tooth is the lower envelope of the half angles of the branches, |θ| < min θ(height). If
-// two neighbours do not join smoothly, they intersect, and the intersection is found in a closed bracket.
+// branch. The tooth is the lower envelope of the half angles of the branches, |θ| < min θ(height).
+// If two neighbouring branches do not join smoothly, they intersect, and the intersection is found
+// in a closed bracket.
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 
@@ -16,7 +17,7 @@
 
 namespace gearwright::detail {
 
-/// Relative difference within which the end of the last branch lies on the tip circle.
+/// The end of the last branch lies on the tip circle within this relative difference.
 inline constexpr double kAtTip = 1e-9;
 
 struct Branch {
@@ -25,7 +26,8 @@ struct Branch {
   double t_lo, t_hi;
   double height_lo, height_hi;
   bool smooth_start =
-      false;          ///< true if it continues smoothly from the end of the preceding branch
+      false;          ///< true if the branch continues smoothly from the end of the preceding
+                      ///< branch
   double side = 1.0;  ///< height = side·|W|; −1 on an internal gear
   std::vector<double> turns = {};  ///< parameters at which the half angle is stationary
   bool ends_on_center_line =

@@ -58,7 +58,7 @@ Joint joint(const Branch& last, const Branch& next) {
   }
   if (std::isinf(
           hi)) {  // two involutes; at large heights, the smaller base circle gives the smaller half angle
-    // Multiple of the radius, an upper limit of the height of a tooth.
+    // Upper limit for the height of a tooth, as a multiple of `lo`.
     constexpr double kFarOut = 1e6;
     hi = 2.0 * lo;
     while (gap(hi) < 0.0 && hi < kFarOut * lo) hi *= 2.0;
@@ -86,7 +86,7 @@ const Branch* at_height(const std::vector<Branch>& chain, double h) {
 
 std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height) {
   std::vector<Branch> chain;
-  const Branch* before = nullptr;  // the last branch of the chain in its original length
+  const Branch* before = nullptr;  // the last branch of the chain before it was shortened
   for (const Branch& branch : branches) {
     if (branch.height_lo >= tip_height && !chain.empty() && chain.back().height_hi >= tip_height)
       continue;
@@ -128,8 +128,8 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
 
 namespace {
 
-// Relative difference of heights within which an end is not moved, because the parameter at a
-// stationary radius is accurate to half of the digits only.
+// An end is not moved if the relative difference of the heights is at most this. At a stationary
+// radius, only half of the digits of the parameter are accurate.
 constexpr double kSameHeight = 1e-12;
 
 void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double lo, double hi) {
@@ -145,8 +145,8 @@ constexpr double kRounding = 1e-13;  // rad; curves that coincide within this an
 // Rounding error of heights, relative to the height.
 constexpr double kHeightRounding = 1e-14;
 
-// Returns the least difference of the half angles of a and b at the height h, within the rounding
-// error of h. At the start of a branch that is tangent to a circle about the axis, θ varies like the
+// Returns the least difference of the half angles of a and b at any height that equals h within
+// rounding. At the start of a branch that is tangent to a circle about the axis, θ varies like the
 // square root of the height, so this error matters.
 double surely_above(const Branch& a, const Branch& b, double h) {
   const double near = kHeightRounding * std::abs(h);
@@ -155,7 +155,8 @@ double surely_above(const Branch& a, const Branch& b, double h) {
   return std::min(below, above) - b.theta_at(h);
 }
 
-// Returns the first height in (from, to] at which the half angle of b is smaller than that of a.
+// Returns the first height in (from, to] at which the half angle of b is smaller than the half
+// angle of a.
 std::optional<double> passes_below(const Branch& a, const Branch& b, double from, double to) {
   constexpr int kCells = 48;
   const double lo = std::max(from, b.height_lo);
@@ -207,7 +208,7 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
   const Branch* own = &branches.front();
   double from = own->height_lo;
   std::vector<Branch> lower;
-  const std::size_t most = 8 * branches.size();  // upper limit for crossings of two curves
+  const std::size_t most = 8 * branches.size();  // upper limit for the number of crossings
   // Two branches that alternately pass below each other would cause an endless loop, so such a
   // tooth is rejected.
   for (std::size_t turns = 0; lower.size() < most && turns < 8 * most; ++turns) {

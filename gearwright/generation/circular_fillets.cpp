@@ -97,7 +97,7 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   const auto arc = root_fillet_at(flank, teeth, xi);
   if (!arc || !(arc->end > 0.0)) {
     return refused(field, root.offset, {ruler.l(most) - l_zero},
-                   "no circle centred in the tooth space touches the flank there; the offset must "
+                   "no circle centred in the tooth space touches the flank at this offset; it must "
                    "be less than {} mm");
   }
   return CircularFillet{xi, *arc};
@@ -122,8 +122,8 @@ std::optional<double> roll_of_end(const Involute& flank, double rho) {
   return root.x;
 }
 
-// Returns the rounding of the tip corners. With the greatest radius, either no land is left between
-// the two corners or no flank below them.
+// Returns the rounding of the tip corners. If the radius is the greatest possible one, either no
+// land is left between the two corners or no flank is left below them.
 Result<CircularFillet> tip_corner(const FlankRuler& ruler, double radius, double tip_radius,
                                   double least) {
   const Involute& flank = ruler.flank;
@@ -240,7 +240,7 @@ Result<CircularFillets> circular_fillets(const FlankRuler& ruler, int teeth,
     const auto arc = tip_fillet_at(ruler.flank, *xi);
     if (!arc) {
       return Error{"tip_fillet", "",
-                   "the fillet would touch the tooth where the rack leaves no flank"};
+                   "the fillet would have to touch the tooth where the rack leaves no flank"};
     }
     fillets.tip = CircularFillet{*xi, *arc};
     top = std::min(top, *xi);

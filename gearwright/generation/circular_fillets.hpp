@@ -1,7 +1,7 @@
 // Computes circular fillets at the root and at the tip of an involute tooth, which are not cut by a
 // rack, from the dimensions on a drawing. The functions of generate.hpp add them to the tooth.
 //
-//   l    mm along the straight flank of the rack in the normal section, from the lower end of the flank;
+//   l    length along the straight flank of the rack in the normal section from its lower end, mm;
 //        the height x of the rack and the roll angle ξ are linear in l
 //   F    limit of undercut, ξ = 0            C, J    points where root and tip fillet touch the flank
 //   δ = ψ_b − ξ     polar angle at which the normal of the flank at ξ touches the base circle

@@ -18,12 +18,12 @@ namespace {
 using detail::Branch;
 using detail::branch_of;
 
-// Difference of two normals, rad, within which two arcs join smoothly. A corner moves the cut by λ²/w
-// per radian.
+// Two arcs join smoothly if their normals differ by at most this angle, rad. At a corner, the point
+// that is cut moves by λ²/w per radian of the normal.
 constexpr double kSameNormal = 1e-12;
 
-// Returns the angle ν of the outward normal at an end of an arc, in the range of half a turn that
-// begins at the polar angle.
+// Returns the angle ν of the outward normal at an end of an arc. The angle lies in the half turn
+// that begins at the polar angle of this end.
 double normal_angle(const Arc& arc, double u) {
   const CurvePoint p = arc.at(u);
   const double c = std::cos(p.tangent_angle);
@@ -78,7 +78,7 @@ class Cutting {
       branches.back().ends_on_center_line = true;
   }
 
-  // Branches ahead of and behind every arc and every convex corner.
+  // Returns the branches ahead of and behind every arc and every convex corner.
   std::vector<Branch> everything() const {
     std::vector<Branch> all = branches;
     const auto& arcs = cutter_.outline.arcs;

@@ -27,7 +27,7 @@ using enum ArcName;
 
 constexpr double kAlpha = kPi / 9;
 
-// A spur gear of module 1. The blank of the cutter is so large that the rack ends its teeth.
+// A spur gear of module 1. With the default blank, the rack ends the teeth.
 GeneratedTooth by_rack(int teeth, double shift, const StraightRack& rack, double blank = kInfinity,
                        const CircularFillets& fillets = {}) {
   auto edge = make_edge(rack, 1.0, 20_deg);
@@ -63,8 +63,8 @@ double tight_distance(int z_0, double x_0, int z, double x) {
   return std::abs(z_0 + z) / 2.0 * std::cos(kAlpha) / std::cos(inverse_involute(inv_w));
 }
 
-// The half angle of the tooth on the base circle for the shift; that of an internal gear is
-// extrapolated.
+// The half angle of the tooth on the base circle for the profile shift x. The flank of an internal
+// gear is extended to the base circle.
 double base_half_angle(int z, double x) {
   const double thickness = kPi / 2 + 2 * x * std::tan(kAlpha);
   return thickness / std::abs(z) + (z > 0 ? 1.0 : -1.0) * involute(kAlpha);
@@ -98,7 +98,8 @@ TEST(CutByPinion, gear_and_cutter_mesh_without_backlash) {
   }
 }
 
-// The tip of the cutter cuts the root and its root the tip. The lands remain the same circles.
+// The tip of the cutter cuts the root of the gear, and the root of the cutter cuts its tip. The
+// lands are circles about the axis on both.
 TEST(CutByPinion, root_and_tip_are_the_cutters_tip_and_root) {
   for (const auto& [z_0, x_0, z, x] : sets()) {
     const double e = tight_distance(z_0, x_0, z, x), side = z > 0 ? 1.0 : -1.0;
@@ -132,7 +133,7 @@ TEST(CutByPinion, blank_ends_the_tooth) {
   EXPECT_FALSE(ring.outline.find(tip_fillet));
 }
 
-// Distance, mm, along the circle between the two teeth at the radius, on the arc of that name.
+// Distance, mm, between the arcs `name` of the two teeth, measured along the circle of radius ρ.
 double apart(const GeneratedTooth& a, const GeneratedTooth& b, ArcName name, double rho) {
   const auto angle = [&](const GeneratedTooth& tooth) {
     const Arc* arc = tooth.outline.find(name);
@@ -142,8 +143,8 @@ double apart(const GeneratedTooth& a, const GeneratedTooth& b, ArcName name, dou
   return rho * std::abs(angle(a) - angle(b));
 }
 
-// The larger the cutter, the closer the gear is to that cut by the rack of the same profile. All
-// differences decrease like 1/z_0.
+// The larger the cutter, the closer the gear is to the gear that the rack of the same profile cuts.
+// All differences decrease like 1/z_0.
 TEST(CutByPinion, approaches_the_rack) {
   StraightRack rack;  // its tip becomes the tip of the cutter
   rack.root_fillet_radius = 0.3;
@@ -171,10 +172,10 @@ TEST(CutByPinion, approaches_the_rack) {
   }
 }
 
-// At the reference distance, rack, cutter and gear roll on one pitch point. There the cutter has
+// At the reference distance, rack, cutter and gear roll on one pitch point. There, the cutter has
 // the same effect as the rack that is its counterpart, for any number of cutter teeth. The
-// condition is that the cutter carries the whole edge of its rack, from the end of the flank at τ =
-// α on.
+// condition is that the cutter has the whole edge of its rack, from the end of the flank at τ = α
+// on.
 TEST(CutByPinion, at_the_reference_distance_it_is_the_rack) {
   StraightRack rack;
   rack.root_fillet_radius = 0.25;
@@ -232,9 +233,9 @@ TEST(CutByPinion, scales) {
   }
 }
 
-// An undercut cutter has a convex corner between flank and fillet. On the gear it cuts a tip
-// fillet, the path of a point. While a point of the fillet is cut, its distance from the axis of
-// the cutter is that of the corner.
+// An undercut cutter has a convex corner between flank and fillet. This corner cuts a tip fillet on
+// the gear, which is the path of a point. When a point of this fillet is cut, it coincides with the
+// corner, so both have the same distance from the axis of the cutter.
 TEST(CutByPinion, corner_of_an_undercut_cutter) {
   StraightRack sharp;
   sharp.root_fillet_radius = 0.0;

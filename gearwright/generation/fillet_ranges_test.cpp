@@ -45,7 +45,8 @@ CylindricalSpec with_tip(CylindricalSpec s, By by, double value) {
 
 Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 
-// Returns the error of a spec, whose field is checked. It is empty if the gear can be made.
+// Returns the error message of a spec and checks its field. The message is empty if the gear can be
+// made.
 std::string refusal(const CylindricalSpec& s, const std::string& field) {
   const auto gear = make_gear(s);
   if (gear) return "";
@@ -60,11 +61,11 @@ void expect_refused(const CylindricalSpec& s, const std::string& key) {
   EXPECT_EQ(gear.error().field, key) << gear.error().message();
 }
 
-// Checks the fillet of a tooth: it is tangent and on its centre line, and nothing is missing.
+// Checks that the tooth has the requested fillets and no others.
 void expect_stands(const CylindricalSpec& s) {
   const auto gear = make_gear(s);
   ASSERT_TRUE(gear) << gear.error().message();
-  if (!gear->exists()) return;  // severed: a property of the tooth, not of the range
+  if (!gear->exists()) return;  // a severed tooth is not an error of the range
   EXPECT_EQ(gear->tooth->root_fillet.has_value(), s.root_fillet.has_value());
   EXPECT_EQ(gear->tooth->tip_fillet.has_value(), s.tip_fillet.has_value());
 }
@@ -173,7 +174,7 @@ TEST(FewTeethRanges, largest_radius_of_the_tip_fillet) {
   }
 }
 
-// The flank of the cutter ends before the point of the tooth, so a smaller circle finds no flank.
+// The flank of the cutter ends before the point of the tooth, so a smaller circle touches no flank.
 TEST(FewTeethRanges, least_radius_of_the_tip_fillet) {
   const char* key = "tip_fillet.radius";
   for (CylindricalSpec s : {spur(12, 0.0), spur(17, 0.0), spur(30, 0.2)}) {
@@ -222,7 +223,7 @@ TEST(FewTeethRanges, what_never_fits) {
   CylindricalSpec low = spur(17, 0.0);
   low.tip_diameter = 31.9;
   expect_refused(with_root(low, 0.0), "root_fillet.offset");
-  // Without it, the cutter determines the fillet.
+  // An internal gear has no rack. Its cutter determines its fillets.
   for (const char* key : {"root_fillet", "tip_fillet"}) {
     CylindricalSpec ring = spur(-60, 0.0);
     if (std::string(key) == "root_fillet") ring.root_fillet = RootFilletSpec{0.0};

@@ -67,7 +67,8 @@ std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
                                      const CircularFillet& root, GeneratedTooth& tooth) {
   Branch& flank = branches.front();
   if (!(root.roll < flank.t_hi)) {
-    return Error{"root_fillet", "", "no circle centred in the tooth space touches the flank there"};
+    return Error{"root_fillet", "",
+                 "no circle centred in the tooth space touches the flank at this offset"};
   }
   const double gamma = std::numbers::pi / teeth;
   auto circle = std::make_shared<OffsetCircle>(root.arc.distance, gamma, root.arc.radius);
@@ -91,7 +92,7 @@ std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const Circula
   Branch& flank = branches.back();
   if (!(tip.roll > flank.t_lo && tip.roll <= flank.t_hi)) {
     return Error{"tip_fillet", "",
-                 "the fillet would touch the tooth where the rack leaves no flank"};
+                 "the fillet would have to touch the tooth where the rack leaves no flank"};
   }
   flank.t_hi = tip.roll;
   flank.height_hi = flank.height(tip.roll);

@@ -3,8 +3,8 @@
 //
 // Each arc of the edge gives branches along which the radius increases. A cusp ends a branch, and parts
 // with decreasing radius lie inside the cut. The tooth is the region that remains between the
-// branches, |θ| < min θ(ρ). If two neighbours do not join smoothly, they intersect, and the
-// intersection is found in a closed bracket.
+// branches, |θ| < min θ(ρ). If two neighbouring branches do not join smoothly, they intersect, and
+// the intersection is found in a closed bracket.
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 

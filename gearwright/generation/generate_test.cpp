@@ -172,8 +172,8 @@ TEST(CutByRack, undercut_begins_within_rounding) {
   }
 }
 
-// The trochoid has removed the whole flank. It continues into the rounding of the cutter's bottom,
-// not past it.
+// The trochoid has removed the whole flank. It meets the branch that the bottom rounding of the
+// cutter cuts, and does not extend past it.
 TEST(CutByRack, fillet_that_swallows_the_flank_meets_the_bottom_rounding) {
   Cut cut;
   cut.teeth = 3;
@@ -197,8 +197,8 @@ TEST(CutByRack, fillet_that_swallows_the_flank_meets_the_bottom_rounding) {
   EXPECT_NEAR(theta(fillet, rho), theta(tip, rho), 1e-13);
 }
 
-// The protuberance is smaller than the height of the rounding. It has no straight part, and there
-// is one intersection.
+// The protuberance is smaller than the height of the rounding, so it has no straight part. Rounding
+// and flank intersect once.
 TEST(CutByRack, small_protuberance) {
   Cut cut;
   cut.teeth = 6;
@@ -213,8 +213,8 @@ TEST(CutByRack, small_protuberance) {
   EXPECT_EQ(names(tooth)[2], flank);
 }
 
-// The line of the protuberance would cross the flank only above the blank. The flank is met below
-// it.
+// The extended line of the protuberance would cross the flank only above the blank, so this
+// crossing must have no effect.
 TEST(CutByRack, what_happens_above_the_blank_does_not_matter) {
   Cut cut;
   cut.teeth = 61;
@@ -230,7 +230,7 @@ TEST(CutByRack, what_happens_above_the_blank_does_not_matter) {
   EXPECT_EQ(names(tooth), (std::vector{root_land, root_fillet, tip_land}));
 }
 
-// A neck far above the blank does not belong to the tooth. A neck below the blank severs it.
+// A neck far above the blank does not belong to the tooth. A neck below the blank severs the tooth.
 TEST(CutByRack, neck_is_sought_below_the_tip) {
   Cut cut;
   cut.teeth = 4;

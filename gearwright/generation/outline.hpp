@@ -18,7 +18,7 @@ struct Arc {
   CurvePtr curve;
   double begin;      ///< curve parameter at the root side
   double end;        ///< curve parameter at the tip side
-  Vec2 begin_point;  ///< equal to the last bit to the end_point of the previous arc
+  Vec2 begin_point;  ///< equals the end_point of the previous arc to the last bit
   Vec2 end_point;
 
   /// The point at u, where u increases from 0 at begin_point to 1 at end_point.
@@ -26,8 +26,8 @@ struct Arc {
   CurvePoint at(double u) const;
 };
 
-/// σ: the sign of z, +1 for external and −1 for internal teeth. σ times the radius grows from root
-/// to tip.
+/// The sign σ of z, +1 for external and −1 for internal teeth. The product of σ and the radius
+/// increases from root to tip.
 constexpr double side_of(int teeth) { return teeth < 0 ? -1.0 : 1.0; }
 
 struct Outline {

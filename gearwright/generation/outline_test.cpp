@@ -33,7 +33,8 @@ TEST(Arc, tangent_runs_root_to_tip) {
   const CurvePoint up = flank_arc().at(0.5);
   const Vec2 ahead = flank_arc().point(0.5 + 1e-6) - flank_arc().point(0.5 - 1e-6);
   EXPECT_GT(ahead.dot(Vec2(std::cos(up.tangent_angle), std::sin(up.tangent_angle))), 0.0);
-  // Against the parameter of the curve, the tangent reverses and the curvature changes its sign.
+  // If an arc runs against the parameter of its curve, the tangent reverses and the curvature
+  // changes its sign.
   const CurvePoint back = land().at(0.5);
   const Vec2 run = land().point(0.5 + 1e-6) - land().point(0.5 - 1e-6);
   EXPECT_GT(run.dot(Vec2(std::cos(back.tangent_angle), std::sin(back.tangent_angle))), 0.0);

@@ -1,5 +1,5 @@
 // Tests the cusps of a pinion cutter's envelope and the stationary points of its half angle. The
-// closed forms give exactly those that a fine scan finds.
+// closed forms must give exactly the points that a fine scan finds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace {
 
 using testing::CutterPiece;
 
-// True if the normal meets the centrode. Its distance from the axis is that of the foot of the
-// tangent.
+// True if the normal meets the centrode of the cutter. `s` is the distance of the normal from the
+// axis.
 bool normal_meets_centrode(const CutterPiece& piece, double t) {
   const CurvePoint p = piece.curve->at(t);
   const double s =
@@ -46,7 +46,7 @@ std::vector<double> scanned(const F& rise) {
   return places;
 }
 
-// Random fillets of random cutters. The gear meets all of them.
+// Random fillets of random cutters. The normal of every point meets the centrode.
 std::vector<CutterPiece> random_pieces(int count) {
   std::mt19937_64 random(7);
   const auto between = [&](double lo, double hi) {
@@ -104,9 +104,8 @@ void expect_same_places(std::vector<double> scan, std::vector<double> found,
   for (std::size_t i = 0; i < cells.size(); ++i) EXPECT_NEAR(scan[i], cells[i], 1.0) << what;
 }
 
-// The cusps from the cubic are exactly those at which the radius reverses in a fine scan. Between
-// them, `cuts` returns the side on which the cutter lies, which is towards its root for the tip of
-// the gear.
+// The cusps from the cubic are exactly the points at which the radius reverses in a fine scan.
+// Between the cusps, `cuts` must agree with the direction in which the radius changes.
 TEST(PinionCusps, cusps_are_all_and_only_the_turns_of_the_radius) {
   int cusps = 0;
   for (const CutterPiece& piece : random_pieces(1200)) {

@@ -77,7 +77,7 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   const bool at_limit = r_p_ - c.s < 4 * std::numeric_limits<double>::epsilon() * r_p_;
   c.w = at_limit ? 0.0 : meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
   c.kappa = std::atan2(c.s, c.w);
-  // ν lies in the range of half a turn that begins at the polar angle. The polar angle is continuous.
+  // ν lies in the half turn that begins at the polar angle, which is continuous along the curve.
   c.turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa;
   c.curvature = walk_ * p.curvature;
   return c;

@@ -1,5 +1,5 @@
-// Tests the envelope of a pinion cutter's curves: points found by rolling, tangent and curvature by
-// differences, and the involute in closed form.
+// Tests the envelope of a pinion cutter's curves. The points are compared with points found by
+// rolling, tangent and curvature with differences, and the involute with its closed form.
 //
 //   ψ   turn of the cutter; at ψ = 0, its tooth 0 points at space 0 of the gear
 #include "gearwright/generation/pinion_envelope.hpp"
@@ -26,7 +26,7 @@ Vec2 turned(const Vec2& v, double angle) {
 
 using testing::CutterPiece;
 
-// The normal out of the material of the cutter, to the left of the walk.
+// The normal that points out of the cutter, to the left of the walk.
 Vec2 normal_of(const CutterPiece& piece, double t) { return turned(piece.tangent(t), kPi / 2); }
 
 struct Cutter {
@@ -89,8 +89,8 @@ double polar_of_pitch_point(const CutterPiece& piece, double t) {
   return theta + std::remainder(std::atan2(pitch.y(), pitch.x()) - theta, 2 * kPi);
 }
 
-// Cutter and gear are placed in the position in which the point is cut, and the point is
-// transformed.
+// Places cutter and gear in the position in which the point is cut, and transforms the point to the
+// frame of the gear.
 Vec2 rolled(const CutterPiece& piece, double t) {
   const PinionMotion& m = piece.motion;
   const double psi = -polar_of_pitch_point(piece, t);
@@ -132,11 +132,11 @@ TEST(PinionEnvelope, points_are_cut_when_the_normal_meets_the_pitch_point) {
   EXPECT_GT(points, 180);
 }
 
-// The polar angle is continuous along a piece although ν exceeds π on a cutter of one tooth.
+// The polar angle is continuous along a piece, although ν exceeds π on a cutter with one tooth.
 TEST(PinionEnvelope, polar_angle_does_not_jump) {
   for (const Meeting meeting : {Meeting::ahead, Meeting::behind}) {
     for (const CutterPiece& piece : pieces(meeting)) {
-      // Far outside, so never cut.
+      // These points lie far outside the gear and are never cut.
       if (meeting == Meeting::behind && piece.motion.teeth > 0) continue;
       const PinionEnvelope envelope = piece.envelope();
       const double pitch = 2 * kPi / std::abs(piece.motion.teeth);
@@ -189,7 +189,7 @@ TEST(PinionEnvelope, tangent_and_curvature) {
   EXPECT_GT(places, 120);
 }
 
-// Law (2), d|W|²/dσ = −2 (r_g/r_p) s G, on curves that have a length.
+// Law (2), d|W|²/dσ = −2 (r_g/r_p) s G, tested on all curves except corners.
 TEST(PinionEnvelope, radius_law) {
   for (const Meeting meeting : {Meeting::ahead, Meeting::behind}) {
     for (const CutterPiece& piece : pieces(meeting)) {
@@ -216,8 +216,8 @@ TEST(PinionEnvelope, radius_law) {
   }
 }
 
-// The cutter's involute gives the same points, tangents and curvatures by the general formulas and
-// in closed form. On an internal gear the roll angle is negative.
+// The general formulas and the closed form give the same points, tangents and curvatures for the
+// cutter's involute. On an internal gear, the roll angle is negative.
 TEST(PinionInvolute, is_what_the_envelope_says) {
   for (const PinionMotion& motion : {PinionMotion{20, 45, 65.0}, PinionMotion{20, -60, 40.3},
                                      PinionMotion{2, 60, 61.335}, PinionMotion{1, 30, 54.05}}) {
@@ -261,8 +261,8 @@ TEST(PinionInvolute, behind_is_what_the_envelope_says) {
   }
 }
 
-// Cutter and gear touch on the line of action. The sum of their rolls is its length; on an internal
-// gear it is their difference. The base tangent points are (1 + m) r_b tan α_w apart.
+// Cutter and gear touch on the line of action. Its length is the sum of the two roll lengths, or
+// their difference on an internal gear. The base tangent points are (1 + m) r_b tan α_w apart.
 TEST(PinionInvolute, rolls_add_up_to_the_line_of_action) {
   const PinionMotion external{20, 45, 65.0}, ring{20, -60, 40.3};
   for (const PinionMotion& motion : {external, ring}) {

@@ -1,5 +1,5 @@
-// Tests the envelope of a rack's edge: its laws, and its tangent and curvature against differences
-// of points.
+// Tests the laws of the envelope of a rack's edge, and compares its tangent and curvature with
+// differences of points.
 #include "gearwright/generation/rack_envelope.hpp"
 
 #include <gtest/gtest.h>
@@ -125,8 +125,8 @@ TEST(RackTrochoid, neck_is_where_the_half_angle_is_least) {
                   .empty());
 }
 
-// The involute of the rack's flank has the base circle r cos α_t, and on the pitch circle half the
-// thickness that the rack leaves there.
+// The involute of the rack's flank has the base circle r cos α_t. Its half thickness on the pitch
+// circle is half of the thickness that the rack leaves there.
 TEST(RackInvolute, base_circle_and_thickness) {
   for (const RackMotion& motion : {kSpur, kHelical}) {
     const EdgeLine flank{k20Degrees, 1.57, -2.0, 3.0};
@@ -139,7 +139,7 @@ TEST(RackInvolute, base_circle_and_thickness) {
   }
 }
 
-// A line is a circle with zero curvature. Its points are those of a corner that slides along it.
+// Every point of a line cuts the same point of the gear as a sharp corner at the same place would.
 TEST(RackInvolute, roll_angle_finds_the_point_of_the_edge) {
   for (const RackMotion& motion : {kSpur, kHelical}) {
     const EdgeLine flank{k20Degrees, 1.57, -2.0, 3.0};

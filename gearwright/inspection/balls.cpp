@@ -44,7 +44,7 @@ double center_involute(const Base& b, double ball) {
 
 Error no_ball(double ball, const std::string& why) { return refused("ball_diameter", ball, why); }
 
-// A clause for messages: the diameters of the balls that touch on the usable flank.
+// The end of a message: the diameters of the balls that touch on the usable flank.
 std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   const auto lo = ball_touching_at(gear, flank.root_end);
   const auto hi = ball_touching_at(gear, flank.tip_end);
@@ -118,8 +118,8 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
                     format_number(gear.root_diameter), sizes));
   const double proud = seat->radial - flank->tip / 2;
   if (gear.side() * proud <= 0.0)
-    return no_ball(ball, fmt::format("does not project beyond the tip, because it ends at {} mm "
-                                     "from the axis, and the tip at {} mm; {}",
+    return no_ball(ball, fmt::format("does not project beyond the tip, because it reaches a "
+                                     "radius of {} mm, but the tip is at a radius of {} mm; {}",
                                      format_number(seat->radial, flank->tip / 2),
                                      format_number(flank->tip / 2, seat->radial), sizes));
   return *seat;
@@ -134,9 +134,9 @@ double over_two_balls(const Gear& gear, const BallSeat& seat) {
 
 namespace {
 
-// The least distance of two helices on one cylinder, relative to its diameter:
-// √(cos² (ε/2) + T sin² ε/4), ε − T sin ε = δ. In a transverse plane, the points of the helices deviate
-// by δ from opposite positions. [T10.9]
+// The least distance of two helices on one cylinder, relative to its diameter: √(cos² (ε/2) + T
+// sin² ε/4), where ε solves ε − T sin ε = δ. In a transverse plane, the points of the helices
+// deviate by δ from opposite positions. [T10.9]
 double least_across(double delta, double T) {
   double epsilon = delta;
   if (T > 0.0 && (delta > 0.0 || T > 1.0)) {

@@ -9,8 +9,8 @@
 //   M_d    dimension over two balls, mm        M_r   dimension from the axis over one ball, mm
 //                                              theory: docs/theory/10-inspection.md
 //
-// The centre of the ball lies in the middle of the space, on the surface that is parallel to the flank
-// at the distance of the ball's radius.
+// The centre of the ball lies in the middle of the space, on a surface parallel to the flank at a
+// distance of one ball radius.
 #pragma once
 
 #include <optional>

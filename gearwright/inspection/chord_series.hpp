@@ -7,10 +7,10 @@
 //   θ*, k*, Δh* half angle, chord and height of the shortest chord
 //                                              theory: docs/theory/05-approximations.md
 //
-// The variable of the series is θ_t² sin² ψ cos⁴ ψ, which is greatest at ψ = 35° [T5.11]. With three
-// corrections, the relative error of the chord at 35° is 1e-9 for θ_t = 0.2 and 3e-7 for 0.4. The error
-// is small for the threads of a worm with a great helix angle. The functions are templates over the
-// scalar.
+// The variable of the series is θ_t² sin² ψ cos⁴ ψ, which is greatest at ψ = 35° [T5.11]. With
+// three corrections, the relative error of the chord at 35° is 1e-9 for θ_t = 0.2 and 3e-7 for 0.4.
+// For the threads of a worm, whose helix angle is great, the error is small. The functions are
+// templates over the scalar.
 #pragma once
 
 #include <cmath>

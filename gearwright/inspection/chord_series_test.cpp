@@ -1,4 +1,4 @@
-// The series of the chord: golden values, and the order of every error.
+// Tests the series of the chord with golden values, and the order of every error.
 #include "gearwright/inspection/chord_series.hpp"
 
 #include <gtest/gtest.h>
@@ -115,7 +115,7 @@ TEST(ChordSeries, golden_values) {
   }
 }
 
-// The shortest chord by bisection, with 50 digits and from its condition: at θ the derivative of
+// Finds the shortest chord by bisection with 50 digits. The condition is that the derivative of
 // sin² θ + (θ_t − θ)²/tan² ψ is 0.
 ApproximateChord<Exact> by_halving(const Exact& theta_t, const Exact& psi, const Exact& r) {
   const Exact t2 = tan(psi) * tan(psi);
@@ -132,8 +132,8 @@ double order(const Exact& coarse, const Exact& fine) {
   return static_cast<double>(log(abs(coarse / fine)) / log(Exact(2)));
 }
 
-// Halving θ_t divides the error of n corrections by 2^(2n + 3) for θ* and k, by 2^(2n + 4) for Δh.
-// At θ_t = 1e-3 the next term adds some (1 + 24 T) 1e-6 to that exponent.
+// If θ_t is halved, the error of n corrections is divided by 2^(2n + 3) for θ* and k, and by 2^(2n
+// + 4) for Δh. At θ_t = 1e-3, the next term changes these exponents by about (1 + 24 T) 1e-6.
 TEST(ChordSeries, errors_fall_with_the_right_power) {
   const Exact r = 20;
   for (const double psi : {10.0, 35.0, 51.6, -70.0}) {
@@ -156,8 +156,8 @@ TEST(ChordSeries, errors_fall_with_the_right_power) {
   }
 }
 
-// The error of the chord of the virtual spur gear: to leading order, the stated error is the
-// complete error.
+// The error of the chord of the virtual spur gear. To leading order, the formula gives the whole
+// error.
 TEST(ChordSeries, virtual_spur_errors_are_the_leading_ones) {
   const Exact r = 20;
   for (const double psi : {5.0, 35.0, 51.6, -70.0}) {
@@ -181,8 +181,9 @@ TEST(ChordSeries, virtual_spur_errors_are_the_leading_ones) {
   }
 }
 
-// Greatest relative errors over all ψ from 0 to 88°: the table of docs/theory/05-approximations.md.
-// While the first omitted term dominates, it is greatest at sin² ψ = 1/3 [T5.11].
+// Greatest relative errors over all ψ from 0 to 88°, as in the table of
+// docs/theory/05-approximations.md. As long as the first omitted term dominates, it is greatest at
+// sin² ψ = 1/3 [T5.11].
 TEST(ChordSeries, greatest_errors_over_all_helix_angles) {
   struct Row {
     double theta_t, chord[3], height[3];

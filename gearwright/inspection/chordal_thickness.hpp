@@ -41,8 +41,9 @@ struct ChordalThickness {
   T half_angle_used;  ///< θ*   rad
 };
 
-/// Least θ_t, rad, at which θ* is a normal number for every T up to 1e33, which is tan² of the double
-/// next to π/2. A tooth thickness that is only rounding error, 1e-17, is much larger.
+/// Least θ_t, rad. For greater values, θ* is a normal floating-point number for every T up to 1e33,
+/// which is tan² of the double next to π/2. Even a tooth thickness that is only rounding error,
+/// 1e-17, is much larger.
 inline constexpr double kMinHalfAngle = 1e-100;
 
 /// The half angle θ* of the shortest chord: the root of T sin 2θ + 2θ = 2θ_t.
@@ -123,9 +124,10 @@ ToothArc<double> tooth_arc(const Gear& gear, double diameter);
 /// The shortest chord over a tooth of the gear, including the thickness allowance. The gear may be
 /// internal.
 ///
-/// Errors    `chord_diameter` if it is not on the usable flank (from d_Ff to d_Fa, for an internal gear
-///           from d_Fa to the root, and never inside the base circle) or beyond the diameter at which
-///           the flanks meet, if no calliper can span the tooth, or if the gear has no flank
+/// Errors    `chord_diameter` if the diameter is not on the usable flank, which is from d_Ff to
+///           d_Fa or, for an internal gear, from d_Fa to the root, and never inside the base
+///           circle; also if the two flanks meet before this diameter, if no calliper can span the
+///           tooth, or if the gear has no flank
 Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diameter);
 
 }  // namespace gearwright

@@ -1,4 +1,5 @@
-// The shortest chord: golden values, a search that does not use the equation, laws, and gears.
+// Tests the shortest chord with golden values, with a search that does not use the equation, with
+// laws, and on gears.
 #include "gearwright/inspection/chordal_thickness.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 
@@ -140,7 +141,8 @@ TEST(ShortestChord, is_what_a_search_over_inclinations_finds) {
     steep += std::abs(std::tan(psi)) > 1;
     thick += theta_t > 1;
     const TwoHelices h{theta_t, std::tan(static_cast<long double>(psi)), r};
-    // From the axial chord, beyond the transverse chord, to the axial chord on the other side.
+    // The range extends from the axial chord past the transverse chord to the axial chord on the
+    // other side.
     const long double reach = std::min(2 * h.theta_t * h.r / std::abs(h.tan_psi), 2.5L * h.r);
     const auto found = dips(h, -reach * 1.001L, reach * 1.001L);
     ASSERT_FALSE(found.empty());
@@ -155,7 +157,7 @@ TEST(ShortestChord, is_what_a_search_over_inclinations_finds) {
 
 // A tooth over more than half of the circumference is a worm with a thread thicker than its space.
 // The chord is the first minimum from the axial direction. If there is no minimum on the side of
-// the tooth, the result shows this.
+// the tooth, θ* is greater than π/2.
 TEST(ShortestChord, of_a_thread_over_half_the_circumference) {
   testing::Draw random(20250201);
   int on_the_tooth = 0, behind = 0;
@@ -247,7 +249,7 @@ TEST(ShortestChord, of_a_spur_gear_is_the_transverse_one_exactly) {
   EXPECT_NEAR(b.chord, 2 * 17.3 * 1.5 * std::cos(89.999 * kDegree), 1e-9);
 }
 
-// θ* stays on its side where the branches of the equation meet, and far beyond real gears.
+// θ* remains in its range where the branches of the equation meet, and also far beyond real gears.
 TEST(ShortestChord, half_angle_at_the_edges_of_its_domain) {
   const double half = kPi / 2;
   for (const double theta_t : {kMinHalfAngle, 1e-20, 0.5, std::nextafter(half, 0.0), half,
@@ -386,7 +388,7 @@ TEST(ChordalThickness, of_a_tooth_too_wide_for_any_calliper) {
   const double d = 2 * *gear.root_form_radius() * 1.0001;
   ASSERT_GT(tooth_arc(gear, d).half_angle, kPi / 2);
   expect_refused(gear, d, "too much for a calliper");
-  // The thread of a worm of the same width is accepted.
+  // The thread of a worm with the same width is accepted.
   auto worm = spec_of(1, 2, 84, 0.3);
   const Gear thread = made(worm);
   const auto c = chordal_thickness(thread, thread.reference_diameter);

@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kLeftOut = 0.05;  // omitted fraction of the profile at its tip and of the face at
+constexpr double kLeftOut = 0.05;  // omitted fraction of the profile at its tip, and of the face at
                                    // each end
 
 }  // namespace

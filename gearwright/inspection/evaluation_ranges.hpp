@@ -33,7 +33,7 @@ struct EvaluationRanges {
   std::array<double, 2> helix;          ///< mm, heights of both ends from the middle of the face
   std::optional<ActiveFlank> active{};  ///< if the gear is mounted and touches its mating gear
 };
-/// The place of a diameter on the involute.
+/// The roll length and the roll angle of the involute at the diameter d_y.
 ///
 /// Formula   [T10.22]
 /// Domain    d_y ≥ d_b (contract)

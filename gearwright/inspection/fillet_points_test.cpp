@@ -23,10 +23,10 @@ struct Place {
   Real nx, ny;  // unit, out of the material
 };
 
-// The rack's tip rounding is a circle in the normal section, an ellipse in the transverse one. The
-// point at the angle θ of the circle touches the gear if its normal passes through the pitch point
-// [law of gearing]. The rack has then moved by t from the position in which its tooth is in the
-// space at π/z.
+// The rack's tip rounding is a circle in the normal section and an ellipse in the transverse
+// section. The point at the angle θ of the circle touches the gear if its normal passes through the
+// pitch point [law of gearing]. The rack has then moved by t from the position in which its tooth
+// is in the space at π/z.
 Place rolled(const CylindricalSpec& s, Real theta) {
   const StraightRack& rack = s.straight_rack();
   const Real m = s.normal_module, beta = s.helix_angle.rad(), alpha = s.normal_pressure_angle.rad();
@@ -39,7 +39,7 @@ Place rolled(const CylindricalSpec& s, Real theta) {
   const Real x_E = s.profile_shift + Real(s.thickness_allowance) / (2 * m * std::tan(alpha));
   const Real d = depth - x_E * m + rho * std::sin(theta);
   const Real y = -(off + rho * std::cos(theta)) / c;
-  // Normal of (−d, y) as θ grows, out of the cutter.
+  // The normal of the curve (−d, y), which points out of the cutter.
   Real nx = -std::sin(theta) / c, ny = -std::cos(theta);
   const Real length = std::hypot(nx, ny);
   nx /= length;

@@ -17,7 +17,7 @@ namespace gearwright {
 
 namespace {
 
-using namespace detail;  // NOLINT(google-build-using-namespace): the room's own parts
+using namespace detail;  // NOLINT(google-build-using-namespace): internal parts of this folder
 using std::numbers::pi;
 
 constexpr double kNothing = 1e-4;  // least likelihood of a candidate in the list
@@ -235,7 +235,8 @@ const char* name_of(Observation::Kind kind) {
   }
 }
 
-// Finds a reading without which all other readings agree with a standard gear.
+// Finds a reading that contradicts the others. Without it, all other readings agree with a standard
+// gear.
 std::optional<Contradiction> contradiction(const IdentifyProblem& p,
                                            const std::vector<Observation>& readings,
                                            std::vector<Found>& found) {

@@ -6,11 +6,12 @@
 //   x_E    generating profile shift, including the allowance       p_bn  normal base pitch
 //                                              theory: docs/theory/10-inspection.md
 //
-// A gear of z teeth is described by module, pressure angle, helix angle and x_E. Module and pressure
-// angle are those of standards. The helix angle is 0, a whole number of degrees, or free. x_E and a free
-// helix angle are fitted. The evidence of a hypothesis combines the quality of the fit, the fraction of
-// the prior range that the readings leave, and the prior probability of such gears. Tips may be worn and
-// roots may be cut by several racks, so readings of tip and root are only rough.
+// A gear of z teeth is described by module, pressure angle, helix angle and x_E. Module and
+// pressure angle are standard values. The helix angle is 0, a whole number of degrees, or free. x_E
+// and a free helix angle are fitted. The evidence of a hypothesis combines the quality of the fit,
+// the fraction of the prior range that agrees with the readings, and the prior probability of such
+// gears. Readings of tip and root are only rough, because tips may be worn and roots may be cut by
+// several racks.
 #pragma once
 
 #include <array>
@@ -82,7 +83,7 @@ struct Contradiction {
   double value;         ///< the reading, mm or degrees
   double expected;      ///< the value predicted by the other readings
 };
-/// The measurement that distinguishes best between the first candidate and another one, the rival.
+/// The measurement that distinguishes best between the first candidate and one other, the rival.
 struct NextMeasurement {
   std::string reading;           ///< "span", "over_balls" or "helix_angle"
   double tool;                   ///< k or D_M
@@ -92,7 +93,8 @@ struct NextMeasurement {
 struct Identification {
   std::vector<IdentifiedGear> candidates;      ///< the likeliest first
   std::optional<Contradiction> contradiction;  ///< if present, this reading was not used
-  std::optional<NextMeasurement> next;         ///< none if there is one candidate or no distinction
+  std::optional<NextMeasurement> next;         ///< none if there is only one candidate, or if no
+                                               ///< measurement distinguishes them
   std::string reason;                          ///< the reason if there is no candidate
 };
 /// Greatest number of candidates in a result.

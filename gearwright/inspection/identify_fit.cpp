@@ -63,7 +63,7 @@ std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknow
   if (!residuals(g, readings, r)) return std::nullopt;
   // Values that are not fitted have rows of the unit matrix.
   Eigen::Matrix3d normal = Eigen::Matrix3d::Identity();
-  std::array<std::vector<double>, 3> slope;  // of the model, in σ
+  std::array<std::vector<double>, 3> slope;  // slopes of the predicted readings, in units of σ
   for (int step = 0; step < kMostSteps; ++step) {
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     for (int j = 0; j < 3; ++j) {

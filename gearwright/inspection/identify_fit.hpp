@@ -1,8 +1,8 @@
 // Fits the unknowns of one hypothesis by least squares: the profile shift, and also helix angle and
 // module if they are free.
 //
-// Internal to inspection/. The evidence is Laplace's approximation, which is the likelihood of the best
-// fit times the fraction of the prior volume that the readings leave.
+// Internal to inspection/. The evidence is Laplace's approximation: the likelihood of the best fit
+// times the fraction of the prior volume that agrees with the readings.
 #pragma once
 
 #include <optional>

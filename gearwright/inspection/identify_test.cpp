@@ -1,5 +1,5 @@
-// Unknown gears: the example of the documents, and synthetic gears with the scatter of readings in
-// a workshop.
+// Tests the identification of gears: the example of the documents, and synthetic gears whose
+// readings scatter as in a workshop.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -59,8 +59,8 @@ TEST(Identify, names_the_reading_that_disagrees) {
   EXPECT_EQ(found.candidates.front().normal_module, 2.5);
 }
 
-// A centre distance and a tip determine no helix angle. A free helix angle then keeps its whole
-// prior range, so its evidence must not exceed the evidence of a spur gear.
+// A centre distance and a tip diameter determine no helix angle. They do not narrow the range of a
+// free helix angle, so its evidence must not exceed the evidence of a spur gear.
 TEST(Identify, undetermined_helix_angle_does_not_win) {
   for (const int z : {17, 21, 34}) {
     IdentifyProblem p;
@@ -137,8 +137,8 @@ struct Counted {
   double slowest_ms = 0.0, total_ms = 0.0;
 };
 
-// If the exact readings of a candidate agree with those of the gear within the uncertainty of each, the
-// two cannot be distinguished.
+// Returns true if a candidate cannot be distinguished from the gear, i.e. if every exact reading of
+// the candidate agrees with the gear within the uncertainty of this reading.
 bool has_the_readings(const IdentifiedGear& c, const IdentifyProblem& exact, double lead) {
   CylindricalSpec s = testing::plain_spec({.teeth = c.teeth,
                                            .module = c.normal_module,
@@ -216,8 +216,10 @@ Counted identified(int wanted, unsigned seed) {
                  first.shift_uncertainty;
   }
   std::printf(
-      "identify: %d of %d decidable gears first (%.2f %%), %d undecidable; ± covers %.2f %% "
-      "of %d; %.2f ms each, %.1f ms the slowest\n",
+      "identify: the first candidate is right for %d of %d distinguishable gears (%.2f %%); %d "
+      "gears "
+      "are not distinguishable; the ± ranges contain %.2f %% of %d values; %.2f ms on average, "
+      "%.1f ms at most\n",
       n.first, n.decidable, 100.0 * n.first / n.decidable, n.gears - n.decidable,
       100.0 * n.covered / n.known, n.known, n.total_ms / n.gears, n.slowest_ms);
   return n;
@@ -226,10 +228,10 @@ Counted identified(int wanted, unsigned seed) {
 TEST(Identify, synthetic_gears) {
   const Counted n = identified(300, 1);
   EXPECT_GE(n.first, 0.985 * n.decidable);
-  EXPECT_NEAR(n.covered, 0.95 * n.known, 0.035 * n.known);  // 2.8 standard deviations of 300
+  EXPECT_NEAR(n.covered, 0.95 * n.known, 0.035 * n.known);  // 2.8 standard deviations for 300 gears
 }
 
-// The test belongs to make test-long and prints the rate.
+// This test runs only in `make test-long`. It prints the rate of right answers.
 TEST(LongIdentify, ten_thousand_synthetic_gears) {
   const Counted n = identified(10000, 2);
   EXPECT_GE(n.first, 0.99 * n.decidable);

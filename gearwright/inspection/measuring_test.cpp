@@ -1,5 +1,5 @@
-// Spans, balls and pins are compared with distances in space that do not use their formulas, and
-// with laws.
+// Compares spans, balls and pins with distances in space that are computed without their formulas,
+// and with laws.
 //
 // The oracle describes the flank by points (u, z) of the unwound involute, which is screwed along
 // the axis. The ball is pushed into the tooth space until the nearest point of the flank is at the
@@ -57,7 +57,7 @@ struct Drawing {
 struct Flank {
   Drawing d;
   int hand;
-  Real turned;  // of the tooth's centre line
+  Real turned;  // rotation of the tooth's centre line
 
   LongPoint at(Real u, Real z) const {
     const Real theta = hand * (d.half() - d.side() * (u - std::atan(u))) + turned + d.twist() * z;
@@ -126,7 +126,7 @@ struct SpanByDistance {
 
 SpanByDistance stationary(const Drawing& d, int k, Real u, Real z) {
   const Real pitches = (d.z > 0 ? k - 1 : k) * kLongPi / std::abs(d.z);
-  const int outer = d.z > 0 ? 1 : -1;  // an internal gear: the flanks that bound k spaces
+  const int outer = d.z > 0 ? 1 : -1;  // for an internal gear, the flanks that bound k spaces
   const Flank a{d, outer, pitches}, b{d, -outer, -pitches};
   const auto f = [&](Real v, Real w) { return norm(a.at(v, w) - b.at(v, -w)); };
   const Real hu = 1e-4L, hz = 1e-4L * d.m;
@@ -279,7 +279,7 @@ TEST(Pins, have_three_readings_on_a_helical_gear_of_odd_teeth) {
 }
 
 // (1) the ball for a given contact diameter touches at this diameter
-// (2) the reading gives the tooth thickness again
+// (2) the tooth thickness follows from the reading
 // (3) the hand of the helix changes nothing
 // (4) doubled lengths double the readings
 TEST(Balls, laws) {
@@ -390,8 +390,8 @@ TEST(ConstantChord, ends_on_both_flanks) {
     const auto c = constant_chord(gear);
     if (!c || c->contact_diameter < gear.reference().base_diameter) continue;
     const ToothArc<double> arc = tooth_arc(gear, c->contact_diameter);
-    // At its own height, the end of the chord lies across cos β from the middle plane of the tooth,
-    // and it is z = across sin β above it, where the flank is rotated according to the lead.
+    // The end of the chord lies at z = chord/2 · sin β, where the flank is rotated according to the
+    // lead. In this section, it lies chord/2 · cos β from the middle plane of the tooth.
     const double across = c->chord / 2 * std::cos(double(d.beta));
     const double z = c->chord / 2 * std::sin(double(d.beta));
     const double turned = std::asin(across / (c->contact_diameter / 2)) + z * gear.twist();
@@ -399,7 +399,8 @@ TEST(ConstantChord, ends_on_both_flanks) {
   }
 }
 
-// d_b 37.588: L at 40 is 40 sin 20°/2 = 6.8404, and the roll angle tan 20°.
+// d_b is 37.588. At d = 40, the roll length is 40 sin 20°/2 = 6.8404, and the roll angle is tan
+// 20°.
 TEST(EvaluationRanges, of_a_spur_gear_by_hand) {
   const Gear gear = made({20, 2, 20 * kLongPi / 180, 0, 0, 0});
   const auto ranges = evaluation_ranges(gear);

@@ -54,8 +54,8 @@ std::vector<NominalPoint> nominal_points(const Gear& gear, const RemovalField& r
 ///
 /// Formula   P = R(2π z/p_z) p + z k with a point p of the fillet in the section z = 0 and its normal e,
 ///           n ∝ e − (2π/p_z)(e · k × p) k; [T10.29]
-/// Accuracy  points lie on the generated outline and are equally spaced along the fillet, to 1e-3 of
-///           their distance
+/// Accuracy  points lie on the generated outline and are equally spaced along the fillet, with an
+///           error of at most 1e-3 of the spacing
 /// None      if the outline has no fillet, or the gear has no outline
 /// Domain    both numbers of the grid ≥ 2 (contract)
 std::vector<NominalPoint> fillet_points(const Gear& gear, FlankSide side,

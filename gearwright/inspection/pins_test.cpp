@@ -1,4 +1,5 @@
-// Dimensions over two and three pins under anvils are compared with lines and planes over circles.
+// Compares dimensions over two and three pins between anvils with the distances of lines and planes
+// that touch circles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,8 +34,9 @@ double width_over(const std::vector<Vec2>& centers, double radius, double theta)
   return far - near;
 }
 
-// Pins are circles in the spaces of a spur gear, and anvils are lines that turn around them. Over
-// two pins a micrometer reads the greatest width; over three pins it rests at the least width.
+// In a spur gear, pins are circles in the spaces, and anvils are lines that turn around the
+// circles. A micrometer over two pins reads the greatest width. Over three pins, it rests at the
+// least width.
 TEST(Pins, three_of_them_lie_deeper_on_a_spur_gear_with_an_odd_number_of_teeth) {
   int odd = 0;
   for (const int z : {5, 7, 8, 17, 20, 33, 61, 100}) {

@@ -6,9 +6,10 @@
 //   s_bt   transverse base tooth thickness, mm            d_M   diameter of both contacts, mm
 //                                              theory: docs/theory/10-inspection.md
 //
-// The anvils are planes normal to a base tangent, so at any helix angle the reading is exactly a length
-// along the base tangent. Both contacts can be moved along the flanks. Here they are symmetrical; if any
-// position of the contacts is on the usable flanks, the symmetrical position is.
+// The anvils are planes normal to a base tangent, so at any helix angle the reading is exactly a
+// length along the base tangent. Both contacts can be moved along the flanks. Here the symmetrical
+// position is used. If any position of the contacts is on the usable flanks, the symmetrical
+// position is too.
 #pragma once
 
 #include <vector>
@@ -23,7 +24,7 @@ struct Span {
   int teeth;                ///< k; number of spaces for an internal gear
   double length;            ///< W_k  mm
   double contact_diameter;  ///< d_M  mm
-  double min_face_width;    ///< mm, least face width with both contacts
+  double min_face_width;    ///< mm, least face width that includes both contacts
   ContactPlace place;
   bool face_is_wide_enough;
 
@@ -43,7 +44,7 @@ double thickness_per_span(const Gear& gear);
 /// Errors    `span_teeth`, with the k that can be measured, if neither k nor a neighbouring number has
 ///           contacts; also for an internal helical gear, in whose spaces plane anvils do not fit
 Result<Span> span_over(const Gear& gear, int k);
-/// The usable spans, at most `most` of them, which are nearest to usual_span().
+/// Up to `most` usable spans that are nearest to usual_span().
 std::vector<Span> usable_spans(const Gear& gear, int most);
 /// The usable span whose contacts are nearest to the V circle; none if no k is usable.
 std::optional<Span> usual_span(const Gear& gear);

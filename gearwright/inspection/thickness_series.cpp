@@ -76,9 +76,9 @@ constexpr std::array<std::array<double, 12>, 21> kGrades{{
 
 constexpr int kMaxGrade = 12;
 
-// Fundamental deviations below the nominal size, µm, of ISO 286-1, table 3. The deviation of P, for grades
-// above IT7, is listed for the first sizes. The deviation of N, for grades above IT8, differs from 0 only
-// up to 3 mm.
+// Fundamental deviations below the nominal size, µm, of ISO 286-1, table 3. For P, the deviations
+// of grades above IT7 are listed for the first sizes. For N, the deviation of grades above IT8
+// differs from 0 only up to 3 mm.
 constexpr std::array kDeviationP{6., 12., 15., 18., 22., 26., 32., 37.};
 constexpr double kDeviationN = 4.0;
 
@@ -119,8 +119,8 @@ Result<std::array<double, 2>> thickness_allowances(std::string_view series,
   const std::size_t row = row_of(kDiameters, reference_diameter);
   if (row == kDiameters.size())
     return Error{"series", std::string(series),
-                 fmt::format("DIN 3967 covers reference diameters of at most 10000 mm, and that of "
-                             "this gear is {} mm",
+                 fmt::format("DIN 3967 covers reference diameters of at most 10000 mm, but the "
+                             "reference diameter of this gear is {} mm",
                              format_number(reference_diameter))};
   const double upper = -kAllowance[row][static_cast<std::size_t>(name - kSeries.begin())];
   const double tolerance = kTolerance[row][static_cast<std::size_t>(column)];

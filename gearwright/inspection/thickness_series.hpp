@@ -1,5 +1,5 @@
-// Named allowances and tolerances: those of the tooth thickness by DIN 3967, and those of centre
-// distances, tips, bores and keyways by ISO 286 and DIN 6885.
+// Allowances and tolerances that are given by name: for the tooth thickness by DIN 3967, and for
+// centre distances, tips, bores and keyways by ISO 286 and DIN 6885.
 //
 //   E_sns, T_sn   upper allowance and tolerance of the normal tooth thickness, µm
 //   JS7           from −IT7/2 to IT7/2

@@ -1,4 +1,4 @@
-// Tolerances of flanks, thicknesses and distances are compared with the tables of their standards.
+// Compares the tolerances of flanks, thicknesses and distances with the tables of their standards.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -88,7 +88,7 @@ TEST(FlankTolerances, of_sectors_base_pitch_and_single_flank_are_those_of_printe
   EXPECT_EQ(*planet.tooth_single_flank, 38.0);
   EXPECT_FALSE(planet.base_pitch);
   // K is continuous at ε_γ = 4 and exists only for a pair. The tolerance of a sector of one pitch
-  // is that of the pitch.
+  // equals the tolerance of the pitch.
   const auto at = [](std::optional<double> overlap, int z) {
     return flank_tolerances(FlankTolerances::iso_1995, 9,
                             {300, 5, 50, z, 0.0, std::nullopt, overlap});

@@ -8,7 +8,7 @@
 namespace gearwright {
 namespace {
 
-// p + 1 zeros, inner knots i/(n − p), p + 1 ones.
+// The knots are p + 1 zeros, the inner knots i/(n − p), and p + 1 ones.
 std::vector<double> uniform_knots(int degree, int poles) {
   GW_EXPECTS(degree >= 1);
   GW_EXPECTS(poles >= degree + 1);
@@ -148,8 +148,8 @@ Eigen::VectorXd BSplineBasis::derivative(const Eigen::MatrixXd& poles, double u,
   GW_EXPECTS(poles.rows() == poles_);
   GW_EXPECTS(k >= 0);
   if (k > degree_) return Eigen::VectorXd::Zero(poles.cols());
-  // Local poles of the derivative: D_i = (p − l)(P_(i+1) − P_i)/(t_(i+p+1) − t_(i+1+l)), k times,
-  // then de Boor's triangle of the lower degree on the same span.
+  // The local poles of the derivative are D_i = (p − l)(P_(i+1) − P_i)/(t_(i+p+1) − t_(i+1+l)),
+  // applied k times. De Boor's triangle of the lower degree then evaluates them on the same span.
   const int s = span(u);
   Eigen::MatrixXd d = poles.middleRows(s - degree_, degree_ + 1);
   const auto knot = [&](int i) { return knots_[static_cast<std::size_t>(i)]; };

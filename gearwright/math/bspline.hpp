@@ -3,12 +3,12 @@
 //   p      degree                          n     number of poles, n ≥ p + 1
 //   t_j    knots, n + p + 1 of them: p + 1 equal knots at each end, non-decreasing in between
 //   N_i    basis functions, i = 0 … n−1, nonzero on [t_i, t_(i+p+1)]; their sum is 1 at every u
-//   g_i    Greville abscissae (t_(i+1) + … + t_(i+p)) / p; poles g_i give the function u itself
+//   g_i    Greville abscissae (t_(i+1) + … + t_(i+p)) / p; with P_i = g_i, C(u) = u
 //   P_i    poles, rows of an n × dim matrix;  C(u) = Σ N_i(u) P_i
 //
-// Interpolation at g_i is well posed (Schoenberg-Whitney: N_i(g_i) > 0) and the collocation matrix
-// A_ij = N_j(g_i) is banded and totally positive, so elimination without pivoting is backward
-// stable and causes no fill-in (de Boor, A Practical Guide to Splines, ch. XIII).
+// Interpolation at g_i is well posed (Schoenberg-Whitney: N_i(g_i) > 0). The collocation matrix
+// A_ij = N_j(g_i) is banded and totally positive. Elimination without pivoting is therefore
+// backward stable and causes no fill-in (de Boor, A Practical Guide to Splines, ch. XIII).
 //
 //   Laws  (1) the first and last pole are the first and last sample, bit for bit
 //         (2) polynomials of degree ≤ p are reproduced
@@ -22,11 +22,12 @@ namespace gearwright {
 
 class BSplineBasis {
  public:
-  /// Uniform knots on [0, 1].
+  /// Basis with uniform knots on [0, 1].
   /// Domain    degree ≥ 1, poles ≥ degree + 1 (contract)
   BSplineBasis(int degree, int poles);
 
-  /// Given knots, clamped at both ends, inner multiplicity at most `degree`.
+  /// Basis with the given knots, which are clamped at both ends. Inner multiplicity is at most
+  /// `degree`.
   /// Domain    non-decreasing, ends repeated degree + 1 times (contract)
   BSplineBasis(int degree, std::vector<double> knots);
 
@@ -45,7 +46,7 @@ class BSplineBasis {
 
   /// Poles of the spline through `samples`. Row i of the result belongs to row i of `samples`.
   ///
-  /// Units     those of the samples
+  /// Units     as the samples
   /// Domain    samples.rows() == poles() (contract); any number of columns
   /// Accuracy  backward stable; the columns do not influence each other
   Eigen::MatrixXd interpolate(const Eigen::MatrixXd& samples) const;

@@ -98,7 +98,8 @@ TEST(BSplineBasis, MirroredPolesDrawTheCurveBackwards) {  // law 3
 }
 
 TEST(BSplineBasis, ErrorFallsWithTheOrder) {
-  // Degree p converges as h^(p+1): halving the spans of a quintic must gain nearly 2^6.
+  // The error of degree p is of the order h^(p+1), so halving the spans of a quintic must reduce it
+  // by nearly 2^6.
   const BSplineBasis coarse(5, 5 + 8);
   const BSplineBasis fine(5, 5 + 16);
   const double e_coarse = worst(

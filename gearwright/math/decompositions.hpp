@@ -11,7 +11,7 @@ namespace gearwright {
 /// A symmetric 2×2 matrix as V diag(values) Vᵀ.
 struct SymmetricEigen {
   Eigen::Vector2d values;   ///< ascending
-  Eigen::Matrix2d vectors;  ///< of length 1, in columns, in the order of the values
+  Eigen::Matrix2d vectors;  ///< unit vectors in columns, in the order of the values
 };
 
 /// Eigenvalues and eigenvectors of m, of which only the lower triangle is read.

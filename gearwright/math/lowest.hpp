@@ -5,11 +5,12 @@
 
 namespace gearwright {
 
-/// The place in [lo, hi] at which f is least.
+/// The argument in [lo, hi] at which f is least.
 ///
-/// Formula   the best of 17 equally spaced places, then a golden-section search between its neighbours
-/// Domain    f is finite and has one minimum between those neighbours. If the interval contains
-///           several minima, the one next to the best place is found
+/// Formula   the best of 17 equally spaced points, then a golden-section search between its
+///           neighbours
+/// Domain    f is finite and has one minimum between those neighbours. If there are several minima
+///           in the interval, the one next to the best point is found
 /// Accuracy  1e-8 of the interval; at this distance f differs from its minimum only by rounding
 template <class F>
 double place_of_least(const F& f, double lo, double hi) {

@@ -41,7 +41,7 @@ std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vect
   try {
     opt.optimize(start, least);
   } catch (const nlopt::roundoff_limited&) {
-    // start is the best point within rounding
+    // `start` is then the best point, up to rounding
   } catch (const nlopt::forced_stop&) {
     std::rethrow_exception(called.thrown);
   }

@@ -15,7 +15,8 @@ enum class Minimiser {
   downhill    ///< Subplex: local search from the start point
 };
 
-/// A search ends after this number of evaluations, or when f changes by less than either gain.
+/// A search ends after `evaluations` evaluations, or when f changes by less than `relative_gain` or
+/// `gain`.
 struct MinimiserTask {
   std::vector<double> lo{}, hi{};  ///< the box
   std::vector<double> step{};      ///< first step of each variable, > 0

@@ -22,7 +22,7 @@ enum class NewtonStop {
   exact,      ///< f(x) = 0
   step,       ///< the next step is below 2 ulp of x
   bracket,    ///< the bracket has closed
-  iterations  ///< the budget ran out
+  iterations  ///< the budget of iterations was used up
 };
 
 template <class T>

@@ -19,7 +19,7 @@ TEST(Newton, FindsARootToTheLastBitInFewSteps) {
 }
 
 TEST(Newton, StaysInsideWhenTheDerivativeLies) {
-  // From 3, a plain Newton step on atan leaves every bracket.
+  // From 30, a plain Newton step on atan leaves the bracket.
   const auto f = [](double x) { return Slope<double>{std::atan(x), 1 / (1 + x * x)}; };
   const auto root = newton_in_bracket(f, -40.0, 50.0, 30.0, true);
   EXPECT_TRUE(root.found());

@@ -35,7 +35,8 @@ TEST(Polynomial, finds_all_roots_in_order) {
   const std::vector<double> found = polynomial_roots(from_roots(wanted), -1.0, 1.0);
   ASSERT_EQ(found.size(), wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    // The conditioning is Σ|c_i||x|^i ε/|p'|. The closest two are 1/8 apart, p' ≥ 0.04.
+    // A root is computed with an error of Σ|c_i||x|^i ε/|p'(x)|. The closest two roots are 1/8
+    // apart, and |p'| ≥ 0.04.
     EXPECT_NEAR(found[i], wanted[i], 100 * std::numeric_limits<double>::epsilon());
   }
 }

@@ -1,10 +1,10 @@
-// Distribution functions and their inverses, which intervals and tolerances need.
+// Distribution functions and their inverses, used for confidence intervals and tolerances.
 //
 //   Φ   normal distribution        I_x(p, q)   regularised incomplete beta function, 0 ≤ x ≤ 1
 //   B⁻¹(u; p, q)   its inverse     t_ν(u)      quantile of Student's distribution
 //                                  theory: docs/theory/14-scatter.md
 //
-// Boost.Math computes them in plain doubles, without the wider type that some machines lack.
+// Boost.Math computes them in double, because long double is missing on some machines.
 #pragma once
 
 namespace gearwright {
@@ -29,7 +29,7 @@ double beta_cdf(double x, double p, double q);
 /// B⁻¹(u; p, q).
 ///
 /// Domain    p > 0, q > 0, 0 ≤ u ≤ 1 (contract)
-/// Accuracy  |I_x(p, q) − u| < 1e-11 u, except for the rounding of an x near 1
+/// Accuracy  |I_x(p, q) − u| < 1e-11 u, except for the rounding of x if x is near 1
 double beta_quantile(double u, double p, double q);
 
 /// t_ν(u).

@@ -1,4 +1,4 @@
-// Golden: the values of R. A. Fisher's and the usual printed tables, to the printed digits, and closed
+// Golden: values of printed tables (R. A. Fisher's and others) to the printed digits, and closed
 // forms.
 // Laws: (1) an inverse undoes its function   (2) I_x(p, q) = 1 − I_{1−x}(q, p).
 #include "gearwright/math/probability.hpp"
@@ -26,7 +26,8 @@ TEST(Probability, InversesUndo) {
     for (const double p : {0.5, 1.0, 2.0, 3.0, 40.0, 4097.0}) {
       for (const double q : {0.5, 1.0, 2.0, 3.0, 41.0, 4096.0}) {
         const double x = beta_quantile(u, p, q);
-        // Near 1 a step of x is 1e-16, and with q = ½ the function rises there like a square root.
+        // The spacing of doubles near 1 is 1e-16, and for q = ½ the slope of the function is
+        // infinite there.
         const double rounding = q < 1.0 ? 2e-8 : 1e-12;
         EXPECT_NEAR(beta_cdf(x, p, q), u, p * rounding + 1e-11 * u) << u << " " << p << " " << q;
       }

@@ -11,10 +11,11 @@
 
 namespace gearwright {
 
-// The budget of evaluations for TOMS 748, which needs about ten. The remaining bracket is bisected.
+// The budget of evaluations for TOMS 748, which needs about ten. If it is used up, the remaining
+// bracket is bisected.
 constexpr std::uintmax_t kBudget = 100;
-// TOMS 748 stays two ulp away from the ends of its bracket and may cycle there until its budget
-// ends. It is stopped when the bracket is this narrow relative to its ends.
+// TOMS 748 stays two ulp away from the ends of its bracket and may cycle there until its budget is
+// used up. It is stopped when the width of the bracket is at most this fraction of its ends.
 constexpr double kCircles = 16 * std::numeric_limits<double>::epsilon();
 
 Root find_root(const std::function<double(double)>& f, double lo, double hi) {
@@ -33,8 +34,8 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
     return std::abs(b - a) <=
            2 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
   };
-  // The ends of the last bracket are among the last evaluations, so their values are not computed
-  // again.
+  // The ends of the last bracket are among the last evaluations. Their values are stored here, so
+  // that they need not be computed again.
   struct Look {
     double x = std::numeric_limits<double>::quiet_NaN();
     double value = 0.0;
@@ -59,7 +60,7 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
   auto [a, b] = boost::math::tools::toms748_solve(look, lo, hi, f_lo, f_hi, nearly_closed, budget);
   double f_a = known(a);
   double f_b = known(b);
-  // The bracket that remains is bisected.
+  // The remaining bracket is bisected.
   while (!closed(a, b) && f_a != 0.0 && f_b != 0.0) {
     const double middle = a + (b - a) / 2;
     if (middle == a || middle == b) break;

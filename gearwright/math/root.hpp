@@ -12,7 +12,7 @@ enum class RootStop {
   exact,        ///< f(x) = 0
   bracket,      ///< |b − a| ≤ 2 ulp of the larger end
   no_bracket,   ///< f(lo) and f(hi) have the same sign; nothing was solved, and x is the better end
-  evaluations,  ///< f is NaN inside the bracket
+  evaluations,  ///< the budget was used up, which happens only if f is NaN inside the bracket
 };
 
 struct Root {

@@ -1,5 +1,4 @@
-// The solver returns its reason for stopping. The tests cover each reason and its number of
-// evaluations.
+// Tests each reason for stopping, and the number of evaluations.
 #include "gearwright/math/root.hpp"
 
 #include <gtest/gtest.h>

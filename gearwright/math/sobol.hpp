@@ -34,7 +34,8 @@ class SobolPoints {
   std::vector<std::array<std::uint32_t, 32>> directions_;
 };
 
-/// The key of a scrambling of a coordinate, hashed from the seed, the replicate and the coordinate.
+/// The key with which a coordinate is scrambled, a hash of the seed, the replicate and the
+/// coordinate.
 std::uint64_t scramble_key(std::uint64_t seed, int replicate, int j);
 
 /// Owen's nested uniform scrambling of the bits of one coordinate.   Formula [T14.5]
@@ -43,7 +44,7 @@ std::uint32_t owen_scrambled(std::uint32_t bits, std::uint64_t key);
 /// (bits + ½)/2³², which is neither 0 nor 1.   Formula [T14.6]
 double unit_interval(std::uint32_t bits);
 
-/// Point n of a plain random sequence with this key, neither 0 nor 1.   Formula [T14.6]
+/// Value n of a plain random sequence with this key, neither 0 nor 1.   Formula [T14.6]
 double random_unit(std::uint64_t key, std::uint64_t n);
 
 }  // namespace gearwright

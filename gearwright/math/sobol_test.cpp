@@ -34,7 +34,8 @@ TEST(Sobol, ScramblingIsTheHash) {
     EXPECT_EQ(owen_scrambled(sobol.bits(n, 2), scramble_key(42, 5, 2)), bits[n]);
 }
 
-// Of the first 2^k points, each of the 2^k boxes of every shape 2^-i × 2^-(k-i) contains one.
+// For every shape 2^-i × 2^-(k-i), each of the 2^k boxes must contain exactly one of the first 2^k
+// points.
 void expect_net(const std::vector<std::array<std::uint32_t, 2>>& points, unsigned k) {
   for (unsigned i = 0; i <= k; ++i) {
     std::set<std::uint64_t> boxes;
@@ -61,8 +62,8 @@ TEST(Sobol, PowersOfTwoAreNets) {
   }
 }
 
-// Every coordinate alone has one point in each of the 2^k intervals, up to the last coordinate of the
-// table.
+// Each single coordinate has one point in each of the 2^k intervals, up to the last coordinate of
+// the table.
 TEST(Sobol, EveryCoordinateIsStratified) {
   const SobolPoints sobol(SobolPoints::kMaxDimensions);
   for (const int j : {20, 100, 1111, SobolPoints::kMaxDimensions - 1}) {

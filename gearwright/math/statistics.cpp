@@ -48,7 +48,8 @@ double quantile(std::span<const double> sorted, double p) {
 RankInterval quantile_ranks(std::int64_t n, double p, double confidence) {
   GW_EXPECTS(n >= 1 && p > 0.0 && p < 1.0 && confidence > 0.0 && confidence < 1.0);
   const double half = 0.5 * (1.0 - confidence);
-  // P(B ≥ k) falls with k: the greatest l with P(B ≥ l) ≥ 1 − α/2, the least u with P(B ≥ u) ≤ α/2.
+  // P(B ≥ k) falls as k rises. Bisection finds the greatest l with P(B ≥ l) ≥ 1 − α/2 and the least
+  // u with P(B ≥ u) ≤ α/2.
   const auto first_at_most = [&](double bound, bool strict) {
     std::int64_t lo = 0, hi = n + 1;  // P(B ≥ 0) = 1, P(B ≥ n + 1) = 0
     while (hi - lo > 1) {

@@ -22,15 +22,14 @@ struct Moments {
 /// Domain    n ≥ 1 (contract)
 Moments moments(std::span<const double> samples);
 
-/// The value below which a share p of the sorted samples lies, interpolated linearly between two of
-/// them.
+/// The p-quantile of the sorted samples, interpolated linearly between two of them.
 ///
-/// Formula   at the place 1 + p (n − 1), type 7 of Hyndman and Fan
+/// Formula   at the rank 1 + p (n − 1), type 7 of Hyndman and Fan
 /// Domain    n ≥ 1, sorted, 0 ≤ p ≤ 1 (contract)
 double quantile(std::span<const double> sorted, double p);
 
-/// Ranks of sorted samples, counted from 1, between which the p-quantile lies. A bound is absent if there are too few
-/// samples for it.
+/// Ranks of sorted samples, counted from 1, between which the p-quantile lies. A bound is absent if
+/// there are too few samples.
 struct RankInterval {
   std::optional<std::int64_t> lower, upper;
 };
@@ -66,7 +65,7 @@ Estimate estimate(std::span<const double> replicates);
 ConfidenceInterval interval(const Estimate& estimate, std::size_t replicates, double confidence);
 
 struct SobolIndices {
-  std::vector<double> first, total;  ///< by group
+  std::vector<double> first, total;  ///< one index for each group
 };
 
 /// Jansen's estimates. `a` and `b` contain n values of f at A and at B. For each group, `mixed` contains n values of f

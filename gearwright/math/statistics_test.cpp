@@ -1,6 +1,6 @@
-// Golden: tests/oracle/sampling.json and closed forms. Laws: (1) adding a constant changes no moment
-// except the mean (2) one replicate has no error   (3) an additive function has first and total indices
-// that are equal.
+// Golden: tests/oracle/sampling.json and closed forms.
+// Laws: (1) adding a constant changes no moment except the mean   (2) one replicate has no standard
+// error   (3) an additive function has equal first and total indices.
 #include "gearwright/math/statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -41,8 +41,8 @@ TEST(Statistics, RanksAreThoseOfTheBinomialDistribution) {
     EXPECT_EQ(*ranks.lower, c["expected"]["ranks"][i][0]);
     EXPECT_EQ(*ranks.upper, c["expected"]["ranks"][i][1]);
   }
-  // 0.95^72 < 0.025 < 0.95^71: only with 72 samples or more does one lie above the 95 % point with that
-  // confidence.
+  // 0.95^72 < 0.025 < 0.95^71. At least 72 samples are therefore needed for an upper bound of the
+  // 95 % quantile with this confidence.
   EXPECT_FALSE(quantile_ranks(71, 0.95, 0.95).upper);
   EXPECT_TRUE(quantile_ranks(72, 0.95, 0.95).upper);
   EXPECT_FALSE(quantile_ranks(71, 0.05, 0.95).lower);
@@ -72,7 +72,8 @@ TEST(Statistics, ReplicatesGiveTheError) {
   EXPECT_FALSE(estimate(std::vector{2.0}).standard_error);
 }
 
-// Evaluates f at n scrambled points of A, of B, and of A with one column of B each, in one replicate.
+// Estimates the indices in one replicate, from n scrambled points of A, of B, and of A with one
+// column of B.
 template <class F>
 std::optional<SobolIndices> indices_of(const F& f, std::uint32_t n, int replicate) {
   constexpr int d = 3;

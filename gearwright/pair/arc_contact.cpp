@@ -26,10 +26,10 @@ double axial(const WorkingArc& arc, double theta, double lambda) {
   return arc.radius * std::cos(theta) * c - arc.a / c + arc.b / std::tan(theta) * s * s / c;
 }
 
-// Curvature radius of the transverse profile, > 0 if its centre lies opposite to n.
+// Radius of curvature of the transverse profile, > 0 if its centre lies opposite to n.
 double transverse_radius(const Mat2& k, double theta, double lambda) {
-  // The tangent u_z t − t_z u of the transverse section. It is as long as the component of n in that
-  // section.
+  // The tangent u_z t − t_z u of the transverse section. Its length equals the component of n in
+  // this section.
   const Vec2 d(std::sin(lambda), std::sin(theta) * std::cos(lambda));
   const double n_t = d.norm();
   return -n_t * n_t * n_t / d.dot(k * d);
@@ -69,8 +69,8 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   // If the excess is not positive at the first-order angle, that angle is the result. Otherwise the
   // exact angle is slightly greater.
   if (!(excess(first) > 0.0)) return Angle::radians(first);
-  // The bracket starts with this step, which is short even for a very small change of the centre
-  // distance, and grows fourfold.
+  // The first step is short even for a very small change of the centre distance. The bracket grows
+  // fourfold with each step.
   constexpr double kFirstStep = 1e-9;  // rad
   double hi = first;
   for (double step = kFirstStep; hi < kHalfPi; step *= 4) {

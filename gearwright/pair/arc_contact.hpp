@@ -11,7 +11,8 @@
 // Frame: z runs along the axis of the convex gear, and x points towards the other axis. The convex
 // gear is right handed and drives clockwise. At rotation 0, its tooth 0 and a space of the mating
 // gear lie on the x axis.
-// The surfaces' normal n points out of the convex flank. The curvature K is defined by dn = −K dr.
+// The normal n of the surfaces points out of the convex flank. The curvature K is defined by dn =
+// −K dr.
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@ using Mat2 = Eigen::Matrix2d;
 /// A rack's arc, mm.
 struct WorkingArc {
   double radius;  ///< ρ
-  double a, b;    ///< place of the centre
+  double a, b;    ///< position of the centre
 };
 
 struct ArcMeshInput {
@@ -42,23 +43,23 @@ struct ArcContact {
   Angle mu;     ///< μ
   Vec3 point;   ///< at rotation 0, mm
   Vec3 normal;
-  double advance;             ///< dz/dφ of the point while the convex gear turns, mm/rad
+  double advance;             ///< dz/dφ of the point for a rotation φ of the convex gear, mm/rad
   Angle rotation_offset;      ///< rotation by which the concave gear is ahead; < 0 if there is play
-  double radius_convex;       ///< of the point from each axis, mm
-  double radius_concave;      ///<
+  double radius_convex;       ///< distance of the point from the axis of the convex gear, mm
+  double radius_concave;      ///< distance of the point from the axis of the concave gear, mm
   Mat2 curvature_convex;      ///< K in (t, u), 1/mm
   Mat2 curvature_concave;     ///<
   std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; interference if ≤ 0
-  Angle angle;                ///< of the direction of k1 to the projection of the axis
-  double transverse_radius_convex;  ///< of the transverse profile, mm; > 0 if its centre lies on
-                                    ///< the convex gear's side
+  Angle angle;                ///< between the direction of k1 and the projection of the axis
+  double transverse_radius_convex;  ///< radius of curvature of the transverse profile, mm; > 0 if
+                                    ///< its centre lies on the side of the convex gear
   double
-      transverse_radius_concave;   ///< the same for the concave gear, with the same sign convention
-  double line_contact_difference;  ///< second minus first radius that line contact requires, mm
+      transverse_radius_concave;   ///< likewise for the concave gear, with the same sign convention
+  double line_contact_difference;  ///< radius 2 minus radius 1 that line contact would require, mm
 };
 
-/// K of the surface that a rack's circle (signed ρ, b) cuts, at θ. `turn` is +1 for gear 1 of the
-/// frame (the convex one), −1 for its mating gear.
+/// K of the surface that a circle of a rack (signed ρ, b) cuts, at θ. `turn` is +1 for the convex
+/// gear, which is gear 1 of the frame, and −1 for its mating gear.
 ///
 /// Units     mm, rad
 /// Formula   [T7.14]

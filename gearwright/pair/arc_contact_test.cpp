@@ -1,5 +1,5 @@
-// The closed forms of a circular-arc contact: laws that no table contains. tests/golden compares
-// values.
+// Tests the closed forms of a circular-arc contact with laws that no table contains. A test in
+// tests/golden compares values.
 #include "gearwright/pair/arc_contact.hpp"
 
 #include <gtest/gtest.h>
@@ -37,12 +37,13 @@ TEST(ArcContact, nominal) {
   EXPECT_NEAR(at.mu.rad(), 0.0, 1e-16);
   EXPECT_NEAR(at.rotation_offset.rad(), 0.0, 1e-16);
   EXPECT_GT(at.gap[0], 0.0);
-  // The normal passes through the pitch point's axis: its moment about it vanishes.
+  // The normal passes through the axis of the pitch point, so its moment about this axis is 0.
   const Vec3 arm = at.point - Vec3(in.pitch_radius_convex, 0.0, 0.0);
   EXPECT_NEAR(arm.x() * at.normal.y() - arm.y() * at.normal.x(), 0.0, 1e-14);
 }
 
-// Both arcs grown by the same amount touch at the same angle, their point moved along the normal.
+// If both arcs grow by the same amount, they touch at the same angle, and the contact point moves
+// along the normal.
 TEST(ArcContact, parallel_surfaces_touch_alike) {
   for (const double change : {0.0, 0.05, -0.04}) {
     ArcMeshInput in = mesh(change);
@@ -56,8 +57,8 @@ TEST(ArcContact, parallel_surfaces_touch_alike) {
   }
 }
 
-// If both centres move along the datum line, the contact comes earlier by that amount and is otherwise
-// unchanged.
+// If both centres move along the datum line, the contact point moves by the same amount and nothing
+// else changes.
 TEST(ArcContact, a_shift_along_the_datum_line_is_one_of_phase) {
   ArcMeshInput in = mesh(0.05);
   const ArcContact at = arc_contact(in, *contact_angle(in));
@@ -66,7 +67,7 @@ TEST(ArcContact, a_shift_along_the_datum_line_is_one_of_phase) {
   const ArcContact moved = arc_contact(in, *contact_angle(in));
   EXPECT_EQ(moved.theta, at.theta);
   EXPECT_NEAR(at.point.z() - moved.point.z(), 0.3 / std::cos(in.lead_angle.rad()), 1e-12);
-  // The concave flank follows by its own pitch, so both gears are late by the same amount.
+  // Both gears are late by the same amount, because the concave flank follows with its own pitch.
   EXPECT_NEAR(moved.rotation_offset.rad(), at.rotation_offset.rad(), 1e-15);
 }
 
@@ -86,8 +87,8 @@ TEST(ArcContact, there_is_none_where_the_arcs_have_no_common_normal) {
   EXPECT_TRUE(contact_angle(mesh(-0.37)));
 }
 
-// Two gears cut by one and the same rack are in line contact: their transverse profiles obey the
-// Euler-Savary equation [T7.10], and across the line the surfaces separate.
+// Two gears cut by the same rack are in line contact. Their transverse profiles satisfy the
+// Euler-Savary equation [T7.10], and the surfaces separate on both sides of the line.
 TEST(ArcContact, one_rack_for_both_gears_means_line_contact) {
   for (const double b : {-0.5, 0.0, 0.9, 2.4}) {
     for (const double theta : {0.2, 0.5, 0.9}) {
@@ -108,7 +109,7 @@ TEST(ArcContact, one_rack_for_both_gears_means_line_contact) {
   }
 }
 
-// K equals the curvature of the surface, computed by differences of its normals.
+// K equals the curvature of the surface, computed from differences of the normals.
 TEST(ArcContact, curvature_is_the_change_of_the_normal) {
   const double rho = 7.0, b = 1.2, a = 2.0, lambda = 70 * kDegree, r = 53.0;
   const double s = std::sin(lambda), c = std::cos(lambda);

@@ -72,8 +72,9 @@ bool of_one_lead(const std::array<Gear, 2>& gears) {
 void place(ArcContact& at, const Gear& convex, bool by_gear_2, double a) {
   if (by_gear_2) {
     // The frame of arc_contact.hpp then lies on axis 2, and its x axis points towards axis 1. At
-    // rotation 0 a space of the convex gear is on the centre line, half a pitch from its tooth.
-    // Contacts repeat with the axial pitch, and the nearest to the middle of the face is chosen.
+    // rotation 0, a space of the convex gear is on the centre line, half a pitch from its tooth.
+    // Contacts repeat with the axial pitch, and the contact nearest to the middle of the face is
+    // chosen.
     const double half = at.advance * kPi / convex.spec.teeth;
     at.point.z() += at.point.z() > 0.0 ? -half : half;
     at.point = {a - at.point.x(), -at.point.y(), at.point.z()};
@@ -107,7 +108,7 @@ bool has_angle(const Gear& gear, double side, Angle theta) {
   return false;
 }
 
-// The member that contains the radius of the gear's concave flank.
+// The name of the member that contains the radius of the gear's concave flank.
 const char* radius_field(const Gear& concave) {
   const Rack& rack = concave.spec.rack;
   return std::holds_alternative<ArcRack>(rack)         ? "rack.arc_radius"
@@ -176,7 +177,8 @@ double longest_gap(const ArcPair& pair) {
 void find_backlash(ArcPair& pair) {
   if (pair.contacts.empty()) return;
   const ArcPairContact& first = pair.first_contact();
-  const Angle play = -2 * first.at.rotation_offset;  // of the concave gear, for both equal flanks
+  const Angle play = -2 * first.at.rotation_offset;  // play of the concave gear, if the flanks of
+                                                     // both sides are equal
   const double z_1 = pair.gears[0].spec.teeth, z_2 = pair.gears[1].spec.teeth;
   const Angle of_gear_2 = first.convex_gear == 1 ? play : z_1 * play / z_2;
   pair.backlash_rotation = std::array{z_2 * of_gear_2 / z_1, of_gear_2};
@@ -252,7 +254,7 @@ void warn_about_pair(ArcPair& pair) {
                      "less than the spacing of the contact points, {:.4f} mm.",
                      pair.whole_face(face), pair.whole_face(pair.face_for_contact)));
   }
-  constexpr double kRounding = 1e-9;  // modules: rounding of a given backlash-free distance
+  constexpr double kRounding = 1e-9;  // modules; rounding error of a given backlash-free distance
   if (pair.backlash_rotation && pair.backlash_normal < -kRounding * s_1.normal_module) {
     warn(pair, WarningCode::negative_backlash,
          fmt::format(
@@ -286,7 +288,7 @@ std::array<double, 2> ArcPair::working_pitch_diameter() const {
 
 const ArcPairContact& ArcPair::first_contact() const {
   GW_EXPECTS(!contacts.empty());
-  // The angular backlash is compared as rotation of gear 2.
+  // Converts the offset to a rotation of gear 2, so that contacts can be compared.
   const auto ahead = [&](const ArcPairContact& c) {
     return c.convex_gear == 1 ? c.at.rotation_offset : c.at.rotation_offset / gear_ratio();
   };
@@ -313,8 +315,8 @@ Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> dista
                             pair.gears[1 - i].root_diameter / 2;
   }
   find_backlash(pair);
-  // If the leads match, all transverse sections are the same outline, turned. A comparison of the
-  // outlines therefore covers the whole bodies.
+  // If the leads match, all transverse sections have the same outline at different rotations. A
+  // comparison of the outlines therefore covers the whole bodies.
   if (pair.backlash_rotation) {
     detail::find_collisions(pair, pair.backlash_rotation->at(1).rad() / 2, pair.backlash_normal);
     // Flanks that are too thick and tips in roots have their own warnings.

@@ -15,7 +15,7 @@
 
 namespace gearwright {
 
-/// A point in which the leading flanks touch, in the housing frame.
+/// A point at which the leading flanks touch, in the housing frame.
 struct ArcPairContact {
   int convex_gear;  ///< 1 or 2
   ArcContact at;    ///< `point` and `normal` are in the housing frame at rotation 0, and `normal`
@@ -29,8 +29,9 @@ struct ArcPair : MountedGears {
   std::vector<ArcPairContact> contacts;  ///< empty if the leads of the gears do not match
   double face_for_contact;  ///< the least face width that always contains a point of contact, mm
   std::optional<std::array<Angle, 2>>
-      backlash_rotation;         ///< of each gear with the mating gear held; none without contacts
-  double backlash_normal = 0.0;  ///< along the normal at the contact that touches first, mm
+      backlash_rotation;         ///< play of each gear with the mating gear held; none without
+                                 ///< contacts
+  double backlash_normal = 0.0;  ///< play along the normal at the contact that touches first, mm
 
   double contact_ratio() const;  ///< ε_β times the number of contacts
   double contact_ratio_true() const { return contact_ratio(); }
@@ -44,13 +45,13 @@ struct ArcPair : MountedGears {
 std::vector<WorkingArc> convex_arcs(const Gear& gear);
 std::vector<WorkingArc> concave_arcs(const Gear& gear);
 
-/// Permitted differences of modules and helix angles. Gears that were cut with another lead, to
-/// compensate errors of the housing, differ by less.
-constexpr double kNearModule = 0.005;              ///< of the module
-constexpr Angle kNearHelix = Angle::degrees(0.5);  ///< of β_1 + β_2
+/// Permitted differences of modules and helix angles. The differences are smaller for gears that
+/// were cut with another lead to compensate for errors of the housing.
+constexpr double kNearModule = 0.005;              ///< relative difference of the modules
+constexpr Angle kNearHelix = Angle::degrees(0.5);  ///< greatest |β_1 + β_2|
 constexpr double kSameAsWritten = 1e-9;            ///< smaller differences count as equal
 constexpr Angle kSamePressureAngle =
-    Angle::degrees(0.05);  ///< between ψ_c as given and as computed
+    Angle::degrees(0.05);  ///< greatest difference between the given ψ_c and the computed ψ_c
 
 /// Mounts two gears. If `distance` is absent, the reference centre distance is used.
 ///

@@ -1,4 +1,4 @@
-// Mounted circular-arc pairs: contacts that lie on both gears, roles and hands exchanged,
+// Tests mounted circular-arc pairs: contacts that lie on both gears, exchanged roles and hands,
 // clearances, and the reasons why two gears cannot mesh.
 #include "gearwright/pair/arc_pair.hpp"
 
@@ -33,7 +33,8 @@ CylindricalSpec spec_of(Rack rack, int teeth, double beta_deg) {
 }
 
 ArcRack rack_of(Cutter cutter) {
-  const double l = cutter == Cutter::F ? 0.487786 : 0.637786;  // 30°, centres on the normal
+  const double l = cutter == Cutter::F ? 0.487786 : 0.637786;  // θ = 30°, and both centres lie on
+                                                               // the normal
   ArcRack rack = default_arc_rack(cutter);
   rack.arc_radius = cutter == Cutter::F ? 1.4 : 1.55;
   rack.center_a = l * std::cos(kPi / 6);
@@ -46,8 +47,8 @@ ArcPair mounted(const CylindricalSpec& s_1, const CylindricalSpec& s_2,
   return testing::taken(mount_arcs(made(s_1), made(s_2), a));
 }
 
-// The distance of a point of the housing from the gear's leading flank that holds the normal angle θ,
-// at rotation `turned`: the flank's own point at θ, on whichever tooth is nearest.
+// The distance of a contact point of the housing from the leading flank of a gear that is rotated
+// by `turned`. The point of the flank is the one with the normal angle θ on the nearest tooth.
 double distance_to_flank(const ArcPair& pair, std::size_t i, const ArcPairContact& contact,
                          double turned) {
   const Gear& gear = pair.gears[i];
@@ -63,8 +64,8 @@ double distance_to_flank(const ArcPair& pair, std::size_t i, const ArcPairContac
     const auto& cut = curve_as<RackTrochoid>(*arc.curve);
     if ((cut.circle().q > 0.0) != convex) continue;
     const Vec2 w = cut.point(contact.at.theta.rad());
-    // Seen from +z, gear 1 turns clockwise: it leads with the side y < 0 of its tooth, gear 2 is
-    // touched on the side y < 0 of its own.
+    // Seen from +z, gear 1 turns clockwise. Its leading flank is the side y < 0 of the tooth, and
+    // gear 2 is also touched on the side y < 0 of its tooth.
     const Complex flank(w.x(), -w.y());
     for (int k = 0; k < gear.spec.teeth; ++k)
       least = std::min(least, std::abs(flank * std::polar(1.0, pitch * k) - at));
@@ -81,7 +82,7 @@ void expect_touching(const ArcPair& pair) {
     EXPECT_NEAR(distance_to_flank(pair, 1, c, first ? c.at.rotation_offset.rad() : 0.0), 0.0,
                 1e-11);
     EXPECT_GT(c.at.gap[0], 0.0);
-    EXPECT_LT(c.at.normal.y(), 0.0);  // gear 1 pushes gear 2 so
+    EXPECT_LT(c.at.normal.y(), 0.0);  // the direction in which gear 1 pushes gear 2
   }
 }
 
@@ -93,7 +94,7 @@ TEST(ArcPair, contacts_lie_on_both_gears) {
       const auto P = spec_of(rack_of(Cutter::P), 40, -beta);
       const double a = (15 + 40) * 2.0 / std::cos(18 * kPi / 180) + change;
       expect_touching(mounted(F, P, a));
-      // The wheel driving: roles exchanged, P cuts gear 1.
+      // Gear 2 drives. The roles are exchanged, so P cuts gear 1.
       const auto F_2 = spec_of(rack_of(Cutter::F), 40, -beta);
       const auto P_1 = spec_of(rack_of(Cutter::P), 15, beta);
       const ArcPair swapped = mounted(P_1, F_2, a);
@@ -121,7 +122,8 @@ TEST(ArcPair, numbers_of_the_pair) {
   EXPECT_NEAR(pair.tip_clearance[1], 0.30 * 4, 1e-12);
   EXPECT_NEAR(pair.backlash_normal, 0.0, 1e-12);
   EXPECT_TRUE(pair.warnings.empty());
-  // Thinner teeth cause backlash: each allowance along the datum line, its normal part at θ.
+  // Thinner teeth cause backlash. It is the sum of the allowances along the datum line, projected
+  // on the normal at θ.
   auto F = spec_of(rack_of(Cutter::F), 15, 18);
   auto P = spec_of(rack_of(Cutter::P), 40, -18);
   F.thickness_allowance = -0.06;
@@ -129,7 +131,7 @@ TEST(ArcPair, numbers_of_the_pair) {
   EXPECT_NEAR(mounted(F, P).backlash_normal, 0.10 * std::cos(kPi / 6), 1e-5);
 }
 
-// With two points on each tooth, a face that is too narrow for one point alone is wide enough for both.
+// With two contact points on each tooth, a face that is too narrow for one point is wide enough.
 TEST(ArcPair, double_arcs_need_less_face) {
   const DoubleArcRack rack = *gbt12759_rack(4.0);
   auto s_1 = spec_of(rack, 18, 22), s_2 = spec_of(rack, 50, -22);
@@ -138,7 +140,7 @@ TEST(ArcPair, double_arcs_need_less_face) {
   EXPECT_LT(pair.face_for_contact, p_x);
   EXPECT_GT(pair.face_for_contact, p_x / 2);
   EXPECT_DOUBLE_EQ(pair.contact_ratio(), 2 * pair.overlap_ratio);
-  // The standard's backlash: e_f less S_a along the datum line, 0.06 m_n.
+  // The backlash of the standard is e_f − S_a along the datum line, which is 0.06 m_n.
   EXPECT_NEAR(pair.backlash_normal, (1.1773 - 1.1174) * 4 * std::cos(24 * kPi / 180), 2e-3);
   s_1.face_width = s_2.face_width = pair.face_for_contact * 0.99;
   EXPECT_TRUE(warns(mounted(s_1, s_2), WarningCode::contact_ratio));
@@ -204,19 +206,19 @@ TEST(ArcPair, errors_name_the_key_and_the_numbers) {
   }
 }
 
-// The range that the error names is the one within which there is a contact.
+// There is a contact exactly within the range that the error names.
 TEST(ArcPair, the_range_of_centre_distances_named_is_the_range) {
   const auto F = spec_of(rack_of(Cutter::F), 15, 18), P = spec_of(rack_of(Cutter::P), 40, -18);
   const double a_d = mounted(F, P).center_distance;
-  const double to_end = (1.55 - 1.4) * 4 * 0.5;  // from θ = 30° to 90°, and to 0° as much
+  const double to_end = (1.55 - 1.4) * 4 * 0.5;  // from θ = 30° to 90°; the distance to 0° is equal
   EXPECT_TRUE(mount_arcs(made(F), made(P), a_d - to_end + 1e-3));
   EXPECT_FALSE(mount_arcs(made(F), made(P), a_d - to_end - 1e-3));
   EXPECT_TRUE(mount_arcs(made(F), made(P), a_d + to_end - 1e-3));
   EXPECT_FALSE(mount_arcs(made(F), made(P), a_d + to_end + 1e-3));
 }
 
-// If the gears have equal leads, the least gap of their sections is that of the contact point, which
-// has a closed form.
+// If the gears have equal leads, the least gap of their sections is the gap at the contact point,
+// which has a closed form.
 TEST(ArcPair, gap_of_the_outlines_is_half_the_backlash) {
   for (const double more : {-0.02, 0.0, 0.01, 0.03}) {
     CylindricalSpec one = spec_of(rack_of(Cutter::F), 12, 15.0);
@@ -234,7 +236,7 @@ TEST(ArcPair, gap_of_the_outlines_is_half_the_backlash) {
   }
 }
 
-// If a tip enters the mating fillet above its root circle, the collision has no name of its own.
+// If a tip enters the mating fillet above the root circle, no other warning explains the collision.
 TEST(ArcPair, an_overlap_is_said) {
   int overlaps = 0;
   for (double longer = 0.0; longer < 4.0; longer += 0.05) {

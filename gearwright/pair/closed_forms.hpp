@@ -20,7 +20,8 @@ namespace gearwright {
 
 /// The α with inv α = y, without iteration.
 ///
-/// Formula   α = c + c³ P(c²), c = ∛(3y), for y < 1.1; α = π/2 − s − s³ Q(s²), s = 1/(y + π/2), above; section 2.1
+/// Formula   α = c + c³ P(c²) with c = ∛(3y) for y < 1.1, otherwise α = π/2 − s − s³ Q(s²) with s =
+///           1/(y + π/2); section 2.1
 /// Units     rad; odd in y
 /// Domain    |y| ≤ 1e12, as inverse_involute()
 /// Accuracy  ledger row `inverse_involutes`; at most 6 ulp from inverse_involute()

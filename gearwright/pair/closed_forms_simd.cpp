@@ -1,5 +1,5 @@
-// The vector version of pair/closed_forms.hpp with Google Highway. This file is compiled once for
-// each instruction set of the compiler, and the best one is chosen at run time.
+// The vector version of pair/closed_forms.hpp, written with Google Highway. This file is compiled
+// once for each instruction set that the compiler supports, and the best one is chosen at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "gearwright/pair/closed_forms_simd.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h

@@ -1,4 +1,5 @@
-// Columns: lanes against their scalar instance, and that against the formulas that a pair takes.
+// Compares vector lanes with their scalar instance, and the scalar instance with the formulas of a
+// pair.
 #include "gearwright/pair/closed_forms.hpp"
 
 #include <gtest/gtest.h>
@@ -53,8 +54,8 @@ TEST(ClosedForms, inverse_involutes_in_lanes_have_the_scalar_bits) {  // (1)
   }
 }
 
-// Ledger rows: the iteration is within 4.5e-16 of α, the polynomials within 2.8e-16, together 6.6 ulp where α is at
-// the lower end of its binade.
+// By the ledger rows, the iteration is within 4.5e-16 of α and the polynomials within 2.8e-16.
+// Together this is 6.6 ulp if α is at the lower end of its binade.
 TEST(ClosedForms, inverse_involutes_are_where_the_iteration_ends) {
   const std::vector<double> y = involutes_of_all_sizes(200'001);
   std::vector<double> alpha(y.size());
@@ -144,7 +145,7 @@ TEST(ClosedForms, backlashes_are_those_of_the_mesh) {
       continue;
     }
     ++compared;
-    // 2a sin α_n times the roundings of a ≤ 200 modules.
+    // The limit is 2a sin α_n times the rounding errors for a ≤ 200 modules.
     ASSERT_NEAR(j[i], mesh_of(in).backlash.normal, 2e-12 * rows.constants.normal_module) << i;
   }
   EXPECT_GT(compared, 15'000);
@@ -152,7 +153,7 @@ TEST(ClosedForms, backlashes_are_those_of_the_mesh) {
 
 TEST(ClosedForms, rows_that_are_no_pair_are_nan) {
   Rows rows;
-  rows.add({17, 43, 0, 0, 0, 0, 0, 80});  // the first is one
+  rows.add({17, 43, 0, 0, 0, 0, 0, 80});  // only this row is a pair
   for (const auto& [z1, z2, sin_beta, a] : {std::array{17.5, 43.0, 0.0, 80.0},
                                             {17.0, 43.25, 0.0, 80.0},
                                             {0.0, 43.0, 0.0, 80.0},

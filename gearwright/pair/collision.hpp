@@ -1,8 +1,8 @@
-// Collisions of two finished outlines. Either the bodies overlap, or parts other than the flanks come
-// into contact while the gears still turn.
+// Collisions of two finished outlines. Either the bodies overlap, or parts other than the flanks
+// touch while the gears can still turn.
 //
 // Collisions are computed from the outlines [T2.29]…[T2.33]. The findings of interference.hpp,
-// which refer to circles and corners, only give their reasons.
+// which are based on circles and corners, only explain them.
 #pragma once
 
 #include <optional>
@@ -30,10 +30,11 @@ const char* to_string(CollisionCause cause);
 struct Collision {
   CollisionCause cause;
   int gear;      ///< the gear whose root, or projecting tip, collides; 0 for both
-  double depth;  ///< mm along the common normal: depth of an overlap in the middle of the play, or
-  ///< distance by which a contact beyond the flank precedes the contact of the flanks
+  double depth;  ///< mm along the common normal: the depth of an overlap in the middle of the play,
+                 ///< or the distance by which a contact beyond the flank precedes the contact of
+                 ///< the flanks
   std::optional<OutlineTouch> touch;  ///< place of contact; none if the collision was found from a
-                                      ///< circle and not from the outlines
+                                      ///< circle instead of the outlines
   std::string message;                ///< one sentence
 };
 

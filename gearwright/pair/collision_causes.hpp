@@ -1,4 +1,5 @@
-// The table of the causes of a collision: the name of each in results, and a sentence about it.
+// The table of the causes of a collision, with the name of each in results and a sentence for
+// documents.
 #pragma once
 
 #include <span>
@@ -10,7 +11,7 @@ namespace gearwright {
 struct CauseMeaning {
   CollisionCause cause;
   const char* text;      ///< its name in results
-  const char* sentence;  ///< of docs/spec.md
+  const char* sentence;  ///< the sentence of docs/spec.md
 };
 
 std::span<const CauseMeaning> collision_causes();

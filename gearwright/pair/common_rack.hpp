@@ -28,7 +28,7 @@ T side_of(const BasePair<T>& gears) {
   return side_of(gears[1]);
 }
 
-/// β_b1 and σ β_b2, rad: the base helix angles with the signs with which they are added.
+/// β_b1 and σ β_b2, rad: the base helix angles with the signs that they have in the sum Σ.
 template <class T>
 std::array<T, 2> adding_helix_angles(const BasePair<T>& gears) {
   return {gears[0].helix_angle, side_of(gears) * gears[1].helix_angle};
@@ -40,7 +40,8 @@ T base_radius_sum(const BasePair<T>& gears) {
   return gears[1].radius + side_of(gears) * gears[0].radius;
 }
 
-/// α_n of the rack and u of both gears. Near β = 90°, u keeps the digits that cos β would lose.
+/// α_n of the rack and u of both gears. Near β = 90°, u is accurate although cos β loses its
+/// digits.
 template <class T>
 struct RackAngles {
   T sin_alpha;         ///< sin α_n
@@ -153,8 +154,8 @@ T conjugate_center_distance(const BasePair<T>& gears, const CommonRack<T>& rack)
          side_of(gears) * (share(0) + base_excess(gears) / (T(2) * rack.angles.sin_alpha));
 }
 
-/// Derivative of conjugate_center_distance after α_n, −σ X/tan α_n, mm/rad. It is 0 at the least
-/// distance. [T4.10]
+/// Derivative of conjugate_center_distance with respect to α_n, −σ X/tan α_n, mm/rad. It is 0 at
+/// the least distance. [T4.10]
 template <class T>
 T conjugate_center_distance_slope(const BasePair<T>& gears, const CommonRack<T>& rack) {
   return -side_of(gears) * rack.tight_plane_distance() * rack.angles.cos_alpha /

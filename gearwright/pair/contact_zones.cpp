@@ -19,8 +19,8 @@ std::vector<ContactZone> contact_zones(double begin, double end, double step) {
     cuts.push_back(end - k * step);
   }
   std::sort(cuts.begin(), cuts.end());
-  // Relative to the pitch. At an integral contact ratio, one tooth pair enters contact at the position
-  // at which another pair leaves contact.
+  // Relative to the pitch. If the contact ratio is an integer, one tooth pair enters contact at the
+  // position at which another pair leaves contact.
   constexpr double kSameCut = 1e-9;
   const double nothing = kSameCut * step;
   std::vector<ContactZone> zones;

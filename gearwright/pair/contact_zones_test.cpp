@@ -1,5 +1,5 @@
-// Zones follow each other without a gap. The number of pairs in each is the contact ratio rounded up or
-// down.
+// Tests that zones follow each other without a gap, and that the number of pairs in each zone is
+// the contact ratio rounded up or down.
 #include "gearwright/pair/contact_zones.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace gearwright {
 namespace {
 
-// A path of so many pitches of 3 mm, from 1.5 mm on.
+// The zones of a path that begins at 1.5 mm and is `ratio` pitches of 3 mm long.
 std::vector<ContactZone> zones_of_ratio(double ratio) {
   return contact_zones(1.5, 1.5 + ratio * 3.0, 3.0);
 }
@@ -27,7 +27,7 @@ TEST(ContactZones, LawsHold) {
       EXPECT_LE(zone.pairs, static_cast<int>(std::ceil(ratio))) << ratio;
       at = zone.end;
     }
-    // Along one pitch from A, the pairs average to the contact ratio.
+    // Along one pitch from A, the mean number of pairs is the contact ratio.
     for (const ContactZone& zone : zones) {
       const double end = std::min(zone.end, 1.5 + 3.0);
       pairs_times_length += zone.pairs * std::max(0.0, end - zone.begin);

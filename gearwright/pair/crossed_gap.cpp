@@ -23,7 +23,7 @@ struct Body {
   Eigen::Isometry3d place;  ///< gear to housing, at rest
   double twist;             ///< 2π/p_z
   double half_face;
-  double form_radius;  ///< at which the fillet ends
+  double form_radius;  ///< radius at which the fillet ends
   int teeth;
 };
 
@@ -46,21 +46,22 @@ struct TipPoint {
 
 /// The gap at a point of the tip of A against the outline of B.
 struct TipGap {
-  double value = std::numeric_limits<double>::infinity();  // of B
+  double value = std::numeric_limits<double>::infinity();  // as a turn of B
   double side = 1.0;
   double arm = 0.0;
   double turn_a = 0.0;
-  Vec3 point = Vec3::Zero();  // in A at rest
+  Vec3 point = Vec3::Zero();  // in the frame of A at rest
   ArcName arc = ArcName::root_fillet;
 };
 
-/// A point of the tip of A that moves past B. Its places are given by azimuth and height on the
+/// A point of the tip of A that moves past B. Its positions are given by azimuth and height on a
 /// cylinder about the axis of A.
 class TipMotion {
  public:
   TipMotion(const Body& a, const Body& b, const TipPoint& tip)
       : a_(a), b_(b), tip_(tip), to_b_(b.place.inverse() * a.place) {
-    const Vec3 towards = to_b_.inverse() * Vec3::Zero();  // a point of axis B, in A
+    const Vec3 towards = to_b_.inverse() * Vec3::Zero();  // a point of the axis of B, in the frame
+                                                          // of A
     start_ = std::atan2(towards.y(), towards.x());
   }
 
@@ -69,7 +70,7 @@ class TipMotion {
   double rho() const { return tip_.rho; }
   /// Azimuth of axis B.
   double start() const { return start_; }
-  /// The direction of axis B, in A.
+  /// The direction of the axis of B, in the frame of A.
   Vec3 axis() const { return to_b_.linear().transpose() * Vec3(0, 0, 1); }
   Vec3 in_b(double angle, double z) const {
     return to_b_ * Vec3(tip_.rho * std::cos(angle), tip_.rho * std::sin(angle), z);
@@ -102,8 +103,8 @@ class TipMotion {
   double start_;
 };
 
-// The ψ at which `beyond` changes its sign, on the negative side of the change. `beyond` is negative at
-// `deepest` and not negative at `away`.
+// Returns the ψ at which `beyond` changes its sign, on the side where it is negative. `beyond` is
+// negative at `deepest` and not negative at `away`.
 template <class F>
 double crossing(const F& beyond, double deepest, double away, double z) {
   constexpr int kHalvings = 50;
@@ -119,8 +120,8 @@ double crossing(const F& beyond, double deepest, double away, double z) {
 /// if there is no such place.
 using GapOver = std::function<TipGap(double, double)>;
 
-/// External pairs: u maps to ψ, measured from the direction of axis B, and v to the position across
-/// the strip that lies within the form cylinder of B.
+/// External pairs: u maps to ψ, measured from the direction of the axis of B, and v maps to the
+/// position across the strip that lies within the form cylinder of B.
 GapOver outside(const TipMotion& motion, double distance) {
   const double form = motion.b().form_radius;
   const Vec3 axis = motion.axis();
@@ -138,12 +139,12 @@ GapOver outside(const TipMotion& motion, double distance) {
   };
 }
 
-/// Internal pairs: v maps to the height z on A's face, and u to ψ over the part of the section at z
-/// that lies beyond the radius `limit` of B, on the side of the teeth of B.
+/// Internal pairs: v maps to the height z on the face of A. u maps to ψ over the part of the
+/// section at z that lies beyond the radius `limit` of B, on the side of the teeth of B.
 GapOver inside(const TipMotion& motion, double limit) {
   const bool ring = side_of(motion.a().teeth) < 0.0;
   const double mesh = motion.start() + (ring ? 0.0 : kPi);
-  // The distance from the radius `limit`, negative on the side of the teeth of B.
+  // The difference to the radius `limit`, negative on the side of the teeth of B.
   const auto beyond = [=, &motion](double psi, double z) {
     const Vec3 q = motion.in_b(mesh + psi, z);
     const double rho = std::hypot(q.x(), q.y());
@@ -163,7 +164,7 @@ GapOver inside(const TipMotion& motion, double limit) {
     };
     return Window{deepest, end(-kPi), end(kPi)};
   };
-  // The windows are stored, because many places have the same height.
+  // The windows are stored, because many positions have the same height.
   const auto windows = std::make_shared<std::map<double, std::optional<Window>>>();
   return [=, &motion](double u, double v) {
     const double z = v * motion.a().half_face;
@@ -239,8 +240,8 @@ TipGap least_outside(const GapOver& gap_at) {
   return descend(gap_at, *best, 1.0 / (kGrid - 1));
 }
 
-// The least gap of an internal pair. The search starts from every node that is no greater than its
-// neighbours, because the tip passes several teeth of B.
+// The least gap of an internal pair. The search starts from every node with a value that is not
+// greater than the values of its neighbours, because the tip passes several teeth of B.
 TipGap least_inside(const GapOver& gap_at) {
   constexpr int kColumns = 49, kRows = 9;
   const std::vector<Node> nodes = grid_of(gap_at, kColumns, kRows);
@@ -299,8 +300,8 @@ std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair) {
       t.arm = i == 0 ? gap.arm : gap.arm / std::abs(ratio);
       if (least && least->gap <= t.gap) return;
       const double turn_b = gap.side * gap.value;
-      // For the tip of gear 2, the gap was computed as a turn of gear 1. Both gears are then turned
-      // back until only gear 2 has turned.
+      // For the tip of gear 2, the gap was computed as a turn of gear 1. Both gears are therefore
+      // turned back until gear 1 is at its original rotation.
       const double turn_1 =
           i == 0 ? gap.turn_a : -gap.turn_a * bodies[1].teeth / bodies[0].teeth + turn_b;
       t.rotation_1 = -std::remainder(turn_1, 2 * kPi / bodies[0].teeth);

@@ -1,9 +1,9 @@
-// The least gaps between the tips of two gears on crossed axes and the mating root fillets. In an
-// internal gear, the gaps to all parts of its teeth are computed. Internal to pair/.
+// The least gaps between the tips of two gears on crossed axes and the mating root fillets. If one
+// gear is an internal gear, the gaps to all parts of its teeth are computed. Internal to pair/.
 //
-// On crossed axes every section is different. The edge of a tip corner sweeps the whole tip cylinder
-// as its gear rotates. For a place of the tip cylinder that lies within the mating gear's form
-// cylinder, the rotation at which the edge passes and the gap have closed forms:
+// On crossed axes, every section is different. As its gear rotates, the edge of a tip corner sweeps
+// the whole tip cylinder. For a place of the tip cylinder within the mating gear's form cylinder,
+// closed forms give the rotation at which the edge passes and the gap:
 //
 //   ψ, z   place on the tip cylinder of the moving gear A     ω_A = ψ − θ_c − 2π z/p_zA
 //   g = |ψ_B − 2π z_B/p_zB − κ ω_A| − θ_B(ρ_B),  κ = −z_A/z_B, reduced to one pitch of B    [T4.33]

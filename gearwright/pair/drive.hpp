@@ -1,5 +1,5 @@
 // Required face widths, axial force and effect of a change of the centre distance, for a pair on
-// parallel axes. Contact ratios and face widths of double-helical gears are those of one half.
+// parallel axes. For double-helical gears, contact ratios and face widths refer to one half.
 //
 //   ε_α   transverse contact ratio of the clipped path     ε_β   overlap ratio, b |tan β_b|/p_bt
 //                                              theory: docs/theory/06-few-teeth.md, 6.6
@@ -18,9 +18,9 @@ namespace gearwright {
 /// Formula   b = (total − ε_α) p_bt/|tan β_b|, [T6.14]
 std::optional<double> face_width_for_total(const ParallelPair& pair, double total);
 
-/// The least face width with continuous contact, mm, rounded up to 0.01. It is computed for a helical
-/// pair with ε_α < 1; for double-helical gears it includes both halves and the gap. None if ε_α ≥ 1,
-/// if there is no contact, or if no face width is enough.
+/// The least face width with continuous contact, mm, rounded up to 0.01, for a helical pair with
+/// ε_α < 1. For double-helical gears, it includes both halves and the gap. None if ε_α ≥ 1, if
+/// there is no contact, or if no face width is sufficient.
 std::optional<double> face_width_needed(const ParallelPair& pair);
 
 /// The face width at which ε_β = 1, mm; none for a spur pair.

@@ -1,6 +1,5 @@
-// The requirements of a drive on its housing. The axial force is compared with the force along the
-// contact normal, and the face width for a contact ratio and the growth of the backlash are compared
-// with a pair mounted in that way.
+// Tests the axial force, the required face width and the growth of the backlash. The axial force is
+// compared with the force along the contact normal, and the other two with a mounted pair.
 #include "gearwright/pair/drive.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +18,8 @@ ParallelPair mounted(const testing::SamplePair& p, double more = 0.0) {
       p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + more}));
 }
 
-// [T6.15]: gear 2 presses against the normal that points out of gear 1. The moment about axis 1
-// over the working pitch radius is the tangential force.
+// [T6.15]: gear 2 presses against the normal that points out of gear 1. The tangential force is the
+// moment about axis 1 divided by the working pitch radius.
 TEST(Drive, axial_force_is_that_of_the_contact_normal) {
   for (const int z2 : {41, -61}) {
     for (const double beta : {12.0, -20.0}) {
@@ -40,7 +39,7 @@ TEST(Drive, axial_force_is_that_of_the_contact_normal) {
   }
 }
 
-// [T6.14]: with that face the total contact ratio is the requested one.
+// [T6.14]: with this face width, the total contact ratio is the requested one.
 TEST(Drive, a_face_gives_the_contact_ratio_asked_for) {
   auto sample = testing::involutes(20, 41, 15);
   const double total = 2.7;
@@ -52,7 +51,8 @@ TEST(Drive, a_face_gives_the_contact_ratio_asked_for) {
   EXPECT_FALSE(face_width_for_total(mounted(testing::involutes(20, 41, 0)), 2.7));
 }
 
-// [T6.16]: where there is no backlash yet, it grows by 2 tan α_wt per mm; an internal gear's falls.
+// [T6.16]: from zero backlash, the backlash grows by 2 tan α_wt per mm of centre distance. On an
+// internal gear it decreases.
 TEST(Drive, backlash_grows_with_the_distance) {
   for (const int z2 : {41, -61}) {
     const auto sample = testing::involutes(20, z2, 15);

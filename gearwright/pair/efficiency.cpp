@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-// A vector in the flanks' common tangent plane that changes linearly with s = ρ_1 − ρ_0.
+// A vector in the common tangent plane of the flanks that changes linearly with s = ρ_1 − ρ_0.
 struct Linear {
   Vec2 at, slope;
   Linear from(double s) const { return {at + s * slope, slope}; }

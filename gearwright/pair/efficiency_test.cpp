@@ -1,5 +1,5 @@
-// Efficiency against the textbook's loss factor, against plain quadrature, and the limit of
-// self-locking.
+// Compares the efficiency with the loss factor of the textbook and with plain quadrature, and tests
+// the limit of self-locking.
 #include "gearwright/pair/efficiency.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ MeshInput<double> screws(double beta_1, double beta_2, int z1, int z2) {
   return in;
 }
 
-// H_v = π (1/z1 + 1/z2)(1 − ε_α + ε_1² + ε_2²) is the loss to the first order in μ.
+// H_v = π (1/z1 + 1/z2)(1 − ε_α + ε_1² + ε_2²) is the loss to first order in μ.
 TEST(Efficiency, of_a_spur_pair_is_the_textbooks) {
   const auto in = spur(20, 40);
   const auto m = mesh_of(in);
@@ -46,7 +46,7 @@ TEST(Efficiency, of_a_spur_pair_is_the_textbooks) {
   EXPECT_EQ(*efficiency(s, 0.0).gear1_drives, 1.0);
 }
 
-// The closed integrals against the midpoint rule.
+// Compares the closed integrals with the midpoint rule.
 TEST(Efficiency, closed_integrals_are_the_integrals) {
   for (const auto& in : {screws(0.9, 0.6, 9, 15), screws(0.3, 0.1, 17, 23), spur(17, 31)}) {
     const auto m = mesh_of(in);
@@ -68,16 +68,16 @@ TEST(Efficiency, closed_integrals_are_the_integrals) {
     }
     const double v_n = in.gears[0].radius * std::cos(in.gears[0].helix_angle);
     const SlidingShares s = sliding_shares(in, m);
-    // The sliding of a spur pair changes its sign at C, and the midpoint rule misses a jump within one
-    // step.
+    // The sliding of a spur pair changes its sign at C. The midpoint rule has an error in the step
+    // that contains this jump.
     const double tolerance = m.crossed ? 1e-7 : 3e-5;
     EXPECT_NEAR(s.first, sum[0] / weight / v_n, tolerance);
     EXPECT_NEAR(s.second, sum[1] / weight / v_n, tolerance);
   }
 }
 
-// Close to the textbook's screw formula cos(β_2 + ρ′) cos β_1/(cos(β_1 − ρ′) cos β_2), tan ρ′ =
-// μ/cos α_n, which considers the pitch point alone.
+// The result is near the screw formula of the textbook, cos(β_2 + ρ′) cos β_1/(cos(β_1 − ρ′) cos
+// β_2) with tan ρ′ = μ/cos α_n, which considers the pitch point only.
 TEST(Efficiency, of_screws_is_near_the_pitch_points) {
   const auto in = screws(0.9, 0.6, 9, 15);
   const auto e = efficiency(sliding_shares(in, mesh_of(in)), 0.05);

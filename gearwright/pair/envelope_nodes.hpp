@@ -1,5 +1,6 @@
-// Monotone pieces of the envelope of a rolling arc. Along a piece, the radius of the envelope about
-// the other gear's axis only increases or only decreases. Internal to pair/, for outline_gap. [T2.31]
+// Monotone pieces of the envelope of a rolling arc. Along a piece, the distance of the envelope
+// from the axis of the other gear only increases or only decreases. Internal to pair/, for
+// outline_gap. [T2.31]
 //
 //   u      parameter of the arc, 0 … 1
 //   |D|    radius of the touching point about the axis of the gear B
@@ -10,7 +11,7 @@
 //
 //   Laws  (1) |D| is monotone between two nodes, unless the second node begins a piece
 //         (2) every piece ends at an end of the arc or of the envelope
-//         provided that |s| and |D| have at most one extreme within an eighth of the arc
+//         Both laws require that |s| and |D| have at most one extreme within an eighth of the arc
 #pragma once
 
 #include <algorithm>
@@ -21,8 +22,9 @@
 
 namespace gearwright::detail {
 
-/// The zero of f to within `near`, by false position with occasional halving. f has different signs at
-/// lo and hi and need not be smooth. At the returned place f does not have the sign `against`.
+/// The zero of f to within `near`, by false position with occasional halving. f has different signs
+/// at lo and hi and need not be smooth. The sign of f at the returned place is not the sign of
+/// `against`.
 template <class F>
 double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, double near,
                     double against) {
@@ -58,7 +60,7 @@ struct EnvelopeNode {
 
 class EnvelopeNodes {
  public:
-  /// `at`: EnvelopePlace of a parameter
+  /// `at` returns the EnvelopePlace of a parameter
   template <class At>
   explicit EnvelopeNodes(const At& at) {
     EnvelopePlace before = at(0.0);
@@ -85,8 +87,8 @@ class EnvelopeNodes {
  private:
   static constexpr int kSteps = 8;
   static constexpr double kTurning = 1e-6;  // relative to the arc, for a stationary |D|
-  static constexpr double kEnding = 1e-14;  // |D| varies with the square root of the remaining
-                                            // length
+  static constexpr double kEnding = 1e-14;  // relative to the arc; this is small, because |D|
+                                            // varies with the square root of the remaining length
 
   static bool turn(double one, double two) { return (one < 0.0) != (two < 0.0); }
 
@@ -126,7 +128,8 @@ class EnvelopeNodes {
     nodes_[count_++] = node;
   }
 
-  std::array<EnvelopeNode, 6 * kSteps> nodes_;  // at most two parts a step, of three nodes each
+  std::array<EnvelopeNode, 6 * kSteps> nodes_;  // a step has at most two parts, with three nodes
+                                                // each
   std::size_t count_ = 0;
   bool joined_ = false;
 };

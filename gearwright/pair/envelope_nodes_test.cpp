@@ -1,4 +1,4 @@
-// Nodes of envelopes whose radius is given by a formula.
+// Tests the nodes of envelopes whose radius is given by a formula.
 #include "gearwright/pair/envelope_nodes.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 std::vector<EnvelopeNode> list(const EnvelopeNodes& nodes) { return {nodes.begin(), nodes.end()}; }
 
-// Between joined nodes the radius is monotone. Each test gives the number of its extremes.
+// Checks that the radius is monotone between connected nodes.
 template <class At>
 void expect_one_way(const At& at, const std::vector<EnvelopeNode>& nodes) {
   constexpr int kLooks = 200;
@@ -29,7 +29,8 @@ void expect_one_way(const At& at, const std::vector<EnvelopeNode>& nodes) {
   }
 }
 
-// It ends with a root, and turns shortly before, in the same eighth of the arc.
+// Near its end, the radius of the envelope varies like a square root, and it is stationary shortly
+// before, in the same eighth of the arc.
 TEST(EnvelopeNodes, end_where_the_envelope_ends_and_stand_where_it_turns) {
   constexpr double kEnd = 0.62;
   const auto at = [](double u) {
@@ -44,7 +45,8 @@ TEST(EnvelopeNodes, end_where_the_envelope_ends_and_stand_where_it_turns) {
   EXPECT_NEAR(nodes[6].u, kEnd, 1e-13);
 }
 
-// The whole envelope lies within an eighth of the arc, and there is none at the ends of that eighth.
+// The whole envelope lies within one eighth of the arc, and there is no envelope at the ends of
+// this eighth.
 TEST(EnvelopeNodes, find_an_envelope_between_two_looks) {
   const auto at = [](double u) {
     const double off = u - 0.31;

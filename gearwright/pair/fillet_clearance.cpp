@@ -2,7 +2,7 @@
 //
 //   ρ_c, θ_c   radius and half angle of the corner on its own tooth     u = z_gear/z_mate
 //   η          half the backlash as a rotation of the mating gear, after which the flanks touch
-//   w          orbit parameter, 0 where the corner crosses the centre line, at its deepest place
+//   w          orbit parameter, 0 at the deepest position, where the corner crosses the centre line
 //
 // In the frame of the gear, the mating gear's axis orbits about the gear's axis. The corner is at
 // [T2.26]
@@ -74,7 +74,7 @@ struct Orbit {
 
 constexpr int kHalfDigits = std::numeric_limits<double>::digits / 2;
 
-constexpr double kFoot = 1e-6;  // relative to the arc: accuracy of the foot of p
+constexpr double kFoot = 1e-6;  // accuracy of the foot of p, relative to the length of the arc
 
 // Distance from p to an arc, > 0 on the side of the space.
 double signed_distance(const Arc& arc, const Vec2& p) {
@@ -97,9 +97,9 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   const Vec2 along(std::cos(foot.tangent_angle), std::sin(foot.tangent_angle));
   const double beside = along.dot(away);
   const double above = along.x() * away.y() - along.y() * away.x();
-  // At a foot, the vector to p is perpendicular to the arc. Its length is therefore exact, although u
-  // has only half the digits. The space lies to the left of the arc, or to the right on a tooth of an
-  // internal gear.
+  // At a foot, the vector to p is perpendicular to the arc. Its length is therefore exact, although
+  // only half of the digits of u are accurate. The space lies to the left of the arc, or to the
+  // right on a tooth of an internal gear.
   if (std::abs(beside) <= kFoot * (arc.end_point - arc.begin_point).norm())
     return arc.begin_point.norm() < arc.end_point.norm() ? above : -above;
   least = std::min(least, distance(u));
@@ -156,11 +156,11 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
     std::optional<double> least;
     for (const Arc& arc : gear.tooth->outline.arcs) {
       if (arc.name != ArcName::root_fillet) continue;
-      // The corner is below the arc's upper end while cos w is greater than c.
+      // The corner is below the upper end of the arc if cos w is greater than c.
       const double r = arc.end_point.norm();
       const double deep = a * a + corner.radius * corner.radius - r * r;
       const double c = (kind == Orbit::ring ? -deep : deep) / (2 * a * corner.radius);
-      if (c >= 1.0) continue;  // the corner never gets that deep
+      if (c >= 1.0) continue;  // the corner never reaches this depth
       const double w_end = std::acos(std::max(-1.0, c));
       // Only the half of the path towards this fillet is examined. In an internal gear, the pinion's
       // corner can reach the fillet on both halves.

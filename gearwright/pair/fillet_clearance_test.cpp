@@ -1,5 +1,5 @@
-// The least distance between a tip corner's path and the mating gear's root fillet, against a plain
-// scan that turns the gears one by one.
+// Compares the least distance between the path of a tip corner and the mating root fillet with a
+// scan that turns the gears step by step.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,9 +27,9 @@ Gear filleted(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0)
   return testing::taken(make_gear(s));
 }
 
-// The fillet of gear 1 as 2000 points of the space's upper side in gear 1's frame (tooth 0 on the x
-// axis: y < 0 is its lower side, the space below it), and the corner of gear 2's tooth as it passes
-// in 4000 rotations. Both flanks of the pair touch at zero backlash, so no play comes in.
+// Computes the distance from 2000 points of the fillet of gear 1 and 4000 positions of the corner
+// of gear 2. The fillet is the upper one of a space, in the frame of gear 1 in which tooth 0 lies
+// on the x axis. The pair has no backlash, so both flanks touch and no play is considered.
 double scanned(const ParallelPair& p) {
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
@@ -38,19 +38,19 @@ double scanned(const ParallelPair& p) {
     if (arc.name != ArcName::root_fillet) continue;
     for (const Vec2& q : sample(arc, 2000)) fillet.push_back(q);
   }
-  const Vec2 corner = g2.tooth->outline.arcs.back().begin_point;  // the tip land's start
+  const Vec2 corner = g2.tooth->outline.arcs.back().begin_point;  // the start of the tip land
   const double rho = corner.norm(), theta = std::atan2(corner.y(), corner.x());
   const double z1 = g1.spec.teeth, z2 = g2.spec.teeth;
   double least = std::numeric_limits<double>::infinity();
   for (int i = -2000; i <= 2000; ++i) {
-    // Gear 1 turned so that its space k = half a pitch above tooth 0 meets tooth 0 of gear 2 at
-    // rest.
+    // At rest, the space of gear 1 that is half a pitch above tooth 0 meets tooth 0 of gear 2.
     const double turn_2 = std::numbers::pi / z2 * i / 1000;
     const double turn_1 = -turn_2 * z2 / z1;
     for (const double side : {-1.0, 1.0}) {
       const double angle = std::numbers::pi + turn_2 + side * theta;
       const Vec2 c(p.center_distance + rho * std::cos(angle), rho * std::sin(angle));
-      // Into the frame of gear 1's tooth that is half a pitch beside the space.
+      // Transforms the corner to the frame of the tooth of gear 1 that is half a pitch beside the
+      // space.
       const double back = -turn_1 + std::numbers::pi / z1;
       const Vec2 q(c.x() * std::cos(back) - c.y() * std::sin(back),
                    c.x() * std::sin(back) + c.y() * std::cos(back));
@@ -61,8 +61,9 @@ double scanned(const ParallelPair& p) {
   return least;
 }
 
-// The scan is never too small, and too large by no more than half a step of the fillet's points and
-// of the corner: 2000 of 1.5 mm and 2000 of the 1.5 mm that it moves through a space.
+// The scan is never too small. It is too large by at most half a step of the fillet and half a step
+// of the corner. There are 2000 steps on 1.5 mm of the fillet, and 2000 on the 1.5 mm that the
+// corner moves through a space.
 TEST(FilletClearance, agrees_with_a_scan) {
   for (const auto& [z1, z2, fillet] : {std::tuple{20, 40, 0.38}, {30, 30, 0.25}, {17, 90, 0.38}}) {
     const ParallelPair p = mounted(filleted(z1, 0.0, fillet), filleted(z2, 0.0, fillet), z1 + z2);

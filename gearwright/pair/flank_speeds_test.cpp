@@ -1,5 +1,5 @@
-// The speed of the contact over each flank, compared with the velocities of the turning gears at the
-// point.
+// Compares the speed of the contact over each flank with the velocities of the rotating gears at
+// the point of contact.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,8 +26,9 @@ InvolutePair mounted(int z1, int z2, double beta1_deg, double beta2_deg, double 
   return testing::taken(mount_as<InvolutePair>(*one, *two, place));
 }
 
-// The contact moves along the common normal n with v_n, the material of gear i with ω_i × r. The speed
-// over the flank is the difference. Gear 1 turns clockwise by one radian, gear 2 about its own axis.
+// The contact moves along the common normal n with the speed v_n, and the material of gear i moves
+// with ω_i × r. The speed over the flank is the difference. Gear 1 turns clockwise by one radian,
+// and gear 2 turns about its own axis.
 TEST(FlankSpeeds, are_those_of_the_contact_over_the_turning_gears) {
   struct Case {
     int z1, z2;

@@ -73,8 +73,8 @@ ProfileArc::Found ProfileArc::find(double rho) const {
   const ProfilePlace& above = guesses[static_cast<std::size_t>(cell) + 1];
   double lo = static_cast<double>(cell) / kGuesses;
   double hi = static_cast<double>(cell + 1) / kGuesses;
-  // Near a place with s = 0, the radius grows with the square of the distance along the arc, so the
-  // first guess uses a square root there.
+  // If s is 0 at a place, the radius near this place grows with the square of the distance along
+  // the arc. The first guess therefore uses a square root there.
   const double part = std::clamp((rho - below.rho) / (above.rho - below.rho), 0.0, 1.0);
   const double slow = std::abs(below.s) < 0.5 * std::abs(above.s) ? std::sqrt(part) : part;
   double u = lo + (hi - lo) * slow;
@@ -82,8 +82,9 @@ ProfileArc::Found ProfileArc::find(double rho) const {
       std::sqrt(std::max(0.0, below.rho * below.rho + above.rho * above.rho -
                                   2 * below.rho * above.rho * std::cos(below.theta - above.theta)));
   double pace = chord / (hi - lo);
-  constexpr double kShort = 2e-6;  // relative to radius of curvature and radius
-  constexpr int kMost = 60;        // bisection alone would have ended before
+  constexpr double kShort = 2e-6;  // longest last step, relative to the radius of curvature and to
+                                   // the radius
+  constexpr int kMost = 60;        // bisection alone would need fewer
   for (int i = 0;; ++i) {
     const CurvePoint at_u = arc->at(u);
     const ProfilePlace p = place_of(at_u);
@@ -97,8 +98,8 @@ ProfileArc::Found ProfileArc::find(double rho) const {
     }
     const double next = u + way / pace;
     const double kept = next > lo && next < hi ? next : 0.5 * (lo + hi);
-    // Where the arc runs along a circle about the axis, the distance to a neighbouring radius is
-    // inaccurate, and for radii that differ in the last digit it may be NaN.
+    // If the arc runs along a circle about the axis, the distance to a neighbouring radius is
+    // inaccurate. For radii that differ in the last digit only, it may be NaN.
     if (i == kMost || kept == u) return {u, moved(p, at_u.curvature, 0.0, rho)};
     const Vec2 there = arc->curve->point(arc->begin + kept * (arc->end - arc->begin));
     const double run = (there - at_u.point).norm() / std::abs(kept - u);
@@ -122,7 +123,8 @@ GapProfile::GapProfile(const Outline& outline)
     if (is_land(arc) || begin == end) continue;
     arcs_.push_back({&arc, begin, end, arc.curve->radius_is_closed_form()});
   }
-  // Smaller angles are rounding errors, or so blunt that the adjacent arcs touch equally well.
+  // Smaller angles are rounding errors, or so blunt that the contact of the adjacent arcs is
+  // equivalent.
   constexpr double kSmooth = 1e-7;  // rad
   // The mating gear cannot reach a concave corner. An angle near half a turn may be a cusp, where the
   // sign of the turn is undetermined. A cusp is included, because an additional corner does no harm.

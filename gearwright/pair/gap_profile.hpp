@@ -4,7 +4,7 @@
 //   ρ, θ   radius and polar angle of a point W of the half tooth, θ from the tooth's centre line
 //   τ, k   direction of the outline's tangent and its curvature, from root to tip
 //   s, q   components of W along the tangent and the left-hand normal, W e^{−iτ} = s + iq, mm; |s| is
-//          the arm of the outline's normal about the axis, and −q/s is the slope dθ/d ln ρ
+//          the arm of the normal of the outline about the axis, and −q/s is the slope dθ/d ln ρ
 #pragma once
 
 #include <optional>
@@ -24,13 +24,14 @@ struct ProfilePlace {
 struct ProfileCorner {
   double rho, theta;
   ArcName
-      name;  ///< the arc that begins at the corner; if this arc is a land, the arc before the corner
+      name;  ///< the arc that begins at the corner, or the arc before the corner if that arc is a
+             ///< land
 };
 
 /// An arc that is not a land. The distance from the gear's axis changes along it.
 struct ProfileArc {
   const Arc* arc;
-  double rho_root, rho_tip;  ///< of its two ends
+  double rho_root, rho_tip;  ///< radii of its two ends
   bool closed_form;          ///< true if the parameter of a radius has a closed form
   /// Radii at even steps of u, for a first guess; filled on first use.
   static constexpr int kGuesses = 16;

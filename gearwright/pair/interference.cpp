@@ -13,9 +13,9 @@ namespace gearwright::detail {
 
 namespace {
 
-// A gear meshes without clearance with a mating gear that has cut it. Rounding errors are then not
-// interference.
-constexpr double kNoise = 1e-11;  // of the base pitch
+// A gear that its mating gear has cut meshes with it without clearance. Rounding errors are then
+// not interference.
+constexpr double kNoise = 1e-11;  // relative to the base pitch
 double noise(const InvolutePair& p) { return kNoise * p.gears[0].reference().base_pitch_normal; }
 
 double diameter_of(double base_radius, double rho) { return 2 * std::hypot(base_radius, rho); }
@@ -40,8 +40,9 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
            -amount, where, gear)});
 }
 
-// Amount by which the tip cylinder of a gear is nearer to the mating roots than on the centre line, in
-// a crossed internal pair. It is nearest at an end of the part in which both faces overlap. [T4.37]
+// Returns the amount by which the tip cylinder of a gear is closer to the mating roots than on the
+// centre line, for a crossed internal pair. It is closest at an end of the region in which both
+// faces overlap. [T4.37]
 double nearer_at_ends(const InvolutePair& p, int tip) {
   if (!p.crossed_inside()) return 0.0;
   const bool ring = tip == 2;
@@ -134,7 +135,7 @@ void find_internal_margins(ParallelPair& p) {
   const Gear& g2 = p.gears[1];
   const double a = p.center_distance;
   const double r_a1 = g1.actual_tip_radius();
-  // The actual end of the internal gear's flank, without a rounded tip.
+  // The actual end of the flank of the internal gear, without a tip rounding.
   const double r_a2 = g2.tooth ? g2.tip_form_radius() : g2.actual_tip_radius();
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);

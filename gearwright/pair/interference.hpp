@@ -16,15 +16,16 @@ void find_tip_clearance(InvolutePair& pair);
 void find_internal_margins(ParallelPair& pair);
 /// Clearances between tip corners and fillets. Finding: `tip_to_fillet`. [T2.26]
 void find_fillet_clearance(ParallelPair& pair);
-/// Overlap of the outlines, contact beyond the flanks, and the free play of two gears. [T2.29]…[T2.33]
-/// `half_play` is half the play of the flanks as a turn of gear 2, and `normal_play` the whole play
-/// along the normal, mm. `saddle`, mm, is the depth to which flanks overlap beside their line of action.
+/// Overlap of the outlines, contact beyond the flanks, and the free play of two gears.
+/// [T2.29]…[T2.33] `half_play` is half the play of the flanks as a turn of gear 2. `normal_play` is
+/// the whole play along the normal, mm. `saddle` is the depth, mm, to which flanks overlap beside
+/// their line of action.
 ///
 /// Domain    both gears with a tooth. On crossed axes, only tips are compared with the mating gear:
-///           with its fillets [T4.33] and, in an internal gear, also with its flanks
+///           with its fillets [T4.33] and, if one gear is an internal gear, also with its flanks
 void find_collisions(MountedGears& pair, double half_play, double normal_play, double saddle = 0.0);
-/// find_collisions() for an involute pair. Only the findings that explain an overlap remain in
-/// `interference`, so this function must be called last.
+/// find_collisions() for an involute pair. It keeps in `interference` only the findings that
+/// explain an overlap, so it must be called last.
 void find_overlap(InvolutePair& pair, double saddle);
 
 }  // namespace gearwright::detail

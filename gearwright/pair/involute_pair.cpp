@@ -36,9 +36,10 @@ void warn_about_axes(CrossedPair& p) {
     const double wanted = p.face_widths.both_flanks[i];
     if (p.flanks_meet() && wanted > b) {
       warn(p, WarningCode::face_width,
-           fmt::format("The line of action runs beyond the face of gear {}. Both flanks need "
-                       "{:.2f} mm about the centre line, but the face is {:.2f} mm wide.",
-                       i + 1, wanted, b),
+           fmt::format(
+               "The line of action runs beyond the face of gear {}. Both flanks need "
+               "a face width of {:.2f} mm about the centre line, but the face is {:.2f} mm wide.",
+               i + 1, wanted, b),
            i + 1);
     }
   }
@@ -110,12 +111,12 @@ void warn_about_collisions(InvolutePair& p) {
   for (const Collision& s : p.beyond_flank) warn(p, WarningCode::beyond_flank, s.message, s.gear);
 }
 
-// Least plausible centre distance, relative to the sum of the base radii. A backlash-free pair has a
-// centre distance above this sum.
+// Least plausible centre distance, relative to the sum of the base radii. The centre distance of a
+// backlash-free pair exceeds this sum.
 constexpr double kMinCrossedDistance = 0.5;
 
-// Checks that the pinion lies inside the internal gear and that its flanks are more curved than those
-// of the internal gear, L > 0. [T4.34]
+// Checks that the pinion lies inside the internal gear, and that the flanks of the pinion are more
+// curved than the flanks of the internal gear, L > 0. [T4.34]
 std::optional<Error> check_place_inside(const CrossedPair& p, const CommonRack<double>& rack) {
   const BasePair<double>& gears = p.input.gears;
   const auto& sides = rack.sides;
@@ -174,7 +175,7 @@ std::optional<double> backlash_free_distance(const CrossedPair& p) {
   return a > 0.0 ? std::optional(a) : std::nullopt;
 }
 
-// Quantities of this kind of pair only.
+// Sets the quantities that only this kind of pair has.
 void find_own(ParallelPair& p) {
   if (p.gears[1].internal()) detail::find_internal_margins(p);
   detail::find_fillet_clearance(p);
@@ -188,9 +189,9 @@ void find_own(CrossedPair& p) {
   p.face_widths = face_widths(p.mesh);
 }
 
-// Depth to which the flanks overlap beside the line of action, mm. Up to the second order, the depth
-// grows with the square of the distance from the contact and equals the needed lead crowning at b/2.
-// The contact lies up to f'/2 off the middle of the face. Higher orders add less than half of the
+// Depth to which the flanks overlap beside the line of action, mm. To second order, the depth grows
+// with the square of the distance from the contact, and at b/2 it equals the needed lead crowning.
+// The contact lies up to f'/2 from the middle of the face. Higher orders add less than half of the
 // second-order depth (tested).
 double saddle_depth(const ParallelPair&) { return 0.0; }
 double saddle_depth(const CrossedPair& p) {
@@ -304,8 +305,9 @@ Point<Housing> InvolutePair::on_line_of_action(double rho1) const {
     return {Vec3(mesh.sigma * (side.pitch_radius + lambda * mesh.rack.angles.sin_alpha),
                  -mesh.sigma * lambda * mesh.rack.angles.u[0], axial_place(mesh, rho1)[0])};
   }
-  // The pitch point is at x = +r_w1 (external) or −r_w1 (internal). Gear 1 turns clockwise, so the
-  // normal of the leading flanks there is (sin α, −cos α), or the opposite for internal pairs.
+  // The pitch point is at x = +r_w1 for an external pair and at −r_w1 for an internal pair. Gear 1
+  // turns clockwise, so the normal of the leading flanks is (sin α, −cos α), or the opposite for an
+  // internal pair.
   const double alpha = side.transverse_angle;
   return {mesh.sigma * Vec3(side.pitch_radius + from_pitch_point * std::sin(alpha),
                             -from_pitch_point * std::cos(alpha), 0.0)};

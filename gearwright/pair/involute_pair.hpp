@@ -1,5 +1,5 @@
 // A mounted pair of involute gears: the members common to all axes, and the two kinds of pair, on
-// parallel and on crossed axes. The symbols are those of pair/mesh.hpp.
+// parallel and on crossed axes. pair/mesh.hpp explains the symbols.
 #pragma once
 
 #include <array>
@@ -20,10 +20,10 @@ namespace gearwright {
 struct Interference {
   WarningCode code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` if
                      ///< the cause has no code of its own. A tip that reaches an undercut does not
-                     ///< collide; the pair then has the warning `contact_lost_to_undercut`.
+                     ///< collide, and the pair then has the warning `contact_lost_to_undercut`.
   int gear;          ///< the gear whose root or tip is affected
-  std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; if < 0, depth of the
-                                       ///< interference
+  std::variant<double, Angle> amount;  ///< mm, or an angle for trochoid; a negative value is the
+                                       ///< depth of the interference
   std::string message;                 ///< one sentence
 };
 
@@ -46,7 +46,7 @@ struct InvolutePair : MountedGears {
   MeshInput<double> input;
   Mesh<double> mesh;
   std::optional<double>
-      backlash_free_center_distance;  ///< of the teeth as cut (with allowances), mm
+      backlash_free_center_distance;  ///< for the teeth as cut (with allowances), mm
   double extended_center_distance;    ///< mm
   std::array<std::optional<double>, 2> form_clearance;  ///< c_F   mm: (d_Nf − d_Ff)/2 of each gear
   std::array<std::optional<double>, 2>
@@ -58,33 +58,35 @@ struct InvolutePair : MountedGears {
   std::vector<Interference>
       interference;  ///< the findings that explain the overlap, or all findings if no overlap was
   ///< computed
-  bool flanks_meet() const;           ///< true if the path has a length and both gears have a flank
+  bool flanks_meet() const;           ///< true if the path has a length and both gears have a
+                                      ///< usable flank
   double path_length() const;         ///< g_α, crossed AE  mm; 0 without contact
   double contact_ratio() const;       ///< ε_α + ε_β, crossed AE/p_bn; 0 without contact
-  double contact_ratio_true() const;  ///< the same with the clipped path
+  double contact_ratio_true() const;  ///< contact ratio with the clipped path
   double normal_backlash() const { return mesh.backlash.normal; }  ///< j_n  mm
   std::array<double, 2> working_pitch_diameter() const {           ///< d_w  mm
     return {2 * mesh.rack.sides[0].pitch_radius, 2 * mesh.rack.sides[1].pitch_radius};
   }
-  /// The point of the line of action of the leading flanks at which flank 1 has the curvature radius
-  /// ρ_1; on parallel axes in the section z = 0. [T1.6], [T4.20]
+  /// The point of the line of action of the leading flanks at which flank 1 has the radius of
+  /// curvature ρ_1. On parallel axes, it is the point in the section z = 0. [T1.6], [T4.20]
   Point<Housing> on_line_of_action(double rho1) const;
-  /// The same for the trailing flanks: a half turn about the centre line moves the leading line of
-  /// action to the trailing one. [T1.7]
+  /// The corresponding point for the trailing flanks. A half turn about the centre line moves the
+  /// leading line of action to the trailing one. [T1.7]
   Point<Housing> on_trailing_line(double rho1) const;
 };
 
-/// Margins of an internal pair against three kinds of interference; none if there is no such limit.
+/// Margins of an internal pair against three kinds of interference. A margin is empty if there is
+/// no such limit.
 struct InternalMargins {
   std::optional<double> involute;  ///< ρ_1A − ρ_F1  mm
   std::optional<Angle> trochoid;
-  std::optional<Angle> trimming;  ///< of radial assembly
+  std::optional<Angle> trimming;  ///< margin for radial assembly
 };
 
 struct ParallelPair : InvolutePair {
   ParallelPair() = default;  ///< empty, and not an aggregate, like InvolutePair and CrossedPair
   std::array<std::optional<double>, 2> fillet_clearance;  ///< mm: mating tip corner to root fillet
-  std::optional<InternalMargins> margins;                 ///< of internal pairs
+  std::optional<InternalMargins> margins;                 ///< only for internal pairs
   /// ε_α of the path from one tip form circle to the other; 0 without contact.
   double transverse_contact_ratio() const { return flanks_meet() ? mesh.path_ratio : 0.0; }
 };
@@ -92,9 +94,12 @@ struct ParallelPair : InvolutePair {
 struct CrossedPair : InvolutePair {
   CrossedPair() = default;
   FaceWidths<double> face_widths{};
-  std::optional<CrossedPlace> min_distance;          ///< of the teeth as cut
-  std::optional<CrossedPlaces> contact_ratio_range;  ///< where AE ≥ p_bn, of external pairs
-  /// needed_crowning() of pair/saddle_gap.hpp for each gear alone, mm; none for external pairs
+  std::optional<CrossedPlace> min_distance;          ///< least centre distance, for the teeth as
+                                                     ///< cut
+  std::optional<CrossedPlaces> contact_ratio_range;  ///< positions with AE ≥ p_bn; only for
+                                                     ///< external pairs
+  /// needed_crowning() of pair/saddle_gap.hpp for crowning of one gear only, mm; none for external
+  /// pairs
   std::array<std::optional<double>, 2> needed_crowning{};
 };
 
@@ -126,8 +131,8 @@ Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& pla
                                   std::optional<double> friction = {});
 
 /// Least distance between the path of the mating gear's tip corner and the root fillet of gear
-/// `which` (1, 2), mm. If it is < 0, the corner cuts into the fillet by that depth. The flanks on the
-/// side of the fillet are in contact.
+/// `which` (1, 2), mm. If it is < 0, the corner cuts into the fillet by this depth. The flanks on
+/// the side of this fillet are in contact.
 ///
 /// Formula   [T2.26]; the path is exact, the foot point solved to rounding
 /// Domain    none for the fillet of an internal gear

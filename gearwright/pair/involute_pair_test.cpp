@@ -1,4 +1,4 @@
-// Pairs as mounted: partners that cannot mesh, poses, lines of action, clearances and warnings.
+// Tests mounted pairs: gears that cannot mesh, poses, lines of action, clearances and warnings.
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
@@ -76,7 +76,7 @@ TEST(MountParallel, partners_that_cannot_mesh) {
   EXPECT_EQ(key(gear(20), *make_gear(other), 61.0), "gear2.normal_module");
 }
 
-// Another module and pressure angle with the same base pitch mesh.
+// Gears with different modules and pressure angles but equal base pitches mesh.
 TEST(MountParallel, equal_base_pitches_are_enough) {
   CylindricalSpec other = gear(40).spec;
   other.normal_pressure_angle = 25_deg;
@@ -91,7 +91,7 @@ TEST(Pair, poses_put_tooth_and_space_on_the_centre_line) {
   const ParallelPair out = mounted(gear(20), gear(41), 61.0);
   const Point<Housing> tooth_1 = out.pose_1() * Point<Gear1>{Vec3(22.0, 0.0, 3.0)};
   EXPECT_EQ(tooth_1.r, Vec3(22.0, 0.0, 3.0));
-  // The middle of space 0 of gear 2, half a pitch from tooth 0, towards gear 1.
+  // The middle of space 0 of gear 2, which is half a pitch from tooth 0 and points towards gear 1.
   const double half = std::numbers::pi / 41;
   for (const double side : {-1.0, 1.0}) {
     const Vec3 space(41.0 * std::cos(half), side * 41.0 * std::sin(half), 0.0);
@@ -123,8 +123,9 @@ TEST(Pair, line_of_action_touches_both_base_circles) {
   }
 }
 
-// Gear 1 turns clockwise seen from +z and pushes: its leading flank's normal force on gear 2 has a
-// component along its motion at the mesh, −y for external pairs (mesh at +x).
+// Gear 1 turns clockwise seen from +z and drives. The normal force of its leading flank on gear 2
+// has a component in the direction of motion at the mesh, which is −y for an external pair (mesh at
+// +x).
 TEST(Pair, leading_line_is_the_driving_one) {
   const ParallelPair p = mounted(gear(20), gear(40), 60.0);
   EXPECT_LT(p.on_line_of_action(p.mesh.rho1_E).r.y(), p.on_line_of_action(p.mesh.rho1_A).r.y());

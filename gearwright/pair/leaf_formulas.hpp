@@ -1,4 +1,4 @@
-// Formulas of two gears in mesh for any scalar type. Their text is in pair/leaf_formulas.inc.
+// Formulas of two gears in mesh for any scalar type. The formulas are in pair/leaf_formulas.inc.
 #pragma once
 
 #include <cmath>

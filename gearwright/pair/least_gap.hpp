@@ -1,12 +1,12 @@
-// The least value of a smooth function between two parameters, if it is less than the least known
-// value. Internal to pair/, for one family of touches of outline_gap.
+// The least value of a smooth function between two parameters, if it is less than the least value
+// known so far. Internal to pair/, for one family of touches of outline_gap.
 //
 //   g   gap at the parameter t        H   function that is zero where g is stationary
 //
-// g is evaluated at even steps. Between two neighbours, g is assumed to lie below their chord by no
-// more than half of the second difference about them, which is four times the depth of a parabola.
-// A cell that could contain a value below the least known one is halved, or divided at H = 0 if H
-// changes its sign.
+// g is evaluated at even steps. Between two neighbours, g is assumed to lie below their chord by at
+// most half of the second difference, which is four times the depth of a parabola. A cell that
+// could contain a value below the least known value is halved, or divided at H = 0 if H changes its
+// sign.
 #pragma once
 
 #include <algorithm>
@@ -44,9 +44,9 @@ class LeastGap {
  private:
   static constexpr int kCells = 8;
   static constexpr int kDeepest = 40;           // halvings, after which only rounding error remains
-  static constexpr double kResolution = 1e-12;  // rad: a smaller improvement is not needed
-  static constexpr double kNoises = 8;  // in units of the noise; rounding errors do not exceed it
-  static constexpr int kMost = 400;     // greatest number of evaluations; a smooth gap needs thirty
+  static constexpr double kResolution = 1e-12;  // rad; smaller improvements are not needed
+  static constexpr double kNoises = 8;          // greatest rounding error, in units of the noise
+  static constexpr int kMost = 400;  // greatest number of evaluations; a smooth gap needs thirty
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   bool worth(double least) const {
@@ -84,7 +84,7 @@ class LeastGap {
     return {t, ask(t)};
   }
 
-  // The second difference, scaled to a place in the middle of the cell.
+  // The second difference, scaled to a point in the middle of the cell.
   static double bend_of(double t_1, const GapSample& one, double t, const GapSample& middle,
                         double t_2, const GapSample& two) {
     const double part = (t - t_1) / (t_2 - t_1);

@@ -50,13 +50,14 @@ struct Mesh {
   T line_offset;            ///< z_L   mm; the trailing line lies at −z_L
   T base_tangent_distance;  ///< N     between the base tangent points, in terms of ρ_1
   T base_cosine_ratio;      ///< c_2/c_1
-  T line_cosine;            ///< c_1 on crossed axes, whose line of action leaves the transverse
-                            ///< section; 1 on parallel axes
+  T line_cosine;            ///< c_1 on crossed axes, where the line of action is not in the
+                            ///< transverse section; 1 on parallel axes
   T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< tip 2, E − step, pitch point 1, A + step, tip 1;
                                              ///< negative beyond the base tangent point
-  T path_length;  ///< ρ_1E − ρ_1A: g_α of parallel axes, AE cos β_b1 of crossed
-  T step;         ///< increase of ρ_1 per pitch: p_bt of parallel axes, p_bn cos β_b1 of crossed
-  T path_ratio;   ///< path_length/step: ε_α of parallel axes, AE/p_bn of crossed
+  T path_length;  ///< ρ_1E − ρ_1A: g_α on parallel axes, AE cos β_b1 on crossed axes
+  T step;         ///< increase of ρ_1 per pitch: p_bt on parallel axes, p_bn cos β_b1 on crossed
+                  ///< axes
+  T path_ratio;   ///< path_length/step: ε_α on parallel axes, AE/p_bn on crossed axes
   T overlap_ratio;                   ///< ε_β; 0 on crossed axes
   T rho1_true_begin, rho1_true_end;  ///< the path clipped to the usable flanks and, on crossed
                                      ///< axes, to the faces; no contact if begin ≥ end
@@ -107,7 +108,7 @@ void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   }
 }
 
-// Clips the path to −b/2 ≤ s_i ≤ b/2. A spur gear's contact stays at one place of its face.
+// Clips the path to −b/2 ≤ s_i ≤ b/2. On a spur gear, s_i is constant along the path.
 template <class T>
 void clip_to_faces(const MeshInput<T>& in, Mesh<T>& m) {
   using std::abs;
@@ -134,8 +135,8 @@ template <class T>
 Backlash<T> backlash_of(const MeshInput<T>& in, const Mesh<T>& m) {
   using std::cos;
   Backlash<T> j;
-  // 2 X sin α_n − Q, computed from the difference to the backlash-free centre distance. Near
-  // β_w = 90° the pitch radii in X grow without bound and cancel, but a remains finite. [T4.17], on
+  // 2 X sin α_n − Q, computed from the difference to the backlash-free centre distance. Near β_w =
+  // 90°, the pitch radii in X grow without bound and cancel, but a remains finite. [T4.17]; on
   // parallel axes [T2.24]
   const T more = m.sigma * (in.center_distance - conjugate_center_distance(in.gears, m.rack));
   j.normal_base = T(2) * more * m.rack.angles.sin_alpha;
@@ -241,8 +242,8 @@ FaceWidths<T> face_widths(const Mesh<T>& mesh) {
   return f;
 }
 
-/// Speed of the contact over each flank, across the teeth and along them, in mm per radian of gear 1.
-/// On parallel axes it is the speed in the transverse section.
+/// Speed of the contact over each flank, across the teeth and along them, in mm per radian of gear
+/// 1. On parallel axes, it is the speed in the transverse section.
 ///
 /// Formula   crossed: ω_i (cos β_i (r_i sin α_n + λ_i), ± sin β_i (r_i + λ_i sin α_n)), + on gear 1,
 ///           −σ on gear 2; [T4.24]
@@ -277,9 +278,9 @@ FlankSpeeds<T> flank_speeds(const MeshInput<T>& in, const Mesh<T>& mesh, const T
 }
 
 /// Specific sliding (ζ_1, ζ_2) at ρ_1: sliding distance of the flanks per mm of the contact's
-/// movement over the flank. On parallel axes it is < 0 on the flank that slides backward relative to
-/// the contact, and none at and beyond a base tangent point. On crossed axes it is the ratio of the
-/// magnitudes, ζ ≥ 0.
+/// movement over the flank. On parallel axes it is < 0 on the flank that slides backward relative
+/// to the contact, and it is empty at and beyond a base tangent point. On crossed axes it is the
+/// ratio of the magnitudes, ζ ≥ 0.
 ///
 /// Formula   parallel: ζ_1 = 1 − w_2/w_1, ζ_2 = 1 − w_1/w_2, [T2.22];
 ///           crossed: ζ_i = |w_1 − w_2|/|w_i|, [T4.25]

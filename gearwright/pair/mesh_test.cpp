@@ -1,4 +1,4 @@
-// The closed-form mesh: against textbook formulas written the other way, and its laws.
+// Compares the closed-form mesh with textbook formulas in other forms, and tests its laws.
 #include "gearwright/pair/mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(MeshOfParallelAxes, internal_spur_pair) {
 TEST(MeshOfParallelAxes, points_of_the_path_stand_in_order) {
   for (const auto& in : {spur(20, 40), spur(30, 30), spur(20, -60)}) {
     const auto m = mesh_of(in);
-    // One pair between B and D, two outside: 1 < ε_α < 2.
+    // One pair is in contact between B and D, and two pairs elsewhere, because 1 < ε_α < 2.
     ASSERT_GT(m.path_ratio, 1.0);
     ASSERT_LT(m.path_ratio, 2.0);
     EXPECT_LT(m.rho1_A, m.rho1_B);
@@ -58,7 +58,7 @@ TEST(MeshOfParallelAxes, points_of_the_path_stand_in_order) {
   }
 }
 
-// Form circles clip the path, each at its own end.
+// Each form circle clips one end of the path.
 TEST(MeshOfParallelAxes, clipped_path) {
   auto in = spur(20, 40);
   const auto whole = mesh_of(in);
@@ -77,7 +77,7 @@ TEST(MeshOfParallelAxes, clipped_path) {
   EXPECT_EQ(mesh_of(in).true_ratio, 0.0);
 }
 
-// A tip beyond the base tangent point of the mating gear touches nothing there.
+// The part of a tip beyond the base tangent point of the mating gear touches nothing.
 TEST(MeshOfParallelAxes, path_is_clipped_at_the_base_tangents) {
   auto in = spur(8, 120);
   const auto m = mesh_of(in);
@@ -87,7 +87,8 @@ TEST(MeshOfParallelAxes, path_is_clipped_at_the_base_tangents) {
   EXPECT_FALSE(specific_sliding(in, m, 0.0).zeta_2);
 }
 
-// j_bn by hand: base pitch less both base thicknesses plus twice the string between them.
+// j_bn by hand: the base pitch minus both base thicknesses plus twice the length of the string
+// between the base circles.
 TEST(MeshOfParallelAxes, backlash) {
   for (const int z2 : {40, -60}) {
     auto in = spur(20, z2);
@@ -110,7 +111,7 @@ TEST(MeshOfParallelAxes, backlash) {
   }
 }
 
-// At the distance whose involute the thicknesses ask for, nothing is left over.
+// At the backlash-free distance that follows from the tooth thicknesses, the backlash is 0.
 TEST(MeshOfParallelAxes, the_least_distance_is_free_of_backlash) {
   auto in = spur(20, 40);
   in.gears[0].tooth_thickness += 0.4;
@@ -125,7 +126,7 @@ TEST(SpecificSliding, signs_and_the_pitch_point) {
   const auto in = spur(20, 40);
   const auto m = mesh_of(in);
   const auto at_A = specific_sliding(in, m, m.rho1_A);
-  EXPECT_LT(*at_A.zeta_1, 0.0);  // the pinion's root is dragged
+  EXPECT_LT(*at_A.zeta_1, 0.0);  // the flank at the root of the pinion slides backward
   EXPECT_GT(*at_A.zeta_2, 0.0);
   const auto at_E = specific_sliding(in, m, m.rho1_E);
   EXPECT_GT(*at_E.zeta_1, 0.0);
@@ -133,7 +134,7 @@ TEST(SpecificSliding, signs_and_the_pitch_point) {
   const auto at_C = specific_sliding(in, m, m.rho1_C);
   EXPECT_NEAR(*at_C.zeta_1, 0.0, 1e-14);
   EXPECT_NEAR(*at_C.zeta_2, 0.0, 1e-14);
-  // (1 − ζ1)(1 − ζ2) = 1: the two are one velocity ratio, seen from either side.
+  // (1 − ζ1)(1 − ζ2) = 1, because 1 − ζ1 = w_2/w_1 and 1 − ζ2 = w_1/w_2.
   EXPECT_NEAR((1 - *at_A.zeta_1) * (1 - *at_A.zeta_2), 1.0, 1e-14);
 }
 

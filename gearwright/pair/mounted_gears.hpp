@@ -22,14 +22,14 @@ struct MountedGears {
   Angle shaft_angle;                       ///< Σ    0 on parallel axes
   std::array<double, 2> tip_clearance{};   ///< c    mm: tip 1 to root 2, tip 2 to root 1
   std::optional<double> speed_rpm{};       ///< n_1  1/min, if given
-  /// Places at which the bodies would overlap in the middle of the play, deepest first. None if not
-  /// computed (unequal leads, or an internal gear with an unknown cutter). On crossed axes, only tips
-  /// are compared with the mating gear
+  /// Places at which the bodies would overlap in the middle of the play, the deepest first. None if
+  /// not computed (unequal leads, or an internal gear with an unknown cutter). On crossed axes,
+  /// only tips are compared with the mating gear
   std::optional<std::vector<Collision>> overlap{};
   /// Contacts outside the flanks without overlap. During these contacts, the ratio is not constant.
   std::vector<Collision> beyond_flank{};
-  /// The play of gear 2 without collision, which does not exceed the play of the flanks; < 0 if there
-  /// is no position without overlap. None if not computed, or if a tip lies in a root
+  /// The play of gear 2 without collision, which does not exceed the play of the flanks; < 0 if the
+  /// bodies overlap in every position. None if not computed, or if a tip lies in a root
   std::optional<Angle> free_play{};
   std::vector<Warning> warnings;
 

@@ -54,7 +54,7 @@ struct Motion {
   bool first_moves;  ///< A is gear 1
   bool internal;
   double k, epsilon, kappa;
-  double pitch_radius;  ///< of A
+  double pitch_radius;  ///< pitch radius of A
   double half_pitch;    ///< π/z_B
   double unit;          ///< factor from a turn of B to a turn of gear 2
   double to_arm;        ///< factor from an arm about the axis of B to an arm about axis 2
@@ -74,13 +74,13 @@ struct Motion {
   }
 
   struct Gap {
-    double value;  ///< of B
+    double value;  ///< as a turn of B
     double side;   ///< sign of ψ
     double lost;   ///< greatest possible rounding error of the value
   };
-  // Where the outline of B runs along a circle about its axis, an error in the last digit of the
-  // radius can change the angle by more than the gap. Such a touch is recorded with its greatest
-  // possible value.
+  // If the outline of B runs along a circle about its axis, an error in the last digit of the
+  // radius can change the angle by more than the gap. Such a touch is recorded with the greatest
+  // value that it can have.
   Gap gap_of(const ProfilePlace& b, double psi) const {
     constexpr double kRounding = std::numeric_limits<double>::epsilon();
     const double reduced = std::remainder(psi, 2 * half_pitch);
@@ -115,7 +115,7 @@ struct Motion {
       t.point = internal ? Vec2(-in_mesh) : in_mesh;
       t.places = {of_mover, of_asked};
     } else {
-      // Both gears are turned back until only gear 2 has turned.
+      // Both gears are turned back until gear 1 is at its original rotation.
       phi_1 = -kappa * phi + half_pitch + turn;
       t.turn_2 = (internal ? -unit : unit) * turn;
       t.point = Vec2(a - in_mesh.x(), -in_mesh.y());
@@ -127,8 +127,9 @@ struct Motion {
   }
 };
 
-/// The gap between the points of an arc of A and an arc of B. Each point is examined at the position in
-/// which its normal passes through the pitch point. There are two such positions, one per branch. [T2.31]
+/// The gap between an arc of A and an arc of B. Each point of the arc of A is examined at the
+/// positions in which its normal passes through the pitch point. There are two such positions, one
+/// for each branch. [T2.31]
 class ArcFamily {
  public:
   ArcFamily(const Motion& motion, const ProfileArc& arc, double branch)
@@ -193,8 +194,8 @@ class ArcFamily {
   int entry_ = 0;
 };
 
-/// The gap between a corner of A and an arc of B. The parameter t gives the parameter of the arc,
-/// u = u_0 + (1 − u_0) t². [T2.32]
+/// The gap between a corner of A and an arc of B. The parameter t gives the parameter of the arc, u
+/// = u_0 + (1 − u_0) t². [T2.32]
 class CornerFamily {
  public:
   CornerFamily(const Motion& motion, const ProfileCorner& corner, const ProfileArc& arc)

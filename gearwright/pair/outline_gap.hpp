@@ -1,6 +1,6 @@
-// The play of two finished outlines on parallel axes. Gear 2 is turned from the middle of its play
-// until a point of one tooth meets the other, at every rotation of the pair. All projecting parts of
-// a tooth are found, whether or not they have a name.
+// The play of two finished outlines on parallel axes. At every rotation of the pair, gear 2 is
+// turned from the middle of its play until a point of one tooth touches the other gear. All
+// projecting parts of a tooth are found, whether or not they have a name.
 //
 //   φ      rotation of the pair            a    centre distance, mm
 //   g      gap, as the turn of gear 2 that closes it, rad; < 0 if the outlines overlap
@@ -57,11 +57,11 @@ struct OutlineGap {
 /// Units     mm, rad
 /// Domain    outlines with arcs; gear 1 is external, and an internal gear is gear 2 with more teeth
 ///           (contract). A tip below the mating root circle gives no gap; its tip clearance is < 0
-/// Accuracy  every gap is that of two points of the outlines, to rounding, so none is too small.
-///           The least gap of a pair of arcs is too great by at most 1e-12 rad if it is less than
-///           `limit`, provided that the gap between two of nine places does not fall below their
-///           chord by more than half of the second difference. Above `limit`, it is the least
-///           evaluated value
+/// Accuracy  every gap is the gap between two points of the outlines, to rounding, so no gap is too
+///           small. If the least gap of a pair of arcs is less than `limit`, it is too great by at
+///           most 1e-12 rad. The condition is that the gap between two of nine places does not fall
+///           below their chord by more than half of the second difference. Above `limit`, it is the
+///           least evaluated value
 OutlineGap outline_gap(const Outline& gear_1, const Outline& gear_2, double center_distance,
                        double limit = std::numeric_limits<double>::infinity());
 

@@ -1,5 +1,5 @@
-// The gap of two outlines: half the backlash where involutes meet involutes, and the gap of a
-// projecting part if there is one.
+// Tests the gap of two outlines. It is half the backlash where involutes touch involutes, and
+// otherwise the gap of a projecting part.
 #include "gearwright/pair/outline_gap.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,8 @@ using testing::mounted;
 using testing::spec;
 
 Gear ring(int teeth, double m, double x = 0.0, double beta_deg = 0.0) {
-  CylindricalSpec short_teeth = spec(teeth, m, x, beta_deg);  // clear of the pinion's fillet
+  CylindricalSpec short_teeth = spec(teeth, m, x, beta_deg);  // with clearance to the fillet of the
+                                                              // pinion
   short_teeth.straight_rack().addendum = 0.8;
   auto cut = cut_by_default(made(short_teeth));
   EXPECT_TRUE(cut);
@@ -44,7 +45,7 @@ OutlineGap gap_at_backlash_free_distance(const Gear& one, const Gear& two) {
   return gap_of(mounted(one, two, *p.backlash_free_center_distance));
 }
 
-// The path of contact is that of the involutes, and no other part comes nearer.
+// Contact takes place along the path of the involutes, and no other part comes closer.
 TEST(OutlineGap, is_half_the_backlash_of_involutes) {
   const double m = 2.0;
   struct Case {
@@ -71,8 +72,9 @@ TEST(OutlineGap, is_half_the_backlash_of_involutes) {
   }
 }
 
-// The tip fillet of a wheel cut by a pinion of ten teeth projects beyond its involute, since those
-// teeth are undercut; along the circle of the flank of gear 1 that is 8.54 and 39.95 µm.
+// The tip fillet of a wheel cut by a pinion of ten teeth projects beyond its involute, because the
+// teeth of the pinion are undercut. Along the circle of the flank of gear 1, it projects by 8.54
+// and 39.95 µm.
 TEST(OutlineGap, a_tip_that_bulges_overlaps_the_flank) {
   for (const auto& [shift, depth] : {std::pair{0.0, 8.0247e-3}, {-0.3, 37.538e-3}}) {
     CylindricalSpec cutter = spec(10, 2.5, shift);
@@ -107,8 +109,8 @@ TEST(OutlineGap, a_ring_whose_cutter_was_undercut_overlaps_its_pinion) {
               1e-6);
 }
 
-// The gears are free in the middle of the play, but not at its ends: 2.2 of the 22.6 µm on each side
-// are not usable.
+// The gears are free in the middle of the play, but not at its ends. On each side, 2.2 of the 22.6
+// µm are not usable.
 TEST(OutlineGap, the_true_play_is_less_than_that_of_the_flanks) {
   CylindricalSpec one = spec(22, 0.5, -0.01, -12.0);
   one.normal_pressure_angle = Angle::degrees(22.5);
@@ -144,8 +146,7 @@ TEST(OutlineGap, a_wheel_cut_by_its_pinion_and_mounted_further_apart_has_less_pl
   EXPECT_EQ(least->places[1].arc, ArcName::tip_fillet);
 }
 
-// A gear that its mating gear has cut touches it everywhere without backlash, and no gap is smaller or
-// larger.
+// A gear touches the gear that it has cut everywhere without backlash. No gap is smaller or larger.
 TEST(OutlineGap, a_gear_touches_what_it_has_cut) {
   const Gear cutter = made(spec(20, 2.5, 0.2));
   const auto distance = generating_distance(cutter, 33, 0.1);
@@ -154,7 +155,7 @@ TEST(OutlineGap, a_gear_touches_what_it_has_cut) {
   EXPECT_NEAR(gap.least()->gap, 0.0, 1e-12);
 }
 
-// The limit saves work, and the gaps below it are unchanged.
+// The limit reduces the number of evaluations. Gaps below the limit are unchanged.
 TEST(OutlineGap, the_limit_leaves_what_lies_below_it) {
   CylindricalSpec cutter = spec(10, 2.5);
   cutter.straight_rack().addendum = 1.25;

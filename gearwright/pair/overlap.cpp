@@ -33,17 +33,17 @@ constexpr std::array kCauses{
         CollisionCause::trochoid, "trochoid",
         "internal pairs: the tip corner of the pinion and the internal gear, at entry or exit"},
     CauseMeaning{CollisionCause::root, "root",
-                 "a tip below the root circle of the mating gear; in this case no other cause and "
-                 "no free rotation is computed"},
+                 "a tip below the root circle of the mating gear; in this case, other causes and "
+                 "the free rotation are not computed"},
     CauseMeaning{CollisionCause::negative_backlash, "negative_backlash",
                  "the flanks themselves, because the teeth are too thick for this centre distance"},
     CauseMeaning{CollisionCause::outline, "outline", "other parts of the outlines"},
     CauseMeaning{CollisionCause::form_circle, "form_circle",
                  "without overlap: the tip of the mating gear passes the form circle, and no other "
-                 "arc touches early"},
+                 "arc touches before the flanks"},
     CauseMeaning{CollisionCause::base_tangent, "base_tangent",
                  "without overlap: the tip of the mating gear passes the base tangent point, and "
-                 "no other arc touches early"}};
+                 "no other arc touches before the flanks"}};
 
 }  // namespace
 
@@ -62,8 +62,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// Rounding error of the gap of outlines that were generated to touch.
-constexpr double kTouching = 6e-10;  // of the module
+// Greatest rounding error of the gap between outlines that touch by construction.
+constexpr double kTouching = 6e-10;  // relative to the module
 double touching(const MountedGears& p) { return kTouching * p.gears[0].spec.normal_module; }
 
 std::string words(ArcName name) {
@@ -106,7 +106,7 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   return {CollisionCause::outline, 0};
 }
 
-// A sentence for a tip that projects beyond its involute, which the outlines alone do not show.
+// A sentence about a tip that projects beyond its involute, which explains the collision.
 std::string bulge(const MountedGears& p, const Cause& cause) {
   if (cause.what != CollisionCause::tip_bulge) return "";
   const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
@@ -135,8 +135,8 @@ Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early)
                       part(touch, 1), part(touch, 2), early, at(touch), bulge(p, cause))};
 }
 
-// The collision of a tip that reaches below the mating gear's root circle. The place is on the centre
-// line. In a crossed internal pair it is at an end of a face and is not given.
+// The collision of a tip that reaches below the mating gear's root circle. It is on the centre
+// line. In a crossed internal pair, it is at an end of a face, and no place is given.
 Collision in_root(const MountedGears& p, int tip) {
   const auto i = static_cast<std::size_t>(tip - 1);
   const double depth = -p.tip_clearance[i];
@@ -183,8 +183,8 @@ bool is_of_a_circle(const Interference& named) {
   return named.code == WarningCode::form_circle || named.code == WarningCode::base_tangent;
 }
 
-// Relates overlaps and named findings. Every overlap gets a finding. A finding without overlap is
-// moved to the contacts beyond the flank if it refers to a circle, and is dropped otherwise.
+// Relates overlaps to named findings. Every overlap gets a finding. A finding without overlap
+// becomes a contact beyond the flank if it is based on a circle, and is dropped otherwise.
 void explain(InvolutePair& p) {
   std::vector<Interference> named = std::exchange(p.interference, {});
   const auto explained = [&](const Collision& s, const std::vector<Interference>& by) {
@@ -205,8 +205,8 @@ void explain(InvolutePair& p) {
                                                                : WarningCode::overlap;
     p.interference.push_back({code, s.gear, -s.depth, s.message});
   }
-  // If a finding from a circle and a collision of the outlines have the same cause, only the collision
-  // is reported.
+  // If a finding based on a circle and a collision of the outlines have the same cause, only the
+  // collision is reported.
   std::vector<Collision>& collisions = p.beyond_flank;
   for (Interference& i : only_beyond) {
     if (borne_out(i, collisions)) continue;

@@ -1,5 +1,5 @@
-// Overlap, contact beyond the flanks and the free play of mounted pairs, including collisions that the
-// tests of circles and corners miss and false alarms of those tests.
+// Tests overlap, contact beyond the flanks and the free play of mounted pairs. The cases include
+// collisions that the checks of circles and corners miss, and false alarms of these checks.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +53,7 @@ TEST(Overlap, a_tip_that_bulges_is_said_by_the_gear_and_by_the_pair) {
   EXPECT_EQ(p.interference[0].code, WarningCode::overlap);
   EXPECT_TRUE(warns(p, WarningCode::overlap));
   EXPECT_LT(p.free_play->rad(), 0.0);
-  // The named remedy removes the collision.
+  // The remedy in the message removes the collision.
   CylindricalSpec cutter = spec(10, 2.5);
   cutter.straight_rack().addendum = 1.25;
   const Gear shorter = cut(made(cutter), 60, 0.0, wheel.tip_bulge->from_diameter);
@@ -61,7 +61,7 @@ TEST(Overlap, a_tip_that_bulges_is_said_by_the_gear_and_by_the_pair) {
   EXPECT_TRUE(mounted(made(spec(20, 2.5)), shorter, 100.0).overlap->empty());
 }
 
-// With its own cutter as mating gear, the same tip does not collide.
+// A tip that projects beyond the involute does not collide with the cutter that generated it.
 TEST(Overlap, a_wheel_runs_with_the_pinion_that_cut_it) {
   CylindricalSpec one = spec(20, 2.5, 0.6);
   one.straight_rack().protuberance = 0.02;
@@ -84,8 +84,9 @@ TEST(Overlap, a_wheel_runs_with_the_pinion_that_cut_it) {
   EXPECT_LT(apart.free_play->rad(), apart.mesh.backlash.rotation[1]);
 }
 
-// 60:60 at x −0.5, whose tips pass the start of the flanks: tight they overlap, with play they only
-// touch beyond the flanks. The backlash of the flanks stays what the textbook prints.
+// In a pair 60:60 with x = −0.5, the tips pass the start of the flanks. Without backlash the teeth
+// overlap, and with backlash they only touch beyond the flanks. The backlash of the flanks remains
+// as in the textbook.
 TEST(Overlap, below_the_form_circle_it_is_overlap_or_contact_beyond_the_flank) {
   const CylindricalSpec one = spec(60, 2.0, -0.5);
   const InvolutePair close = testing::taken(mount_as<ParallelPair>(made(one), made(one), {}));

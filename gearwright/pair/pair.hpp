@@ -17,7 +17,8 @@ namespace gearwright {
 enum class PairKind { parallel_external, parallel_internal, crossed };
 const char* to_string(PairKind kind);
 
-/// A pair of any kind. Members that all kinds have are here, and the others are in the kinds.
+/// A pair of any kind. This class has the members that all kinds have in common. The other members
+/// are in the kinds.
 class Pair {
  public:
   Pair(ParallelPair pair);
@@ -51,7 +52,7 @@ class Pair {
   double center_distance() const { return mounted().center_distance; }  ///< a  mm
   Angle shaft_angle() const { return mounted().shaft_angle; }           ///< Σ
   double contact_ratio() const;                                         ///< over the whole face
-  double contact_ratio_true() const;  ///< the same on the usable flanks
+  double contact_ratio_true() const;  ///< contact ratio on the usable flanks
   double normal_backlash() const;     ///< mm; for circular arcs, along the normal at the contact
   const std::vector<Warning>& warnings() const { return mounted().warnings; }
   Pose<Housing, Gear1> pose_1() const { return mounted().pose_1(); }

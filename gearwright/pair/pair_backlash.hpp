@@ -13,7 +13,7 @@ struct PairBacklash {
   double normal;                             ///< j_n   mm
   std::array<double, 2> circumferential;     ///< j_wt  mm, at the working pitch circles
   std::array<Angle, 2> rotation;             ///< j_φ   of each gear, with the other one held
-  std::optional<std::array<Angle, 2>> free;  ///< the part without collisions
+  std::optional<std::array<Angle, 2>> free;  ///< the part of the rotation without collisions
 };
 
 /// The backlash of a pair; none for arcs without a point of contact.

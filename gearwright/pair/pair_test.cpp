@@ -1,4 +1,4 @@
-// Mounting any two gears: the kind of the pair, and combinations that are rejected.
+// Tests the mounting of any two gears: the kind of the pair, and combinations that are rejected.
 #include "gearwright/pair/pair.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,8 @@ namespace {
 
 using namespace literals;
 
-// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
+// The type is not an aggregate. C++20 would accept values for some members of an aggregate and set
+// the others to 0.
 static_assert(!std::is_constructible_v<InvolutePair, MountedGears>);
 static_assert(!std::is_constructible_v<ArcPair, MountedGears>);
 static_assert(!std::is_constructible_v<ParallelPair, InvolutePair>);
@@ -87,13 +88,13 @@ TEST(Mount, two_involute_gears_are_an_involute_pair) {
   EXPECT_EQ(pair->gear(2).spec.teeth, 40);
   EXPECT_EQ(pair->gear_ratio(), 2.0);
   EXPECT_EQ(pair->contact_ratio(), pair->involute()->contact_ratio());
-  // Without a given distance, the pair is free of backlash.
+  // If no centre distance is given, the pair is free of backlash.
   EXPECT_NEAR(pair->center_distance(), *pair->involute()->backlash_free_center_distance, 1e-12);
   EXPECT_NEAR(pair->involute()->mesh.backlash.normal, 0.0, 1e-12);
 }
 
-// Without a given place, and if parallel axes are impossible, the pair has the shaft angle of the least
-// distance.
+// If neither distance nor shaft angle is given and parallel axes are impossible, the pair has the
+// shaft angle of the least centre distance.
 TEST(Mount, helices_of_one_hand_cross) {
   const auto pair = mount(gear(20, StraightRack{}, 45_deg), gear(30, StraightRack{}, 45_deg));
   ASSERT_TRUE(pair) << pair.error().message();
@@ -105,7 +106,7 @@ TEST(Mount, helices_of_one_hand_cross) {
   EXPECT_EQ(pair->shaft_angle().rad(), *pair->involute()->input.shaft_angle);
   const auto forced =
       mount(gear(20, StraightRack{}, 45_deg), gear(30, StraightRack{}, 45_deg), {200.0, {}, {}});
-  EXPECT_FALSE(forced);  // on parallel axes
+  EXPECT_FALSE(forced);  // parallel axes are required
 }
 
 TEST(Mount, two_arc_gears_are_an_arc_pair) {

@@ -14,8 +14,8 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// Base pitches and base helix angles count as equal within 1e-9. Input in degrees or in rounded
-// millimetres deviates by less, and a different helix angle by more.
+// Base pitches and base helix angles count as equal within 1e-9. The rounding of values in degrees
+// or mm causes less deviation than this, and a different helix angle causes more.
 constexpr double kSamePitch = 1e-9;
 
 // Above this angle, the pitch cylinder has hundreds of times the radius of the base cylinder, and no
@@ -31,13 +31,14 @@ struct Hands {
 };
 constexpr Hands kExternal{
     "opposite",
-    "the angle of two right-hand gears is positive, that of two left-hand gears negative); a "
+    "the angle is positive for two right-hand gears and negative for two left-hand gears); a "
     "greater helix angle on either gear widens this range"};
-constexpr Hands kInternal{"of the same hand",
-                          "the angle is the helix angle of gear 1 minus that of the internal gear, "
-                          "right hand > 0); another helix angle on either gear shifts this range"};
+constexpr Hands kInternal{
+    "of the same hand",
+    "the angle is the helix angle of gear 1 minus the helix angle of the "
+    "internal gear, right hand > 0); another helix angle on either gear shifts this range"};
 
-// `rule` ends with kReach, or with kReach and more text, and takes the two ends of the range.
+// `rule` contains kReach, whose two placeholders are the ends of the range.
 Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {
   return refused("pair.shaft_angle", deg(sigma),
                  {deg(std::min(range.from, range.to)), deg(std::max(range.from, range.to))}, rule);
@@ -71,7 +72,7 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
     if (helix <= kMaxWorkingHelix && angles.sin_alpha > 0.0) return std::nullopt;
     return beyond(range, sigma,
                   fmt::format("is too close to a limit of these gears, because the working helix "
-                              "angle of gear {} would be {:.6g}°, and at most {}° is allowed; {}",
+                              "angle of gear {} would be {:.6g}°, but at most {}° is allowed; {}",
                               g + 1, helix, kMaxWorkingHelix, kReach));
   }
   const double miss = std::min(std::abs(sigma - range.from), std::abs(sigma - range.to));
@@ -127,8 +128,8 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
   }
   const bool crossing = shaft_angle && shaft_angle->rad() != 0.0;
   if (z2 < 0 && !crossing && !axes_are_parallel(gears)) {
-    // The flanks clear each other only with crowned leads. The axes of an internal pair therefore cross
-    // only if the user gives a shaft angle.
+    // The flanks of a crossed internal pair have clearance only with crowned leads. Its axes
+    // therefore cross only if the user gives a shaft angle.
     return refused(
         gear_field(2, "helix_angle"), g2.helix_angle.deg(),
         fmt::format("the axes of this internal pair would cross at {:.6g}°; for parallel axes the "

@@ -1,4 +1,4 @@
-// Which gears can mesh, and the error message if they cannot.
+// Tests which gears can mesh, and the error messages of the others.
 #include "gearwright/pair/partners.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 
@@ -44,7 +44,7 @@ TEST(Partners, crossed_axes_need_an_angle_within_reach) {
 TEST(Partners, unequal_base_pitches_say_what_would_fit) {
   const std::string why = refused(spec(20, 0_deg), spec(30, 0_deg, 2.1));
   EXPECT_TRUE(has(why, "gear2.normal_module = 2.1"));
-  EXPECT_TRUE(has(why, "0.29521")) << why;  // by how much: 0.1 π cos 20°
+  EXPECT_TRUE(has(why, "0.29521")) << why;  // the difference, 0.1 π cos 20°
   EXPECT_TRUE(has(why, "2 mm at its pressure angle")) << why;
 }
 

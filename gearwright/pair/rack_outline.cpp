@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNoArc = 1e-6;  // modules: a shorter arc is below the resolution of any machine
 
-// Appends arcs that begin where the preceding one ends.
+// Appends arcs, each of which begins at the end of the preceding one.
 class OutlineOfArcs {
  public:
   OutlineOfArcs(int teeth, const Vec2& begin) : end_(begin) { outline_.teeth = teeth; }

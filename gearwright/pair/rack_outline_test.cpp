@@ -1,10 +1,11 @@
-// Laws of the teeth of a rack in section.
+// Tests the laws of the teeth of a rack in section.
 //
-// (1) The arcs begin where the preceding ones end, from the middle of the space to that of the tooth.
-// (2) The tooth is s_n thick at the datum line, h_a high and h_f deep; the fillet is a circle of the
-//     normal section that is tangent to land and flank.
-// (3) The rack rolling along the pinion envelops the flank of the pinion: at every rotation some
-//     flank of the rack touches the pinion, and no point of the pinion is inside the rack.
+// (1) Each arc begins at the end of the preceding one, from the middle of the space to the middle
+//     of the tooth.
+// (2) At the datum line the tooth is s_n thick. It is h_a high and h_f deep. The fillet is a circle
+//     of the normal section that is tangent to land and flank.
+// (3) If the rack rolls along the pinion, it envelops the flank of the pinion: at every rotation,
+//     some flank of the rack touches the pinion, and no point of the pinion is inside the rack.
 #include "gearwright/pair/rack_outline.hpp"
 
 #include <gtest/gtest.h>
@@ -28,8 +29,8 @@ RackPair rack_of(int teeth, double m, double x, double beta, const RackBar& bar 
   return testing::taken(mount_rack(std::move(pinion), bar));
 }
 
-// Half of the width of the rack's tooth at a height above the datum line, mm in the transverse
-// section, without the fillet; from s_n and α_n alone.
+// Half of the width of the rack tooth at a height above the datum line, mm in the transverse
+// section, without the fillet. It is computed from s_n and α_n only.
 double half_width(const RackPair& p, double height) {
   const double n =
       p.rack.thickness / 2 - height * std::tan(p.pinion.spec.normal_pressure_angle.rad());
@@ -87,8 +88,8 @@ TEST(RackOutline, an_allowance_that_leaves_no_tooth_is_rejected) {
   }
 }
 
-// (3) The oracle takes points of the pinion's whole outline and measures each against the straight
-// flanks, from the pitch, the thickness and the angle of the rack alone.
+// (3) The test measures points of the whole outline of the pinion against the straight flanks,
+//     which follow from pitch, thickness and angle of the rack only.
 TEST(RackOutline, rolling_envelops_the_flank_of_the_pinion) {
   for (const auto& [teeth, x, beta] :
        {std::tuple{20, 0.0, 0.0}, std::tuple{17, 0.3, 0.0}, std::tuple{24, 0.1, 20.0}}) {
@@ -106,7 +107,7 @@ TEST(RackOutline, rolling_envelops_the_flank_of_the_pinion) {
               const double turn = phi + 2 * std::numbers::pi * k / teeth;
               const double X = w.x() * std::cos(turn) - side * w.y() * std::sin(turn);
               const double Y = w.x() * std::sin(turn) + side * w.y() * std::cos(turn);
-              // Frame of the rack, which has moved by r φ: a space lies at the centre line.
+              // In the frame of the rack, which has moved by r φ, a space lies on the centre line.
               const double height = p.center_distance - X;
               if (height > p.rack.addendum) continue;
               const double from_space = std::remainder(Y - r * phi, p_t);
@@ -117,8 +118,8 @@ TEST(RackOutline, rolling_envelops_the_flank_of_the_pinion) {
           }
         }
       }
-      // The curvature radius of the involute is at least 1 mm at the contact: points that are
-      // 1e-3 mm apart miss it by less than 1e-6 mm.
+      // The radius of curvature of the involute at the contact is at least 1 mm, so points that are
+      // 1e-3 mm apart miss the contact by less than 1e-6 mm.
       EXPECT_GT(least, -1e-11) << step;
       EXPECT_LT(least, 1e-6) << step;
     }

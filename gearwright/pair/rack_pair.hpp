@@ -1,6 +1,6 @@
 // A pinion and a rack: the exact limit of a parallel pair for z2 → ∞.
 //
-//   H, H_0    distance from the pinion axis to the rack's datum line, as mounted and free of
+//   H, H_0    distance from the pinion axis to the datum line of the rack, as mounted and without
 //             backlash   mm
 //   r, r_b    reference and base radius of the pinion   mm      α_n, α_t   pressure angles
 //   g         position along the line of action from the pitch point, > 0 in recess   mm
@@ -23,7 +23,7 @@ namespace gearwright {
 /// A rack as a part. Its teeth have the profile of the basic rack of its pinion.
 struct RackBar {
   std::optional<int> teeth{};          ///< n; by default not limited
-  std::optional<double> face_width{};  ///< b    mm; by default that of the pinion
+  std::optional<double> face_width{};  ///< b    mm; by default the face width of the pinion
   std::optional<double> height{};      ///< mm, from the back of the rack to the datum line
   double thickness_allowance = 0.0;    ///< E_sn mm at the datum line, < 0 thins the teeth
 };
@@ -32,7 +32,7 @@ struct RackBar {
 struct RackGeometry {
   RackBar bar;
   double normal_module;         ///< m_n  mm
-  Angle helix_angle;            ///< β    of the hand opposite to the pinion's
+  Angle helix_angle;            ///< β    with the hand opposite to the pinion
   Angle normal_pressure_angle;  ///< α_n
   double face_width;            ///< b    mm
   double normal_pitch;          ///< p_n  mm
@@ -54,8 +54,8 @@ struct RackPair {
   double backlash_free_center_distance;  ///< H_0  mm, of the teeth as cut
   double travel_per_turn;                ///< π m_t z  mm
   double approach,
-      recess;  ///< g_a, g_f  mm, up to the tips; < 0 if a tip ends before the pitch point
-  double true_approach, true_recess;  ///< the same, clipped to the usable flanks
+      recess;  ///< g_a, g_f  mm, up to the tips; < 0 if a tip does not reach the pitch point
+  double true_approach, true_recess;  ///< approach and recess, clipped to the usable flanks
   double overlap_ratio;               ///< ε_β over the common face
   double base_pitch;                  ///< p_bt  mm
   std::array<double, 2>
@@ -72,7 +72,7 @@ struct RackPair {
   Pose<Housing, Gear1> pose_1() const;
   Pose<Housing, Gear2> pose_2() const;
   double transverse_contact_ratio() const;  ///< ε_α, 0 without contact
-  double true_contact_ratio() const;        ///< the same on the usable flanks
+  double true_contact_ratio() const;        ///< ε_α on the usable flanks
   double normal_backlash() const;           ///< j_n  mm
   double base_backlash() const;             ///< j_bn mm
   double circumferential_backlash() const;  ///< j_t  mm, along the rack

@@ -1,9 +1,10 @@
-// Laws of a pinion and a rack.
+// Tests the laws of a pinion and a rack.
 //
-// (1) The numbers of a pair with z2 = 10⁴ and 10⁵ approach those of the rack as 1/z2.
-// (2) A distance greater by δ adds 2 δ sin α_n to the backlash along the line of action and δ to both
-//     clearances, and changes no angle.
-// (3) An allowance on the rack makes the backlash that the same allowance on the pinion makes.
+// (1) The differences between a pair with z2 teeth and the rack decrease like 1/z2 from 10⁴ to 10⁵
+//     teeth.
+// (2) If the distance increases by δ, the backlash along the line of action increases by 2 δ sin
+//     α_n and both clearances increase by δ. No angle changes.
+// (3) An allowance on the rack causes the same backlash as an equal allowance on the pinion.
 // (4) Doubling the module doubles every length.
 #include "gearwright/pair/rack_pair.hpp"
 
@@ -29,7 +30,7 @@ Gear pinion(int teeth, double m, double x, double beta, double allowance = 0.0) 
                                    .face_width = 20 * m / 2}));
 }
 
-// What a pair with z2 teeth has more than the rack.
+// The differences between a pair with z2 teeth and the rack.
 std::vector<double> beyond(const RackPair& rack, int z2) {
   const Gear wheel = pinion(z2, 2, 0, -rack.pinion.spec.helix_angle.deg());
   const Pair pair = testing::taken(mount(rack.pinion, wheel));
@@ -54,7 +55,8 @@ TEST(RackPair, is_the_limit_of_pairs) {
     const std::vector<double> some = beyond(rack, 10'000), more = beyond(rack, 100'000);
     for (std::size_t i = 0; i < some.size(); ++i) {
       EXPECT_LT(std::abs(some[i]), 0.01) << i;
-      // (1): of ten times the teeth a tenth. Radii of 10⁵ mm leave rounding of 1e-10.
+      // (1): with ten times the teeth, the difference is a tenth. Radii of 10⁵ mm cause rounding
+      // errors of 1e-10.
       EXPECT_NEAR(more[i], some[i] / 10, 0.01 * std::abs(some[i]) + 1e-9) << i;
     }
   }

@@ -1,6 +1,6 @@
-// The gap beside the line of action of an internal pair on crossed axes. The flanks touch on the line
-// of action, but the gap around a point of contact is a saddle. The flanks overlap on two sides unless
-// a lead is crowned.
+// The gap beside the line of action of an internal pair on crossed axes. The flanks touch on the
+// line of action, but the gap around a point of contact has the shape of a saddle. On two sides of
+// the point the flanks overlap, unless a lead is crowned.
 //
 //   η     angle between the generators (straight lines) of the two flanks, in the tangent plane
 //   λ_i   distance of the contact from base tangent point i along the line of action,
@@ -19,7 +19,7 @@ namespace gearwright {
 /// Least lead crowning, mm, with which the flanks clear each other beside every point of their path,
 /// if only this gear is crowned. None if the crowning of one gear alone is not sufficient.
 ///
-/// Formula   [T4.36], at the end of the path where the result is greatest
+/// Formula   [T4.36], at the end of the path at which the result is greater
 /// Domain    a crossed internal pair with L > 0 (contract)
 std::array<std::optional<double>, 2> needed_crowning(const MeshInput<double>& in,
                                                      const Mesh<double>& mesh);

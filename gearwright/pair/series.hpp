@@ -71,8 +71,8 @@ struct MinDistanceSeries {
     return alpha + delta;
   }
 
-  /// The least distance, a_0 − m_n |z_1′ + z_2′| L²/4, without (1) or with (2) a second factor at the
-  /// correction. The error is O(L³) or O(L⁴). [T5.24]…[T5.26]
+  /// The least distance, a_0 − m_n |z_1′ + z_2′| L²/4. If `factors` is 2, the correction has a
+  /// second factor. The error is O(L³) for one factor and O(L⁴) for two. [T5.24]…[T5.26]
   T center_distance(int factors) const {
     using std::tan;
     GW_EXPECTS(factors == 1 || factors == 2);
@@ -100,8 +100,8 @@ struct MinDistanceSeries {
     return helix[static_cast<unsigned>(gear)] + tan_b * sum;
   }
 
-  /// Shaft angle of the gears on a rack of the angle α + Δ, to first order in Δ. Δ = L gives the shaft
-  /// angle of the least distance, with an error of O(L²). [T5.28]
+  /// Shaft angle of the gears on a rack of the angle α + Δ, to first order in Δ. For Δ = L, it is
+  /// the shaft angle of the least distance, with an error of O(L²). [T5.28]
   T shaft_angle(const T& delta) const {
     using std::tan;
     return rack_shaft_angle + tan(alpha) * (tan(helix[0]) + side * tan(helix[1])) * delta;

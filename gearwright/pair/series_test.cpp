@@ -1,4 +1,5 @@
-// The least distance by hand: golden values, the order of every error, and the paper's example.
+// Tests the least distance by series: golden values, the order of every error, and the example of
+// the paper.
 #include "gearwright/pair/series.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +20,8 @@ namespace {
 using Exact = boost::multiprecision::cpp_bin_float_50;
 using testing::kDegree;
 
-// Columns as computed with 40 digits from the equations of the theory page; angles in degrees,
-// α = 20°. The last three are the exact solution.
+// Values computed with 40 digits from the equations of the theory page; angles in degrees, α = 20°.
+// The last three columns are the exact solution.
 struct Golden {
   std::string pair;
   int z1, z2;
@@ -111,7 +112,8 @@ ReferencePair<double> pair_of(const Golden& g) {
   return pair;
 }
 
-// Lengths to 1e-14 of themselves, angles to 2e-13°: a few roundings of tan β, near 80° too.
+// The relative error of lengths is at most 1e-14, and the error of angles at most 2e-13°. These are
+// a few rounding errors of tan β, also near 80°.
 TEST(MinDistanceSeries, golden_values) {
   for (const Golden& g : golden()) {
     const auto s = min_distance_series(pair_of(g));
@@ -138,8 +140,8 @@ TEST(MinDistanceSeries, golden_values) {
   }
 }
 
-// The least distance itself by halving, from sin α_t = sin α_n/cos β_b and the sum of the involutes;
-// shaft angle and distance of the pitch cylinders follow.
+// The least distance by bisection of sin α_t = sin α_n/cos β_b and the sum of the involutes. Shaft
+// angle and distance of the pitch cylinders follow from it.
 template <class T>
 struct Solved {
   T alpha, a, Sigma;
@@ -204,7 +206,7 @@ const Shape kShapes[] = {{9, 15, 51.6, 39.4},  {13, 27, -45, -45}, {15, 40, 35, 
                          {17, 43, 25, -25},    {17, 42, 0, 0},     {20, -60, 0, 0},
                          {20, -61, 22.5, 22.5}};
 
-// By halving in 50 digits, the exact solution agrees with the one computed elsewhere.
+// The bisection with 50 digits agrees with the exact solution of the table.
 TEST(MinDistanceSeries, exact_solution_of_these_tests) {
   for (const Golden& g : golden()) {
     ReferencePair<Exact> pair;
@@ -218,8 +220,8 @@ TEST(MinDistanceSeries, exact_solution_of_these_tests) {
   }
 }
 
-// Halving the sum of shifts divides the error by 2 to the power of the first term left out. At
-// Σx = 1e-3 the term after it moves that exponent by some L/sin² α, below 0.01.
+// If the sum of shifts is halved, the error is divided by 2 to the power of the first omitted term.
+// At Σx = 1e-3, the next term changes this exponent by about L/sin² α, which is below 0.01.
 TEST(MinDistanceSeries, errors_fall_with_the_right_power) {
   for (const Shape& shape : kShapes) {
     const bool crossed = shape.beta1 + (shape.z2 > 0 ? 1 : -1) * shape.beta2 != 0;
@@ -243,10 +245,10 @@ TEST(MinDistanceSeries, errors_fall_with_the_right_power) {
         EXPECT_NEAR(order(a[n - 1][0], a[n - 1][1]), n + 2, 0.01) << what << n;
       if (crossed) {
         EXPECT_NEAR(order(Sigma[0], Sigma[1]), 2, 0.01) << what;
-      } else {  // parallel axes stay parallel
+      } else {  // parallel axes remain parallel
         EXPECT_EQ(Sigma[0], 0) << what;
       }
-      if (shape.beta1 == 0) {  // the virtual pair is the pair
+      if (shape.beta1 == 0) {  // the gears are spur gears, so the virtual pair equals the pair
         EXPECT_LT(abs(spur[0][0]), Exact(1e-40)) << what;
       } else {
         EXPECT_NEAR(order(spur[0][0], spur[0][1]), 2, 0.01) << what;
@@ -256,7 +258,7 @@ TEST(MinDistanceSeries, errors_fall_with_the_right_power) {
   }
 }
 
-// The helix angle on another rack, n terms: the error is O(Δ^(n + 1)).
+// For the helix angle on another rack, the error of n terms is O(Δ^(n + 1)).
 TEST(MinDistanceSeries, helix_angle_terms) {
   const auto s = min_distance_series(exact_pair(9, 15, 51.6, 39.4, Exact(0)));
   for (int gear : {0, 1}) {
@@ -274,15 +276,17 @@ TEST(MinDistanceSeries, helix_angle_terms) {
   }
 }
 
-// The example 9/15 of the paper, from its Tab. 1. "As computed" is what its equations, corrected,
-// give for these data; printed there: 18°42′33″, 50.014, 90°01′04″ by three terms, 18°43′18″,
-// 50.022, 90°01′34″ by virtual teeth, 18°42′20″ corrected (docs/theory, page 5).
+// The example 9/15 of the paper, from its Tab. 1. The expected values follow from the corrected
+// equations of the paper for these data. The paper prints 18°42′33″, 50.014 and 90°01′04″ for three
+// terms, 18°43′18″, 50.022 and 90°01′34″ for virtual teeth, and 18°42′20″ for the corrected value
+// (docs/theory, page 5).
 TEST(MinDistanceSeries, example_of_the_paper) {
   const Golden& g = golden("paper_9_15");
   const auto s = min_distance_series(pair_of(g));
   const double S[] = {std::sin(47.408 * kDegree), std::sin(36.595 * kDegree)};
   const double d_b[] = {37.4892228898867, 52.6687933717901};
-  // Pitch radii and helix angles that a rack of this angle rolls on: the column "c" of the table.
+  // Sums of the pitch radii and helix angles with which the gears roll on a rack of this angle,
+  // column "c" of the table.
   const auto pitch_sum = [&](double alpha) {
     double sum = 0;
     for (int i : {0, 1}) {
@@ -303,12 +307,12 @@ TEST(MinDistanceSeries, example_of_the_paper) {
   EXPECT_NEAR(pitch_sum(spur), 50.021221346874135, 1e-9);
   EXPECT_NEAR(helix_sum(spur), 90.02570080716839, 1e-9);
   EXPECT_NEAR(*s.corrected_virtual_pressure_angle() / kDegree, 18.705174053191552, 1e-9);
-  // Σ first order in the virtual pair's own step is what the table's last column prints
-  // (89°59′01″).
+  // The last column of the table prints 89°59′01″. This is Σ to first order, with the step of the
+  // virtual pair.
   EXPECT_NEAR(s.shaft_angle(spur - s.alpha) / kDegree, 89 + 59 / 60.0 + 2.967 / 3600, 1e-6);
   EXPECT_NEAR(s.shaft_angle(s.L) / kDegree, 90 + 2 / 60.0 + 58.42 / 3600, 2e-6);
-  // A tenth of a minute in α_n moves the pitch cylinders by microns, the least distance not at all:
-  // a(α) is flat there.
+  // A tenth of a minute in α_n changes the pitch radii by micrometres, but not the least distance,
+  // because a(α) is stationary there.
   EXPECT_NEAR(s.center_distance(2), g.a, 3e-4);
 }
 
@@ -327,9 +331,9 @@ TEST(MinDistanceSeries, no_virtual_pair_without_backlash_is_nothing) {
   EXPECT_FALSE(min_distance_series(pair).corrected_virtual_pressure_angle());
 }
 
-// (1) doubling the module doubles the distance and leaves the angles, exactly
-// (2) the mirror image has the opposite shaft angle and otherwise the same values
-// (3) the gears may change places
+// (1) doubling the module doubles the distance and leaves the angles unchanged, exactly
+// (2) the mirror image has the opposite shaft angle and otherwise equal values
+// (3) the gears may be exchanged
 TEST(MinDistanceSeries, laws) {
   for (const Golden& g : golden()) {
     const auto pair = pair_of(g);

@@ -1,4 +1,4 @@
-// Shifts and centre distance: each is computed from the other and back.
+// Tests that shifts and centre distance can be computed from each other.
 #include "gearwright/pair/shift.hpp"
 
 #include <gtest/gtest.h>
@@ -44,8 +44,8 @@ TEST(Shift, opposite_shifts_leave_the_reference_distance) {
   EXPECT_EQ(solved(p).center_distance, 60.0);
 }
 
-// x → a → x.  Conditioning: dx/da = sin α_wt/(m tan α_n)·…, about 1; near a_d α_wt is known to
-// ε a/(N), N = a sin α_wt.
+// The shift is converted to a and back. dx/da is about 1. Near a_d, α_wt is known only to ε a/N
+// with N = a sin α_wt.
 TEST(Shift, centre_distance_and_sum_are_inverse) {
   for (const int z2 : {11, 43, 150, -43, -150}) {
     for (const double sum : {-0.8, -0.1, 1e-6, 0.3, 1.5}) {
@@ -64,8 +64,8 @@ TEST(Shift, more_shift_moves_external_axes_apart_and_internal_ones_together) {
     EXPECT_LT(tight_center_distance(17, -43, 2.0, kAlpha, kAlpha, 1.0, sum), 26.0);
     EXPECT_EQ(extended_center_distance(17, 43, 2.0, 1.0, sum), 60.0 + 2.0 * sum);
     EXPECT_EQ(extended_center_distance(17, -43, 2.0, 1.0, sum), 26.0 - 2.0 * sum);
-    // Free of backlash, the gears are closer than their racks would be, so the tip clearance is
-    // smaller.
+    // Without backlash, the gears are closer together than their racks would be, so the tip
+    // clearance is smaller.
     EXPECT_LT(tight_center_distance(17, 43, 2.0, kAlpha, kAlpha, 1.0, sum), 60.0 + 2.0 * sum);
   }
 }
@@ -84,8 +84,8 @@ TEST(Shift, one_shift_follows_from_the_distance) {
   EXPECT_NEAR(solved(other).x1, 0.2, 1e-15 * 10);
 }
 
-// If both shifts are computed, Eq. 11 gives the larger share to the pinion. It is symmetric in the two
-// gears.
+// If both shifts are computed, Eq. 11 gives the greater one to the pinion. The result is symmetric
+// in the two gears.
 TEST(Shift, both_follow_from_the_distance) {
   ShiftProblem p = spur_problem(17, 43);
   p.center_distance = 61.0;

@@ -24,7 +24,7 @@ double tool_setting_change(const ArcMeshInput& in, Angle normal_angle, double de
 double thickness_change(const WorkingArc& convex, Angle normal_angle, double delta_b) {
   const double theta = normal_angle.rad();
   const double rho = convex.radius;
-  const double up = rho * std::sin(theta) + delta_b;  // x + b at the height of the old point
+  const double up = rho * std::sin(theta) + delta_b;  // x + b at the height of the original point
   GW_EXPECTS(std::abs(up) < rho);
   return 2.0 * (std::sqrt((rho - up) * (rho + up)) - rho * std::cos(theta));
 }

@@ -1,9 +1,9 @@
-// Computes the setting b_F of the rack that cuts the convex teeth of circular-arc gears: the setting
-// that restores the contact after a change of the centre distance, and the effect of a changed setting
-// on the tooth thickness.
+// The setting b_F of the rack that cuts the convex teeth of circular-arc gears. The functions
+// compute the setting that restores the contact after a change of the centre distance, and the
+// effect of a changed setting on the tooth thickness.
 //
 //   θ   normal angle at the contact       C   centre distance       C0 = r_F + r_P
-//   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   distance of the racks, mm
+//   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   distance of the points of the two racks, mm
 //                                         theory: docs/theory/08-contact.md, [T8.20], [T8.21]
 #pragma once
 

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kDeg = std::numbers::pi / 180;
 
-// Example 1 of Litvin and Tsay, inch: pitch radii from a lead angle of 65°, teeth from one of 75°,
-// as in the paper's numbers.
+// Example 1 of Litvin and Tsay, in inches. As in the paper, the pitch radii follow from a lead
+// angle of 65°, but the teeth from a lead angle of 75°.
 ArcMeshInput example_1() {
   ArcMeshInput in{};
   in.convex = {0.7, 0.21121778264910707, 0.12194664367009782};
@@ -25,7 +25,7 @@ ArcMeshInput example_1() {
 
 TEST(ToolSetting, example_1_of_the_paper) {
   const ArcMeshInput in = example_1();
-  // Printed: 29.239515, 12.81412° and −0.021.
+  // The paper prints 29.239515, 12.81412° and −0.021.
   EXPECT_NEAR(in.center_distance, 29.239515, 5e-7);
   ArcMeshInput displaced = in;
   displaced.center_distance += 0.021;
@@ -36,7 +36,7 @@ TEST(ToolSetting, example_1_of_the_paper) {
   EXPECT_NEAR(exact, -0.0209789493999995, 1e-14);
   displaced.convex.b += exact;
   EXPECT_NEAR(contact_angle(displaced)->rad() / kDeg, 30.0, 1e-10);
-  // The error of the paper's first-order formula.
+  // The difference to 30° is the error of the paper's first-order formula.
   displaced.convex.b = in.convex.b - 0.021;
   EXPECT_NEAR(contact_angle(displaced)->rad() / kDeg, 30.0185, 5e-5);
 }
@@ -68,16 +68,18 @@ TEST(ToolSetting, thickness_is_that_of_the_moved_arc) {
   const double moved = std::asin((x + arc.b + delta) / arc.radius);
   EXPECT_NEAR(thickness_change(arc, Angle::radians(theta), delta),
               2 * arc.radius * (std::cos(moved) - std::cos(theta)), 1e-15);
-  EXPECT_GT(thickness_change(arc, Angle::radians(theta), delta), 0.0);  // less b, thicker
+  EXPECT_GT(thickness_change(arc, Angle::radians(theta), delta), 0.0);  // a smaller b makes the
+                                                                        // tooth thicker
 }
 
-// [T8.23]: the exact lead of gear 2 with changed settings, and its backlash to first order, which
-// depends on Δb_F − Δb_P + ΔC alone.
+// [T8.23]: tests the exact offset of gear 2 with changed settings, and its backlash to first order,
+// which depends only on Δb_F − Δb_P + ΔC.
 TEST(ToolSetting, what_changed_settings_do) {
   const ArcMeshInput in = example_1();
   const double r_2 = in.pitch_radius_concave, c_0 = in.center_distance;
   const double sin_lambda = std::sin(in.lead_angle.rad()), tan_0 = std::tan(30 * kDeg);
-  // The teeth of the example do not quite match its pitch radii. This is the lead before any change.
+  // The teeth of the example do not match its pitch radii exactly. This is the offset before any
+  // change.
   const Angle before = arc_contact(in, *contact_angle(in)).rotation_offset;
   for (const double b_f : {-2e-4, 0.0, 3e-4}) {
     for (const double b_p : {-1e-4, 2e-4}) {
@@ -96,7 +98,8 @@ TEST(ToolSetting, what_changed_settings_do) {
         EXPECT_NEAR(r_2 * at.rotation_offset.rad(), ahead, 1e-13);
         const double play = -2 * (at.rotation_offset - before).rad();
         const double change = b_f - b_p + more;
-        // The next terms: dθ = Δ/((ρ_F − ρ_P) cos θ_0), and 2 cot θ_0 sin² λ ΔC²/C_0 of the turn μ.
+        // The limit contains the next terms: dθ = Δ/((ρ_F − ρ_P) cos θ_0), and 2 cot θ_0 sin² λ
+        // ΔC²/C_0 of the turn μ.
         const double cos_0 = std::cos(30 * kDeg);
         const double second = change * change / (std::abs(difference) * cos_0 * cos_0 * cos_0);
         const double turned = 2 * more * more / (tan_0 * c_0);

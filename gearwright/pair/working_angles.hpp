@@ -23,7 +23,7 @@
 
 namespace gearwright {
 
-/// g: the gear whose helix angle reaches 90° first.
+/// The gear g, whose helix angle reaches 90° first.
 template <class T>
 int limiting_gear(const BasePair<T>& gears) {
   using std::abs;
@@ -47,7 +47,7 @@ RackAngles<T> angles_at_transverse(const BasePair<T>& gears, const T& sin_alpha,
   a.sin_alpha = c_g * sin_alpha;
   a.u[g] = c_g * cos_alpha;
   a.cos_alpha = sqrt(a.u[g] * a.u[g] + s_g * s_g);
-  // If |β_b| of both gears are equal, so are their u, and no square root is needed.
+  // If |β_b| is equal for both gears, u is also equal, and no square root is needed.
   const T rest = (s_g - s_o) * (s_g + s_o);
   a.u[1 - g] = rest == T(0) ? a.u[g] : T(sqrt(a.u[g] * a.u[g] + rest));
   return a;
@@ -77,7 +77,7 @@ RackAngles<T> angles_at_parallel_distance(const BasePair<T>& gears, const T& a) 
 template <class T>
 struct ShaftAngleRange {
   T from;  ///< β_b1 + σ β_b2, the limit for α_n → 0
-  T to;    ///< at which β_g reaches 90°
+  T to;    ///< angle at which β_g reaches 90°
   bool contains(const T& sigma) const {
     return from < to ? from < sigma && sigma < to : to < sigma && sigma < from;
   }
@@ -234,8 +234,8 @@ std::optional<T> transverse_angle_at_pitch_sum(const BasePair<T>& gears, const T
 
 namespace detail {
 
-/// Contributions of a gear to the centre distance and to the length of the line of action, α/sin α and
-/// (α − sin α cos α)/sin² α.
+/// The contributions of a gear to the centre distance and to the length of the line of action:
+/// α/sin α and (α − sin α cos α)/sin² α.
 template <class T>
 struct ArcShares {
   T distance, line;
@@ -247,7 +247,8 @@ ArcShares<T> arc_shares(const T& sin_t, const T& cos_t) {
   return {alpha / sin_t, (alpha - sin_t * cos_t) / (sin_t * sin_t)};
 }
 
-/// a(α) and L(α) of the backlash-free pair, with their derivatives after α. [T4.11], [T4.22]
+/// a(α) and L(α) of the backlash-free pair, with their derivatives with respect to α. [T4.11],
+/// [T4.22]
 template <class T>
 struct DistanceAndLine {
   Slope<T> a;
@@ -293,8 +294,8 @@ struct AngleInterval {
   bool limit = false;
 };
 
-/// The α at which the backlash-free distance of a crossed pair is a, in ascending order. There are two
-/// above the least distance (the upper one may lie beyond the domain) and none below.
+/// The α at which the backlash-free distance of a crossed pair is a, in ascending order. There are
+/// two above the least distance (the greater one may lie beyond the domain) and none below it.
 ///
 /// Domain    external pair with K > 0 (otherwise a(α) has no minimum, and at most one α is returned)
 template <class T>
@@ -315,7 +316,7 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
   if (least) {
     from = *least;
     if (!(f(from).value < T(0))) return found;
-    // At this lower end, the term K/(2 sin α_n) is equal to a, so the sum of all terms exceeds a.
+    // At this lower end, the term K/(2 sin α_n) equals a, so the sum of all terms exceeds a.
     const T c_g = cos(gears[limiting_gear(gears)].helix_angle);
     T lo = asin(base_excess(gears) / (T(2) * c_g * a));
     if (lo > from) lo = from;
@@ -327,9 +328,9 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
   return found;
 }
 
-/// The interval of α in which the backlash-free pair has 0 ≤ L ≤ `longest`. If `longest` is the length
-/// that the tips reach minus one base pitch, the contact ratio is at least 1 in this interval. L is
-/// convex in α_n, so there is only one interval.
+/// The interval of α in which the backlash-free pair has 0 ≤ L ≤ `longest`. If `longest` is one
+/// base pitch less than the length that the tips reach, the contact ratio is at least 1 in this
+/// interval. L is convex in α_n, so there is only one interval.
 ///
 /// Formula   L = Σ r_b/cos β_b · (α_t − sin α_t cos α_t)/sin² α_t + K/(2 sin² α_n); [T4.22]
 /// Domain    external pairs
@@ -338,7 +339,7 @@ std::optional<AngleInterval<T>> transverse_angles_with_line_within(const BasePai
                                                                    const T& longest) {
   using std::atan;
   const T half_pi = atan(T(1)) * T(2);
-  const T tiny = T(1e-9);  // rad: α_n = 0 is no rack
+  const T tiny = T(1e-9);  // rad; α_n = 0 does not describe a rack
   const auto above = [&](const T& limit) {
     return [&gears, limit](const T& alpha) {
       Slope<T> s = detail::distance_and_line(gears, alpha).line;

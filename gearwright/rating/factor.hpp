@@ -1,7 +1,7 @@
 // A number of a strength rating with its clause in the standard and the branch of its formula, so
 // that users can compare it with another report.
 //
-// Both texts are string literals, so they take no time to make, and the design search can use the same
+// Both texts are string literals, so they cost no time, and the design search can use the same
 // functions.
 #pragma once
 

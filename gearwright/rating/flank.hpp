@@ -31,7 +31,7 @@ struct Film {
   double sigma_Hlim = 0.0;                  ///< N/mm²
   std::optional<double> viscosity;          ///< ν_40  mm²/s
   std::optional<double> velocity;           ///< v     m/s
-  std::optional<std::array<double, 2>> Rz;  ///< of the flanks, µm, pinion and wheel
+  std::optional<std::array<double, 2>> Rz;  ///< roughness of the flanks of pinion and wheel, µm
 };
 
 // The following three functions return values at the reference number of cycles. For a limited life,

@@ -3,8 +3,8 @@
 //   N_L   load cycles           Z_NT, Y_NT   life factors of flank and root, for test conditions
 //
 // Between the number of cycles for static stress and the reference number, the factors are straight
-// lines in log N and log σ. Beyond the reference number they decrease to 0.85 at 10¹⁰ cycles, unless
-// experience permits 1.
+// lines in log N and log σ. Beyond the reference number, they decrease to 0.85 at 10¹⁰ cycles,
+// unless experience permits a factor of 1.
 #pragma once
 
 #include <optional>

@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 11> kLetters{"Eh",
 struct Line {
   MaterialKind kind;
   double flank_a, flank_b, root_a, root_b;
-  double lo, hi;  // of x
+  double lo, hi;  // range of x
   bool brinell;
 };
 

@@ -4,7 +4,7 @@
 //   HV, HB           hardness of the surface, Vickers and Brinell; HB ≈ 0.95 HV
 //   R_e              yield strength or 0.2 % proof stress, N/mm²
 //
-// The table is intended for a first result. Its values are those of quality MQ at a usual hardness. For
+// The table is intended for a first result. Its values apply to quality MQ at a usual hardness. For
 // a final design, the user must check them against the standard and the supplier's data.
 #pragma once
 
@@ -49,9 +49,9 @@ struct Material {
   double youngs_modulus = 206000.0;        ///< E  N/mm²
   double poisson_ratio = 0.3;              ///< ν
   double density = 7.83e-6;                ///< ρ  kg/mm³
-  std::optional<double> hardness_HV{};     ///< of the surface
+  std::optional<double> hardness_HV{};     ///< hardness of the surface
   std::optional<double> yield_strength{};  ///< R_e  N/mm²
-  bool from_table = false;                 ///< true if the limits are those of the built-in table
+  bool from_table = false;                 ///< true if the limits come from the built-in table
   /// Values of a plastic by temperature. If a list is not empty, it replaces the number above.
   ByTemperature sigma_Hlim_by{}, sigma_Flim_by{}, youngs_modulus_by{};
 
@@ -64,7 +64,8 @@ struct Material {
   }
 };
 
-/// A material of this kind with the usual elasticity and density, without strength. Those of a plastic must be given.
+/// A material of this kind with the usual elasticity and density, without strength. For a plastic,
+/// elasticity and density must be given.
 Material material_of_kind(MaterialKind kind);
 
 /// A row of the table.

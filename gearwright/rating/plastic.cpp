@@ -35,7 +35,7 @@ HeatTransfer heat_transfer(const std::array<Material, 2>& materials) {
 
 // The number in the spec of the gear at a place in RatedPair::gears.
 int gear_at(const RatedPair& pair, std::size_t place) { return pair.place(1) == place ? 1 : 2; }
-// The value of a material at a temperature. If the list is empty, it is the single given number.
+// The value of a material at a temperature. If the list is empty, the given number is returned.
 Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemperature& list,
                         double number, double celsius, const char* what) {
   if (list.empty()) return number;

@@ -4,10 +4,11 @@
 //   const auto r = rate(*pair, {.torque = 40953, .speed = 1165.9, .materials = {steel, steel}});
 //   if (r) use(r->S_F[0].value, r->S_F[0].formula);
 //
-// Lists of two values are in the order gear 1, gear 2 of the spec, whichever is the pinion. A factor
-// whose input is not given is 1, and its branch states this. Scuffing and micropitting (ISO/TS 6336-20,
-// -21, -22) are not covered. For plastics, rating/plastic.hpp computes the same numbers by VDI 2736 at
-// the temperatures of the teeth, without the factors that this guideline does not contain.
+// Lists of two values are in the order gear 1, gear 2 of the spec, whichever is the pinion. A
+// factor whose input is not given is 1, and its branch states this. Scuffing and micropitting
+// (ISO/TS 6336-20, -21, -22) are not covered. For plastics, rating/plastic.hpp computes the same
+// numbers by VDI 2736 at the temperatures of the teeth. Factors that this guideline does not
+// contain are absent.
 //                                              theory: docs/theory/11-rating.md
 #pragma once
 
@@ -45,8 +46,8 @@ struct RatingInput {
   std::optional<double> transverse_load_factor;       ///< K_Hα
   std::optional<double> transverse_load_factor_root;  ///< K_Fα
   std::optional<PinionMounting> mounting;
-  std::optional<MeshShafts> shafts;    ///< from which K_Hβ follows if neither K_Hβ nor a mounting
-                                       ///< is given
+  std::optional<MeshShafts> shafts;    ///< used to compute K_Hβ if neither K_Hβ nor a mounting is
+                                       ///< given
   std::optional<double> misalignment;  ///< f_ma  µm, with `shafts`; default as for a mounting
   std::optional<RatedBody> body;
   std::array<std::optional<double>, 2> rim{};  ///< s_R  mm

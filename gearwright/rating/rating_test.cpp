@@ -17,8 +17,8 @@ namespace {
 using testing::case_hardened;
 using testing::printed_pair;
 
-// The type is not an aggregate, because C++20 would accept a part of the members and set the others
-// to 0.
+// The type is not an aggregate. C++20 would accept values for some members of an aggregate and set
+// the others to 0.
 static_assert(!std::is_constructible_v<Rating, RatingEdition>);
 static_assert(!std::is_constructible_v<RatedPair, std::array<RatedGear, 2>>);
 
@@ -27,9 +27,9 @@ void expect_both(const FactorPair& got, double first, double second, double tole
   EXPECT_NEAR(got[1].value, second, tolerance);
 }
 
-// KISSsoft 03/2017, case KS-HEL-24-95 of the case file; every value agrees to its printed digits,
-// except the values for the direction of the load, which are 0.1 % greater in the report (theory
-// 11.6).
+// KISSsoft 03/2017, case KS-HEL-24-95 of the case file. Every value agrees to its printed digits,
+// except the values that depend on the direction of the load, which are 0.1 % greater in the report
+// (theory 11.6).
 TEST(Rating, HelicalReport) {
   const RatedPair pair = testing::helical_24_95();
   EXPECT_NEAR(pair.epsilon_alpha, 1.463, 5e-4);
@@ -244,7 +244,7 @@ TEST(Rating, SpurSectionsOfDin3990) {
   EXPECT_NEAR(s2->q_s, 3.48397821817927, 3e-4);
 }
 
-// (1) twice the torque, twice σ_F0 and √2 times σ_H0
+// (1) twice the torque gives twice σ_F0 and √2 times σ_H0
 TEST(RatingLaws, StressesFollowTheTorque) {
   const RatedPair pair = testing::helical_24_95();
   RatingInput in = testing::helical_24_95_load();
@@ -262,7 +262,7 @@ TEST(RatingLaws, StressesFollowTheTorque) {
   }
 }
 
-// (2) k times the lengths, k³ times the torque: the same nominal stresses
+// (2) k times the lengths and k³ times the torque give the same nominal stresses
 TEST(RatingLaws, StressesHaveNoSize) {
   RatedPair pair = testing::helical_24_95();
   RatingInput in = testing::helical_24_95_load();
@@ -283,7 +283,7 @@ TEST(RatingLaws, StressesHaveNoSize) {
   EXPECT_NEAR(large.stiffness.c_prime.value, small.stiffness.c_prime.value, 1e-12);
 }
 
-// (3) gear 1 and gear 2 exchanged
+// (3) exchanging gear 1 and gear 2 changes no number
 TEST(RatingLaws, ExchangedGearsHaveTheSameNumbers) {
   const RatedPair pair =
       printed_pair({17, 0.3, 0}, {60, 0.1, 0}, 3, 15, 40, 0, *iso53_rack("ISO53-A"));

@@ -64,8 +64,9 @@ Rated rated(const Ring& k) {
   return {std::move(ring), pair, section.value_or(CriticalSection{})};
 }
 
-// KISSsoft 03/2017, second stage of the 5 MW wind turbine of NREL: the ring −93 of the rack 1.25/0.30
-// and its pinion cutter of 30 teeth; With the root rounding of the cutter, ρ_F would be 10.94 mm.
+// KISSsoft 03/2017, second stage of the 5 MW wind turbine of NREL: the ring −93 of the rack
+// 1.25/0.30 and its pinion cutter with 30 teeth. With the root rounding of the cutter, ρ_F would be
+// 10.94 mm.
 TEST(RingRoot, takes_the_rounding_of_the_cutters_tip) {
   for (const Corner corner : {Corner::of_the_rack, Corner::circle}) {
     Ring k;
@@ -109,7 +110,8 @@ TEST(RingRoot, does_not_know_the_cutters_root) {
   }
 }
 
-// The point at which the tangent of the fillet of the ring has 60° to the centre line of the tooth.
+// The point at which the tangent of the fillet of the ring is inclined by 60° to the centre line of
+// the tooth.
 struct Exact {
   double rho, half_chord;  // mm
 };
@@ -137,8 +139,8 @@ std::optional<Exact> at_60_degrees(const Gear& ring) {
 }
 
 // ρ_fPv of the standard is an approximation. On outlines cut by circular corners, ρ_F is 11 to 21 %
-// greater than the radius at the 60° tangent, with the smaller differences for the rounder corners,
-// and s_Fn is 1.2 to 1.9 % less than the chord there.
+// greater than the radius at the 60° tangent, and s_Fn is 1.2 to 1.9 % less than the chord there.
+// The difference of ρ_F is smaller for rounder corners.
 TEST(RingRoot, of_the_standard_is_near_that_of_the_outline) {
   double worst_rho = 0.0, worst_chord = 0.0;
   int compared = 0;

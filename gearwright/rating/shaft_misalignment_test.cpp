@@ -35,8 +35,8 @@ std::vector<double> shaft_face_points(double b) {
   return z;
 }
 
-// Tooth traces of a right hand at azimuth 0 run towards (0, tan β_w, 1), and the force on gear 2 is
-// normal to them.
+// On a right-hand gear, the tooth traces at azimuth 0 run towards (0, tan β_w, 1), and the force on
+// gear 2 is normal to them.
 TEST(ShaftMisalignment, ForcesAsVectors) {
   const RatedPair pair = testing::helical_24_95();
   const double F_t = 2e5;

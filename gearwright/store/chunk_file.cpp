@@ -25,7 +25,8 @@ namespace {
 constexpr std::string_view kChunkMagic = "GWCHUNK1";
 constexpr std::string_view kEnding = ".chunk";
 constexpr std::string_view kPart = ".part.";
-constexpr std::size_t kHeader = 56;  // length in bytes without the counts by constraint
+constexpr std::size_t kHeader = 56;  // length of the header in bytes, without the counts by
+                                     // constraint
 constexpr std::size_t kMaxHeader = kHeader + 8 * kMaxConstraints;
 constexpr auto kStaleAfter = std::chrono::hours(24);
 
@@ -100,14 +101,15 @@ std::vector<fs::path> entries(const fs::path& folder) {
   return found;
 }
 
-// The name of this host in a form that suits file names.
+// The name of this host with the characters that file names allow.
 std::string host_in_names() {
   std::string host = host_name();
   std::replace(host.begin(), host.end(), '/', '_');
   return host;
 }
 
-// `owner` is HOST.PID. A process of another host counts as alive, because it cannot be checked here.
+// `owner` is HOST.PID. A process of another host counts as alive, because this host cannot check
+// it.
 bool owner_is_dead(std::string_view owner, std::string_view host) {
   const std::size_t dot = owner.rfind('.');
   if (dot == std::string_view::npos || owner.substr(0, dot) != host) return false;
@@ -211,8 +213,8 @@ void ChunkFolder::write(std::int64_t chunk, std::string_view payload,
   GW_EXPECTS(counts.rejected.size() <= kMaxConstraints);
   const fs::path place = path(chunk);
   const std::string head = header(stamp_, chunk, payload, counts);
-  // Another thread may write the same chunk, and a dead process may have had the same process id,
-  // so the first free name is used.
+  // The first free name is used. Another thread may be writing the same chunk, and a dead process
+  // may have had the same process id.
   std::string part;
   FileHandle file;
   for (int n = 0; !file.is_open(); ++n) {

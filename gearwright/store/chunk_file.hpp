@@ -30,21 +30,21 @@
 
 namespace gearwright {
 
-constexpr std::size_t kMaxConstraints = 500;  ///< a limit that lets a header be read in one page
+constexpr std::size_t kMaxConstraints = 500;  ///< limit with which a header fits into one page
 
 /// The content of a chunk file and its state.
 struct ChunkRead {
   enum class State { whole, damaged, foreign };  ///< foreign: undamaged, but of another campaign
   State state = State::whole;
-  std::string damage;     ///< "is 12 bytes long, not 96"; empty when whole
-  ChunkCounts counts;     ///< when whole
-  std::int64_t size = 0;  ///< length of the payload, when whole
-  std::string payload;    ///< when whole and requested
+  std::string damage;     ///< for example "is 12 bytes long instead of 96 bytes"; empty if whole
+  ChunkCounts counts;     ///< if whole
+  std::int64_t size = 0;  ///< length of the payload, if whole
+  std::string payload;    ///< if whole and requested
 };
 
 class ChunkFolder {
  public:
-  enum class Depth { header, payload };  ///< header: only the length of the payload is checked
+  enum class Depth { header, payload };  ///< header: checks only the length of the payload
 
   /// `stamp` distinguishes the chunks of different campaigns.
   ChunkFolder(std::filesystem::path folder, std::uint32_t stamp);

@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A wait for a lock that is longer than this means that the other process hangs.
+// If a lock is not free after this time, the other process hangs.
 constexpr int kBusyMilliseconds = 60'000;
 constexpr int kLongestNap = 5;  // ms
 
-// SQLite calls this with the number of earlier calls and tries again if the result is 1. The
-// default handler sleeps up to 100 ms, and with it two processes that write continuously kept each
-// other waiting for 20 s.
+// SQLite calls this with the number of earlier calls and tries again if the result is 1. With its
+// default handler, which sleeps up to 100 ms, two processes that wrote continuously kept each other
+// waiting for 20 s.
 int nap(void*, int before) {
   const int longest_of_all = kBusyMilliseconds / kLongestNap;
   if (before >= longest_of_all) return 0;
@@ -67,14 +67,15 @@ ChunkJournal::ChunkJournal(const fs::path& path, const std::vector<std::string>&
   const std::u8string name = path.u8string();  // SQLite reads names in UTF-8 on all systems
   const int status = sqlite3_open_v2(reinterpret_cast<const char*>(name.c_str()), &database,
                                      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
-  database_.reset(database);  // also after a failure, because it contains the message
+  database_.reset(database);  // also after a failure, because the connection contains the message
   if (status != SQLITE_OK) fail();
   if (sqlite3_busy_handler(database, nap, nullptr) != SQLITE_OK) fail();
   // A rollback journal is used, because the write-ahead log needs memory shared by all writers,
   // which cluster nodes do not have.
   run("PRAGMA journal_mode = DELETE");
-  // With synchronous writes, each row would wait three times until the chunks of all threads are on the disk. The
-  // journal contains nothing beyond the chunk files, so it need not survive a power failure.
+  // With synchronous writes, each row would wait three times until the chunks of all threads are on
+  // the disk. The journal contains only data that the chunk files also contain, so it need not
+  // survive a power failure.
   run("PRAGMA synchronous = OFF");
 }
 
@@ -179,7 +180,8 @@ std::set<std::int64_t> ChunkJournal::chunks() {
   return found;
 }
 
-// `verb` determines the treatment of an existing row. If there is no writer, the row has no time.
+// `verb` is the SQL verb, which determines how an existing row is treated. A row without a writer
+// has no time.
 void ChunkJournal::insert(const char* verb, const ChunkRow& row, const std::string* writer) {
   GW_EXPECTS(row.counts.rejected.size() == columns_.size());
   Statement& statement = inserts_[verb];

@@ -1,4 +1,5 @@
-// The journal of a campaign in SQLite, for users, progress output and coordination of writers.
+// The journal of a campaign in SQLite, which serves users and progress output and coordinates
+// writers.
 //
 //   campaign(key, value)    `fingerprint`, `chunks`, `counts`
 //   chunks(chunk, tested, feasible, <one column for each constraint>, bytes, writer, finished)
@@ -62,7 +63,7 @@ class ChunkJournal {
   std::set<std::int64_t> chunks();
   /// Records a chunk that was just finished. An existing row is replaced.
   void finish(const ChunkRow& row, const std::string& writer);
-  /// Records a chunk whose file was found. An existing row is kept.
+  /// Records a chunk whose file was found. An existing row remains unchanged.
   void found(const ChunkRow& row);
   void forget(std::int64_t chunk);
 
@@ -84,9 +85,9 @@ class ChunkJournal {
   void insert(const char* verb, const ChunkRow& row, const std::string* writer);
 
   std::filesystem::path path_;
-  std::vector<std::string> columns_;                  // of the constraints, quoted
+  std::vector<std::string> columns_;                  // quoted column names of the constraints
   std::unique_ptr<sqlite3, CloseDatabase> database_;  // outlives its statements
-  std::map<std::string, Statement> inserts_;          // by verb
+  std::map<std::string, Statement> inserts_;          // insert statements, by SQL verb
 };
 
 }  // namespace gearwright

@@ -37,7 +37,7 @@ Record record_of(const Campaign& campaign, const std::vector<std::string>& rejec
           {"counts", names}};
 }
 
-// All properties in which two campaigns may differ, as lines "key = value".
+// All properties in which two campaigns may differ, as lines of the form "key = value".
 std::string text_of(Record record) {
   return record["fingerprint"] + "\nchunks = " + record["chunks"] +
          "\ncounts = " + record["counts"] + "\n";
@@ -84,7 +84,7 @@ std::string campaign_differences(const std::string& was, const std::string& is) 
     if (!value_of(old_lines, key))
       found.push_back(fmt::format("{} was not set and is now {}", key, value));
   }
-  if (found.empty()) return "the same settings are in another order or number";
+  if (found.empty()) return "the settings are the same, but their order or number differs";
   std::string text;
   for (std::size_t i = 0; i < std::min(found.size(), kNamedDifferences); ++i) {
     text += (i > 0 ? "; " : "") + found[i];
@@ -179,7 +179,7 @@ struct ChunkStore::Impl {
   ChunkCounts sum;
 };
 
-// The finished chunks of this campaign. Files with a number outside the campaign are ignored.
+// The finished chunks of this campaign. Files with numbers outside the campaign are ignored.
 std::vector<std::int64_t> ChunkStore::Impl::finished() const {
   std::vector<std::int64_t> chunks = files.list();
   while (!chunks.empty() && !ours(chunks.back())) chunks.pop_back();
@@ -196,7 +196,8 @@ std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
   if (again) files.set_aside(chunk);
   journal.forget(chunk);
   transaction.commit();
-  sum = {0, 0, std::vector<std::int64_t>(constraints, 0)};  // its contribution is no longer known
+  sum = {0, 0, std::vector<std::int64_t>(constraints, 0)};  // the contribution of this chunk to the
+                                                            // sum is no longer known
   counted.assign(counted.size(), false);
   return again ? std::optional(again->damage) : std::nullopt;
 }

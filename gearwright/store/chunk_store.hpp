@@ -5,13 +5,14 @@
 //   out/chunks/….chunk.damaged      a chunk that was found broken; it counts as missing
 //   out/journal.sqlite              tables `campaign` and `chunks`
 //
-// The chunk files are authoritative, and the journal serves users and progress output. A file is
-// renamed into place before its row is written, so a process that is killed loses only its current
-// chunk. The next process that opens the folder writes the missing rows. Shards, ranks and nodes on
-// one file system may work in one folder at once. They coordinate by the journal and SQLite's
-// locks, which the file system must support (Lustre must be mounted with flock). Nothing is synced
-// to the disk. After a power failure, a chunk file may be too short, which its checksum detects. The
-// journal may then be broken, but it can be moved away without loss.
+// The chunk files are authoritative. The journal only serves users and progress output. A file is
+// renamed to its final name before its row is written, so a process that is killed loses only its
+// current chunk. The next process that opens the folder writes the missing rows. Shards, ranks and
+// nodes on one file system may work in one folder at the same time. They are coordinated by the
+// journal and by SQLite's locks, which the file system must support (Lustre must be mounted with
+// flock). Nothing is synced to the disk. After a power failure, a chunk file may be too short,
+// which its checksum detects. The journal may also be broken, but it can be moved away without
+// loss.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +34,7 @@ struct Campaign {
   std::int64_t chunks = 0;
 };
 
-/// The numbers of a chunk's candidates, by their result.
+/// The numbers of the candidates of a chunk, by result.
 struct ChunkCounts {
   std::int64_t tested = 0;
   std::int64_t feasible = 0;
@@ -58,8 +59,9 @@ class ChunkStore {
   /// with a note and counts as missing. Temporary files are removed if their process on this host is
   /// dead or if they are older than a day. `writer` is the name in the rows of the journal.
   ///
-  /// Errors    key "--out": fresh although a search exists; resume although none exists; a
-  /// different fingerprint, number of chunks or list of names, with the first lines that differ
+  /// Errors    key "--out" if a search exists and `as` is fresh, if no search exists and `as` is
+  ///           resume, or if fingerprint, number of chunks or list of names differ; the message
+  ///           contains the first lines that differ
   static Result<ChunkStore> open(const std::filesystem::path& folder, const Campaign& campaign,
                                  const std::vector<std::string>& rejected_names, OpenAs as,
                                  std::string writer);
@@ -101,8 +103,8 @@ class ChunkStore {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The first three differences between the lines "key = value" of two campaigns:
-/// "search.contact_ratio_min was 1.2, is 1.3; search.m_max was 5, is not set now".
+/// The first three differences between the lines "key = value" of two campaigns, for example
+/// "search.contact_ratio_min was 1.2 and is now 1.3; search.m_max was 5 and is not set now".
 std::string campaign_differences(const std::string& was, const std::string& is);
 
 }  // namespace gearwright

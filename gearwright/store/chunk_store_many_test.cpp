@@ -1,4 +1,5 @@
-// Many processes write into one folder at once, and any of them may be killed at any moment.
+// Tests many processes that write into one folder at the same time, any of which may be killed at
+// any moment.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,7 +24,7 @@ TEST_F(ChunkStoreMany, threads_put_into_one_store) {
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&store, this, t] {
-      for (std::int64_t k = t / 2; k < kChunks; k += 2) {  // every chunk by two threads at once
+      for (std::int64_t k = t / 2; k < kChunks; k += 2) {  // two threads write every chunk
         put(store, k);
         EXPECT_GE(store.totals().tested, counts_of(k).tested);
       }
@@ -44,14 +45,15 @@ TEST_F(ChunkStoreMany, two_processes_put_into_one_folder) {
     }));
   }
   for (const pid_t pid : children) EXPECT_TRUE(went_well(pid));
-  EXPECT_EQ(journalled(), range(kChunks));  // already before anyone opens it again
+  EXPECT_EQ(journalled(), range(kChunks));  // the journal is complete before the folder is opened
+                                            // again
   EXPECT_EQ(query(folder_, "SELECT count(*) FROM chunks WHERE writer IS NOT 'test'")[0][0], "0");
   const ChunkStore store = opened(OpenAs::resume, campaign(kChunks));
   expect_complete(store, kChunks);
   for (const std::int64_t k : range(kChunks)) EXPECT_EQ(store.get(k), bytes_of(k));
 }
 
-// Children wait for one another and begin at the same moment, in a folder that is not there yet.
+// The children wait and then all begin at the same moment, in a folder that does not exist yet.
 TEST_F(ChunkStoreMany, a_campaign_begun_by_many_at_once_is_one) {
   constexpr int kWriters = 8;
   for (int round = 0; round < 10; ++round) {
@@ -64,7 +66,8 @@ TEST_F(ChunkStoreMany, a_campaign_begun_by_many_at_once_is_one) {
         children.push_back(child([&, p] {
           ::close(gate[1]);
           char byte = 0;
-          while (::read(gate[0], &byte, 1) > 0) {  // ends when the parent closes its end
+          while (::read(gate[0], &byte, 1) > 0) {  // ends when the parent closes its end of the
+                                                   // pipe
           }
           auto store = open(as, campaign(kWriters));
           if (!store) ::_exit(1);
@@ -76,7 +79,8 @@ TEST_F(ChunkStoreMany, a_campaign_begun_by_many_at_once_is_one) {
       ::close(gate[1]);
       int well = 0;
       for (const pid_t pid : children) well += went_well(pid) ? 1 : 0;
-      // Fresh: all that came before the first chunk was done, at least one.
+      // With `fresh`, only the processes that open the folder before the first chunk is finished
+      // succeed. There is at least one.
       EXPECT_GE(well, as == OpenAs::join ? kWriters : 1);
       EXPECT_EQ(journalled().size(), static_cast<std::size_t>(well));
       EXPECT_TRUE(opened(OpenAs::resume, campaign(kWriters)).notes().empty());
@@ -86,7 +90,8 @@ TEST_F(ChunkStoreMany, a_campaign_begun_by_many_at_once_is_one) {
 
 TEST_F(ChunkStoreMany, killed_again_and_again_it_still_completes) {
   constexpr std::int64_t kChunks = 60;
-  constexpr std::size_t kLength = 300'000;  // long enough to be killed in the middle of
+  constexpr std::size_t kLength = 300'000;  // long enough that a process can be killed while it
+                                            // writes a chunk
   std::size_t kept = 0;
   int kills = 0;
   for (int round = 0; kept < kChunks; ++round) {
@@ -99,7 +104,8 @@ TEST_F(ChunkStoreMany, killed_again_and_again_it_still_completes) {
         for (const std::int64_t k : work) store.put(k, bytes_of(k, kLength), counts_of(k));
       }));
     }
-    // Something must be done in every round; after that, at any moment.
+    // In every round, at least one more chunk must be finished. After that, the processes are
+    // killed at an arbitrary moment.
     const auto finished = [this] {
       const auto names =
           fs::exists(folder_ / "chunks") ? chunk_names() : std::vector<std::string>();
@@ -121,9 +127,9 @@ TEST_F(ChunkStoreMany, killed_again_and_again_it_still_completes) {
     }
     const auto found = ChunkStore::open(folder_, campaign(kChunks), kNames, OpenAs::join, "parent");
     ASSERT_TRUE(found) << found.error().message();
-    EXPECT_TRUE(found->notes().empty());  // nothing half written, no row too early
+    EXPECT_TRUE(found->notes().empty());  // no chunk is half written, and no row precedes its file
     const std::size_t done = kChunks - found->missing().size();
-    EXPECT_GE(done, kept);  // what is done stays done
+    EXPECT_GE(done, kept);  // finished chunks remain finished
     kept = done;
     EXPECT_EQ(journalled().size(), done);
   }

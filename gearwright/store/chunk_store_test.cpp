@@ -1,4 +1,4 @@
-// The folder of a search: what is done stays done, and what is broken is found.
+// Tests the folder of a search: finished chunks remain finished, and broken files are detected.
 #include "gearwright/store/chunk_store.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST_F(ChunkStoreTest, a_whole_life) {
     EXPECT_EQ(store.missing(), (std::vector<std::int64_t>{1, 2, 3}));
     EXPECT_EQ(store.totals(), sum_of({0, 4, 5}));
     for (const std::int64_t k : store.missing()) put(store, k);
-    put(store, 4);  // again: the same
+    put(store, 4);  // an existing chunk is replaced by the same bytes
     expect_complete(store, 6);
     for (const std::int64_t k : range(6)) {
       EXPECT_EQ(store.get(k), bytes_of(k));
@@ -48,7 +48,7 @@ TEST_F(ChunkStoreTest, a_whole_life) {
     }
     EXPECT_TRUE(store.notes().empty());
   }
-  // Columns carry the names, made fit and all different.
+  // The columns have the names of the constraints, changed to valid and different names.
   const auto row = query(folder_,
                          "SELECT tested, feasible, shift_limits, contact_ratio, Contact_Ratio_2, "
                          "bytes_2, bytes, writer, finished FROM chunks WHERE chunk = 4");
@@ -61,8 +61,8 @@ TEST_F(ChunkStoreTest, a_whole_life) {
   EXPECT_EQ(query(folder_, "PRAGMA journal_mode")[0][0], "delete");
 }
 
-// Work of a put: it waits for no platter. Three syncs a row held up all threads, and more the more
-// chunks were not yet written back.
+// A put must not wait for the disk. With three syncs for each row, all threads had to wait, and
+// longer when more chunks were not yet written to the disk.
 TEST_F(ChunkStoreTest, a_put_waits_for_no_platter) {
   ChunkStore store = opened(OpenAs::fresh, campaign(40));
   const int before = testing::syncs;
@@ -78,7 +78,7 @@ TEST_F(ChunkStoreTest, two_runs_write_the_same_files) {
   }
   const std::string first = content(file(3));
   fs::remove_all(folder_);
-  auto other = ChunkStore::open(folder_, campaign(5), kNames, OpenAs::join, "somebody else");
+  auto other = ChunkStore::open(folder_, campaign(5), kNames, OpenAs::join, "another writer");
   ASSERT_TRUE(other) << other.error().message();
   ChunkStore store = std::move(other).take();
   put(store, 3);
@@ -88,9 +88,9 @@ TEST_F(ChunkStoreTest, two_runs_write_the_same_files) {
 TEST_F(ChunkStoreTest, a_fresh_search_takes_no_other_ones_place) {
   EXPECT_FALSE(fs::exists(folder_));
   EXPECT_TRUE(contains(refusal(OpenAs::resume, campaign(40)), "there is no search to resume"));
-  EXPECT_FALSE(fs::exists(folder_));  // refused without a trace
+  EXPECT_FALSE(fs::exists(folder_));  // the folder was not created
   fs::create_directories(folder_);
-  write(folder_ / "notes.txt", "my own");
+  write(folder_ / "notes.txt", "a note");
   EXPECT_TRUE(contains(refusal(OpenAs::resume, campaign(40)), "there is no search to resume"));
   {
     ChunkStore store = opened(OpenAs::fresh, campaign(40));
@@ -122,12 +122,13 @@ TEST_F(ChunkStoreTest, a_changed_campaign_is_told_by_its_lines) {
       contains(changed("gearwright = 0.2.0\nsearch.chunk = 2000\n"),
                "(gearwright was 0.1.0 and is now 0.2.0; search.chunk was 1000 and is now 2000; "
                "search.contact_ratio_min was 1.2 and is not set now; and 1 more)"));
-  EXPECT_TRUE(contains(changed(fingerprint("1.2") + fingerprint("1.2")), "the same settings"));
+  EXPECT_TRUE(
+      contains(changed(fingerprint("1.2") + fingerprint("1.2")), "the settings are the same"));
   const auto names = ChunkStore::open(folder_, campaign(40), {"one"}, OpenAs::resume, "test");
   ASSERT_FALSE(names);
   EXPECT_TRUE(contains(names.error().message(), "counts was shift_limits, contact ratio,"));
   EXPECT_TRUE(contains(names.error().message(), " and is now one)"));
-  opened(OpenAs::resume, campaign(40));  // and none of this did any harm
+  opened(OpenAs::resume, campaign(40));  // none of the rejected requests changed the folder
 }
 
 TEST_F(ChunkStoreTest, goes_on_after_a_kill) {
@@ -135,8 +136,9 @@ TEST_F(ChunkStoreTest, goes_on_after_a_kill) {
     ChunkStore store = opened(OpenAs::fresh, campaign(9));
     for (const std::int64_t k : range(8)) put(store, k);
   }
-  // Killed between the file and its row; a file cut short, one with a bit turned in its payload,
-  // one in its header, one that is another's; a row without a file; something else in its place.
+  // The test damages the folder: chunk 2 has no row, file 1 is too short, file 3 has a wrong bit in
+  // its payload and file 4 in its header, file 5 is a copy of chunk 2, row 6 has no file, and file
+  // 7 is empty.
   query(folder_, "DELETE FROM chunks WHERE chunk = 2");
   fs::resize_file(file(1), fs::file_size(file(1)) - 1);
   flip(file(3), fs::file_size(file(3)) - 10);
@@ -144,7 +146,8 @@ TEST_F(ChunkStoreTest, goes_on_after_a_kill) {
   fs::copy_file(file(2), file(5), fs::copy_options::overwrite_existing);
   fs::remove(file(6));
   write(file(7), "");
-  // Unfinished files: of a dead process, of a live one, of another host, of another host long ago.
+  // Unfinished files of a dead process, of a live process, of another host, and an old one of
+  // another host.
   char host[256] = {};
   ASSERT_EQ(::gethostname(host, sizeof host - 1), 0);
   const std::string here = std::string(".0.part.") + host + ".";
@@ -253,7 +256,7 @@ TEST_F(ChunkStoreTest, what_is_not_of_the_campaign_is_left_alone) {
     ChunkStore store = opened(OpenAs::fresh, campaign(3));
     put(store, 0);
   }
-  fs::copy_file(file(0), file(3));  // no such number
+  fs::copy_file(file(0), file(3));  // the campaign has no chunk with this number
   for (const char* name :
        {"1.chunk", "0000001.chunk", "-00001.chunk", "000001.chunk.bak", "x.part.y"}) {
     write(folder_ / "chunks" / name, "mine");
@@ -267,7 +270,7 @@ TEST_F(ChunkStoreTest, what_is_not_of_the_campaign_is_left_alone) {
 }
 
 TEST_F(ChunkStoreTest, a_folder_that_cannot_be_is_an_io_error) {
-  write(root_ / "runs", "a file");  // root may write everywhere, but not below a file
+  write(root_ / "runs", "a file");  // root may write everywhere, but a file cannot contain a folder
   for (const OpenAs as : {OpenAs::fresh, OpenAs::join}) {
     const std::string message = message_of([&] { opened(as, campaign(3)); });
     EXPECT_TRUE(contains(message, "cannot make the folder " + folder_.string())) << message;
@@ -280,7 +283,7 @@ TEST_F(ChunkStoreTest, a_folder_that_cannot_be_is_an_io_error) {
   EXPECT_TRUE(contains(message, "journal.sqlite: unable to open database file")) << message;
 }
 
-// A file system that is full, by a limit on the length of files.
+// A limit on the length of files simulates a full file system.
 TEST_F(ChunkStoreTest, a_full_disk_leaves_nothing_half_written) {
   { opened(OpenAs::fresh, campaign(3)); }
   const pid_t pid = child([this] {
@@ -316,7 +319,7 @@ TEST_F(ChunkStoreTest, a_journal_that_cannot_be_written_costs_its_row_alone) {
 }  // namespace
 }  // namespace gearwright
 
-// In place of the system's: counted, and then done.
+// These functions replace the functions of the system. They count the calls and then perform them.
 extern "C" int fdatasync(int file) {
   ++gearwright::testing::syncs;
   return static_cast<int>(::syscall(SYS_fdatasync, file));

@@ -1,9 +1,10 @@
-// The file, from front to back:                    format: github.com/apache/parquet-format
+// The layout of the file:                          format: github.com/apache/parquet-format
 //
 //   PAR1 | chunk of column 0, group 0 | chunk of column 1, group 0 | ... | footer | its size | PAR1
 //
-// A chunk is one data page of version 1: the header of the page, then the page compressed by zstd. Headers and footer
-// are Thrift structs. The numbers of fields, types and encodings are those of parquet.thrift.
+// A chunk is one data page of version 1: the header of the page, then the page compressed by zstd.
+// Headers and footer are Thrift structs. parquet.thrift defines the numbers of fields, types and
+// encodings.
 #include "gearwright/store/parquet.hpp"
 
 #include <fmt/format.h>
@@ -35,12 +36,13 @@ constexpr std::size_t kUtf8 = 0;
 // 0.22 s for 20.3 MB, and level 6 takes 0.39 s for 20.1 MB.
 constexpr int kLevel = 3;
 constexpr std::size_t kTextLimit = std::size_t{1} << 30;  // bytes of one text
-// The size of a page is an int32. Apart from the last text, the texts of a group have less than kGroupTextBytes. A
-// page also contains the last text, a length before each text, and the levels.
+// The size of a page is an int32. The texts of a group, except the last one, have less than
+// kGroupTextBytes. A page also contains the last text, a length before each text, and the levels.
 static_assert(ParquetWriter::kGroupTextBytes + kTextLimit + 5 * ParquetWriter::kGroupRows <
               std::numeric_limits<std::int32_t>::max());
 
-// True if every character is whole, in its shortest form, not a surrogate and at most U+10FFFF.
+// True if every character is complete, has its shortest encoding, is no surrogate and is at most
+// U+10FFFF.
 bool is_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
@@ -112,8 +114,7 @@ struct ParquetWriter::State {
     const std::size_t size =
         ZSTD_compress2(zstd.get(), bytes.data(), bytes.size(), page.data(), page.size());
     if (ZSTD_isError(size))
-      throw std::bad_alloc();  // the only possible failure, because the
-                               // buffer is large enough
+      throw std::bad_alloc();  // the only possible failure, because the buffer is large enough
     bytes.resize(size);
     return bytes;
   }
@@ -201,7 +202,7 @@ std::string ParquetWriter::State::footer() const {
     out.binary(4, chunk.column.name);
     if (chunk.column.type == ParquetType::text) {
       out.i32(6, kUtf8);
-      // Newer readers read the type UTF-8 from this union, which contains the empty struct of strings.
+      // Newer readers use this union to recognise UTF-8. It contains the empty struct for strings.
       out.open(10);
       out.open(1);
       out.close();

@@ -2,7 +2,7 @@
 //
 // A table is flat: it has named columns, each of one type, and rows are added one after another. Rows are kept in
 // memory until a row group is full and are then written column by column. The memory does not grow with the table,
-// except by some 100 bytes of footer for each column of a group.
+// except for about 100 bytes of footer for each column of a group.
 //
 //   int32, int64   PLAIN
 //   float64        BYTE_STREAM_SPLIT: first bytes of all values, then second bytes, ..., which
@@ -47,8 +47,9 @@ struct ParquetColumn {
 class ParquetWriter {
  public:
   static constexpr std::size_t kGroupRows = 65'536;
-  /// A group also ends with the row in which the total of its texts reaches this many bytes. This limits memory
-  /// for long texts and keeps a page within the format's 2 GiB.
+  /// A group also ends with the row in which the total length of its texts reaches this many bytes.
+  /// This limits the memory for long texts, and a page remains within the 2 GiB that the format
+  /// allows.
   static constexpr std::size_t kGroupTextBytes = std::size_t{64} << 20;
 
   /// Opens exactly `part_file`, which the caller renames when the table is complete (write_file_by in
@@ -63,7 +64,8 @@ class ParquetWriter {
   ParquetWriter(const ParquetWriter&) = delete;
   ParquetWriter& operator=(const ParquetWriter&) = delete;
 
-  /// Sets the value of `column`, counted from 0, in the current row. Every bit of the value is kept.
+  /// Sets the value of `column`, counted from 0, in the current row. The file contains every bit of
+  /// the value.
   ///
   /// Domain    the column has that type and was not set in this row before; the value of an int32
   ///           column fits into int32; text is UTF-8 below 1 GiB (contract)

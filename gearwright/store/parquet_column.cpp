@@ -15,10 +15,10 @@ static_assert(std::numeric_limits<double>::is_iec559);
 
 namespace {
 
-// Definition levels, 1 for a value and 0 for null, in the format's hybrid of runs and bits. The length
-// of the hybrid comes first. If there are no nulls, or only nulls, the hybrid is one run of all rows.
-// Otherwise it is one run of bits, 8 kB before compression. In the worst pattern, runs of equal levels
-// would need 16 times as much.
+// Definition levels, 1 for a value and 0 for null, in the hybrid encoding of the format, which
+// consists of runs and bits. The length of the hybrid comes first. If there are no nulls, or only
+// nulls, the hybrid is one run of all rows. Otherwise it consists of bits only, 8 kB before
+// compression. Runs of equal levels would need up to 16 times as much.
 std::string definition_levels(const ColumnChunk& chunk, std::size_t rows) {
   std::string hybrid;
   if (chunk.count == 0 || chunk.count == rows) {
@@ -53,12 +53,13 @@ void write_range(Thrift& out, const std::string& values) {
     not_numbers = static_cast<std::size_t>(
         std::count_if(numbers.begin(), numbers.end(), [](Number x) { return x != x; }));
   }
-  // Readers disagree about the order of NaN, so values with a NaN have no range.
+  // Readers order NaN differently, so no range is written for values that include NaN.
   if (!numbers.empty() && not_numbers == 0) {
     auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
     Number range[] = {*least, *greatest};
     if constexpr (real) {
-      // The two zeros are equal, so the format requires that a range with one includes the other.
+      // The two zeros are equal, so the format requires that a range that ends at one zero also
+      // includes the other.
       if (range[0] == 0) range[0] = -0.0;
       if (range[1] == 0) range[1] = 0.0;
     }

@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// The numbers in parquet.thrift of the encodings and types used here.
+/// The numbers that parquet.thrift gives to the encodings and types used here.
 enum ParquetEncoding : std::size_t { kPlain = 0, kRle = 3, kByteStreamSplit = 9 };
 std::size_t physical_type(ParquetType type);
 ParquetEncoding encoding_of(ParquetType type);

@@ -1,4 +1,5 @@
-// Tables come back, bit for bit, from a reader of its own: DuckDB (tests/search/read_parquet.mjs).
+// Tests that an independent reader, DuckDB, reads all values of a table bit for bit
+// (tests/search/read_parquet.mjs).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +32,7 @@ std::uint64_t bits(double value) {
   return u;
 }
 
-// A number as read_parquet.mjs prints it: those that JSON has not are strings.
+// A number as read_parquet.mjs prints it. Numbers that JSON cannot represent are strings.
 double real(const json& value) {
   return value.is_string() ? std::strtod(value.get<std::string>().c_str(), nullptr)
                            : value.get<double>();
@@ -48,7 +49,7 @@ class ParquetRead : public ParquetFile {
     int status;
     std::string text;
   };
-  // Asks DuckDB; the view `data` has the rows.
+  // Runs a query in DuckDB. The view `data` contains the rows.
   Answer ask(const std::string& sql) const {
     const auto quoted = [](const std::string& word) {
       std::string out = "'";
@@ -73,7 +74,7 @@ class ParquetRead : public ParquetFile {
     EXPECT_EQ(answer.status, 0) << answer.text;
     return answer.status == 0 ? json::parse(answer.text) : json::array();
   }
-  // Rows of every group, in order.
+  // The number of rows of each group, in order.
   std::vector<std::size_t> group_rows() const {
     std::vector<std::size_t> found;
     for (const json& group : rows(
@@ -85,7 +86,7 @@ class ParquetRead : public ParquetFile {
   }
 };
 
-// One optional column of doubles.
+// Writes a table with one optional column of doubles.
 void write_reals(const fs::path& file, const std::vector<std::optional<double>>& values) {
   ParquetWriter table(file, {{"x", ParquetType::float64, true}});
   for (const auto& value : values) {
@@ -218,7 +219,7 @@ TEST_F(ParquetRead, NullsStandWhereTheyWere) {
       [](std::size_t i, std::size_t) { return i / 8 % 2 == 0; }};
   for (const std::size_t n :
        {std::size_t{1}, std::size_t{7}, std::size_t{8}, std::size_t{9}, std::size_t{1000}}) {
-    // One pattern a column, all in one table.
+    // One table contains all patterns, one in each column.
     std::vector<ParquetColumn> columns;
     for (std::size_t k = 0; k < patterns.size(); ++k) {
       columns.push_back({"p" + std::to_string(k), ParquetType::int64, true});
@@ -249,7 +250,8 @@ TEST_F(ParquetRead, RangesAndNullsAreCounted) {
   std::vector<std::optional<double>> values;
   const std::vector<std::vector<std::optional<double>>> starts = {
       {-3.5, 2.25}, {0.0, -1.0}, {-0.0, 1.0}, {{}, nan, 5.0}, {{}}};
-  for (const auto& start : starts) {  // a group each, filled up with the first of it
+  for (const auto& start : starts) {  // one group each, in which the first value of `start` is
+                                      // repeated
     for (std::size_t i = 0; i < kGroup; ++i)
       values.push_back(i < start.size() ? start[i] : start[0]);
   }
@@ -263,7 +265,8 @@ TEST_F(ParquetRead, RangesAndNullsAreCounted) {
   EXPECT_EQ(found[2], (json{{"low", "-0.0"}, {"high", "1.0"}, {"nulls", 0}}));
   EXPECT_EQ(found[3], (json{{"low", nullptr}, {"high", nullptr}, {"nulls", kGroup - 2}}));
   EXPECT_EQ(found[4], (json{{"low", nullptr}, {"high", nullptr}, {"nulls", kGroup}}));
-  // What readers make of the ranges: equal zeros are found, and NaN, which DuckDB has above all.
+  // Tests how DuckDB uses the ranges. Equal zeros are found, and so is NaN, which DuckDB orders
+  // above all numbers.
   EXPECT_EQ(rows("select count(*) as n from data where x = 0")[0]["n"], 2 * kGroup - 2);
   EXPECT_EQ(rows("select count(*) as n from data where x > 100")[0]["n"], 1);
   EXPECT_EQ(rows("select count(*) as n from data where x > 2")[0]["n"], 1 + 2);
@@ -322,7 +325,7 @@ TEST_F(ParquetRead, TheFooterNamesWhatItIsToldAndTheProgram) {
       (json{{{"created_by", std::string("gearwright version ") + kVersion}, {"num_rows", 3}}}));
 }
 
-// Lists of 15 and more are counted in another way.
+// Lists of 15 or more elements have a different header.
 TEST_F(ParquetRead, ManyColumnsAndGroupsAreListed) {
   for (const std::size_t width :
        {std::size_t{13}, std::size_t{14}, std::size_t{15}, std::size_t{16}, std::size_t{200}}) {
@@ -370,7 +373,7 @@ TEST_F(ParquetRead, ChunksFillTheFile) {
     EXPECT_EQ(chunk["group_plain"], plain[chunk["id"].get<std::size_t>()]);
     EXPECT_EQ(chunk["group_size"], size[chunk["id"].get<std::size_t>()]);
   }
-  // A page holds 8 bytes for each of column c's doubles, and a header that takes some 20 more.
+  // A page contains 8 bytes for each double of column c, and a header of about 20 bytes.
   EXPECT_GT(chunks[2]["plain"].get<std::size_t>(), 8 * kGroup);
   EXPECT_LT(chunks[2]["plain"].get<std::size_t>(), 8 * kGroup + 40);
   const std::string bytes = content(file_);
@@ -383,7 +386,8 @@ TEST_F(ParquetRead, DamageIsNoticed) {
   write_rows(file_, random_rows(1000));
   ASSERT_EQ(ask("select * from data").status, 0);
   std::string bytes = content(file_);
-  // The random doubles of column c do not compress: the bytes of their page stand in the file.
+  // The random doubles of column c cannot be compressed, so the file contains the bytes of their
+  // page.
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   std::ofstream(file_, std::ios::binary) << bytes;
   EXPECT_NE(ask("select * from data").status, 0);

@@ -1,6 +1,6 @@
-// The outer form of a table, what happens when the disk is full, and what callers may do.
+// Tests the beginning and end of a file, a full disk, and the contracts of the writer.
 //
-// That the rows come back is asked of a reader of its own: parquet_read_test.cpp.
+// parquet_read_test.cpp tests with an independent reader that the rows are correct.
 #include "gearwright/store/parquet.hpp"
 
 #include <gtest/gtest.h>
@@ -44,8 +44,9 @@ TEST_F(ParquetFile, BeginsAndEndsAsTheFormatSays) {
     std::memcpy(&footer, bytes.data() + bytes.size() - 8, sizeof footer);
     ASSERT_LE(footer, bytes.size() - 12);
     EXPECT_EQ(footer == bytes.size() - 12, count == 0);
-    // The footer opens with the format's version, field 1, an int32 of value 1; it ends with the
-    // order of each column's range, field 7, a list of 8 unions that hold an empty struct.
+    // The footer begins with the version of the format, field 1, an int32 of value 1. It ends with
+    // the order of the range of each column, field 7, a list of 8 unions that contain an empty
+    // struct.
     EXPECT_EQ(bytes.substr(bytes.size() - 8 - footer, 2), "\x15\x02");
     std::string orders = "\x19\x8c";
     for (std::size_t i = 0; i < kEveryType.size(); ++i) orders += std::string("\x1c\0\0", 3);
@@ -55,7 +56,7 @@ TEST_F(ParquetFile, BeginsAndEndsAsTheFormatSays) {
 }
 
 TEST_F(ParquetFile, GivesItsNotesBack) {
-  EXPECT_FALSE(parquet_note(file_, "spec"));  // no file
+  EXPECT_FALSE(parquet_note(file_, "spec"));  // the file does not exist
   const std::string long_text(70'000, 'x');
   write_rows(file_, random_rows(1000),
              {{"program", "a"}, {"spec", "teeth = 17"}, {"long", long_text}});
@@ -64,7 +65,8 @@ TEST_F(ParquetFile, GivesItsNotesBack) {
   EXPECT_EQ(parquet_note(file_, "program"), "a");
   EXPECT_FALSE(parquet_note(file_, "spe"));
   const std::string whole = content(file_);
-  std::ofstream(file_, std::ios::binary) << whole.substr(0, whole.size() - 1);  // no table
+  std::ofstream(file_, std::ios::binary) << whole.substr(0, whole.size() - 1);  // the file is not a
+                                                                                // table
   EXPECT_FALSE(parquet_note(file_, "spec"));
   std::ofstream(file_, std::ios::binary) << "";
   EXPECT_FALSE(parquet_note(file_, "spec"));
@@ -93,7 +95,8 @@ TEST_F(ParquetFile, AFullDiskIsAnIoError) {
             "cannot write " + nowhere.string() + ": No such file or directory");
 }
 
-// The disk fills up on the way: in a child whose files may not grow beyond `limit` bytes.
+// Simulates a disk that becomes full, in a child process whose files may not grow beyond `limit`
+// bytes. Returns "as expected" if `act` fails with the expected message.
 std::string message_at_limit(const fs::path& file, rlim_t limit, const std::function<void()>& act) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -119,7 +122,8 @@ TEST_F(ParquetFile, ADiskThatFillsUpIsAnIoErrorFromTheRowOrTheEnd) {
   few();
   const auto whole = static_cast<rlim_t>(fs::file_size(file_));
   EXPECT_EQ(message_at_limit(file_, whole - 1, few), "as expected");  // at the last byte
-  EXPECT_EQ(message_at_limit(file_, whole, few), "another message");  // none: it fits
+  EXPECT_EQ(message_at_limit(file_, whole, few), "another message");  // there is no error, because
+                                                                      // the file fits
 }
 
 using ParquetDeathTest = ParquetFile;
@@ -127,7 +131,7 @@ using ParquetDeathTest = ParquetFile;
 TEST_F(ParquetDeathTest, ContractsHold) {
   const std::vector<ParquetColumn> columns = {
       {"n", ParquetType::int32}, {"x", ParquetType::float64, true}, {"t", ParquetType::text, true}};
-  // A table that broke a contract is of no more use: each has one of its own.
+  // A table that violated a contract is unusable, so each violation has a table of its own.
   const auto violates = [&](const auto& act) {
     ParquetWriter table(file_, columns);
     GW_EXPECT_VIOLATION(act(table));
@@ -139,7 +143,7 @@ TEST_F(ParquetDeathTest, ContractsHold) {
   violates([](Table& t) { t.set(1, "text"); });
   violates([](Table& t) { t.set(0, std::int64_t{Limits32::max()} + 1); });
   violates([](Table& t) { t.set(0, std::int64_t{Limits32::min()} - 1); });
-  violates([](Table& t) { t.end_row(); });  // n is not set
+  violates([](Table& t) { t.end_row(); });  // column n is not set
   const auto violates_after = [&](const auto& before, const auto& act) {
     ParquetWriter table(file_, columns);
     before(table);

@@ -1,4 +1,4 @@
-// A writer of structs in Thrift's compact protocol, which headers and footer of Parquet use.
+// Writes structs in Thrift's compact protocol, which Parquet uses for headers and footer.
 //
 // Integers are zigzag varints. A field is identified by its distance from the previous field of the
 // same struct, and a struct ends with a zero byte. Fields must be given in ascending order of their
@@ -16,7 +16,8 @@
 
 namespace gearwright {
 
-/// Appends seven bits in each byte, the lowest bits first. All bytes but the last have their top bit set.
+/// Appends the value with seven bits in each byte, the lowest bits first. The top bit is set in all
+/// bytes except the last.
 inline void append_varint(std::string& bytes, std::uint64_t value) {
   for (; value >= 128; value >>= 7) bytes += static_cast<char>(value | 128);
   bytes += static_cast<char>(value);

@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// The normal angle at the end of the arc of P. At τ = 0, the tangent would be perpendicular to the
-// datum line.
+// The least normal angle on the arc of rack P. At τ = 0, the tangent of the arc would be
+// perpendicular to the datum line.
 constexpr Angle kLastOfP = Angle::degrees(1);
 
 bool is_F(const ArcRack& rack) { return rack.cutter == ArcRack::Cutter::F; }
@@ -109,8 +109,8 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   if (auto error = check_numbers(rack)) return *error;
   if (auto error = check_joint(rack)) return *error;
   RackArc flank = flank_of(rack);
-  // cos τ at the end of the arc, where both sides meet. It is limited to 0 and 1, where the tangent of
-  // the arc is parallel (0) or perpendicular (1) to the datum line.
+  // cos τ at the end of the arc, where both sides meet, limited to the range from 0 to 1. At 0, the
+  // tangent of the arc is parallel to the datum line; at 1, it is perpendicular.
   const double meeting = std::min(1.0, std::max(0.0, -flank.center_offset / flank.radius));
   if (is_F(rack)) {
     if (!(meeting < 1.0)) {
@@ -138,9 +138,9 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
         "rack.addendum", rack.addendum, {top},
         meeting > 0.0 && meeting < 1.0
             ? "the two flank arcs meet in a point {} modules above the datum line; the addendum "
-              "must not be greater"
-            : "the arc of the flank ends {} modules above the datum line; the addendum must not be "
-              "greater");
+              "must not exceed this height"
+            : "the arc of the flank ends {} modules above the datum line; the addendum must not "
+              "exceed this height");
   }
   const double rho = rack.root_fillet_radius;
   const double y_c = flank.center_offset + (flank.radius + rho) * std::cos(flank.begin.rad());

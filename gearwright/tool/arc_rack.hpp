@@ -25,7 +25,8 @@ struct ArcRack {
   std::optional<Angle> pressure_angle{};  ///< ψ_c from the drawing, used as a check only
   double addendum = 0.9;                  ///< addendum of the gear tooth above the pitch cylinder
   double dedendum = 0.3;                  ///< depth of the cutter below the datum line
-  double root_fillet_radius = 0.35;       ///< the cutter's tip rounding; 0 is a sharp corner
+  double root_fillet_radius = 0.35;       ///< radius of the cutter's tip rounding; 0 for a sharp
+                                          ///< corner
 };
 
 /// Default addendum, dedendum and tip rounding: 0.9, 0.3 and 0.35 for F; 0, 1.05 and 0.5 for P. These
@@ -41,8 +42,8 @@ double full_radius(const ArcRack& rack);
 /// reached first. [T7.1], [T7.2], [T7.4]
 ///
 /// Errors    `rack.arc_radius`, `rack.center_a`, `rack.dedendum`, `rack.root_fillet_radius`,
-///           `rack.addendum` with a value that fits; `rack.pressure_angle` if no point of the arc has
-///           this angle
+///           `rack.addendum`, each with the allowed limit; `rack.pressure_angle` if no point of the
+///           arc has this angle
 Result<RackOfArcs> arcs_of(const ArcRack& rack);
 
 }  // namespace gearwright

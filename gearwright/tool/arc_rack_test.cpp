@@ -1,4 +1,5 @@
-// The racks F and P, given by their numbers. tests/golden compares the values of the case file.
+// Tests the racks F and P for given numbers. A test in tests/golden compares them with published
+// values.
 #include "gearwright/tool/arc_rack.hpp"
 
 #include <gtest/gtest.h>
@@ -31,8 +32,8 @@ std::string key_of(const ArcRack& rack) {
   return arcs.error().field;
 }
 
-// Where the two racks touch, they share point and normal, so the material of F ends where that of P
-// begins.
+// Where the two racks touch, they have a common point and a common normal, so the material of P
+// begins where the material of F ends.
 TEST(ArcRack, F_and_P_touch_at_the_pressure_angle) {
   const Angle psi = Angle::degrees(30);
   const RackOfArcs F = *arcs_of(rack_of(Cutter::F)), P = *arcs_of(rack_of(Cutter::P));
@@ -43,7 +44,7 @@ TEST(ArcRack, F_and_P_touch_at_the_pressure_angle) {
   EXPECT_NEAR(on_F.y(), on_F.x() / std::tan(psi.rad()), 1e-15);
 }
 
-// With the greatest rounding both sides of the cutter's tip meet, and a larger one is rejected.
+// With the greatest rounding, both sides of the cutter's tip meet, and a larger one is rejected.
 TEST(ArcRack, full_radius) {
   for (const Cutter cutter : {Cutter::F, Cutter::P}) {
     ArcRack rack = rack_of(cutter);

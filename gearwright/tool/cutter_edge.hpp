@@ -7,7 +7,8 @@
 //   τ    normal angle: (sin τ, cos τ) is the outward normal of the gear surface cut at the point
 //                                              theory: docs/theory/03-rack-and-generation.md
 //
-// A new cutter is a function that returns such a chain, and generation/ computes the tooth.
+// A new kind of cutter needs only a function that returns such a chain. generation/ computes the
+// tooth.
 //   Laws  (1) arcs follow each other without a gap   (2) 0 < τ ≤ π/2
 //         (3) x never decreases along the chain      (4) y ≥ 0, and y decreases along the chain
 #pragma once
@@ -44,7 +45,8 @@ struct EdgeCircle {
 struct EdgeArc {
   ArcName cuts;  ///< the part of the gear tooth that the arc cuts
   std::variant<EdgeLine, EdgeCircle> shape;
-  bool smooth_start = true;  ///< true if point and normal are those at the end of the preceding arc
+  bool smooth_start = true;  ///< true if point and normal equal those at the end of the preceding
+                             ///< arc
 };
 
 struct CutterEdge {

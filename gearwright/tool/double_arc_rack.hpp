@@ -31,7 +31,7 @@ struct DoubleArcRack {
   double space_width = 1.1773;                ///< e_f*
   double step_height = 0.16;                  ///< h_ja*
   double step_depth = 0.2;                    ///< h_jf*
-  bool named = false;                         ///< true if the numbers are those of the standard
+  bool named = false;                         ///< true if the numbers come from the standard
 };
 
 /// The rack of GB/T 12759-1991 for a module from 1.5 to 3, over 3 to 6, over 10 to 16 or over 32 to 50 mm.
@@ -41,8 +41,10 @@ Result<DoubleArcRack> gbt12759_rack(double normal_module);
 
 /// Derived values, in modules. [T7.6]…[T7.9]
 struct DoubleArcDerived {
-  double convex_contact_height;  ///< h_k  contact point of the convex arc, above the datum line
-  double concave_contact_depth;  ///< h_k  contact point of the concave arc, below the datum line
+  double convex_contact_height;  ///< h_k  height of the contact point of the convex arc above the
+                                 ///<      datum line
+  double concave_contact_depth;  ///< h_k  depth of the contact point of the concave arc below the
+                                 ///<      datum line
   double
       contact_thickness;  ///< S_a*  thickness of the tooth at the contact point of the convex arc
   double concave_offset;  ///< l_f*

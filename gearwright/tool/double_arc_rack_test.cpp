@@ -1,4 +1,4 @@
-// Double circular-arc racks: the standard's table is consistent.
+// Tests that the numbers in the table of the standard for double circular-arc racks are consistent.
 #include "gearwright/tool/double_arc_rack.hpp"
 
 #include <gtest/gtest.h>
@@ -20,11 +20,12 @@ constexpr Row kRows[] = {{2.0, 0.7086, 0.4030, 0.5049, 9 + 25.0 / 60 + 31.0 / 36
                          {12.0, 0.6820, 0.3663, 0.4877, 9 + 0.0 / 60 + 59.0 / 3600, 0.0},
                          {40.0, 0.6455, 0.3520, 0.4858, 8 + 35.0 / 60 + 1.0 / 3600, 0.0}};
 
-// Printed lengths have four decimals, angles have seconds, and both were computed from rounded inputs.
+// The printed lengths have four decimals, and the printed angles have seconds. Both were computed
+// from rounded inputs.
 constexpr double kPrinted = 1.5e-4;
 constexpr double kPrintedAngle = 2e-3;  // degrees
-// The root radius moves by l_f/(ρ_f − x_f − h_f), 2.6 to 2.8, times the rounding of l_f, 5e-5, and by
-// the same amount for the rounding of ρ_f and x_f.
+// If l_f is rounded by 5e-5, the root radius changes by l_f/(ρ_f − x_f − h_f) times as much, which
+// is 2.6 to 2.8 times. The rounding of ρ_f and x_f changes it by the same amount.
 constexpr double kPrintedRoot = 3e-4;
 
 TEST(DoubleArcRack, the_standards_table_closes) {
@@ -46,8 +47,9 @@ TEST(DoubleArcRack, the_standards_table_closes) {
   }
 }
 
-// The step is tangent to the convex arc and meets the concave one where that ends; the full radius
-// is tangent to the concave arc, its centre in the middle of the cutter's tip.
+// The step is tangent to the convex arc and meets the concave arc at the end of the concave arc.
+// The full radius is tangent to the concave arc, and its centre lies in the middle of the cutter's
+// tip.
 TEST(DoubleArcRack, arcs_follow_each_other) {
   for (const Row& row : kRows) {
     const DoubleArcRack rack = *gbt12759_rack(row.module);

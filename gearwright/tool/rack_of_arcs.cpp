@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// Difference of the normals of two arcs within which their joint is tangent.
+// Two arcs are tangent at their joint if their normals differ by at most this angle.
 constexpr double kSameNormal = 1e-6;  // rad
 constexpr double kAbove90 = 1e-15;    // rounding error of 90°, relative to 90°
 constexpr double kOverlap = 1e-12;    // rounding error, relative to half of the pitch
@@ -35,8 +35,8 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
   if (arc.radius != 0.0 && (arc.radius > 0.0) != (arc.end.rad() > arc.begin.rad())) {
     return bad_arc(
         i, fmt::format("from {}° to {}° the arc turns back towards the axis of the gear; an edge "
-                       "must rise from the tip of the cutter, so an arc needs a growing angle if "
-                       "its radius is > 0 and a falling angle if it is < 0",
+                       "must rise from the tip of the cutter, so the normal angle must increase "
+                       "along an arc with a radius > 0 and decrease along an arc with a radius < 0",
                        format_number(arc.begin.deg(), arc.end.deg()),
                        format_number(arc.end.deg(), arc.begin.deg())));
   }
@@ -173,7 +173,7 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
   if (!(rack.addendum * m <= edge.bottom_height)) {
     return refused(
         "rack.addendum", rack.addendum, {edge.bottom_height / m},
-        "the arcs end {} modules above the datum line, and the addendum must not be greater");
+        "the arcs end {} modules above the datum line; the addendum must not exceed this height");
   }
   return edge;
 }

@@ -51,7 +51,8 @@ std::optional<double> half_thickness_on_datum(const RackOfArcs& rack);
 /// next, the corner between the two arcs also cuts and becomes an arc of radius 0. [T7.3]
 ///
 /// Units     mm
-/// Errors    `rack.arcs`, `rack.addendum` or `rack.dedendum` if it violates a law of CutterEdge
+/// Errors    `rack.arcs`, `rack.addendum` or `rack.dedendum` if the edge violates a law of
+///           CutterEdge
 Result<CutterEdge> make_edge(const RackOfArcs& rack, double normal_module,
                              double thickness_allowance);
 

@@ -1,5 +1,5 @@
-// Edges of arcs: the laws of cutter_edge.hpp for racks of every kind, for joints and corners, and the
-// impossible edges.
+// Tests edges of arcs: the laws of cutter_edge.hpp for racks of every kind, joints and corners, and
+// edges that are impossible.
 #include "gearwright/tool/rack_of_arcs.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ std::vector<RackOfArcs> racks_of_arcs() {
   sharp_F.dedendum = 0.2;
   sharp_P.root_fillet_radius = 0.0;
   flat.arc_radius = 1.1;
-  flat.center_a = -0.1;  // both sides' arcs end in a land, at 90°
+  flat.center_a = -0.1;  // the arcs of both sides end at a land, at 90°
   flat.addendum = 0.8;
   ArcRack low = rack_P();
   low.center_b = -0.1;
@@ -95,7 +95,8 @@ TEST(RackOfArcs, edges_obey_the_laws_of_an_edge) {
   }
 }
 
-// An allowance moves both sides of the tooth by half of it, and nothing else.
+// A thickness allowance moves each side of the tooth by half of the allowance and changes nothing
+// else.
 TEST(RackOfArcs, allowance_thins_the_tooth) {
   const RackOfArcs rack = *arcs_of(rack_F());
   const auto full = make_edge(rack, 2.0, 0.0);
@@ -108,8 +109,8 @@ TEST(RackOfArcs, allowance_thins_the_tooth) {
   EXPECT_NEAR(thin->tip_land_end, full->tip_land_end - 0.05, 1e-15);
 }
 
-// Ends that differ by the rounding of a drawing are joined. Convex corners of the cutter get an arc of
-// radius 0, concave ones get none.
+// Ends that differ by the rounding of a drawing are joined. Convex corners of the cutter get an arc
+// of radius 0, and concave corners get no arc.
 TEST(RackOfArcs, joints_and_corners) {
   const auto deg = [](double v) { return Angle::degrees(v); };
   RackOfArcs rack{0.0, 1.0, {}};
@@ -122,7 +123,8 @@ TEST(RackOfArcs, joints_and_corners) {
   rack.arcs = {first, second};
   const auto edge = make_edge(rack, 1.0, 0.0);
   ASSERT_TRUE(edge) << edge.error().message();
-  // The arcs are the tip's corner from 90° to 45°, the flank, the corner from 20° to 12°, the flank.
+  // The arcs are the corner of the tip from 90° to 45°, the first flank arc, the corner from 20° to
+  // 12° and the second flank arc.
   ASSERT_EQ(edge->arcs.size(), 4u);
   EXPECT_EQ(circle_of(edge->arcs[0]).q, 0.0);
   EXPECT_EQ(edge->arcs[0].cuts, ArcName::root_fillet);
@@ -141,7 +143,8 @@ TEST(RackOfArcs, joints_and_corners) {
 }
 
 TEST(RackOfArcs, half_thickness_where_an_arc_crosses_the_datum_line) {
-  // ρ cos θ − a with sin θ = b/ρ, measured from the middle of the space for P.
+  // The half thickness is ρ cos θ − a with sin θ = b/ρ. For P, it is measured from the middle of
+  // the space.
   EXPECT_NEAR(*half_thickness_on_datum(*arcs_of(rack_F())), std::sqrt(1.4 * 1.4 - 0.0625) - 0.43,
               1e-15);
   EXPECT_NEAR(*half_thickness_on_datum(*arcs_of(rack_P())),

@@ -145,9 +145,9 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
       full ? std::numbers::pi * m / 2 : std::numbers::pi * m / 4 + (rho - pr - x_c * s) / c;
   edge.tip_land_end = y_c;
 
-  // A small protuberance consists of the rounding only. At τ = α, the circle of the rounding has the
-  // distance pr from the flank. If it intersects the flank, at ρ cos(α − τ) = ρ − pr, before τ reaches
-  // α_pr, there is no straight line of the protuberance. [T3.4a]
+  // A small protuberance consists of the rounding only. At τ = α, the circle of the rounding lies
+  // at the distance pr from the flank. If it intersects the flank, at ρ cos(α − τ) = ρ − pr, before
+  // τ reaches α_pr, the protuberance has no straight line. [T3.4a]
   double round_end = alpha;
   bool proud_line = pr > 0.0;
   if (pr > 0.0) {
@@ -195,7 +195,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   if (!(edge.flank_end_height > -edge.flank_begin_depth)) {
     return refused(
         "rack.tool_addendum", edge.flank_end_height / m, {-edge.flank_begin_depth / m},
-        "the straight flank would end before it starts at {} modules from the datum line");
+        "the straight flank would end before its start at {} modules from the datum line");
   }
   edge.arcs.push_back(line(ArcName::flank,
                            {normal_pressure_angle, std::numbers::pi * m / 4,
@@ -213,7 +213,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
     const Vec2 center(edge.flank_end_height - rho_1 * s, y_end - rho_1 * c);
     if (center.y() < 0.0) {
       // If the end of the flank is given, the limit is the half width at this end. Otherwise the
-      // height of the end depends on ρ_1*.
+      // height of the end depends on ρ_1*, and the limit is solved for ρ_1*.
       const double rho_max_1 = rack.tool_addendum ? y_end / (m * c)
                                                   : (std::numbers::pi / 4 - rack.addendum * s / c) /
                                                         (c - (1 - s) * s / c);

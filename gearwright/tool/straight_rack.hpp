@@ -1,7 +1,7 @@
 // The straight-sided rack of ISO 53 and similar racks with other numbers.
 //
 //   m_n     normal module, mm                 α_n     normal pressure angle, rad
-//   h_aP*   addendum, h_fP* dedendum, ρ_fP* tip rounding, all in modules (ISO 53, ISO 21771)
+//   h_aP*, h_fP*, ρ_fP*  addendum, dedendum and tip rounding in modules (ISO 53, ISO 21771)
 //                              theory: docs/theory/03-rack-and-generation.md, [T3.1]…[T3.6]
 #pragma once
 

@@ -1,5 +1,5 @@
-// The edge of a rack given by its numbers: the laws of cutter_edge.hpp for many racks, and every reason
-// for an impossible edge with the key that causes it.
+// Tests the edge of a rack given by its numbers: the laws of cutter_edge.hpp for many racks, and
+// for every impossible edge the key that causes the error.
 #include "gearwright/tool/straight_rack.hpp"
 
 #include <gtest/gtest.h>
@@ -108,8 +108,8 @@ TEST(StraightRack, flank_starts_where_iso_says) {
   EXPECT_FALSE(iso53_rack("iso53-a"));
 }
 
-// The rounding is a full radius if its centre is in the middle of the cutter's tooth. Then h_f, α and ρ
-// obey the known formula, and a slightly smaller radius leaves a tip land.
+// The rounding is a full radius if its centre is in the middle of the cutter's tooth. Then h_f, α
+// and ρ satisfy the known formula, and a slightly smaller radius leaves a tip land.
 TEST(StraightRack, full_radius) {
   StraightRack rack;
   const double full = full_radius(rack, 20_deg);
@@ -130,8 +130,9 @@ TEST(StraightRack, a_named_radius_that_does_not_fit_becomes_full) {
   EXPECT_EQ(made->edge.tip_land_end, kPi / 2);
 }
 
-// The protuberance: the tip projects beyond the extended flank by pr where its normal is that of the
-// flank, whether the projecting part is a line or only the rounding.
+// Where the normal of the protuberance is parallel to the normal of the flank, the protuberance
+// projects by pr beyond the extended flank. This holds for a protuberance with a straight line and
+// for one that consists of the rounding only.
 TEST(StraightRack, protuberance_stands_proud) {
   for (const double pr : {0.002, 0.05}) {
     StraightRack rack;
@@ -179,8 +180,8 @@ TEST(StraightRack, what_is_impossible_is_named) {
               r.protuberance_angle = 25_deg;
             }),
             "rack.protuberance_angle");
-  // If the angle of the protuberance is close to that of the flank, its line extends past the end of
-  // the flank.
+  // If the angle of the protuberance is close to the pressure angle of the flank, the line of the
+  // protuberance extends past the end of the flank.
   EXPECT_EQ(key([](StraightRack& r) {
               r.protuberance = 0.1;
               r.protuberance_angle = 19.5_deg;
@@ -200,7 +201,7 @@ TEST(StraightRack, what_is_impossible_is_named) {
             "rack.semi_topping_angle");
 }
 
-// The greatest value that an error names is accepted.
+// The greatest allowed value in an error message is accepted.
 TEST(StraightRack, the_limits_named_are_the_limits) {
   StraightRack rack;
   rack.root_fillet_radius = full_radius(rack, 20_deg);

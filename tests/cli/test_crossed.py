@@ -114,7 +114,7 @@ class Crossed(unittest.TestCase):
         self.assertIn("pair.shaft_angle_deg", e["message"])
         e = error("pair", RING.format("", "shaft_angle_deg = 9"))
         self.assertEqual(e["key"], "pair.shaft_angle_deg")
-        self.assertIn("minus that of the internal gear", e["message"])
+        self.assertIn("minus the helix angle of the internal gear", e["message"])
         unshifted = RING.replace("_angle_deg = 20", "_angle_deg = 20\nprofile_shift = 0").replace("_angle_deg = 10", "_angle_deg = 10\nprofile_shift = 0")
         placed = lambda a: unshifted.format("", f"shaft_angle_deg = 10\ncenter_distance_mm = {a}")
         e = error("pair", placed(30))

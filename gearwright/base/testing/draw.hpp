@@ -1,5 +1,5 @@
-// Seeded random numbers that are the same with every compiler and library, because the standard's
-// distributions differ.
+// Seeded random numbers that are the same with every compiler and library. The distributions of the
+// standard library differ between implementations.
 #pragma once
 
 #include <cstdint>

@@ -17,18 +17,20 @@ inline double number_after(const std::string& text, const std::string& words) {
   return at == std::string::npos ? 0.0 : std::stod(text.substr(at + words.size()));
 }
 
-/// `refusal(x)` is the message that rejects x, and it is empty if x is allowed. The value that the
-/// message names when x is `beyond` must be allowed, and it agrees with the limit to six digits. When x
-/// is 1e-9 beyond the limit, the message has enough digits to show that. Returns the limit, to 1e-12.
+/// Tests that an error message names the right limit, and returns the limit within 1e-12 relative.
+///
+/// `refusal(x)` returns the message that rejects x, or an empty text if x is allowed. The limit
+/// that it names for x = `beyond` is correct to six digits. If x is only 1e-9 beyond the limit, the
+/// message must contain more digits.
 inline double named_limit(const std::function<std::string(double)>& refusal, double beyond,
                           const std::string& words) {
   const double limit = number_after(refusal(beyond), words);
   const double out = beyond > limit ? 1.0 : -1.0;
   const double scale = std::abs(limit);
-  double allowed = limit - out * 1e-9 * scale;  // the end itself may be excluded
+  double allowed = limit - out * 1e-9 * scale;  // the limit itself may be excluded
   EXPECT_EQ(refusal(allowed), "");
   double refused = limit + out * 2e-5 * scale;
-  EXPECT_NE(refusal(refused), "") << limit << " is not all of it";
+  EXPECT_NE(refusal(refused), "") << limit << " is not the limit";
   while (std::abs(refused - allowed) > 1e-12 * scale) {
     const double middle = (allowed + refused) / 2;
     (refusal(middle).empty() ? allowed : refused) = middle;

@@ -1,4 +1,5 @@
-// A case of a file of values from other programs, for unit tests of functions without gears.
+// Reads one case from a file of values of other programs, for unit tests of functions without
+// gears.
 #pragma once
 
 #include <fstream>

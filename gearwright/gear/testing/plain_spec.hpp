@@ -1,4 +1,4 @@
-// The spec of a gear by the numbers that most tests vary.
+// Makes a spec from the numbers that most tests vary.
 #pragma once
 
 #include "gearwright/gear/gear.hpp"

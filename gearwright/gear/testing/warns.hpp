@@ -1,4 +1,4 @@
-// Whether a gear, or a pair, has a warning of this code.
+// Returns whether a gear, or a pair, has a warning with this code.
 #pragma once
 
 #include <algorithm>

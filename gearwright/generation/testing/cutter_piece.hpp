@@ -15,7 +15,8 @@ struct CutterPiece {
   double root, tip;
   Meeting meeting = Meeting::ahead;
 
-  // The tangent at a corner is that of the walk, although the angle of its normals decreases.
+  // At a corner, the tangent has the direction of the walk, although the angle of the normals
+  // decreases.
   bool forward() const { return tip > root || curve_if<CornerFan>(*curve); }
   Walk walk() const { return forward() ? Walk::forward : Walk::backward; }
   PinionEnvelope envelope() const { return {motion, curve, walk(), meeting}; }

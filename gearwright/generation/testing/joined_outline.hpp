@@ -1,5 +1,5 @@
-// Checks the arcs of a tooth as cut: their names in order, and that each begins where the last one
-// ends.
+// Checks the arcs of a tooth as cut: the order of their names, and that each arc begins where the
+// preceding arc ends.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Gears of 20 mm face width, also gears cut by a pinion cutter, and involute pairs of them.
+// Makes gears of 20 mm face width, gears cut by a pinion cutter, and involute pairs of them.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@ inline CylindricalSpec spec(int teeth, double module, double x = 0.0, double bet
       {.teeth = teeth, .module = module, .beta_deg = beta_deg, .x = x, .face_width = 20.0});
 }
 
-/// The gear that a cutter makes at the distance of the shift x; diameter in mm.
+/// The gear cut by `cutter` at the distance that gives the profile shift x; diameter in mm.
 inline Gear cut(const Gear& cutter, int teeth, double x, std::optional<double> tip_diameter = {}) {
   const double distance = taken(generating_distance(cutter, teeth, x));
   return taken(make_pinion_cut_gear(cutter, {teeth, distance, 20.0, tip_diameter}));
 }
 
-/// On parallel axes; a in mm.
+/// Mounts two gears on parallel axes; a in mm.
 inline ParallelPair mounted(const Gear& one, const Gear& two, double a) {
   return taken(mount_as<ParallelPair>(one, two, {a}));
 }

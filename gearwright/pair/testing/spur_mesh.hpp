@@ -1,4 +1,4 @@
-// The mesh of two spur gears of 20° and the module 2, without shift.
+// The mesh of two spur gears with 20°, module 2 and no profile shift.
 #pragma once
 
 #include <cmath>

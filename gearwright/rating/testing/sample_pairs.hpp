@@ -9,7 +9,7 @@ namespace gearwright::testing {
 
 struct PrintedGear {
   int teeth;
-  double shift, tip_diameter;  ///< x; d_a mm, 0: of the rack
+  double shift, tip_diameter;  ///< x; d_a mm, or 0 for the tip diameter that the rack gives
 };
 
 inline CylindricalSpec printed_spec(const PrintedGear& g, double module, double beta_deg,

@@ -1,5 +1,5 @@
-// What the tests of the chunk store share: a folder of their own, chunks that anybody can make, the
-// journal as SQLite tells it, and child processes.
+// Parts shared by the tests of the chunk store: a folder for each test, chunks with known contents,
+// SQL queries of the journal, and child processes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +39,8 @@ inline Campaign campaign(std::int64_t chunks, const std::string& contact_ratio =
   return {fingerprint(contact_ratio), chunks};
 }
 
-// What chunk `k` holds, for everybody: bytes of every value, some hundreds or none at all.
+// The contents of chunk `k`, which every process can compute: bytes of all values, up to some
+// hundreds or none.
 inline std::string bytes_of(std::int64_t k, std::size_t length) {
   std::string bytes(length, '\0');
   for (std::size_t i = 0; i < length; ++i) {
@@ -84,7 +85,7 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// Every column of every row, as text.
+// Every column of every row as text.
 using Rows = std::vector<std::vector<std::string>>;
 inline Rows query(const fs::path& folder, const std::string& sql) {
   Rows rows;
@@ -113,7 +114,7 @@ class ChunkFolderTest : public ::testing::Test {
     if (!store) throw std::runtime_error(store.error().message());
     return std::move(store).take();
   }
-  // The sentence of a refusal; it names the folder's key and value.
+  // The message of a rejection, without its key and value, which must be the folder.
   std::string refusal(OpenAs as, const Campaign& campaign) const {
     const auto store = open(as, campaign);
     if (store) return "";
@@ -143,7 +144,7 @@ class ChunkFolderTest : public ::testing::Test {
     }
     return chunks;
   }
-  // A child process that does `act`; it exits with 0 when nothing was thrown.
+  // Starts a child process that calls `act`. It exits with 0 if `act` does not throw.
   pid_t child(const std::function<void()>& act) const {
     const pid_t pid = ::fork();
     if (pid != 0) return pid;
@@ -159,7 +160,7 @@ class ChunkFolderTest : public ::testing::Test {
     int status = 0;
     return ::waitpid(pid, &status, 0) == pid && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
-  // A number that no process has: a child's that is gone.
+  // The id of a child process that has ended, which no running process has.
   pid_t dead_process() const {
     const pid_t pid = child([] {});
     EXPECT_TRUE(went_well(pid));
@@ -177,12 +178,12 @@ class ChunkFolderTest : public ::testing::Test {
     bytes.at(at) = static_cast<char>(bytes.at(at) ^ 0x10);
     write(path, bytes);
   }
-  // Everything about a campaign that is complete.
+  // Checks a complete campaign.
   void expect_complete(const ChunkStore& store, std::int64_t n) const {
     EXPECT_TRUE(store.missing().empty());
     EXPECT_EQ(store.totals(), sum_of(range(n)));
     EXPECT_EQ(journalled(), range(n));
-    EXPECT_EQ(chunk_names().size(), static_cast<std::size_t>(n));  // and no leftovers
+    EXPECT_EQ(chunk_names().size(), static_cast<std::size_t>(n));  // no other files remain
     const auto sums = query(folder_, "SELECT sum(tested), sum(feasible) FROM chunks");
     EXPECT_EQ(sums[0][0], std::to_string(sum_of(range(n)).tested));
     EXPECT_EQ(sums[0][1], std::to_string(sum_of(range(n)).feasible));

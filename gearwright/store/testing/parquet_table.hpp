@@ -1,4 +1,5 @@
-// What the tests of Parquet files share: a folder, and a table of every type from a fixed seed.
+// Parts shared by the tests of Parquet files: a folder, and a table with columns of every type from
+// a fixed seed.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ inline double from_bits(std::uint64_t u) {
   return value;
 }
 
-// Every type, and every type with nulls.
+// One column of every type, and one of every type with nulls.
 struct ParquetRow {
   std::int32_t a;
   std::int64_t b;
@@ -79,7 +80,9 @@ inline std::vector<ParquetRow> random_rows(std::size_t count) {
                    {},
                    {}};
     if (random() % 3 != 0) row.e = static_cast<std::int32_t>(random());
-    if (i >= 70'000) row.f = static_cast<std::int64_t>(random());  // the first group has none
+    if (i >= 70'000)
+      row.f = static_cast<std::int64_t>(random());  // the first group contains only
+                                                    // nulls
     if (i < 100'000) row.g = number();
     if (random() % 100 == 0) row.h = texts[random() % texts.size()] + std::to_string(i);
     made.push_back(row);
@@ -95,7 +98,7 @@ inline void write_rows(const std::filesystem::path& file, const std::vector<Parq
     table.set(1, row.b);
     table.set(2, row.c);
     table.set(3, row.d);
-    if (row.h) table.set(7, *row.h);  // in any order
+    if (row.h) table.set(7, *row.h);  // the columns are set in any order
     if (row.e) table.set(4, *row.e);
     if (row.f) table.set(5, *row.f);
     if (row.g) table.set(6, *row.g);
