@@ -1,5 +1,5 @@
-// Findings that are not warnings: clearances that are too small, and the position of the contact.
-// Internal to verdict/.
+// Findings other than warnings: clearances that are too small, and the position of the contact.
+// This header is internal to verdict/.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace gearwright::detail {
 /// Findings for clearances that are not negative but below their margins.
 std::vector<Finding> margin_findings(const Pair& pair);
 
-/// Findings for contact at edges and for a contact pattern that is not in the middle of the face.
+/// Findings for contact at edges, and for a contact pattern away from the middle of the face.
 std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& pair);
 
 }  // namespace gearwright::detail
