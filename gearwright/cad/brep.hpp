@@ -1,4 +1,4 @@
-// Writes a toothed body as an advanced B-rep of a STEP file. This header is internal to cad/.
+// Writes a toothed body as an advanced B-rep of a STEP file. Internal to cad/.
 //
 //   u, v   parameters of the face of a wall: u runs counter-clockwise about the axis, v upwards
 //

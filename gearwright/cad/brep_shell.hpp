@@ -1,4 +1,4 @@
-// Writes the faces, edges and vertices of a solid about the axis. This header is internal to cad/.
+// Writes the faces, edges and vertices of a solid about the axis. Internal to cad/.
 //
 // The boundary poles of a face are the points of its edges. Circles and cylinders are centred on
 // the axis.

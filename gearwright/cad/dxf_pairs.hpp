@@ -1,5 +1,4 @@
-// Writes the pairs of a DXF file and defines the handles of its fixed sections. This header is
-// internal to cad/.
+// Writes the pairs of a DXF file and defines the handles of its fixed sections. Internal to cad/.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Text functions that several writers of files use. This header is internal to cad/.
+// Text functions that several writers of files use. Internal to cad/.
 #pragma once
 
 #include <string>

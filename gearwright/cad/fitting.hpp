@@ -1,5 +1,4 @@
-// Functions shared by the fits that replace arcs by simpler curves. This header is internal to
-// cad/.
+// Functions shared by the fits that replace arcs by simpler curves. Internal to cad/.
 //
 // The distance of a point from a circle is needed for a circle that is described by one of its
 // points and the normal at this point. The formula must also be valid for lines:

@@ -1,6 +1,6 @@
 // Builds a triangle mesh from walls and caps, together with a copy for shading.
 //
-//   τ  twist, rad/mm     ζ  height, mm     column  one vertex per level     ring  vertices of a level
+//   τ  twist, rad/mm     ζ  height, mm     column  one vertex per level   ring  vertices of a level
 //
 // A wall is one part of a section, repeated around the axis and moved along the axis by a screw
 // motion. A cap is plane and uses the end rings of walls. If the normal jumps at a vertex, the

@@ -1,4 +1,4 @@
-// The plane end faces of toothed meshes. This header is internal to cad/.
+// The plane end faces of toothed meshes. Internal to cad/.
 //
 //   n    segments of the section of half a tooth      q    points on the circle per half pitch
 //

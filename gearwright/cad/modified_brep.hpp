@@ -1,5 +1,4 @@
-// Writes teeth with flank modifications as an advanced B-rep of a STEP file. This header is
-// internal to cad/.
+// Writes teeth with flank modifications as an advanced B-rep of a STEP file. Internal to cad/.
 //
 //   layer   between two levels; levels are planes, and the lines at which end reliefs begin
 //   slice   between two planes

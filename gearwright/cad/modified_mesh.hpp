@@ -1,5 +1,4 @@
-// Meshes the walls of teeth with flank modifications, level by level. This header is internal to
-// cad/.
+// Meshes the walls of teeth with flank modifications, level by level. Internal to cad/.
 //
 //   ε    chord tolerance of the mesh, mm        c   material removed from the flank, mm
 //

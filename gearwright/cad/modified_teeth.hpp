@@ -1,4 +1,4 @@
-// The surfaces of teeth with flank modifications. This header is internal to cad/.
+// The surfaces of teeth with flank modifications. Internal to cad/.
 //
 //   c(u, ζ)   removed along the normal, mm, at the diameter and the height of the nominal point
 //             (gear/modifications.hpp)

@@ -1,4 +1,4 @@
-// Writes a rack as an advanced B-rep of a STEP file. This header is internal to cad/.
+// Writes a rack as an advanced B-rep of a STEP file. Internal to cad/.
 //
 //   part of the tooth   surface                                edges on the border
 //   land, flank         plane                                  lines

@@ -1,4 +1,4 @@
-// The closed triangle mesh of a rack. This header is internal to cad/.
+// The closed triangle mesh of a rack. Internal to cad/.
 //
 // Every strip of the plan view (cad/rack_plan.hpp) is a plane quadrilateral. A fillet is divided
 // into strips that deviate from its cylinder by no more than the tolerance. The back, the ends and

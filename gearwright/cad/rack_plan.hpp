@@ -1,5 +1,4 @@
-// Plan view of the bar of a rack: a rectangle crossed by the lines of its teeth. This header is
-// internal to cad/.
+// Plan view of the bar of a rack: a rectangle crossed by the lines of its teeth. Internal to cad/.
 //
 //   y, z    coordinates along the travel and along the face, mm; −l/2 ≤ y ≤ l/2, −b/2 ≤ z ≤ b/2
 //   q       tan β, slope of the teeth        s   y − q z, constant along a tooth, mm

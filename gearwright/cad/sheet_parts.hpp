@@ -1,5 +1,4 @@
-// The parts of a workshop drawing: frame, title block, data table and dimensions. This header is
-// internal to cad/.
+// The parts of a workshop drawing: frame, title block, data table and dimensions. Internal to cad/.
 //
 // Frame and margins follow ISO 5457, the fields of the title block follow ISO 7200, and dimensions
 // follow ISO 129-1. Text is placed above its line and is read from below or from the right.

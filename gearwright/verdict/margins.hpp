@@ -1,5 +1,5 @@
 // Findings other than warnings: clearances that are too small, and the position of the contact.
-// This header is internal to verdict/.
+// Internal to verdict/.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // Findings for safety factors that are too low, and changes that would raise them sufficiently.
 //
-// This header is internal to verdict/.
+// Internal to verdict/.
 #pragma once
 
 #include <string>
