@@ -54,8 +54,8 @@ std::vector<std::string> claims(const std::string& table) {
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("| `", 0) != 0) continue;
-    // Quantity, unit and claimed accuracy must agree. The measured column may differ in its last
-    // digit between math libraries.
+    // Quantity, unit and claimed accuracy must agree exactly. The last digit of the measured column
+    // may depend on the math library.
     std::size_t at = 0;
     for (int bar = 0; bar < 4; ++bar) at = line.find('|', at) + 1;
     list.push_back(line.substr(0, at));
@@ -84,7 +84,7 @@ TEST(Ledger, ErrorsAreWithinTheirClaims) {
                         << (section == std::string::npos ? "" : old.substr(section));
   }
   EXPECT_EQ(claims(ledger_text()), claims(markdown(rows)))
-      << "docs/accuracy.md is not of these rows: write it anew with "
+      << "docs/accuracy.md does not match these rows; regenerate it with "
          "GW_WRITE_LEDGER=docs/accuracy.md";
 }
 

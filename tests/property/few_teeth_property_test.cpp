@@ -1,8 +1,8 @@
-// Tests gears with one to twelve teeth, over the whole range of shift, helix and circular fillets,
-// and the gears cut by a third of them. Each ends in an outline that obeys its laws, in a flag, or
-// in an error with its key, and never in a violated contract.
+// Tests gears with one to twelve teeth over the whole range of shifts, helix angles and circular
+// fillets, and gears that a third of them cut. Each case ends with an outline that obeys its laws,
+// with a flag, or with an error and its key. A contract is never violated.
 //
-//   P, ρ, θ    a point of the flank's end, polar     C   centre of a circular fillet
+//   P, ρ, θ    the end point of the flank, in polar coordinates     C   centre of a circular fillet
 //   t          direction from the axis to where the flank's normal at P touches the base circle
 //
 // An involute's normal touches its base circle, and a fillet that is tangent to the flank is
