@@ -1,5 +1,6 @@
-// Rack-cut gears with few teeth: source docs/theory/03, few-tooth cases (computed with 40 digits
-// and confirmed there by sweeping the rack). Numbers in mm and rad, cut off after 18 digits.
+// Rack-cut gears with few teeth. Source: the few-tooth cases of docs/theory/03, computed with 40
+// digits and confirmed in the source by sweeping the rack. Numbers are in mm and rad, truncated
+// after 18 digits.
 //
 //   Convention of the source: the cutter's rounding begins at the depth a_0, so the cutter reaches
 //   h_F* = a_0/m + ρ_0* (1 − sin α); its flank ends at a_1 above the datum line.

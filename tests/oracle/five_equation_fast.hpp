@@ -1,6 +1,6 @@
-// The five equations of tooth contact for circular-arc pairs in a fast form: in double, with a
-// Jacobian by hand, without allocation, started from the last position. The times of the contact
-// room are compared with it, and it is another independent way to the same numbers.
+// The five equations of tooth contact for circular-arc pairs in a fast form: in double, with an
+// analytic Jacobian, without memory allocation, starting from the last position. Benchmarks compare
+// it with the contact room. It also serves as a second independent method.
 //
 //   unknowns   θ_1, φ_1, θ_2, φ_2 (arc angle and rack rotation of either flank), φ_2′ (gear 2)
 //   given      φ_1′ (gear 1)
@@ -50,7 +50,7 @@ class FastArcTouch {
     }
   }
 
-  /// Newton at φ_1′ = `rotation_1` from `start`: whole steps, at most 20.
+  /// Newton's method at φ_1′ = `rotation_1` from `start`, with at most 20 full steps.
   Position solve(double rotation_1, const Position& start) const noexcept {
     Position x = start;
     x.converged = false;
@@ -75,8 +75,9 @@ class FastArcTouch {
     return {one_.height(x.theta_1, x.rack_1), two_.height(x.theta_2, x.rack_2)};
   }
 
-  /// The contact point in the housing, from flank 1. This requires a transformation out of the
-  /// frame of axis 2 with the mounting of `pair`, so it is for reports, not for loops.
+  /// The contact point in the housing, from flank 1. Computing it requires a transformation from
+  /// the frame of axis 2 with the mounting of `pair`, so this function is meant for reports, not
+  /// for loops.
   static Vector3 point_f(const ArcPair& pair, Real rotation_1, const Position& x) {
     const Surface flank = turned(arc_surface(flank_1(pair)), {pair.lead_1.twist, 0});
     const Frame frame = frame_1(pair.mounting, rotation_1);
@@ -95,7 +96,7 @@ class FastArcTouch {
     return x;
   }
 
-  /// Linear extrapolation: the start one step beyond `last` if the steps are equal.
+  /// Linear extrapolation: the start value for the next step if the steps are equal.
   static Position beyond(const Position& before, const Position& last) noexcept {
     Position x = last;
     x.theta_1 += last.theta_1 - before.theta_1, x.rack_1 += last.rack_1 - before.rack_1;
