@@ -46,20 +46,21 @@ using Surface = std::function<FlankPlace(Real s, Real z)>;
 
 /// The rack arc that cuts a gear, and the pitch cylinder of the gear; in any unit of length, rad.
 struct ArcFlank {
-  int gear = 1;  ///< 1 or 2: the side of the pitch line on which its axis lies, and the direction
-                 ///< of φ
+  int gear = 1;  ///< 1 or 2: determines the side of the pitch line on which the axis lies, and the
+                 ///< direction of φ
   Real rho = 0;  ///< ρ  signed
   Real a = 0, b = 0;      ///< the arc's centre is (−b, a)
   Real lead_angle = 0;    ///< λ  0 < λ ≤ π/2
   Real pitch_radius = 0;  ///< r
-  bool mirrored = false;  ///< the other hand
+  bool mirrored = false;  ///< true for the opposite hand
 };
 
 /// One flank of an external involute gear; mm, rad.
 struct InvoluteFlank {
-  int gear = 1;              ///< 1: n points out of this gear's tooth; 2: into it
+  int gear = 1;              ///< 1 if n points out of this gear's tooth; 2 if it points into the
+                             ///< tooth
   Real base_radius = 0;      ///< r_b
-  Real half_angle = 0;       ///< η  half the tooth's angle on the base circle
+  Real half_angle = 0;       ///< η  half of the angle of the tooth on the base circle
   Real center = 0;           ///< θ_c  azimuth of the tooth's centre line in the section z = 0
   Real turn_per_length = 0;  ///< τ = 2π/lead, > 0 right hand, 0 spur
   int side = -1;             ///< σ
@@ -78,19 +79,20 @@ Surface arc_surface(const ArcFlank& flank);
 /// Domain    ξ > 0: at the base circle itself the surface has an edge of regression
 Surface involute_surface(const InvoluteFlank& flank);
 
-/// The flank with its sections turned: points by the turn, normals by its inverse transpose.
+/// The flank with turned sections: points are transformed by the rotation, normals by its inverse
+/// transpose.
 Surface turned(Surface flank, LeadTurn lead);
 
-/// φ of (1): the rack's position at the point (θ, z) of the flank before any lead error.
+/// φ of (1): the position of the rack for the point (θ, z) of the flank without lead errors.
 Real rack_rotation(const ArcFlank& flank, Real theta, Real z);
 
-/// z of (1) at θ and φ.
+/// z of (1) for given θ and φ.
 Real rack_height(const ArcFlank& flank, Real theta, Real phi);
 
 /// K in the orthonormal basis e_1, e_2 of the tangent plane.
 Matrix2 curvature(const FlankPlace& place, const Vector3& e_1, const Vector3& e_2);
 
-/// About z, counter-clockwise for angle > 0.
+/// Rotation about z, counter-clockwise for angle > 0.
 Matrix3 turn_about_z(Real angle);
 
 }  // namespace gearwright::oracle::tca

@@ -28,7 +28,7 @@
 
 namespace gearwright::oracle {
 
-/// Involute of the base circle r_b, half angle σ there, side y > 0 of tooth 0.
+/// Involute of the base circle r_b with the half angle σ on it, side y > 0 of tooth 0.
 inline Eigen::Vector2d involute_point(double r_b, double sigma, double t) {
   const double s = std::sin(sigma - t), c = std::cos(sigma - t);
   return r_b * Eigen::Vector2d(c - t * s, s + t * c);
@@ -46,7 +46,7 @@ inline ToothedOutline::Curve circle_arc(Eigen::Vector2d centre, double radius, d
   };
 }
 
-/// The cutter, and the gear it is to cut.
+/// The cutter, and the gear that it cuts.
 struct FilletedPinion {
   int teeth, gear_teeth;
   double normal_module, normal_pressure_angle_deg, helix_angle_deg, profile_shift;
