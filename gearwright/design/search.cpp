@@ -36,7 +36,8 @@ std::shared_ptr<const TrialGears> Search::gears(int which, int rack, Angle helix
   const std::lock_guard lock(mutex_);
   const auto key = std::make_tuple(which, rack, helix);
   if (const auto found = tables_.find(key); found != tables_.end()) return found->second;
-  // Trials are processed in the order of rack and helix angle, so a few tables are sufficient.
+  // Trials are processed in the order of rack and helix angle, so a few stored tables of gears are
+  // sufficient.
   constexpr std::size_t kTables = 16;
   if (tables_.size() >= kTables) tables_.clear();
   const bool ring = problem_.internal();

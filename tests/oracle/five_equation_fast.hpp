@@ -33,7 +33,7 @@ class FastArcTouch {
     bool converged = false;  ///< step < kLastStep
   };
 
-  /// Quadratic convergence: after a step of this size the error is a rounding.
+  /// Convergence is quadratic: after a step of this size, only the rounding error remains.
   static constexpr double kLastStep = 1e-9;  // rad
 
   /// Lead errors are only twists. Crownings of the pair are ignored.

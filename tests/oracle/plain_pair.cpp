@@ -1,11 +1,12 @@
-// Two facts about the tip thickness carry `shifts_of`. With g the tooth's half angle at the tip,
+// `shifts_of` relies on two facts about the tip thickness. g is the half angle of the tooth at the tip:
 //
 //   external  s_at = 2 r_a g,  g′ = (sin α_t − sin α_a)/r_b,  g″ < 0        ring  g″ > 0, r_a′ = −1
 //   s_at″ ∝ 2 sin α_t − sin α_a − 1/sin α_a < 0                             ring  > 0
 //
-// by tan α_n/(z/2) = sin α_t/r_b. So the shifts that hold it are one interval of an external gear,
-// whose tooth only thins from r_a > r on, and may be two of a ring. The helix factor cos β_a keeps
-// that for the external gear. The scan does not rely on it: it takes every extremum for a node.
+// because tan α_n/(z/2) = sin α_t/r_b. The shifts with a given tip thickness are therefore one
+// interval for an external gear, whose tooth only becomes thinner as soon as r_a > r. For an
+// internal gear they may be two intervals. For the external gear, the helix factor cos β_a does not
+// change this. The scan does not depend on these facts, because it uses every extremum as a node.
 #include "tests/oracle/plain_pair.hpp"
 
 #include <algorithm>

@@ -12,10 +12,10 @@
 //
 //   φ_2* = ψ_2 − θ_2(ρ_2) − t_2(z_2)    (next to the expected rotation φ_1 N_1/N_2, modulo a turn)
 //
-// and gear 2 stands at the greatest φ_2* over all points that lie within the radii and faces of
-// both flanks and less than half a turn about axis 1 from the centre line. The edges of gear 2 are
-// where its bounds run across flank 1; ends of the admitted part of a section are solved for, not
-// sampled.
+// and the position of gear 2 is the greatest φ_2* over all points that lie within the radii and
+// faces of both flanks and less than half a turn about axis 1 from the centre line. The edges of
+// gear 2 are the curves on flank 1 at which the bounds of gear 2 lie. The ends of the admitted part
+// of a section are solved for, not sampled.
 //
 // The search evaluates sections z_1 at equal steps, and in each the admitted intervals of ρ_1 at
 // equal steps. Every peak is refined (Brent in ρ, golden section in z). Golden section also

@@ -21,8 +21,9 @@ TEST(SweptTooth, few_tooth_cases) {
     EXPECT_NEAR(root_radius(rack), c.root_radius, 1e-12);
     EXPECT_NEAR(material_half_angle(rack, c.neck_radius), c.neck_half_angle, 1e-10);
 
-    // Undercut: 1e-11 mm over the sine of the crossing angle, 0.1 or more here. Else the quadratic
-    // departure of the fillet, extrapolated; R19, 8 µm from its base circle, without that.
+    // If the tooth is undercut, the tolerance is 1e-11 mm divided by the sine of the crossing angle,
+    // which is at least 0.1 here. Otherwise the quadratic departure of the fillet is extrapolated,
+    // except for R19, which begins 8 µm from its base circle.
     const auto form = form_radius(rack);
     ASSERT_TRUE(form.has_value());
     const double m = c.rack.normal_module;
@@ -36,8 +37,8 @@ TEST(SweptTooth, few_tooth_cases) {
       ASSERT_TRUE(pointed.has_value());
       EXPECT_NEAR(*pointed, c.tip_radius, 1e-11);
     } else {
-      // δ below the land the arc is longer by δ times the flank's slope (below 10), or, where a tip
-      // fillet leaves the land along the tangent, by sqrt(2 δ R), R < 2 mm.
+      // At δ below the land, the arc is longer by δ times the slope of the flank (less than 10). If
+      // a tip fillet leaves the land along its tangent, it is longer by sqrt(2 δ R), R < 2 mm.
       constexpr double kBelow = 1e-9;
       const double longer =
           c.rack.tip_fillet_radius > 0 ? std::sqrt(2 * kBelow * 2.0) : 10 * kBelow;

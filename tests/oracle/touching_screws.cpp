@@ -186,7 +186,7 @@ std::optional<Touch> touch(const ScrewPair& p, double rotation_1, Side side) {
   const double per_turn = p.first.teeth / (2 * kPi);
   const double first = std::ceil((rotation_1 - width) * per_turn);
   const double last = std::floor((rotation_1 + width) * per_turn);
-  require(last - first < 5000, "axes so near to parallel need a face width");
+  require(last - first < 5000, "a face width is required if the axes are this close to parallel");
 
   const int sigma = static_cast<int>(side);
   std::vector<Touch> all;

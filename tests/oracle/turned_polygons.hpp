@@ -2,8 +2,8 @@
 //
 //   half tooth   points from the middle of the space (polar angle π/z) to the middle of the tooth
 //                (the x axis), on the side y ≥ 0; an internal gear's material lies beyond it
-//   mesh         at +x of axis 1; axis 2 at (a, 0), an internal gear's at (−a, 0); at rest a tooth
-//                of gear 1 stands in the middle of a space of gear 2, both on the x axis
+//   mesh         at +x of axis 1; axis 2 at (a, 0), for an internal gear at (−a, 0); at rest, a
+//                tooth of gear 1 is in the middle of a space of gear 2, both on the x axis
 //
 // Lines x = const are evenly spaced where the tip circles overlap. They are intersected with both
 // polygons. Along a line, the polar angle about either axis increases with y, so the intersections

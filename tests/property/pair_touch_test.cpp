@@ -3,7 +3,7 @@
 // formulas.
 //
 //   ρ, θ     polar coordinates in a gear's own frame; θ(ρ) half angle of its tooth at that radius
-//   gap      ρ (|θ| − θ(ρ)) of a point of the mate in the gear's nearest tooth, mm: arc between
+//   gap      ρ (|θ| − θ(ρ)) for a point of the mating gear and the nearest tooth, mm: arc between
 //            point and flank, < 0 where the point is inside the material
 #include <gtest/gtest.h>
 
@@ -75,7 +75,7 @@ class Turned {
   /// the least.
   void add(int which, Contact& contact) const {
     const int z = pair_.gears[which].spec.teeth;
-    // The tooth nearest the mate, and two on each side.
+    // The tooth nearest to the mating gear, and two on each side.
     const double towards = which == 0 ? 0.0 : std::numbers::pi;
     const int nearest =
         static_cast<int>(std::lround((towards - angle_[which]) / (2 * std::numbers::pi / z)));

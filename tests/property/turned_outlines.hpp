@@ -2,8 +2,8 @@
 // each other.
 //
 //   φ       rotation of gear 1, clockwise, rad     p   a point of one outline, mm
-//   q       p in the frame of the mate
-//   d       signed distance of q from the mate's outline, mm, < 0 inside its material
+//   q       p in the frame of the mating gear
+//   d       signed distance from q to the outline of the mating gear, mm, < 0 inside its material
 //   leading    the flanks by which gear 1 pushes: y < 0 on its teeth in its own frame
 //
 // When p moves, d changes by at most the same distance. If d > kNear at a point, the walk along an
@@ -131,7 +131,7 @@ class TurnedOutlines {
     int which;     ///< gear whose outline is walked
     double side;   ///< of its tooth, ±1
     double angle;  ///< of that tooth in the housing
-    double mate;   ///< angle of the mate
+    double mate;   ///< angle of the mating gear
   };
 
   template <class Visit>
