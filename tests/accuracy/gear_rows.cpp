@@ -142,7 +142,7 @@ std::vector<Row> mesh_rows() {
   Row j{"mesh.backlash_normal_base", where, "modules", 1e-12, 0.0, ""};
   Row j_rot{
       "mesh.backlash_rotation", where + ", as an arc at the tip circle", "modules", 1e-12, 0.0, ""};
-  Row j_lanes{"normal_backlashes", "in lanes; " + where, "modules", 1e-12, 0.0, ""};
+  Row j_lanes{"normal_backlashes", "vector code; " + where, "modules", 1e-12, 0.0, ""};
   Row zeta{"specific_sliding", "at E; " + where, "relative", 1e-12, 0.0, ""};
   Draw draw(20250102);
   for (int i = 0; i < kInputs; ++i) {

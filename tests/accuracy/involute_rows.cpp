@@ -28,7 +28,7 @@ std::vector<Row> involute_rows() {
            0.0,
            ""};
   Row inverse{"inverse_involute", "1e-15 ≤ y ≤ 50", "relative", 2e-15, 0.0, ""};
-  Row inverses{"inverse_involutes", "in lanes; 1e-15 ≤ y ≤ 50", "relative", 1e-15, 0.0, ""};
+  Row inverses{"inverse_involutes", "vector code; 1e-15 ≤ y ≤ 50", "relative", 1e-15, 0.0, ""};
   std::mt19937_64 random(20250101);
   const auto log_uniform = [&](double lo, double hi) {
     const double u = static_cast<double>(random() >> 11) * 0x1p-53;
