@@ -318,10 +318,11 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
     if (std::abs(std::abs(mesh.nodes[i]) - ri) < kSameNode)
       mesh.bore.push_back(static_cast<int>(i));
   if (folds(mesh)) {
-    return Error{"teeth", std::to_string(outline.teeth),
-                 "gives an outline whose finite elements would fold, as with undercut or pointed "
-                 "teeth; a greater profile shift or a smaller tip diameter would help",
-                 FailureKind::not_under_load};
+    return Error{
+        "teeth", std::to_string(outline.teeth),
+        "gives a tooth that cannot be divided into finite elements, because it is too undercut or "
+        "too pointed; a greater profile shift or a smaller tip diameter would help",
+        FailureKind::not_under_load};
   }
   return mesh;
 }
