@@ -169,7 +169,7 @@ inline PinionCutOutcome check_pinion_cut(const Gear& cutter, const PinionCutSpec
       if (wanted.teeth < 0 || wanted.distance > cutter.tooth->tip_radius)
         outcome.broken = "the cutter does not reach the axis";
     } else if (pinion_detail::clearance_at(sweep, *tooth.neck_radius, 0.0) > check.on_surface) {
-      outcome.broken = "the oracle finds the neck whole";
+      outcome.broken = "the oracle finds that the neck is not cut";
     }
     return outcome;
   }

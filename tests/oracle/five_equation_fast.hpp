@@ -6,13 +6,14 @@
 //   given      φ_1′ (gear 1)
 //   frame      axis 2 with its tilt but not its turn, so that φ_2′ turns flank 2 about z
 //
-// With ω = φ + κ z − φ′ on gear 1 and ω = −φ + κ z + φ′ on gear 2 a flank is its rack's section
-// turned by ω (flank_surface.hpp, (1)), its normal (sin θ, −cos θ sin λ, cos θ cos λ − κ g) turned
-// too, where g = (e_z × r)·n = B sin θ − A cos θ sin λ. Four sines and cosines a step.
+// A flank is the section of its rack turned by ω (flank_surface.hpp, (1)), with ω = φ + κ z − φ′ on
+// gear 1 and ω = −φ + κ z + φ′ on gear 2. Its normal (sin θ, −cos θ sin λ, cos θ cos λ − κ g) is
+// turned in the same way, where g = (e_z × r)·n = B sin θ − A cos θ sin λ. Each step needs four
+// sines and cosines.
 //
-// The two equations of the normals: (n_1 × n_2)·t = 0 for t = (−n_2y, n_2x, 0) and t′ = n_2 × t,
-// these held while differentiating: their own change is multiplied by n_1 × n_2, zero at the
-// solution.
+// The two equations for the normals are (n_1 × n_2)·t = 0 with t = (−n_2y, n_2x, 0), and the same
+// with t′ = n_2 × t. Both vectors are held constant in the derivative, because their changes are
+// multiplied by n_1 × n_2, which is zero at the solution.
 #pragma once
 
 #include <array>

@@ -22,8 +22,8 @@ using nlohmann::json;
 #define EXPECT_CLOSE(value, wanted, tolerance) \
   EXPECT_NEAR(static_cast<double>((value) - (wanted)), 0.0, tolerance)
 
-/// The composite's flanks as the case file cut them: gear 1 by its face and to 0.012 ≤ ρ − r_1 ≤
-/// 0.45 in, gear 2 by its arc alone.
+/// The flanks of `composite_te` with the limits of the case file: on gear 1 the face width and
+/// 0.012 ≤ ρ − r_1 ≤ 0.45 in, on gear 2 only the ends of the arc.
 CloudPair composite_cloud(const ArcPair& p) {
   constexpr Real kNoFace = 100;  // in
   CloudPair out;

@@ -96,7 +96,7 @@ Outcome outcome_of(const CylindricalSpec& spec, bool walk_centre_line) {
     // neck.
     if (tooth.severed && walk_centre_line &&
         !oracle::surface_radius(*rack, 0.0, 0.0, *tooth.neck_radius * (1 + 1e-9))) {
-      return {ending, "the oracle finds the neck whole"};
+      return {ending, "the oracle finds that the neck is not cut"};
     }
     return {ending, {}};
   }
