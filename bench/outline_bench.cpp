@@ -19,7 +19,8 @@ CylindricalSpec spec(int teeth) {
   return s;
 }
 
-// 9 teeth are undercut, so an intersection must be solved. 25 teeth are not.
+// A gear with 9 teeth is undercut, so the intersection of flank and fillet must be computed. A gear
+// with 25 teeth is not.
 void make_gear_only(benchmark::State& state) {
   const CylindricalSpec s = spec(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(make_gear(s));

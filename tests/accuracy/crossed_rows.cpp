@@ -99,9 +99,7 @@ void see_mesh(CrossedRows& rows, const BasePair<double>& g, Draw& draw) {
   }
   const double a = conjugate_center_distance(g, rack);
   const Exact a_e = conjugate_center_distance(e, rack_e);
-  if (!(a > 0.1 * (g[0].radius + g[1].radius)))
-    return;  // the gears cannot mesh, because X cancels
-             // the radii
+  if (!(a > 0.1 * (g[0].radius + g[1].radius))) return;  // the gears cannot mesh here
   rows.a.see(relative_error(a, a_e), w);
   MeshInput<double> in;
   in.gears = g;

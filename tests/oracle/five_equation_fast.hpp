@@ -86,7 +86,7 @@ class FastArcTouch {
     return frame.turn * flank(x.theta_1, z).r + frame.shift;
   }
 
-  /// The same place in these unknowns.
+  /// Converts a contact found by the slow method to these unknowns.
   static Position from(const ArcPair& pair, const FiveEquationTouch& touch) {
     Position x;
     x.theta_1 = static_cast<double>(touch.at.s_1);

@@ -16,9 +16,9 @@
 //   ζ = ρ cos θ cos λ − a / cos λ + b cot θ tan λ sin λ
 //
 // The point of the gear is (A, −B), with +x pointing away from axis 1. It is turned by +φ on gear 1
-// (upper sign) and by −φ on gear 2. φ is computed from z, so λ = 90° is possible too. In these formulas,
-// gear 1 is right-hand and gear 2 left-hand. The opposite hands are the mirror image z → −z. The
-// same formulas hold for fillets, with ρ < 0 or ρ > 0.
+// (upper sign) and by −φ on gear 2. φ is computed from z, so λ = 90° is possible too. In these
+// formulas, gear 1 is right-hand and gear 2 left-hand. The opposite hands are the mirror image z →
+// −z. The same formulas hold for fillets, with ρ < 0 or ρ > 0.
 //
 // Involute, s = ξ = tan α.  W = r_b (1 + i σ ξ) e^{i(θ_c + σ(η − ξ))} as x + iy, turned by τ z;
 // σ = −1 is the clockwise side of the tooth, which leads. External gears.

@@ -1,7 +1,8 @@
 // Gears cut by a finished pinion with circular root and tip fillets. Source: the sets S of Chen and
 // Tsay, "Tooth profile design for the manufacture of helical gear sets with small numbers of
-// teeth", recomputed with 40 digits and confirmed by sweeping the cutter. Numbers are in mm and rad,
-// truncated after 18 digits. The pinion itself is computed here in the transverse section z = 0:
+// teeth", recomputed with 40 digits and confirmed by sweeping the cutter. Numbers are in mm and
+// rad, truncated after 18 digits. The pinion itself is computed here in the transverse section z =
+// 0:
 //
 //   α, α_t    pressure angle, normal and transverse      r, r_b   reference and base radius
 //   l         position along the straight flank of the rack that cut the pinion, from its lower end

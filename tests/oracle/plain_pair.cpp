@@ -1,4 +1,4 @@
-// `shifts_of` relies on two facts about the tip thickness. With g, the tooth's half angle at the tip:
+// `shifts_of` relies on two facts about the tip thickness. Let g be the half angle at the tip.
 //
 //   external  s_at = 2 r_a g,  g′ = (sin α_t − sin α_a)/r_b,  g″ < 0        ring  g″ > 0, r_a′ = −1
 //   s_at″ ∝ 2 sin α_t − sin α_a − 1/sin α_a < 0                             ring  > 0

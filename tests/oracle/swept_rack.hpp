@@ -48,8 +48,8 @@ struct RackNumbers {
   /// otherwise the bottom land lies at h_A*. If it is given without a rounding or a ramp, the
   /// bottom land lies at this height.
   std::optional<double> tool_addendum = std::nullopt;
-  /// α_st  rad, α < α_st < π/2: angle of a ramp that replaces the bottom rounding from tool_addendum
-  /// on.
+  /// α_st  rad, α < α_st < π/2: angle of a ramp that begins at tool_addendum and replaces the
+  /// bottom rounding.
   std::optional<double> semi_topping_angle = std::nullopt;
   double tip_radius = std::numeric_limits<double>::infinity();  ///< r_a  mm, the blank
 };

@@ -22,8 +22,8 @@ TEST(SweptTooth, few_tooth_cases) {
     EXPECT_NEAR(material_half_angle(rack, c.neck_radius), c.neck_half_angle, 1e-10);
 
     // If the tooth is undercut, the tolerance is 1e-11 mm divided by the sine of the crossing
-    // angle, which is at least 0.1 here. Otherwise the quadratic departure of the fillet is extrapolated,
-    // except for R19, which begins 8 µm from its base circle.
+    // angle, which is at least 0.1 here. Otherwise the quadratic departure of the fillet is
+    // extrapolated, except for R19, which begins 8 µm from its base circle.
     const auto form = form_radius(rack);
     ASSERT_TRUE(form.has_value());
     const double m = c.rack.normal_module;
