@@ -1,10 +1,11 @@
-// Measures tooth contact and compares it with a solution of the five equations by Newton steps with an
-// analytic Jacobian (tests/oracle/five_equation_fast.hpp). Both methods start each position from the
-// preceding ones. The counter `ratio` is the time per position of gearwright/contact divided by that
-// of the five equations, measured in the same run. If it is below 1, gearwright/contact is faster.
+// Measures tooth contact and compares it with a solution of the five equations by Newton steps with
+// an analytic Jacobian (tests/oracle/five_equation_fast.hpp). Both methods start each position from
+// the preceding ones. The counter `ratio` is the time per position for gearwright/contact divided
+// by that for the five equations, measured in the same run. If it is below 1, gearwright/contact is
+// faster.
 //
-// In the comparison by curves, a position of gearwright/contact includes every tooth pair and every
-// edge. A position of the five equations is always one tooth pair without edges.
+// In the comparison of curves, a position computed by gearwright/contact includes all tooth pairs
+// and all edges. A position computed by the five equations is always one tooth pair without edges.
 #include <benchmark/benchmark.h>
 
 #include <ctime>
@@ -71,14 +72,16 @@ ContactSet involutes(double crossing, double lead_crowning) {
   return set;
 }
 
-// Only the work of this thread is measured, because a busy machine slows the two sides unequally.
+// Only the CPU time of this thread is measured, because other load on the machine would slow the
+// two sides unequally.
 double seconds() {
   std::timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-// 64 positions of one tooth pair. Every start lies on the straight line through the last two.
+// 64 positions of one tooth pair. The start value of each is extrapolated linearly from the last
+// two positions.
 struct FiveEquations {
   FastArcTouch fast;
   double step;

@@ -19,7 +19,8 @@ CylindricalSpec spec(int teeth) {
   return s;
 }
 
-// 9 teeth are undercut, so an intersection must be solved. 25 teeth are not.
+// A gear with 9 teeth is undercut, so the intersection of flank and fillet must be computed. A gear
+// with 25 teeth is not.
 void make_gear_only(benchmark::State& state) {
   const CylindricalSpec s = spec(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(make_gear(s));
@@ -35,9 +36,9 @@ void make_gear_and_200_points_per_arc(benchmark::State& state) {
 }
 BENCHMARK(make_gear_and_200_points_per_arc)->Arg(9)->Arg(25)->Unit(benchmark::kMicrosecond);
 
-// The gears are cut by a finished pinion: an external gear of 40 teeth, an internal gear of 60.
-// Every point is computed through the point of the cutter's arc, which is computed through a point
-// of the rack.
+// The gears are cut by a finished pinion: an external gear with 40 teeth and an internal gear with
+// 60. Every point is computed from a point on the arc of the cutter, which in turn is computed from
+// a point of the rack.
 void pinion_cut_and_200_points_per_arc(benchmark::State& state) {
   CylindricalSpec s = spec(18);
   s.straight_rack().addendum = 1.25;
@@ -51,7 +52,7 @@ void pinion_cut_and_200_points_per_arc(benchmark::State& state) {
 }
 BENCHMARK(pinion_cut_and_200_points_per_arc)->Arg(40)->Arg(-60)->Unit(benchmark::kMicrosecond);
 
-// θ(ρ) of the fillet has no closed form, so each call is one bracketed solution.
+// θ(ρ) of the fillet has no closed form, so each call solves an equation in a bracket.
 void fillet_half_angle_at_a_radius(benchmark::State& state) {
   const auto gear = make_gear(spec(25));
   const Arc& arc = *gear->tooth->outline.find(ArcName::root_fillet);

@@ -1,4 +1,4 @@
-// Measures the gap of two outlines, and the fillet clearance of the same pair for comparison.
+// Measures the gap between two outlines and, for comparison, the fillet clearance of the same pair.
 #include <benchmark/benchmark.h>
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Measures one pair: the closed-form mesh, and the whole mounting with its clearances.
+// Measures one pair: the closed-form mesh, and the complete mounting with its clearances.
 #include <benchmark/benchmark.h>
 
 #include <utility>

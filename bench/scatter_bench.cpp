@@ -1,6 +1,6 @@
 // Measures tolerance scatter and compares it with a loop over contact analyses. Both compute both
-// flanks of the same pairs in the same run. The counter `ratio` is the time per pair in the loop divided
-// by the time per member of the family. If it is above 1, the family is faster.
+// flanks of the same pairs in the same run. The counter `ratio` is the time per pair in the loop
+// divided by the time per member of the family. If it is above 1, the scatter is faster.
 #include <benchmark/benchmark.h>
 
 #include <ctime>

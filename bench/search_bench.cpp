@@ -1,9 +1,9 @@
-// Measures the design search. It compares vector lanes with their own scalar instance, one thread
-// with two, and feasible designs with trials that the sieve rejects.
+// Measures the design search. It compares the vector code with the scalar code, one thread with
+// two, and feasible designs with trials that the filter rejects.
 //
-// Counters: `ratio` is the median over rounds. In each round both ways are measured one after the
-// other, so that a busy machine slows both. `per_s` is candidates per second. The label of the
-// benchmark is the instruction set of the lanes.
+// Counters: `ratio` is the median over rounds. In each round, both variants are measured one after
+// the other, so that other load on the machine slows both. `per_s` is the number of candidates per
+// second. The label of the benchmark is the instruction set of the vector code.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ double seconds_of(const F& f) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Reports the time of the scalar code divided by the time of the lanes.
+// Reports the time of the scalar code divided by that of the vector code.
 template <class Scalar, class Fast>
 void paired(benchmark::State& state, double candidates, const Scalar& slow, const Fast& fast) {
   std::vector<double> ratios;
@@ -107,9 +107,9 @@ void search_one_thread_over_two(benchmark::State& state) {
 }
 BENCHMARK(search_one_thread_over_two)->Unit(benchmark::kMillisecond)->Iterations(7);
 
-// Searches spur pairs at free centre distances, most of which are feasible. Arg 1: with the limits on
-// interference and clearance that a drawing requires. `ratio` is the time of these designs divided by
-// the time of as many trials that the sieve rejects.
+// Searches for spur pairs at free centre distances, most of which are feasible. Arg 1: with the
+// limits on interference and clearance that a drawing requires. `ratio` is the time for these
+// designs divided by the time for the same number of trials that the filter rejects.
 void feasible_designs_over_sieve(benchmark::State& state) {
   SearchProblem p;
   p.ratio = {1.0, 6.0};
@@ -147,9 +147,9 @@ BENCHMARK(feasible_designs_over_sieve)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
-// Measures designs whose shifts do not lie on the line of Eq. 11, because λ moves the line off every
-// region. `ratio` is their time divided by the time of designs on the line. Arg 1: designs on the
-// line, but free of backlash and with shortened tips.
+// Measures designs whose shifts do not lie on the line of Eq. 11, because λ moves the line out of
+// every region. `ratio` is the time for them divided by the time for designs on the line. Arg 1:
+// designs on the line, but without backlash and with shortened tips.
 void designs_off_the_line_over_those_on_it(benchmark::State& state) {
   SearchProblem p;
   p.ratio = {1.0, 6.0};
@@ -188,8 +188,8 @@ BENCHMARK(designs_off_the_line_over_those_on_it)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
-// Searches the same designs with and without rating by ISO 6336. `us_per_rating` is the additional time
-// per design, and `ratio` is the time with rating divided by the time without it.
+// Searches for the same designs with and without rating by ISO 6336. `us_per_rating` is the
+// additional time per design, and `ratio` is the time with rating divided by the time without it.
 void rated_designs_over_unrated(benchmark::State& state) {
   SearchProblem p;
   p.ratio = {1.0, 6.0};

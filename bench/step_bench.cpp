@@ -1,6 +1,6 @@
-// Measures STEP for a helical gear with 25 mm face, bore and keyway. The aims on one core are less
-// than 30 ms for the text of a file of 60 teeth and less than 100 ms for 200. Only the walls of the
-// surfaces are computed.
+// Measures the STEP output of a helical gear with a 25 mm face, a bore and a keyway. The aims on
+// one core are less than 30 ms for the text of a file with 60 teeth, and less than 100 ms with 200
+// teeth. Of the surfaces, only the walls are computed.
 //
 // Counters: faces of the solid, megabytes of the file.
 

@@ -48,16 +48,16 @@ if(GEARWRIGHT_MPI AND NOT MPI_CXX_FOUND)
                       "On Debian: apt-get install libopenmpi-dev openmpi-bin")
 endif()
 
-# Scripts run with the Python of the system, which has Debian's modules, not with the first one in
-# PATH.
+# Scripts run with the Python of the system, because it has Debian's modules. The first Python in
+# PATH may not have them.
 find_program(GEARWRIGHT_PYTHON_EXECUTABLE python3 HINTS /usr/bin NO_CMAKE_ENVIRONMENT_PATH
-             DOC "Python that runs the script tests, and that the package is for")
+             DOC "Python that runs the script tests and for which the package is built")
 
 # The Python package, if pybind11 and NumPy are installed.
 set(why_no_python "switched off (GEARWRIGHT_PYTHON=OFF)")
 if(GEARWRIGHT_LEAN OR CMAKE_CROSSCOMPILING)
   set(GEARWRIGHT_PYTHON OFF)
-  set(why_no_python "not of a lean or a cross build")
+  set(why_no_python "not in a lean or a cross build")
 endif()
 if(NOT DEFINED GEARWRIGHT_PYTHON OR GEARWRIGHT_PYTHON)
   set(Python_EXECUTABLE ${GEARWRIGHT_PYTHON_EXECUTABLE})

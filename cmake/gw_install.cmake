@@ -36,7 +36,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/gearwrightConfigVersion.c
 install(FILES ${PROJECT_BINARY_DIR}/gearwrightConfig.cmake
   ${PROJECT_BINARY_DIR}/gearwrightConfigVersion.cmake DESTINATION ${gw_cmake_dir} COMPONENT dev)
 
-# pkg-config: the paths are relative to the file, so that the prefix can be moved.
+# The paths in the pkg-config file are relative to this file, so that the prefix can be moved.
 set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH pc_to_prefix ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTALL_PREFIX})
 string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")

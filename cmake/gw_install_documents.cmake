@@ -1,5 +1,5 @@
-# Installs completion, manual pages, documents and examples, and the licence and changes that Debian
-# requires for each package.
+# Installs shell completion, manual pages, documents and examples. For each package, it also
+# installs the licence and the changes that Debian requires.
 include_guard()
 
 set(gw_maintainer "The Gearwright developers <developers@gearwright.invalid>")
@@ -9,9 +9,9 @@ geometry, its contact under errors, the designs within limits, and files
 for CAD.
 .
 ")
-set(gw_about_RUNTIME "${gw_about}This package holds the program.")
-set(gw_about_DEV "${gw_about}This package holds headers and libraries for C++ programs.")
-set(gw_about_MPI "${gw_about}This package holds the design search on many ranks.")
+set(gw_about_RUNTIME "${gw_about}This package contains the program.")
+set(gw_about_DEV "${gw_about}This package contains headers and libraries for C++ programs.")
+set(gw_about_MPI "${gw_about}This package contains the design search on many ranks.")
 
 # The date of the last change is part of the sources, not of the build.
 set(gw_changed "Sun, 22 Nov 2026 00:00:00 +0000")

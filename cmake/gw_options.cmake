@@ -10,19 +10,19 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Without these two permissions, ccache caches nothing that is compiled with a precompiled header.
+  # Without these two settings, ccache stores nothing that is compiled with a precompiled header.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
       CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
 endif()
 
 if(CMAKE_CXX_FLAGS MATCHES "-ffast-math|-Ofast|-funsafe-math")
-  message(FATAL_ERROR "CMAKE_CXX_FLAGS asks for fast math; the results would not be reproducible")
+  message(FATAL_ERROR "CMAKE_CXX_FLAGS enables fast math, which makes results irreproducible")
 endif()
 
 function(gw_target target)
   gw_unity(${target})
-  # The message of a violated contract contains the file name relative to the sources, wherever they
-  # are.
+  # The message of a violated contract contains the file name relative to the source folder,
+  # wherever that folder is.
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic
                          -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
                          $<$<BOOL:${GEARWRIGHT_WERROR}>:-Werror>)
@@ -32,9 +32,9 @@ function(gw_target target)
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict)
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # The compiler collects garbage only above one gigabyte. By default it does so every 128 MB,
-    # which a precompiled header alone fills. This saves 10 to 20 % of the time if there are many
-    # templates, and uses 15 % more memory.
+    # The compiler collects garbage only above one gigabyte. By default it does so every 128 MB, and
+    # a precompiled header alone fills that. For sources with many templates, this saves 10 to 20 %
+    # of the time and uses 15 % more memory.
     target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=1048576)
   endif()
   if(UNIX AND NOT APPLE AND NOT EMSCRIPTEN)

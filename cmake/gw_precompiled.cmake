@@ -5,8 +5,9 @@
 # they cost every source more than they save in some. A source still includes everything that it
 # uses, because the presets of clang build without precompiled headers.
 #
-# A compiler uses a precompiled header only if every macro with which it was made is defined too.
-# Therefore the owners below define almost no macros, and the sources that use them may define more.
+# A compiler uses a precompiled header only if all macros that were defined when it was made are
+# defined again. Therefore the owners below define almost no macros. The sources that use the
+# headers may define more.
 include_guard()
 
 set(gw_precompiled_headers
@@ -31,6 +32,6 @@ gw_precompiled(gw_precompiled)
 gw_precompiled(gw_precompiled_answers
   HEADERS <filesystem> <map> <nlohmann/json.hpp> "${PROJECT_SOURCE_DIR}/gearwright/job/solved_job.hpp"
   LIBRARIES nlohmann_json::nlohmann_json)
-# The header does not come from a cache of objects. `#pragma once` depends on the time of a file, so
-# a header made for another checkout of the same text would be included twice.
+# This header does not come from a compiler cache. `#pragma once` depends on the time stamp of a
+# file, so a header made for another checkout of the same text would be included twice.
 set_target_properties(gw_precompiled_answers PROPERTIES CXX_COMPILER_LAUNCHER "")

@@ -1,9 +1,9 @@
 # The target `gearwright_static` is the same program, linked statically, so that it runs on any
 # Linux for x86-64. Only tools/dist.sh builds it.
 #
-# It contains the objects of the program that the tests run, so nothing is compiled again. Its
-# libraries come from tools/portable_libraries.sh, because Debian's packages have no static oneTBB,
-# NLopt, Highway, fmt and toml++.
+# It contains the same objects as the program that the tests run, so nothing is compiled again. Its
+# libraries come from tools/portable_libraries.sh, because Debian's packages contain no static
+# oneTBB, NLopt, Highway, fmt and toml++.
 include_guard()
 
 if(NOT has_cli OR GEARWRIGHT_LEAN OR CMAKE_CROSSCOMPILING OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux" OR

@@ -5,10 +5,10 @@
 #
 #   tools/bootstrap_check.sh [--prepare-only] DIR
 #
-# DIR must be new or made by this script. Only /proc of this machine is mounted in DIR, and is always
-# unmounted at the end. The devices are the few that debootstrap makes, as in a plain container. The
-# mirror is taken from this machine's package sources. The script needs root and debootstrap. With
-# --prepare-only it stops before make.
+# DIR must be new or made by this script. Of this machine, only /proc is mounted in DIR, and it is
+# always unmounted at the end. The devices are the few that debootstrap makes, as in a plain
+# container. The package mirror is the one that this machine uses. The script needs root and
+# debootstrap. With --prepare-only it stops before make.
 set -euo pipefail
 
 prepare_only=no

@@ -73,8 +73,8 @@ def help_texts(binary):
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("binary", help="the program whose answers are hashed")
-    arguments.add_argument("out", help="the list of hashes that is written")
+    arguments.add_argument("binary", help="the program whose outputs are hashed")
+    arguments.add_argument("out", help="the file for the list of hashes")
     arguments.add_argument("specs", nargs="?", help="specs of tests, as tests/cli writes them with GW_SPECS")
     given = arguments.parse_args()
     binary, out = os.path.abspath(given.binary), given.out

@@ -83,7 +83,7 @@ def contents(build, sources):
         owner = subprocess.run(["dpkg", "-S", str(path)], capture_output=True, text=True).stdout.split(": ")[0]
         known = next((v for k, v in RUNTIME.items() if owner.startswith(k)), None)
         if known is None:
-            sys.exit(f"sbom: the program holds parts of {path} ({owner or 'of no package'}), which tools/sbom.py lacks")
+            sys.exit(f"sbom: the program contains parts of {path} ({owner or 'not from a package'}), which is not in the tables of tools/sbom.py")
         name, licence, home = known
         yield name, *from_system(owner), licence, home, "STATIC_LINK"
     for package, (name, licence, home) in HEADERS.items():

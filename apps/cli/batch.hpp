@@ -7,8 +7,8 @@
 
 namespace gearwright::apps {
 
-/// Reads specs from lines of JSON and writes answers as lines of JSON. Returns 1 if an answer is an
-/// error of a spec, and 5 if an answer is a defect of Gearwright.
+/// Reads specs from lines of JSON and writes answers as lines of JSON. Returns 1 if an answer is
+/// the error of a spec, and 5 if an answer reports a defect of Gearwright.
 /// Throws    IoError
 int batch_verb(const Options& o);
 

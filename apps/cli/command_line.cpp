@@ -20,11 +20,11 @@ namespace gearwright::apps {
 
 namespace {
 
-constexpr std::size_t kLettersOff = 3;  // one letter in this many may be wrong in a verb
+constexpr std::size_t kLettersOff = 3;  // in a verb with n letters, n/3 letters may be wrong
 
 std::string version_text() { return std::string("gearwright ") + kVersion; }
 
-// Checks a tolerance. It replaces the range check of CLI11, which accepts nan.
+// Checks a tolerance. It replaces the range check of CLI11, which accepts NaN.
 CLI::Validator between(const ToleranceRange& range) {
   return CLI::Validator(
       [range](const std::string& text) {

@@ -1,5 +1,5 @@
-// Defines the verbs, the options and their texts in one place. Parsing, --help, completion and the manual
-// page use this definition.
+// Defines the verbs, the options and their texts in one place. Parsing, --help, completion and the
+// manual page all use this definition.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -30,11 +30,12 @@ class CommandLine {
   void add_files();
   void add_others();
 
-  /// Handles `help`, `help VERB`, and a first word that is not a verb. Returns nothing for other commands.
+  /// Handles `help`, `help VERB`, and a first word that is not a verb. Returns nothing in all other
+  /// cases.
   std::optional<int> answer_at_once(const std::vector<std::string>& words) const;
   int unknown_verb(const std::string& word) const;
   int answer(const std::string& verb) const;
-  /// Ranks the designs of a search, or answers for the pair of the spec.
+  /// If the spec contains a search, ranks its designs. Otherwise answers for the pair of the spec.
   int scatter(const Verb& row) const;
 
   Options options_;

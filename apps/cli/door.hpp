@@ -21,10 +21,10 @@ class Door {
     if (text) text_ = *text;
   }
 
-  /// Reads the spec. If an input that `use` requires is missing, the result is an error.
+  /// Reads the spec. Returns an error if an input that `use` requires is missing.
   Result<JobSpec> read(SpecUse use = SpecUse::geometry);
   Result<SolvedJob> solve(Scope scope, SpecUse use = SpecUse::geometry);
-  /// Reports the error in the keys of the spec and returns the exit status.
+  /// Reports the error with the keys of the spec and returns the exit status.
   int fail(const Error& error) const;
 
  private:

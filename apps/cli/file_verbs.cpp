@@ -1,4 +1,5 @@
-// The verbs that write files, either all files that a spec allows or the requested files.
+// The verbs that write files: either all files that are possible for a spec, or only the requested
+// ones.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,7 +48,8 @@ FileOptions file_options(const Options& o) {
   return options;
 }
 
-// Splits the text at commas. Returns nothing if one of the words is not a part of a run.
+// Splits the text at commas. Returns nothing if one of the words is not the name of a part of a
+// run.
 std::optional<std::vector<std::string>> run_parts(const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t at = 0; at <= text.size();) {
@@ -60,7 +62,8 @@ std::optional<std::vector<std::string>> run_parts(const std::string& text) {
   return parts;
 }
 
-// Returns the first output that would overwrite another output or the spec. The text is empty if there is none.
+// Returns the first output that would overwrite another output or the spec, or an empty text if
+// there is none.
 std::string collision(const Options& o) {
   std::vector<fs::path> taken{fs::weakly_canonical(fs::absolute(o.spec))};
   for (const std::string* name :
@@ -78,7 +81,7 @@ std::string collision(const Options& o) {
 // Prints the result of a run and returns its exit status.
 int end_run(const Options& o, const RunFiles& made, const std::string& listing) {
   if (o.json) {
-    // The output is the JSON of result.json, but `files` lists all files.
+    // The output is the content of result.json, except that `files` lists all files.
     Json j = parse_json(made.result);
     j["files"] = files_json(made.files);
     print_json(j);
@@ -111,7 +114,7 @@ int end_export(const Options& o, const std::vector<JobFile>& files,
 
 using WantedFiles = std::vector<std::pair<FileKind, const std::string*>>;
 
-// Each file contains the whole drive, or one of its gears if a gear number is given.
+// Each file contains the whole drive or, if a gear number is given, one of its gears.
 int export_drive(const Options& o, const Door& door, const JobSpec& spec,
                  const WantedFiles& wanted) {
   if (!o.drawing.empty())

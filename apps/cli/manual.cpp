@@ -10,8 +10,8 @@ namespace gearwright::apps {
 
 namespace {
 
-// Escapes a text for troff. Hyphens can be copied as typed, and troff does not read any line as a
-// request.
+// Escapes a text for troff. Hyphens can then be copied as they were typed, and troff does not treat
+// a line of the text as a request.
 std::string troff(std::string_view text) {
   std::string out;
   bool begin = true;

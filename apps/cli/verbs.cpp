@@ -36,7 +36,7 @@ std::string read_text(const std::string& path) {
   if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");
   std::ifstream file(fs::path{path}, std::ios::binary);
   if (!file) throw IoError("cannot read " + path + ": " + std::strerror(errno));
-  // The size of a file of cases is limited, because a device may be endless.
+  // The size of a case file is limited, because a device file may be endless.
   constexpr std::size_t kMaxBytes = 1 << 26;
   std::string text;
   std::array<char, 1 << 16> part{};

@@ -17,7 +17,7 @@ struct Options {
   bool strict = false;  // if true, a verdict that is not green gives status 4
   bool csv = false;
   std::optional<std::string> out;
-  std::optional<std::string> only;  // for run: words of kRunParts
+  std::optional<std::string> only;  // for run: names of parts, from kRunParts
   std::optional<int> gear;
   int points = 50;
   std::string step, stl, glb, threemf, dxf, svg, drawing, rexs;
@@ -28,22 +28,22 @@ struct Options {
   bool drawing_splines = false;
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // for gear: "module,angle"
-  std::optional<int> take;             // number of the proposal whose spec is printed
+  std::optional<int> take;             // number of the proposal of which only the spec is printed
   bool expand = false;                 // if true, the graph of a drive is printed
   std::optional<int> harmonics;        // for drive: number of harmonics
   std::optional<std::string> grid;     // for measure: grid of nominal points of the flanks, "9x5"
   std::optional<int> fillet_points;    // for measure: number of points along each root fillet
-  std::string schema;                  // for schema: its subject, spec or result
+  std::string schema;                  // for schema: spec or result
   std::string shell;                   // for completion
   std::vector<std::string> words;      // for batch: a verb and a file
   int threads = 0;                     // for batch; 0 means all cores
 };
 
 // All functions throw IoError if the system fails.
-/// Runs any verb of the table. Prints the answer as JSON, CSV or text, or the spec of one of its proposals.
-/// `text` is the spec if it has already been read.
+/// Runs any verb of the table. Prints the answer as JSON, CSV or text, or prints the spec of one of
+/// its proposals. If the spec has already been read, it is passed as `text`.
 int answering_verb(const Verb& verb, const Options& o, const SpecText* text = nullptr);
-/// `gear --as-rack`: prints the description of the teeth by another rack.
+/// `gear --as-rack`: prints the same teeth as they would be described by another rack.
 int gear_as_rack(const Options& o);
 /// `measure --points`: prints nominal points of the flanks.
 int nominal_points(const Options& o);

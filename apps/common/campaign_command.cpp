@@ -8,12 +8,12 @@ namespace gearwright::apps {
 
 namespace {
 
-// One of several processes that share a folder, counted from 1.
+// Describes one of several processes that share a folder. Shards are counted from 1.
 struct Shard {
   int which = 1, of = 1;
 };
 
-// Reads "3/8". None if it is not a shard.
+// Reads a shard such as "3/8". Returns nothing if the text is not a shard.
 std::optional<Shard> parse_shard(const std::string& text) {
   const auto slash = text.find('/');
   if (slash == std::string::npos) return std::nullopt;

@@ -39,7 +39,7 @@ Json refusal_json(const Error& error, const SpecText* text) {
 
 int fail(const Error& error, bool json, const SpecText* text) {
   std::string where;
-  // An error of an option has no line in the file.
+  // An error that refers to an option has no line in the file.
   if (text && !error.field.starts_with("--")) {
     where = printable(text->name) + ":";
     const auto place = error.field.empty() ? std::nullopt : place_of(error, *text);

@@ -11,28 +11,29 @@
 
 namespace gearwright::apps {
 
-/// Prints the whole text to stdout at once, so that a full disk is detected.   Throws  IoError
+/// Prints the whole text to stdout in one operation, so that a full disk is
+/// detected.   Throws  IoError
 void print(const std::string& text);
 /// Prints the JSON to stdout. Bytes that are not valid UTF-8, for example in a file name, become
 /// U+FFFD.   Throws  IoError
 void print_json(const Json& j);
-/// Returns the position in the spec to which the error refers. There is none for an error of an option, or
-/// if the table is not in the text.
+/// Returns the position in the spec to which the error refers. It is absent if the error refers to
+/// an option, or if the table of the key is not in the text.
 std::optional<TextPlace> place_of(const Error& error, const SpecText& text);
-/// Returns {"error": …}, with the name of the spec, if it has one, and the line and column. The error must
-/// already be expressed in keys.
+/// Returns {"error": …} with the line, the column and the name of the spec, if they are known. The
+/// error must already refer to keys of the spec.
 Json refusal_json(const Error& error, const SpecText* text = nullptr);
-/// Reports that the input is wrong or that the gears are impossible, and returns status 1. The report is also
-/// printed as JSON if requested. An error of the library must already be expressed in keys
-/// (catalogue/spelling.hpp). `text` is the spec in which the error occurred. Its name and the line are also
-/// reported.
+/// Reports that the input is wrong or that the gears are impossible, and returns status 1. If
+/// requested, the report is also printed as JSON. The error must already refer to keys of the spec
+/// (catalogue/spelling.hpp). `text` is the spec that contains the error; its name and the line are
+/// reported too.
 int fail(const Error& error, bool json, const SpecText* text = nullptr);
 /// Reports a wrong command line and returns status 2.
 int usage(const std::string& message);
 /// The exit status of a defect of Gearwright itself (base/contract.hpp).
 inline constexpr int kViolated = 5;
-/// Returns the status of the work, or kViolated if the work violates a contract. The violation is
-/// reported, and also printed as JSON if requested.
+/// Runs `work` and returns its status, or kViolated if it violates a contract. The violation is
+/// reported and, if requested, also printed as JSON.
 int guarded(const std::function<int()>& work, bool json);
 
 }  // namespace gearwright::apps

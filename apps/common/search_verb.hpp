@@ -1,4 +1,4 @@
-// The verb search, for one process or several: command line, progress, Ctrl-C and output.
+// The verb search, in one process or several: command line, progress, Ctrl-C and output.
 #pragma once
 
 #include <CLI/CLI.hpp>

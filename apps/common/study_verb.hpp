@@ -1,4 +1,4 @@
-// The verb scatter over the designs of a search, for one process or several: options, progress,
+// The verb scatter over the designs of a search, in one process or several: options, progress,
 // Ctrl-C and output.
 #pragma once
 
@@ -15,20 +15,20 @@ struct StudyCommand : CampaignCommand {
   std::optional<std::string> designs;
   bool csv = false;
 
-  /// True if an option is given that only a study of designs has.
+  /// True if at least one option is given that is valid only for a study of designs.
   bool given() const { return designs || out || shard || resume || top; }
 };
 
 /// Adds the options of a study to the verb scatter.
 void add_study_options(CLI::App* sub, StudyCommand& command);
 
-/// Adds the verb scatter of designs alone to a program.
+/// Adds the verb scatter to a program that supports it only for the designs of a search.
 CLI::App* add_study(CLI::App& app, StudyCommand& command);
 
 /// Returns the exit status.   Throws  IoError
 int run_study_verb(const StudyCommand& command, const SpecText& text,
                    const Together* together = nullptr);
-/// The same for a spec that has not been read.
+/// Reads the spec first and otherwise does the same.
 int run_study_verb(const StudyCommand& command, const Together* together);
 
 }  // namespace gearwright::apps

@@ -14,7 +14,7 @@ namespace gearwright::apps {
 
 namespace {
 
-constexpr double kFirst = 2.0;                        // s until the first line is printed
+constexpr double kFirst = 2.0;                        // s, time before the first line is printed
 constexpr double kTerminal = 0.5, kElsewhere = 10.0;  // s between two lines
 constexpr std::chrono::milliseconds kNap(100);        // between checks of the work and of signals
 constexpr int kStopped = 3;
@@ -25,7 +25,8 @@ std::atomic<int> received{0};
 
 extern "C" void on_stop(int signal) {
   received = signal;
-  std::signal(signal, on_stop);  // some systems forget a handler after its first call
+  std::signal(signal, on_stop);  // on some systems, the default handler is restored after the first
+                                 // signal
 }
 
 }  // namespace
@@ -51,7 +52,9 @@ Watch::~Watch() {
   if (signal_ != 0)
     std::fprintf(stderr, "gearwright: stopped by a signal after all files had been written\n");
   for (std::size_t i = 0; i < kStops.size(); ++i) std::signal(kStops[i], before_[i]);
-  if (const int signal = received.exchange(0)) std::raise(signal);  // arrived after the last check
+  if (const int signal = received.exchange(0))
+    std::raise(signal);  // the signal arrived after the
+                         // last check
 }
 
 void Watch::wait() {
@@ -79,7 +82,7 @@ void Watch::say(double seconds) {
   const std::string before = words_.before_stage ? words_.before_stage() : "";
   std::fprintf(stderr, "%sgearwright: %s, %.0f s: %s%s", terminal_ ? "\r" : "", verb_.c_str(),
                seconds, before.c_str(), stage);
-  // The number of steps is only an estimate. If more steps are done, the work is nearly complete.
+  // The number of steps is only an estimate. If it is exceeded, the work is nearly complete.
   if (s.of > 0)
     std::fprintf(stderr, " %.0f %%",
                  100 * std::min(0.99, static_cast<double>(s.done) / static_cast<double>(s.of)));

@@ -12,17 +12,18 @@
 
 namespace gearwright::apps {
 
-/// Words of a verb, called from the watching thread; empty functions say nothing more.
+/// Texts of a verb. The watching thread calls these functions. An empty function adds no text.
 struct WatchWords {
-  std::function<std::string()> before_stage{};  ///< "3 of 20 designs, "
-  std::function<std::string()> stopped{};       ///< instead of "nothing was written"
+  std::function<std::string()> before_stage{};  ///< text in front of the stage, for example "3 of
+                                                ///< 20 designs, "
+  std::function<std::string()> stopped{};       ///< text that replaces "nothing was written"
 };
 
 /// While this object exists, Ctrl-C (SIGINT) and SIGTERM end the program within half a second, with
 /// status 3. Nothing is printed or written before the computation is complete, so no partial result
-/// remains. While files are being written, signals wait until the files are complete. After two seconds, a
-/// line reports the progress. A terminal overwrites this line. Elsewhere a new line is printed every
-/// ten seconds.
+/// remains. While files are being written, a signal takes effect only after the files are complete.
+/// After two seconds, a line reports the progress. On a terminal this line is overwritten.
+/// Otherwise a new line is printed every ten seconds.
 class Watch {
  public:
   explicit Watch(std::string verb, WatchWords words = {});
@@ -44,12 +45,12 @@ class Watch {
   std::mutex mutex_;
   std::condition_variable ended_;
   bool end_ = false;
-  int signal_ = 0;                         // a signal that waits until files are complete
-  std::array<void (*)(int), 2> before_{};  // handlers of SIGINT and SIGTERM
+  int signal_ = 0;                         // a signal that takes effect when the files are complete
+  std::array<void (*)(int), 2> before_{};  // previous handlers of SIGINT and SIGTERM
   std::thread thread_;
 };
 
-/// Runs a computation that may be long, with a line of progress.
+/// Runs a computation that may take long, with a line of progress.
 template <class Work>
 auto watched(const char* verb, const Work& work, const WatchWords& words = {}) {
   Watch watch(verb, words);

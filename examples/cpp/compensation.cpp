@@ -29,7 +29,7 @@ int main() {
       *setup, {{CorrectionOf::lead_slope, 1}, {CorrectionOf::lead_crowning, 1}}, shafts);
   task.corrections = {{.lo = -50, .hi = 50, .step = 1},  // um
                       {.lo = 0, .hi = 20, .step = 1}};
-  task.centering = Angle::arcseconds(20);  // penalty of contact at the end of the face
+  task.centering = Angle::arcseconds(20);  // penalty for contact at the end of the face
   const Compensation found = compensate(task);
   std::printf("lead slope %.2f um, crowning %.2f um\n", found.value[0], found.value[1]);
   std::printf("worst transmission error %.3f arcsec before, %.3f arcsec after\n",

@@ -39,7 +39,7 @@ int main() {
   const ContactPoint& first = touching->positions.front();
   std::printf("first touch         %s, at (%.3f, %.3f, %.3f) mm\n", to_string(first.kind).data(),
               first.point.x(), first.point.y(), first.point.z());
-  std::printf("of it by crossing   %.3f arcsec per arcsec\n",
+  std::printf("change by crossing  %.3f arcsec per arcsec\n",
               touching->sensitivities[0].front().te);
   const auto pattern = contact_pattern(*touching->pair, 32);
   std::size_t marked = 0;
@@ -51,6 +51,6 @@ int main() {
 /* prints
 transmission error  1.5494 arcsec
 first touch         interior, at (32.355, -0.341, -13.184) mm
-of it by crossing   0.157 arcsec per arcsec
+change by crossing  0.157 arcsec per arcsec
 marked at 6 um      55 % of flank 1
 */

@@ -28,7 +28,7 @@ int main() {
   if (!one || !other) return 1;
   const Result<Pair> pair = mount(*one, *other, {.center_distance = 56});
   if (!pair) tell(pair.error());
-  if (!pair && pair.error().field == "gear2.normal_module") std::printf("mend: the wheel\n");
+  if (!pair && pair.error().field == "gear2.normal_module") std::printf("to correct: the wheel\n");
 
   // Two gears that mesh, but lose contact because the shafts are too far apart.
   const Result<Pair> far = mount(*one, *one, {.center_distance = 42});
@@ -43,6 +43,6 @@ error: normal_module = -1: must lie between 0.001 and 1000 mm
 9 teeth, tip diameter 22.000 mm
   warning undercut
 error: gear2.normal_module = 2.5: the normal base pitches differ by 1.47607 mm, because gear 1 has 5.90426 mm and gear 2 has 7.38033 mm; gears mesh only with equal m_n cos α_n. Gear 2 needs the module 2 mm at its pressure angle, or the base diameter 56.3815572 mm at its base helix angle
-mend: the wheel
+to correct: the wheel
 contact lost: yes
 */

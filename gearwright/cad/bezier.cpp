@@ -14,7 +14,7 @@ namespace {
 constexpr int kLooks = 16;
 constexpr int kVerify = 64;
 
-// The exact curve as a function of x, the fraction of its length.
+// The exact curve as a function of x, its relative arc length.
 class ByLength {
  public:
   explicit ByLength(const Arc& arc) : arc_(arc), by_length_(*arc.curve, arc.begin, arc.end) {}
@@ -79,7 +79,8 @@ BezierChain chain_of(const Arc& arc, const ByLength& curve, double tolerance) {
 
 BezierChain fit_beziers(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
-  // 16 samples locate the maximum of one hump to 1 %. The verification covers the remainder.
+  // If the error has one hump, 16 samples locate its maximum to 1 %. The final verification covers
+  // all other cases.
   const ByLength curve(arc);
   BezierChain chain = chain_of(arc, curve, 0.98 * tolerance_mm);
   if (chain.deviation_mm > tolerance_mm && chain.deviation_mm < 2.0 * tolerance_mm) {

@@ -51,8 +51,8 @@ TEST(Bezier, NeighboursShareTheirTangent) {
 TEST(Bezier, ErrorFallsWithTheFourthPower) {
   const Outline outline = testing::sample_body({}).outline;
   for (const ArcName name : {ArcName::flank, ArcName::root_fillet}) {
-    // A tolerance 10⁴ times finer needs ten times as many pieces, except for the last piece, which
-    // may be shorter.
+    // If the tolerance is 10⁴ times finer, ten times as many pieces are needed. The last piece may
+    // be shorter than the others, so the count may differ by that piece.
     const std::size_t coarse = fit_beziers(*outline.find(name), 1e-6).points.size() / 3;
     const std::size_t fine = fit_beziers(*outline.find(name), 1e-10).points.size() / 3;
     EXPECT_LE(fine, 10 * coarse + 1);
@@ -61,7 +61,7 @@ TEST(Bezier, ErrorFallsWithTheFourthPower) {
 }
 
 TEST(Bezier, PiecesCrowdOnlyWhereTheCurveBends) {
-  // This is an involute from its cusp, where the curvature has no limit.
+  // The curve is an involute that starts at its cusp, where the curvature has no limit.
   const Outline outline = testing::few_tooth_body(1, 5.0, 0.0, 10.0).outline;
   const BezierChain chain = fit_beziers(*outline.find(ArcName::flank), 1e-4);
   EXPECT_LE(chain.deviation_mm, 1e-4);

@@ -10,16 +10,16 @@
 namespace gearwright {
 namespace {
 
-constexpr double kStraight = 1e-9;  // mm, greatest sagitta of an arc that is written as a line
-// Greatest angle, rad, between the tangents of two arcs that are merged into one
+constexpr double kStraight = 1e-9;  // mm, greatest sagitta at which an arc is written as a line
+// Greatest angle, rad, between the tangents at the joint of two arcs that are merged into one.
 constexpr double kOneCircle = 1e-9;
-constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};  // of the arc's parameter
-constexpr int kVouching = 256;  // points per biarc at which the tolerance is verified
+constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};  // as shares of the arc's parameter
+constexpr int kVouching = 256;  // number of points per biarc at which the tolerance is verified
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// Returns the tangent of half the angle from the start tangent to the chord. It is the bulge of the
-// arc that starts in the direction of that tangent and ends at the end of the chord.
+// Returns the tangent of half the angle from the start tangent to the chord. This is the bulge of
+// an arc that starts in the direction of the tangent and ends at the end of the chord.
 double bulge_of(const Vec2& tangent, const Vec2& chord) {
   const double length = chord.norm();
   const double bulge = cross(tangent, chord) / (length + tangent.dot(chord));
@@ -32,7 +32,7 @@ struct End {
 };
 
 struct Biarc {
-  Vec2 joint;  // equal to the end if there is only one arc
+  Vec2 joint;  // equals the end point if there is only one arc
   int arcs;    // 1 or 2
   double bulges[2];
 };
@@ -45,14 +45,15 @@ Biarc join(const End& a, const End& b) {
   if (std::abs(turn_a - turn_b) < kOneCircle) return {b.point, 1, {bulge_of(a.tangent, v), 0.0}};
   const double along = v.dot(a.tangent + b.tangent);
   const double open = 2.0 * (1.0 - a.tangent.dot(b.tangent));
-  // The formula gives the positive root without cancellation.
+  // This form of the positive root avoids cancellation.
   const double d = length * length / (along + std::sqrt(along * along + open * length * length));
   const Vec2 joint = 0.5 * (a.point + b.point) + 0.5 * d * (a.tangent - b.tangent);
-  // The second arc is computed as the first arc of the reversed pair.
+  // The second arc is computed by the same formula with the two ends exchanged and reversed.
   return {joint, 2, {bulge_of(a.tangent, joint - a.point), -bulge_of(-b.tangent, joint - b.point)}};
 }
 
-// The circle of the arc (from, bulge, to), given by a point, the normal there and the curvature.
+// The circle of the arc (from, bulge, to), described by one of its points, the normal at this point
+// and the curvature.
 struct Touch {
   Vec2 from;
   Vec2 normal;
@@ -79,8 +80,8 @@ class Fitter {
     return {arc_.point(u), {std::cos(angle), std::sin(angle)}};
   }
 
-  // Returns the greatest distance of the exact curve between u0 and u1 from the biarc. The part
-  // behind the normal at the joint belongs to the second arc.
+  // Returns the greatest distance from the biarc to the exact curve between u0 and u1. Points of
+  // the curve beyond the normal at the joint are compared with the second arc.
   double deviation(const Biarc& biarc, const End& a, const End& b, double u0, double u1,
                    int looks) const {
     const Touch first = touch(a.point, biarc.joint, biarc.bulges[0]);
@@ -134,14 +135,14 @@ class Fitter {
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
   GW_EXPECTS(arc.begin_point != arc.end_point);
-  // 24 samples resolve the maximum of an error with one or two humps to 1 %. If the parameter is
-  // uneven, they do not. The verification detects this, and four times as many samples are then
-  // used.
+  // If the error has one or two humps, 24 samples locate its maximum to 1 %. They do not if the
+  // parameter is very uneven. The verification detects this case, and four times as many samples
+  // are then used.
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);
-    // A large excess is not caused by the samples. It means that 4096 steps are too few or that
-    // rounding is too coarse.
+    // If the excess is large, the number of samples is not the cause. Then 4096 steps are too few,
+    // or rounding errors are too large.
     if (chain.deviation_mm <= tolerance_mm || chain.deviation_mm > 2.0 * tolerance_mm) break;
   }
   return chain;
@@ -149,13 +150,13 @@ BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
 
 double bulge_area(const Vec2& from, const Vec2& to, double bulge) {
   if (bulge == 0.0) return 0.0;
-  const double half = 2.0 * std::atan(bulge);  // half the sweep, signed
+  const double half = 2.0 * std::atan(bulge);  // half the sweep angle, with its sign
   const double chord = (to - from).norm();
   const double radius = chord / (2.0 * std::sin(half));
   return 0.5 * radius * radius * (2.0 * half - std::sin(2.0 * half));
 }
 
-// Each piece is either mirrored or reversed, and both change the sign of a bulge.
+// Each piece is either mirrored or reversed. Both operations change the sign of a bulge.
 Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
                                    double tolerance_mm) {
   const auto fits = fit_arcs(outline, contour, tolerance_mm, fit_biarcs);

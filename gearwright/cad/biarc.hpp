@@ -1,15 +1,15 @@
-// An arc of the outline as a chain of true circular arcs with common tangents: biarcs.
+// Approximates an arc of the outline by biarcs, a chain of circular arcs with common tangents.
 //
-//   P_i   points of the chain, mm; about every second one lies on the exact curve
+//   P_i   points of the chain, mm; about every second point lies on the exact curve
 //   T     unit tangents of the exact curve at the ends of one biarc
 //   b     bulge of an arc: tan(sweep/4), > 0 counter-clockwise; 0 is a line (the DXF convention)
 //
-// A biarc joins (P0, T0) and (P1, T1) by two arcs whose tangents meet at J. If both tangents have
-// the same length d,
+// A biarc joins (P0, T0) and (P1, T1) by two arcs that meet at J with a common tangent. If the
+// tangents drawn from P0 and from P1 have the same length d,
 //     J = (P0 + P1)/2 + d (T0 − T1)/2,   |v|² − 2d v·(T0 + T1) − 2d²(1 − T0·T1) = 0,  v = P1 − P0
-// (Bolton, Biarc curves, CAD 7 (1975)). On a curve of monotone curvature the error of a biarc grows
-// with its length, so the fewest biarcs result if each is as long as the tolerance allows. A
-// stretch that is a circular arc is represented by one arc.
+// (Bolton, Biarc curves, CAD 7 (1975)). On a curve of monotone curvature, the error of a biarc
+// grows with its length. The number of biarcs is therefore smallest if each is as long as the
+// tolerance allows. A part of the curve that is a circular arc is represented by one arc.
 #pragma once
 
 #include <vector>
@@ -20,38 +20,41 @@
 namespace gearwright {
 
 struct BiarcChain {
-  std::vector<Vec2> points;    ///< mm, root side to tip side; the ends are the arc's, bit for bit
-  std::vector<double> bulges;  ///< one fewer than points; bulges[i] leads to points[i + 1]
-  double deviation_mm;  ///< greatest normal distance of the exact curve, 256 points per biarc
+  std::vector<Vec2> points;    ///< mm, from the root side to the tip side; the ends are identical
+                               ///< to those of the arc
+  std::vector<double> bulges;  ///< one fewer than points; bulges[i] belongs to the arc from
+                               ///< points[i] to points[i + 1]
+  double deviation_mm;  ///< greatest normal distance of the exact curve, measured at 256 points per
+                        ///< biarc
 };
 
-/// Chain of arcs within `tolerance_mm` of the exact curve.
+/// A chain of arcs within `tolerance_mm` of the exact curve.
 ///
 /// Units     mm
 /// Domain    tolerance_mm > 0 (contract); the curve has a tangent at every point
 /// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² biarcs suffice, which the caller must check;
 ///           tangents of neighbouring arcs agree to 1e-9 rad, or to 4e-9 mm over the length of the
-///           arc if an arc with less than 1e-9 mm sagitta was replaced by a line
-/// Laws      (1) each arc is as long as the tolerance allows: about tolerance^(−1/3) arcs
-///           (2) an arc of a circle gives one arc
+///           arc if an arc with a sagitta below 1e-9 mm was replaced by a line
+/// Laws      (1) the number of arcs grows as tolerance^(−1/3), because each is as long as possible
+///           (2) a circular arc is represented by one arc
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
 
-/// Area between an arc and its chord, mm²; > 0 to the right of the chord (a counter-clockwise
-/// bulge).
+/// Area between an arc and its chord, mm². It is positive if the arc lies to the right of the
+/// chord, which means a counter-clockwise bulge.
 double bulge_area(const Vec2& from, const Vec2& to, double bulge);
 
 /// The closed outline of the whole gear in true circular arcs: one chain of points and bulges.
 struct BiarcContour {
   std::vector<Vec2> points;    ///< mm, counter-clockwise
-  std::vector<double> bulges;  ///< tan(sweep/4); bulges[i] leads from points[i] to the next, the
-                               ///< last one to the first
-  double deviation_mm;         ///< greatest normal distance measured from the exact outline
+  std::vector<double> bulges;  ///< tan(sweep/4); bulges[i] belongs to the arc from points[i] to the
+                               ///< next point, and the last one to the arc back to the first point
+  double deviation_mm;         ///< greatest normal distance from the exact outline, as measured
 };
 
-/// Each land is one arc. Every other piece is the biarc chain of its arc, fitted once for all
-/// teeth.
+/// Each land is one arc. Every other arc of the outline is fitted once by biarcs, which all teeth
+/// use.
 ///
-/// Errors    `tolerance_mm` if an arc does not meet it
+/// Errors    `tolerance_mm` if an arc cannot be fitted within it
 /// Domain    tolerance_mm > 0 (contract)
 Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
                                    double tolerance_mm);

@@ -42,12 +42,13 @@ struct Circle {
   C from, to;
   double bulge;
 
-  // The tangents at both ends follow from the centre: i (p − c), reversed on a clockwise arc.
+  // The tangents at both ends follow from the centre. They are i (p − c), or the opposite on a
+  // clockwise arc.
   C tangent(C p) const {
     const C t = C(0, bulge > 0 ? 1 : -1) * (p - centre);
     return t / std::abs(t);
   }
-  C at(double x) const {  // point at the fraction x of the sweep
+  C at(double x) const {  // the point at the fraction x of the sweep angle
     return centre + (from - centre) * std::polar(1.0, 4 * std::atan(bulge) * x);
   }
 };
@@ -77,8 +78,8 @@ std::vector<Arc> curves() {
 }
 
 TEST(Biarc, EveryPointOfTheChainIsWithinTheTolerance) {
-  // The distances from the arcs to the curve are found by search. The fit measures in the opposite
-  // direction.
+  // The test searches for the distance from the arcs to the curve. The fit measures the distance
+  // from the curve to the arcs.
   for (const Arc& arc : curves()) {
     for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
       const BiarcChain chain = fit_biarcs(arc, tolerance);
@@ -125,7 +126,8 @@ TEST(Biarc, ThousandTimesFinerIsTenTimesMore) {  // law 1
   }
 }
 
-TEST(Biarc, ArcsOfATooth) {  // 20 teeth of module 2; a larger number would be a worse fit
+TEST(Biarc, ArcsOfATooth) {  // 20 teeth of module 2; an increased number would show that the fit
+                             // has become worse
   const Outline outline = testing::sample_body({}).outline;
   EXPECT_EQ(fit_biarcs(*outline.find(ArcName::root_fillet), 1e-3).bulges.size(), 6U);
   EXPECT_EQ(fit_biarcs(*outline.find(ArcName::flank), 1e-3).bulges.size(), 6U);
@@ -151,8 +153,8 @@ TEST(Biarc, LineIsOneLine) {
 }
 
 TEST(Biarc, AreaApproachesThatOfTheEllipse) {
-  // A quarter of an ellipse has the area π·7·3/4. The points lie on the axes, so chords and bulges
-  // add up to it.
+  // A quarter of an ellipse has the area π·7·3/4. Both ends of the arc lie on the axes, so the
+  // areas below the chords and the areas of the bulges add up to this value.
   const Arc arc = arc_on(std::make_shared<Ellipse>(), 0.0, kPi / 2);
   for (const double tolerance : {1e-3, 1e-6}) {
     const BiarcChain chain = fit_biarcs(arc, tolerance);

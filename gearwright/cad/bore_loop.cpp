@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Columns of an arc of the circle from `begin` to `end` rad, both ends included.
+// Columns on a circular arc from the angle `begin` to `end`, rad, including both ends.
 std::vector<Column> arc_columns(double radius, double begin, double end, int segments) {
   std::vector<Column> columns;
   for (int i = 0; i <= segments; ++i) {
@@ -64,11 +64,11 @@ std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_tu
   constexpr double kDown = -pi / 2.0;
   const double r = bore.diameter / 2.0;
   const double half = bore.keyway_width / 2.0;
-  // Sagitta r (1 − cos(step/2)) = chord.
+  // The step follows from the sagitta, r (1 − cos(step/2)) = chord.
   const double step =
       std::min(facet_turn, 4.0 * std::asin(std::min(1.0, std::sqrt(chord / (2.0 * r)))));
 
-  // The right half from the lowest point up; the left half is its mirror image.
+  // The right half runs upwards from the lowest point. The left half is its mirror image.
   const double top = bore.has_keyway() ? std::acos(half / r) : -kDown;
   const int segments = std::max(3, static_cast<int>(std::ceil((top - kDown) / step)));
   std::vector<Column> right = arc_columns(r, kDown, top, segments);
@@ -100,7 +100,8 @@ Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer) 
   const double half = bore.keyway_width / 2.0;
   if (half == 0.0) return circle_loop(radius);
   const double bottom = radius + bore.keyway_depth;
-  // The sides of the slot are faces. If they would be slivers, the slot is omitted.
+  // The sides of the keyway are faces of their own. The keyway is omitted if these faces would be
+  // slivers.
   const double mouth = std::sqrt((radius - half) * (radius + half));
   if (bottom - mouth < kShortestArc_mm) return circle_loop(radius);
   return circle_with_keyway(radius, half, bottom);
@@ -114,7 +115,8 @@ Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double 
   const double half = body.bore->keyway_width / 2.0;
   if (half == 0.0) return std::optional(BoreContour{r, false, {{r, 0.0}, {-r, 0.0}}, {1.0, 1.0}});
 
-  // Two arcs run from the keyway down to (0, −r) and up again, so that neither exceeds half a turn.
+  // Without further division, the arc below the keyway would exceed half a turn. Two arcs are
+  // therefore used, which meet at (0, −r).
   const double y = std::sqrt((r - half) * (r + half));
   const double floor = r + body.bore->keyway_depth;
   const double bulge = std::tan((pi - std::asin(half / r)) / 4.0);

@@ -103,7 +103,7 @@ Brep ShellWriter::close(const ToothedBody& body, const BodyWalls& walls, const R
   return finish(body.name);
 }
 
-// The plane at z inside `outer` and outside `inner`.
+// The part of the plane at height z that lies inside `outer` and outside `inner`.
 void ShellWriter::add_cap(double z, const Edges& outer, const Edges* inner, Side side) {
   Ids loops{loop(outer)};
   if (inner != nullptr) loops.push_back(loop(*inner));
@@ -137,15 +137,17 @@ Id ShellWriter::vector(const Vec3& d) {
   return id;
 }
 
-// Axes on the gear's axis. Each statement makes one instance, because the evaluation order of
-// arguments depends on the compiler and the numbers must be the same everywhere.
+// A coordinate system on the gear's axis. Each statement writes one instance. Several in one
+// expression would be numbered in an order that depends on the compiler, because C++ does not
+// define the evaluation order of arguments.
 Id ShellWriter::frame(double z, const Vec3& x) {
   const Id origin = centre(z);
   const Id up = direction(Vec3::UnitZ());
   return out_.placement(origin, up, direction(x));
 }
 
-// Axes of a circle or cylinder, its x direction away from the middle of the wall.
+// The coordinate system of a circle or cylinder. Its x direction points away from the middle of the
+// wall.
 Id ShellWriter::round_frame(const Wall& wall, double turn, double z) {
   const Complex middle = std::polar(1.0, 0.5 * (wall.begin_angle + wall.end_angle) + turn);
   return frame(z, {-middle.real(), -middle.imag(), 0.0});
@@ -259,7 +261,7 @@ Id ShellWriter::wall_surface(const Wall& wall, const WallSlice& slice, const Sid
     case WallShape::line: {
       GW_EXPECTS(slice.straight());
       const Vec3 way = along(wall, slice.low.turn);
-      // Normal = along × axis points out of the loop; u runs along, v upwards.
+      // The normal, along × axis, points out of the loop. u runs along the loop and v upwards.
       const Id normal = direction({way.y(), -way.x(), 0.0});
       const Id axes = out_.placement(begin.point, normal, direction(way));
       return out_.add(fmt::format("PLANE('',#{})", axes));
@@ -295,8 +297,8 @@ Id ShellWriter::loop(const Edges& edges) {
 }
 
 // The first loop is the outer one. All loops run counter-clockwise, seen from the side to which the
-// surface normal points. In STEP an outer bound runs counter-clockwise about the face normal, and the
-// bound of a hole clockwise.
+// surface normal points. In STEP, an outer bound runs counter-clockwise about the face normal, and
+// the bound of a hole runs clockwise.
 void ShellWriter::add_face(const Ids& loops, Id surface, Side side) {
   std::string text = "ADVANCED_FACE('',";
   Ids bounds;

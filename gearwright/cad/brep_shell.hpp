@@ -1,6 +1,7 @@
 // Writes the faces, edges and vertices of a solid about the axis. Internal to cad/.
 //
-// Boundary poles of a face are the points of its edges. Circles and cylinders lie about the axis.
+// The boundary poles of a face are the points of its edges. Circles and cylinders are centred on
+// the axis.
 #pragma once
 
 #include <array>
@@ -26,13 +27,14 @@ struct Corner {
 
 struct Edge {
   Id edge;
-  Ids poles;  ///< from its begin to its end; none for circles, and none for lines in a level
+  Ids poles;  ///< from the start to the end of the edge; empty for circles, and for lines in a
+              ///< level
 };
 
 using Corners = std::vector<Corner>;
 using Edges = std::vector<Edge>;
 
-/// The edges of a loop in one level, with their corners.
+/// The edges of a loop in one level, with their vertices.
 struct Rim {
   Corners corners;
   Edges edges;
@@ -43,7 +45,7 @@ struct Rims {
   Rim top;
 };
 
-/// Direction of a face relative to its surface.
+/// The direction of a face's normal relative to that of its surface.
 enum class Side { along, against };
 
 std::string spline_curve(const Ids& poles, const WallKnots& knots);
@@ -53,43 +55,44 @@ class ShellWriter {
  public:
   explicit ShellWriter(Part21& out) : out_(out) {}
 
-  /// One face per wall and slice. `side` is `along` if the metal is inside the loop. The walls begin
-  /// at the rim `base`, or at a new one if it is null.
+  /// Adds one face per wall and slice. `side` is `along` if the metal is inside the loop. The walls
+  /// begin at the rim `base`. If it is null, a new rim is written.
   Rims add_walls(const WallLoop& loop, const HelixSpline& helix, const Band& band, Side side,
                  const Rim* base = nullptr);
 
-  /// Adds the walls of the groove of a double-helical gear and the two planes beside it.
+  /// Adds the walls of the groove of a double-helical gear, and the two plane faces next to it.
   void add_groove(const ToothedBody& body, const Rim& below, const Rim& above);
 
-  /// Adds the bore or the rim and the two end faces, and ends the solid.
+  /// Adds the bore or the rim and the two end faces, and completes the solid.
   Brep close(const ToothedBody& body, const BodyWalls& walls, const Rims& teeth);
 
  protected:
   Corner corner(const Vec3& at);
   Edge edge(const Corner& from, const Corner& to, Id curve, Ids poles);
-  /// The circle of a wall that is turned by `turn`, at the height z.
+  /// The circle of a wall at the height z, turned by `turn`.
   Id circle(const Wall& wall, double turn, double z);
   Id cylinder(const Wall& wall, double turn);
   /// An edge along a spline whose inner poles are pole(1) … pole(n − 2).
   Edge spline_edge(const Corner& from, const Corner& to, std::size_t n, const WallKnots& knots,
                    const std::function<Vec3(std::size_t)>& pole);
 
-  /// The edges around a face, which lead along the loop or upwards.
+  /// The edges around a face. They run along the loop or upwards.
   struct Sides {
     const Edge& bottom;
     const Edge& right;
     const Edge& top;
     const Edge& left;
   };
-  /// The spline between its edges; pole(a, b) are its inner poles, a along the loop, b upwards.
+  /// The spline surface between its edges. pole(a, b) returns its inner poles; a counts along the
+  /// loop, b upwards.
   Id spline_between(const Sides& sides, const WallKnots& u, const WallKnots& v,
                     const std::function<Vec3(std::size_t, std::size_t)>& pole);
-  /// The bound counter-clockwise around a face, seen from the side to which its surface normal
+  /// The bound of a face. It runs counter-clockwise, seen from the side to which the surface normal
   /// points.
   Id face_bound(std::span<const Edge> bottom, std::span<const Edge> right,
                 std::span<const Edge> top, std::span<const Edge> left);
-  /// The first loop is the outer one. All run counter-clockwise, seen from the side to which the
-  /// surface normal points.
+  /// The first loop is the outer one. All loops run counter-clockwise, seen from the side to which
+  /// the surface normal points.
   void add_face(const Ids& loops, Id surface, Side side);
 
   Part21& out_;
@@ -115,7 +118,7 @@ class ShellWriter {
 
   Ids faces_;
   std::size_t edge_count_ = 0;
-  std::map<double, Id> centres_;  // points of the axis, by height
+  std::map<double, Id> centres_;  // points on the axis, by height
   std::map<std::array<double, 3>, Id> directions_;
   std::map<std::array<double, 3>, Id> vectors_;
 };

@@ -1,5 +1,5 @@
-// Tests the instances of a STEP file and their references with a short reader of its own.
-// step_solid_test.cpp tests the solids that a CAD kernel builds from them.
+// Tests the instances of a STEP file and their references with a short reader written for this
+// test. step_solid_test.cpp tests the solids that a CAD kernel builds from such files.
 
 #include "gearwright/cad/brep.hpp"
 
@@ -27,7 +27,7 @@ struct Instance {
   std::vector<std::size_t> names;
 };
 
-// Instances are numbered from 1. Each ends with the line that ends in a semicolon.
+// Instances are numbered from 1. An instance ends at a line that ends in a semicolon.
 std::vector<Instance> instances_of(const std::string& file) {
   std::vector<Instance> list(1);
   const std::size_t data = file.find("DATA;\n") + 6;
@@ -97,20 +97,21 @@ TEST(Brep, EveryEdgeIsUsedOnceEachWay) {
 }
 
 TEST(Brep, NeighboursShareTheirPoles) {
-  // No point of a solid is written twice, so two faces share the instances of their common parts.
+  // Every point of a solid is written only once, so two adjacent faces refer to the same instances
+  // for their common parts.
   const auto made = step_document({keyed(0.2)}, "one.step");
   ASSERT_TRUE(made);
   std::set<std::string> points;
   for (const Instance& one : instances_of(made->text)) {
     if (one.keyword != "CARTESIAN_POINT") continue;
-    // The origin of the axis and of the part.
+    // The origin is used by the axis and by the part.
     const bool origin = one.text.ends_with("(0.,0.,0.))");
     EXPECT_TRUE(points.insert(one.text).second || origin) << one.text;
   }
 }
 
 TEST(Brep, TeethAreExactTurnsOfTheFirst) {
-  // Tooth 5 of 20 is tooth 0 turned by a quarter: (x, y) becomes (−y, x), bit for bit.
+  // A quarter turn maps tooth 0 of 20 exactly to tooth 5: (x, y) becomes (−y, x).
   const auto made = step_document({sample_body({})}, "spur.step");
   ASSERT_TRUE(made);
   std::set<std::array<double, 3>> points;
@@ -135,7 +136,8 @@ TEST(Brep, TextGrowsWithTheTeethAlone) {
     return static_cast<double>(
         step_document({sample_body({.teeth = teeth, .beta = 0.2})}, "a.step")->text.size());
   };
-  // Instance numbers get longer, while the products stay the same.
+  // With more teeth, the instance numbers become longer, but the number of products does not
+  // change.
   EXPECT_NEAR(size(400) / size(100), 4.0, 0.1);
 }
 

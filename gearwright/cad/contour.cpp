@@ -12,12 +12,14 @@
 namespace gearwright {
 namespace {
 
-constexpr double kShortestArc = 1e-6;   // mm, a hundredth of the resolution of any machine
+constexpr double kShortestArc = 1e-6;   // mm, a hundredth of the resolution of manufacturing
+                                        // machines
 constexpr double kOnItsRay = 1e-6;      // mm
-constexpr double kCircleRadius = 1e-8;  // mm, variation of radius within which a land is a circle
-constexpr int kArcLooks = 32;           // points per arc that are examined
+constexpr double kCircleRadius = 1e-8;  // mm, variation of the radius up to which a land counts as
+                                        // a circle
+constexpr int kArcLooks = 32;           // number of points per arc that are examined
 
-// Adding zero turns −0 into 0, so that equal points are equal text.
+// Adding zero turns −0 into 0, so equal points are written as equal text.
 Vec2 tidy_turned(const Vec2& p, const SinCos& turn) {
   return {turn.cos * p.x() - turn.sin * p.y() + 0.0, turn.sin * p.x() + turn.cos * p.y() + 0.0};
 }
@@ -33,7 +35,8 @@ bool is_land(const Arc& arc) {
   return true;
 }
 
-// An arc of the half outline that forms pieces, with its ends moved past omitted slivers.
+// An arc of the half outline that becomes pieces of the contour. Its ends are moved if adjacent
+// slivers are omitted.
 struct Link {
   std::size_t arc;
   Vec2 begin;
@@ -46,7 +49,7 @@ std::vector<Link> links_of(const Outline& outline) {
   for (std::size_t i = 0; i < outline.arcs.size(); ++i) {
     const Arc& arc = outline.arcs[i];
     GW_EXPECTS(i == 0 || arc.begin_point == outline.arcs[i - 1].end_point);
-    // The middle is examined too, because a closed arc is no sliver.
+    // The middle is examined too, because an arc whose ends coincide is not a sliver.
     const double reach = std::max((arc.point(0.5) - arc.begin_point).norm(),
                                   (arc.end_point - arc.begin_point).norm());
     if (reach < kShortestArc) continue;
@@ -75,11 +78,11 @@ Result<Contour> closed_contour(const Outline& outline) {
       const Vec2 p = arc.point(static_cast<double>(i) / kArcLooks);
       contour.inner_radius = std::min(contour.inner_radius, p.norm());
       contour.outer_radius = std::max(contour.outer_radius, p.norm());
-      // A single tooth has no neighbour. The middle of its space is the negative x axis, so y < 0 is
-      // the only condition.
+      // A single tooth has no neighbour, and the middle of its space is the negative x axis. The
+      // outline crosses a middle line only if y < 0.
       if (p.y() < -kOnItsRay || (z > 1 && beyond_space(p) > kOnItsRay)) {
         return Error{"teeth", std::to_string(outline.teeth),
-                     "the outline of the tooth crosses the middle of the tooth or of the tooth "
+                     "the outline of the tooth crosses the centre line of the tooth or the tooth "
                      "space, so it does not enclose a body; less undercut (a greater profile shift "
                      "or more teeth) would help"};
       }
@@ -91,7 +94,8 @@ Result<Contour> closed_contour(const Outline& outline) {
   const bool tip_land =
       is_land(outline.arcs[links.back().arc]) && !(root_land && links.size() == 1);
   const std::size_t first = root_land ? 1 : 0;
-  const std::size_t last = links.size() - (tip_land ? 1 : 0);  // one past
+  const std::size_t last = links.size() - (tip_land ? 1 : 0);  // one past the last link that is not
+                                                               // a land
 
   double tip_sweep = 0.0;
   double root_sweep = 0.0;
@@ -104,7 +108,7 @@ Result<Contour> closed_contour(const Outline& outline) {
     root_sweep = 2.0 * (std::numbers::pi / z - std::atan2(p.y(), p.x()));
   }
 
-  // A joint on the middle of a tooth or space belongs to the upper half that leads to it.
+  // A joint on the centre line of a tooth or space belongs to the upper half that leads to it.
   const Vec2 tip = links.back().end;
   const Vec2 root = links.front().begin;
   for (int k = 0; k < z; ++k) {
@@ -125,8 +129,8 @@ Result<Contour> closed_contour(const Outline& outline) {
                                 tidy_turned(mirrored(p), next), root_sweep});
     }
     for (std::size_t i = first; i < last; ++i) {
-      const bool at_root = i == 0;                // only without a root land
-      const bool at_tip = i + 1 == links.size();  // only without a tip land
+      const bool at_root = i == 0;                // true only if there is no root land
+      const bool at_tip = i + 1 == links.size();  // true only if there is no tip land
       contour.pieces.push_back(
           {links[i].arc, (k + 1) % z, true, false,
            at_root ? tidy_turned(root, here) : tidy_turned(mirrored(links[i].begin), next),
@@ -149,7 +153,8 @@ std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
   points.reserve(root_to_tip.size());
   for (const Vec2& p : root_to_tip) points.push_back(put(piece.mirrored ? mirrored(p) : p));
   if (!piece.mirrored) std::reverse(points.begin(), points.end());
-  // Omitted slivers and the middles of tooth and space move the ends, at most by their tolerance.
+  // The ends may be moved, by no more than the tolerance, where slivers are omitted and where the
+  // outline meets a centre line.
   GW_EXPECTS((points.front() - piece.begin).norm() < 3 * kShortestArc);
   GW_EXPECTS((points.back() - piece.end).norm() < 3 * kShortestArc);
   points.front() = piece.begin;

@@ -1,20 +1,20 @@
 // The closed outline of the whole gear in its transverse section z = 0, piece by piece.
 //
 //   p     a point of the half tooth as a complex number x + iy, mm
-//   k     tooth, 0 … |z| − 1; tooth k is tooth 0 times e^{2πik/|z|}, exact in the quarters
+//   k     tooth number, 0 … |z| − 1; tooth k is tooth 0 times e^{2πik/|z|}, exact for quarter turns
 //
-// The contour runs counter-clockwise about the axis, also for an internal gear: the tip land of
-// tooth 0, its upper half from tip to root, the root land, the lower (mirrored) half of tooth 1
+// For external and internal gears, the contour runs counter-clockwise about the axis: the tip land
+// of tooth 0, its upper half from tip to root, the root land, the lower (mirrored) half of tooth 1
 // from root to tip, its tip land, and so on. The two halves of a land form one piece, a true circle
 // about the axis. Every other piece is an arc of the outline, mirrored and turned. A drawing
-// renders each arc of the half tooth once and places the resulting points (`placed`), so all teeth
-// are identical.
+// computes the points of each arc of the half tooth once. `placed` moves these points to every
+// tooth, so all teeth are identical.
 //
-//   Laws  (1) the end of each piece is the begin of the next, bit for bit, and the contour is
+//   Laws  (1) the end of each piece is identical to the start of the next, and the contour is
 //             closed
-//         (2) the number of pieces is |z| times that of one tooth
+//         (2) the number of pieces is |z| times the number for one tooth
 //         (3) a pointed tooth has no tip land, and a full-radius root has no root land; the
-//             adjacent pieces then meet in one point on the middle of the tooth or of the space
+//             adjacent pieces then meet in a point on the centre line of the tooth or the space
 #pragma once
 
 #include <cstddef>
@@ -30,40 +30,42 @@ namespace gearwright {
 struct ContourPiece {
   std::size_t arc;  ///< index into Outline::arcs
   int tooth;        ///< k; for a root land, the tooth before it
-  bool mirrored;  ///< lower half of the tooth, run from root to tip; otherwise the upper half, run
-                  ///< from tip to root
-  bool land;   ///< both halves of a land: a circle about the axis, run by `sweep`, or for a rack a
-               ///< straight line with `sweep` 0
-  Vec2 begin;  ///< mm
-  Vec2 end;    ///< mm
-  double sweep;  ///< rad, > 0 for a land; otherwise 0
+  bool mirrored;  ///< true for the lower half of the tooth, which runs from root to tip; otherwise
+                  ///< the upper half, from tip to root
+  bool land;      ///< true if the piece consists of both halves of a land: a circle about the axis
+                  ///< with the angle `sweep`, or for a rack a straight line with `sweep` 0
+  Vec2 begin;     ///< mm
+  Vec2 end;       ///< mm
+  double sweep;   ///< rad, > 0 for a land; otherwise 0
 };
 
 struct Contour {
   int teeth;  ///< |z|
   std::vector<ContourPiece> pieces;
-  double inner_radius;  ///< smallest radius of the examined points of the outline, mm
+  double inner_radius;  ///< smallest radius of the outline at the examined points, mm
   double outer_radius;  ///< greatest radius of the outline, mm
-  /// Only for a rack, whose tooth k is tooth 0 shifted by `rack->middle_of(k, teeth)` along y.
+  /// Set only for a rack. Tooth k of a rack is tooth 0 shifted along y by `rack->middle_of(k,
+  /// teeth)`.
   std::optional<RackBlock> rack{};
 };
 
-/// Chains the teeth. Arcs shorter than 1e-6 mm give no piece. The next piece then begins at the
-/// start of the omitted arc.
+/// Connects the teeth to a closed contour. Arcs shorter than 1e-6 mm give no piece. The next piece
+/// then begins at the start of the omitted arc.
 ///
-/// Errors    an outline that crosses the middle of the tooth or of the space (severed)
-/// Domain    teeth ≠ 0, at least one arc, arcs joined bit for bit, the first point on the ray π/|z|
-///           and the last one on the x axis within 1e-6 mm (contract)
+/// Errors    if the outline crosses the centre line of the tooth or of the space (severed tooth)
+/// Domain    teeth ≠ 0; at least one arc; arcs joined without any gap; the first point on the ray
+///           π/|z| and the last one on the x axis within 1e-6 mm (contract)
 Result<Contour> closed_contour(const Outline& outline);
 
-/// The teeth, ends and back of a rack, counter-clockwise. Lands, ends and back are straight lines.
+/// The contour of a rack with its teeth, ends and back, counter-clockwise. Lands, ends and back are
+/// straight lines.
 ///
-/// Domain    teeth ≥ 1, a back below the roots, the laws of pair/rack_outline.hpp (contract)
+/// Domain    teeth ≥ 1; a back below the roots; the laws of pair/rack_outline.hpp hold (contract)
 Contour rack_contour(const Outline& outline, const RackBlock& rack);
 
-/// Points of an arc of the half outline from root to tip, moved to the position and direction of
-/// the piece: mirrored or reversed, and turned. The first and the last point are replaced by the
-/// ends of the piece.
+/// Moves points on an arc of the half outline, given from root to tip, to the position and
+/// direction of the piece. The points are mirrored or reversed, and turned. The first and the last
+/// point are replaced by the ends of the piece.
 /// Domain    the piece is not a land, there are at least two points, and the ends lie within 1e-6
 ///           mm of the arc's ends (contract)
 std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,

@@ -82,7 +82,7 @@ TEST(Contour, LandsAreCirclesAboutTheAxis) {
       EXPECT_NEAR(std::remainder(piece.sweep - angle, 2 * kPi), 0.0, 1e-13) << c.what;
     }
   }
-  // A gear with a single tooth, whose root land is more than half a turn long.
+  // A gear with a single tooth whose root land spans more than half a turn.
   const Contour one = contour_of(testing::plain_body(1, 10.0, 1.0, 14.0, 0.8).outline);
   EXPECT_NEAR(one.pieces[2].sweep, 2 * kPi - 2.0, 1e-15 * 10);
 }
@@ -98,7 +98,7 @@ TEST(Contour, ToothKIsToothZeroTurned) {
       EXPECT_EQ(contour.pieces[static_cast<std::size_t>(6 * k) + i].begin, q);
     }
   }
-  // Quarter turns are exact: tooth 5 of 20 swaps coordinates.
+  // Quarter turns are exact, so tooth 5 of 20 has the coordinates of tooth 0 exchanged.
   const Vec2 a = contour.pieces[1].begin;
   EXPECT_EQ(contour.pieces[31].begin, Vec2(-a.y(), a.x()));
 }
@@ -112,7 +112,7 @@ TEST(Contour, PlacedPointsRunAsThePieceDoes) {
         placed(contour, piece, sample(body.outline.arcs[piece.arc], 5));
     EXPECT_EQ(points.front(), piece.begin);
     EXPECT_EQ(points.back(), piece.end);
-    // The contour runs up the lower half and down the upper half.
+    // The contour runs upwards along the lower half and downwards along the upper half.
     for (std::size_t i = 1; i < points.size(); ++i) {
       EXPECT_EQ(points[i].norm() > points[i - 1].norm(), piece.mirrored);
     }
@@ -135,7 +135,7 @@ TEST(Contour, SliversMakeNoPiece) {
 }
 
 TEST(Contour, ARoughLandIsAnOrdinaryArc) {
-  // A straight "land" across the tip of the tooth consists of one half and its mirror image.
+  // A straight "land" across the tip consists of one half of the tooth and its mirror image.
   ToothedBody body = testing::plain_body(12, 20.0, 0.2, 24.0, 0.05);
   body.outline.arcs.pop_back();
   const Vec2 p = body.outline.arcs.back().end_point;
@@ -149,7 +149,8 @@ TEST(Contour, ARoughLandIsAnOrdinaryArc) {
 }
 
 TEST(Contour, ASeveredToothIsAFact) {
-  // Five teeth cut two modules deep: the corner's path crosses the middle of the tooth.
+  // Five teeth are cut two modules deep, so the path of the cutter's corner crosses the centre line
+  // of the tooth.
   const ToothedBody deep = testing::undercut_body(5, 2.0, 2.0, 1.0, 0.0, 10.0);
   double lowest = 1.0;
   for (const Vec2& p : sample(*deep.outline.find(ArcName::root_fillet), 100)) {

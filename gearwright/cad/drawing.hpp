@@ -1,9 +1,9 @@
-// Definitions that all drawings of a transverse section share: options, facts about the result, closed
+// Definitions shared by all drawings of a transverse section: options, data of the result, closed
 // outlines of a body, and fits of its arcs.
 //
-// A drawing is the section z = 0 in the gear frame, in millimetres, and `body.pose` does not apply.
-// It is returned as text, together with the numbers that a program prints with it ("320 segments,
-// within 0.9 µm").
+// A drawing shows the section z = 0 in the gear frame, in millimetres. `body.pose` is not applied.
+// The drawing is returned as text, together with the numbers that a program prints with it, such as
+// "320 segments, within 0.9 µm".
 #pragma once
 
 #include <algorithm>
@@ -19,25 +19,26 @@ namespace gearwright {
 
 struct ContourOptions {
   enum class Style {
-    biarcs,   ///< true circular arcs only: one closed polyline, for laser and wire cutting
-    splines,  ///< one B-spline per arc of the outline, lands as circles: for CAD
+    biarcs,   ///< true circular arcs in one closed polyline, for laser and wire cutting
+    splines,  ///< one B-spline per arc of the outline and circles for lands, for CAD
   };
   Style style = Style::biarcs;
-  /// Permitted normal distance. If it is absent, the default of the style applies.
+  /// Permitted normal distance. If it is absent, the default of the drawing style applies.
   std::optional<double> tolerance_mm = std::nullopt;
 };
 
-/// A tenth of the finest tolerance of cut parts, which is a few µm. Wire cutting machines resolve
-/// about 1 µm.
+/// Wire cutting machines resolve about 1 µm, and the finest tolerances of cut parts are a few µm.
 inline constexpr double kBiarcTolerance_mm = 0.001;
-/// At this tolerance, dimensions measured in CAD agree in all digits that CAD shows.
+/// At this tolerance, dimensions measured in a CAD system are correct in all digits that it
+/// displays.
 inline constexpr double kSplineTolerance_mm = 1e-6;
-/// A tenth of the resolution of a plotter, or of a browser at the greatest zoom.
+/// A tenth of the resolution of a plotter or of a browser at the greatest zoom.
 inline constexpr double kSvgTolerance_mm = 1e-4;
 
 struct Drawing {
-  std::string text;  ///< the file
-  int segments;      ///< arcs, lines, splines and Bézier pieces of profile and bore together
+  std::string text;  ///< text of the file
+  int segments;      ///< number of arcs, lines, splines and Bézier pieces of the profile and the
+                     ///< bore together
   double
       deviation_mm;  ///< greatest normal distance measured between the drawing and the exact curve
   double tolerance_mm;  ///< permitted distance
@@ -59,16 +60,17 @@ Result<BodyContour> body_contour(const ToothedBody& body);
 /// Returns the error for an arc that cannot be drawn within the requested tolerance.
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm);
 
-/// A fit of each arc of the outline that forms pieces other than lands, shared by all teeth.
+/// A fit for each arc of the outline except lands. All teeth share these fits.
 template <class Fit>
 struct ArcFits {
-  std::vector<std::optional<Fit>> arcs;  ///< indexed as Outline::arcs
-  double deviation_mm = 0.0;             ///< greatest of all
+  std::vector<std::optional<Fit>> arcs;  ///< same index as Outline::arcs
+  double deviation_mm = 0.0;             ///< greatest deviation of all fits
 };
 
-/// Fits the arcs with `fit(arc, tolerance)`, which returns a result that has `deviation_mm`.
+/// Fits each arc with `fit(arc, tolerance)`. The result of this function must have a member
+/// `deviation_mm`.
 ///
-/// Errors    `tolerance_mm` if an arc does not meet it
+/// Errors    `tolerance_mm` if an arc cannot be fitted within it
 template <class Fit>
 Result<ArcFits<Fit>> fit_arcs(const Outline& outline, const Contour& contour, double tolerance_mm,
                               Fit (*fit)(const Arc&, double)) {

@@ -1,25 +1,27 @@
 // DXF drawings of the transverse section: AutoCAD 2000 (AC1015), millimetres.
 //
 //   layer PROFILE   the closed outline of all teeth
-//   layer BORE      the bore with its keyway; an internal gear's rim
+//   layer BORE      the bore with its keyway, or the rim of an internal gear
 //
-//   biarcs    PROFILE is one closed LWPOLYLINE whose bulges are true arcs; lands are one arc each
-//   splines   PROFILE is one SPLINE per arc of the outline and one ARC per land; poles at the ends
-//             of neighbouring splines are equal text
+//   biarcs    PROFILE is one closed LWPOLYLINE of lines and circular arcs; each land is one arc
+//   splines   PROFILE is one SPLINE per arc of the outline and one ARC per land; where two splines
+//             meet, their end poles are written as equal text
 //
-// Numbers are the shortest decimals that read back to the same double, so equal points are equal
-// text. A bore without keyway is a CIRCLE, and one with a keyway is a closed LWPOLYLINE.
+// Every number is written as the shortest decimal that a reader converts back to the same double.
+// Equal points are therefore equal text. A bore without a keyway is a CIRCLE. A bore with a keyway
+// is a closed LWPOLYLINE.
 #pragma once
 
 #include "gearwright/cad/drawing.hpp"
 
 namespace gearwright {
 
-/// The text of a DXF file of the body's section z = 0.
+/// Returns the text of a DXF file of the section z = 0 of the body.
 ///
 /// Units     mm ($INSUNITS 4)
-/// Domain    tolerance_mm > 0; the outline's laws hold within 1e-6 mm (contract)
-/// Errors    a severed tooth; a bore that leaves the root; an arc that does not meet the tolerance
+/// Domain    tolerance_mm > 0; the laws of the outline hold within 1e-6 mm (contract)
+/// Errors    a severed tooth; a bore that reaches the root circle; an arc that cannot be fitted
+///           within the tolerance
 /// Accuracy  deviation_mm ≤ tolerance_mm
 /// Laws      (1) the same body and options give the same bytes   (2) the number of segments is
 ///           proportional to |z|

@@ -57,8 +57,8 @@ void DxfEntities::triangle(const std::string& layer, const Vec2& a, const Vec2& 
   begin("SOLID", layer, "AcDbTrace");
   DxfPairs out(text_);
   int code = 10;
-  for (const Vec2* corner : {&a, &b, &c, &c}) {  // the last corner is repeated, because there are
-                                                 // three
+  for (const Vec2* corner : {&a, &b, &c, &c}) {  // the last corner is repeated, because a SOLID has
+                                                 // four corners
     const Vec2 p = at(*corner);
     out.point(code++, p.x(), p.y(), 0);
   }
@@ -85,15 +85,15 @@ void DxfEntities::text(const std::string& layer, const Vec2& where, const std::s
 
 void DxfEntities::circular_spline(const std::string& layer, const Vec2& begin_point,
                                   const Vec2& end_point, double sweep) {
-  // Pieces of at most a quarter turn. The poles are P0, the corner of the tangents with weight
-  // cos(δ/2), and P1.
+  // The arc is divided into pieces of at most a quarter turn. The poles of a piece are P0, the
+  // intersection of its end tangents with the weight cos(δ/2), and P1.
   const int pieces = static_cast<int>(std::ceil(std::abs(sweep) / (std::numbers::pi / 2 + 1e-9)));
   const double half = sweep / (2 * pieces);
   const double weight = std::cos(half);
   begin("SPLINE", layer, "AcDbSpline");
   DxfPairs out(text_);
   const int poles = 2 * pieces + 1;
-  out.point(210, 0, 0, 1).integer(70, 12).integer(71, 2);  // 4: rational, 8: planar
+  out.point(210, 0, 0, 1).integer(70, 12).integer(71, 2);  // 12 = 4 + 8: rational, planar
   out.integer(72, poles + 3).integer(73, poles).integer(74, 0).real(42, 1e-9).real(43, 1e-9);
   for (int i = 0; i < 3; ++i) out.real(40, 0);
   for (int i = 1; i < pieces; ++i) {

@@ -1,4 +1,4 @@
-// Writes the pairs of a DXF file and defines the handles of its frame. Internal to cad/.
+// Writes the pairs of a DXF file and defines the handles of its fixed sections. Internal to cad/.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 
 namespace gearwright::dxf {
 
-// Handles of the frame. An owner precedes its objects.
+// Handles of the fixed sections. The handle of an owner precedes those of its objects.
 enum DxfHandle : int {
   kNone = 0x0,
   kVports = 0x1,

@@ -137,8 +137,8 @@ TEST(Dxf, AreaOfThePolylineIsThatOfTheGear) {
       EXPECT_EQ(entities[0].words(70), std::vector<std::string>{"1"});  // closed
       const Polyline profile(entities[0]);
       EXPECT_EQ(std::to_string(profile.points.size()), entities[0].words(90).front());
-      // A boundary within δ of the exact one encloses an area that differs by at most δ times its
-      // length.
+      // If a boundary stays within δ of the exact one, the enclosed areas differ by at most δ times
+      // the length of the boundary.
       const double allowed = drawing.deviation_mm * profile.length() + 1e-9;
       EXPECT_NEAR(profile.area(), section_area(body.outline), allowed) << body.name;
     }
@@ -300,7 +300,8 @@ TEST(Dxf, EveryHandleIsUsedOnceAndTheSeedIsAboveThem) {
 
 TEST(Dxf, RefusesWhatIsNoGear) {
   ToothedBody body = testing::sample_body({});
-  body.bore = Bore{34.9};  // root diameter 35, but the keyway's corner lies beyond
+  body.bore = Bore{34.9};  // the root diameter is 35, but the corner of the keyway lies outside the
+                           // root circle
   EXPECT_TRUE(static_cast<bool>(dxf_drawing(body)));
   body.bore = Bore{35.1};
   const auto wide = dxf_drawing(body);
@@ -314,7 +315,7 @@ TEST(Dxf, RefusesWhatIsNoGear) {
 }
 
 TEST(Dxf, SaysWhatToleranceItCanKeep) {
-  // No curve in double precision is within 1e-18 mm.
+  // No curve in double precision is accurate to 1e-18 mm.
   const auto drawing = dxf_drawing(testing::sample_body({}), {.tolerance_mm = 1e-18});
   ASSERT_FALSE(drawing);
   EXPECT_EQ(drawing.error().field, "tolerance_mm");

@@ -1,4 +1,4 @@
-// Text functions common to the writers of files. Internal to cad/.
+// Text functions that several writers of files use. Internal to cad/.
 #pragma once
 
 #include <string>
@@ -6,7 +6,8 @@
 
 namespace gearwright {
 
-/// Writes & < > as references, and control characters, which XML 1.0 does not permit, as spaces.
+/// Writes & < > as references. Control characters, which XML 1.0 does not permit, are replaced by
+/// spaces.
 std::string xml_text(std::string_view text);
 
 }  // namespace gearwright

@@ -1,10 +1,10 @@
-// Functions that the fits of arcs by simpler curves share. Internal to cad/.
+// Functions shared by the fits that replace arcs by simpler curves. Internal to cad/.
 //
-// Distance of a point from a circle that is given by one of its points and the normal there. The formula
-// is also valid for lines:
+// The distance of a point from a circle is needed for a circle that is described by one of its
+// points and the normal at this point. The formula must also be valid for lines:
 //
-//   e    the point, seen from a point of the circle, mm      κ    curvature, 1/mm
-//   N    unit normal there, to the left: the centre is N/κ away
+//   e    the point, relative to the given point of the circle, mm      κ    curvature, 1/mm
+//   N    unit normal at the given point, to the left, so that the centre is at N/κ
 //
 // |e − N/κ|² = (1 + κq)/κ² with q = κ|e|² − 2e·N, hence
 //
@@ -12,9 +12,9 @@
 //
 // without a division by κ and without cancellation for large radii.
 //
-// An interval is covered by steps, each as long as a condition allows. If the condition, once it
-// fails, also fails for every longer step (as for an error that grows with the length), the number
-// of steps is the smallest possible.
+// An interval is covered by steps, each as long as a condition allows. Suppose that once the
+// condition fails for a step, it also fails for every longer one. This holds for an error that
+// grows with the length. Then the number of steps is the smallest possible.
 #pragma once
 
 #include <algorithm>
@@ -24,17 +24,18 @@
 
 namespace gearwright {
 
-/// Distance of e from the circle through the origin with normal N and curvature κ.
+/// Distance of e from the circle through the origin with the normal N and the curvature κ.
 ///
 /// Units     mm
-/// Domain    |N| = 1; κ = 0 is the straight line
+/// Domain    |N| = 1; κ = 0 gives the straight line
 /// Accuracy  |error| < 4 ε (|e| + κ|e|²)
 inline double circle_distance(const Vec2& e, const Vec2& normal, double kappa) {
   const double q = kappa * e.squaredNorm() - 2.0 * e.dot(normal);
   return std::abs(q) / (1.0 + std::sqrt(std::max(0.0, 1.0 + kappa * q)));
 }
 
-/// Normal distance of p from a curve near its point w, computed from the osculating circle at w.
+/// Normal distance of p from a curve near the curve point w, computed from the osculating circle at
+/// w.
 ///
 /// Accuracy  third order in the distance from w along the curve
 inline double osculating_distance(const CurvePoint& w, const Vec2& p) {
@@ -43,15 +44,15 @@ inline double osculating_distance(const CurvePoint& w, const Vec2& p) {
 }
 
 struct StepLimits {
-  double shortest;  ///< relative to the interval; a step this short is always accepted
-  double known;     ///< relative to the step; width of the bracket at which the search ends
+  double shortest;  ///< relative to the interval; a step of this length is always accepted
+  double known;     ///< relative to the step; the search ends when its bracket is narrower
 };
 
-/// Returns the greatest x in (from, to] for which fits(x) is true. The search starts with a step of
+/// Returns the greatest x in (from, to] for which fits(x) is true. The first step of the search has
 /// the length `guess`.
 ///
-/// Accuracy  within limits.known of the step, on the side that fits; from + shortest if no step
-///           fits
+/// Accuracy  within limits.known of the step, on the side where fits(x) is true; from + shortest if
+///           no step fits
 /// Domain    from < to, guess > 0
 template <class Fits>
 double longest_step(double from, double to, double guess, StepLimits limits, const Fits& fits) {

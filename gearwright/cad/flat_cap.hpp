@@ -1,9 +1,9 @@
-// Triangulations of plane regions, for the two ends of a body.
+// Triangulations of plane regions, used for the two end faces of a body.
 //
-// A triangulation covers the region exactly once if all its triangles turn counter-clockwise and
-// its boundary is that of the region: the boundary winds once about each inner point, and each
-// triangle that contains the point adds one to that number. Both functions preserve the
-// orientation.
+// A triangulation covers a region exactly once if all its triangles are counter-clockwise and its
+// boundary is the boundary of the region. The reason is that the boundary winds once about each
+// inner point, and each triangle that contains the point adds one to the winding number. The
+// triangles of both functions here are counter-clockwise.
 #pragma once
 
 #include <optional>
@@ -13,23 +13,25 @@
 
 namespace gearwright {
 
-/// Triangulates a simple polygon by repeatedly cutting off the ear with the widest smallest angle.
+/// Triangulates a simple polygon by repeatedly cutting off the ear whose smallest angle is
+/// greatest.
 ///
 /// Work      O(n²) for n corners
-/// Returns   n − 2 counter-clockwise triangles of corner indices; nothing if the polygon crosses
-///           itself so that no ear is left
-/// Domain    counter-clockwise, n ≥ 3 (contract)
+/// Returns   n − 2 counter-clockwise triangles as corner indices; nothing if the polygon crosses
+///           itself and no ear is left
+/// Domain    a counter-clockwise polygon, n ≥ 3 (contract)
 std::optional<std::vector<Triangle>> clip_ears(const std::vector<Vec2>& polygon);
 
-/// Triangulates the region between an inner loop and a regular polygon around it, both
+/// Triangulates the region between an inner loop and a regular polygon around it. Both are
 /// counter-clockwise about the origin and sorted by polar angle.
 ///
 /// The inner loop is a circle, or a circle with a rectangular slot. Let δ be the angle between two
-/// outer corners, R their radius and r the largest inner radius. If R cos δ ≥ r, every triangle
-/// turns counter-clockwise: an outer step never crosses the inner circle r, and an inner step is
-/// taken only if an outer corner lies within δ of both of its ends.
+/// neighbouring outer corners, R their radius and r the largest inner radius. If R cos δ ≥ r, all
+/// triangles are counter-clockwise. The reason is that an outer step never crosses the circle with
+/// radius r, and that an inner step is taken only if an outer corner lies within δ of both of its
+/// ends.
 ///
-/// Returns   triangles of indices: i for inner[i], inner.size() + j for outer[j]
+/// Returns   triangles as indices: i means inner[i], inner.size() + j means outer[j]
 /// Domain    the condition above; the first inner point lies on the circle and not in the slot
 ///           (contract)
 std::vector<Triangle> zip_ring(const std::vector<Vec2>& inner, const std::vector<Vec2>& outer);

@@ -23,8 +23,9 @@ double polygon_area(const std::vector<Vec2>& p) {
   return sum;
 }
 
-// All triangles are counter-clockwise, and the sum of their areas is the area of the region.
-// Partial sums of both are at most `whole`, and N additions lose at most N ε of it.
+// All triangles are counter-clockwise, and their areas add up to the area of the region. Partial
+// sums of both sides are at most `whole`, so N additions have a rounding error of at most N ε times
+// `whole`.
 void expect_covers(const std::vector<Triangle>& triangles, const std::vector<Vec2>& points,
                    double region, double whole) {
   double sum = 0.0;
@@ -49,8 +50,7 @@ std::vector<Vec2> regular(std::size_t m, double radius, double offset) {
 }
 
 TEST(FlatCap, EarsCoverAPolygonWithPocketsAndPointsInLine) {
-  // A comb is neither convex nor monotone in any direction, and has collinear points along its
-  // back.
+  // A comb is neither convex nor monotone in any direction. Its back contains collinear points.
   std::vector<Vec2> comb;
   for (int i = 0; i <= 20; ++i) comb.emplace_back(i, 0.0);
   for (int i = 20; i > 0; --i) {
@@ -86,8 +86,8 @@ TEST(FlatCap, NoEarsOnAPolygonThatCrossesItself) {
 }
 
 TEST(FlatCap, RingWithKeywayAtEveryOffset) {
-  // The cases cover thin and thick walls around the slot, and coarse and fine circles. All have R
-  // cos δ ≥ r.
+  // The cases include thin and thick walls around the slot, and coarse and fine circles. In all of
+  // them R cos δ ≥ r.
   for (const double width : {0.5, 6.0, 19.0}) {
     for (const double depth : {0.0, 0.01, 3.0, 30.0}) {
       const Bore bore{20.0, width, depth};

@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// Least material between the roots and the back of a rack, mm.
+// Smallest thickness between the roots and the back of a rack, mm.
 constexpr double kRackBack_mm = 1e-3;
 
 }  // namespace
@@ -28,7 +28,7 @@ Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
   if (!gear.tooth)
     return absent_input(
         "cut_by",
-        "; the outline of an internal gear is cut by a pinion cutter, so give the cutter");
+        "; the outline of an internal gear depends on its pinion cutter, so give the cutter");
   if (!gear.exists()) {
     const std::string why =
         gear.warnings.empty() ? "no tooth is left" : gear.warnings.back().message;

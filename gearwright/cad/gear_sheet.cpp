@@ -18,11 +18,11 @@ namespace gearwright {
 namespace {
 
 constexpr auto kOutline = SheetLayer::outline;
-// All in mm on paper: projection of centre lines beyond the part; distance of dimension lines from
-// the view and from each other; distances between the views and within the frame; projection of the
-// leader beyond the gear.
+// Lengths in mm on paper: projection of centre lines beyond the part; distance from the view to the
+// first dimension line, and between dimension lines; distance between the views, and from the views
+// to the frame; projection of the leader beyond the gear.
 constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kInner = 6, kShelf = 5;
-// Distance of the base line of the caption from the transverse view above it, mm.
+// Distance from the base line of the caption to the transverse view above it, mm.
 constexpr double kCaption = 9;
 constexpr const char* kWhere = "Section in the middle of the face width";
 
@@ -55,8 +55,8 @@ std::string with_fit(const std::string& size, const std::string& fit) {
 }
 std::string diameter(double radius) { return "Ø" + millimetres(2 * radius); }
 
-// Both views have the same scale. The transverse view is drawn about the origin, the axial one to
-// its right.
+// Both views have the same scale. The transverse view is centred on the origin, and the axial view
+// is to its right.
 class Views {
  public:
   Views(const GearSheetInput& input, const BiarcContour& outline, const BodyContour& contour,
@@ -98,7 +98,7 @@ class Views {
            " wide";
   }
   double shelf() const { return k_ * body_ + kShelf; }
-  double elbow() const { return shelf() / std::sqrt(3.0); }  // the leader rises at 60°
+  double elbow() const { return shelf() / std::sqrt(3.0); }  // the leader has an inclination of 60°
 
   std::vector<double> radii_to_the_right() const {
     std::vector<double> radii{input_.reference_diameter / 2, tip_};
@@ -129,7 +129,7 @@ class Views {
     sheet_->text(SheetLayer::dimension, origin_ + Vec2(0, -k_ * body_ - kCaption), kWhere, kUsual,
                  Along::middle);
     if (!keyed()) return;
-    // The arrow touches the left wall of the keyway from the side of the material.
+    // The arrow touches the left wall of the keyway from the material side.
     const double half = bore().keyway_width / 2;
     const double low = std::sqrt(bore_->radius * bore_->radius - half * half);
     const double high = bore_->radius + bore().keyway_depth;
@@ -149,7 +149,8 @@ class Views {
     const auto metal = [&](double lo, double hi) {
       hatch(*sheet_, {origin_ + Vec2(x0, lo), origin_ + Vec2(x1, hi)});
     };
-    const double limit = input_.body.limit_within(root_);  // no teeth between it and bore or rim
+    const double limit = input_.body.limit_within(root_);  // no teeth lie between this radius and
+                                                           // the bore or the rim
     if (input_.body.grooved())
       grooved(x0, x1, limit);
     else
@@ -216,8 +217,8 @@ class Views {
   const GearSheetInput& input_;
   const BiarcContour& outline_;
   const std::optional<BoreContour>& bore_;
-  double k_;                              // mm on paper per mm
-  double tip_ = 0, root_ = 0, body_ = 0;  // radii, mm; body_: radius of the outermost circle
+  double k_;                              // mm on paper per mm on the gear
+  double tip_ = 0, root_ = 0, body_ = 0;  // radii, mm; body_ is that of the outermost circle
   double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;  // mm on paper
   Sheet* sheet_ = nullptr;
   Vec2 origin_ = Vec2::Zero();
@@ -229,8 +230,8 @@ struct Place {
   int columns;
 };
 
-// A4 is in portrait format, with the views at the top and the data in two columns below. A3 is in
-// landscape format, with the data to the right of the views.
+// An A4 sheet is in portrait format, with the views at the top and the data in two columns below.
+// An A3 sheet is in landscape format, with the data to the right of the views.
 Place place_of(SheetSize size, const SheetBox& frame, const SheetBox& block,
                const std::vector<DataGroup>& data) {
   if (size == SheetSize::a4) {

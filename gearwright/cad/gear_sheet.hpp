@@ -1,9 +1,9 @@
 // The workshop drawing of a gear: the table of its data, the exact transverse section with bore and
 // keyway, and an axial section, in a frame with a title block.
 //
-// The table uses the symbols and terms of ISO 21771 in the order of DIN 3966-1. Teeth are not
-// hatched in the axial section, and the reference circle is a chain line (ISO 2203). The scale is
-// the greatest of ISO 5455 at which the views have room.
+// The table uses the symbols and terms of ISO 21771 in the order of DIN 3966-1. In the axial
+// section, teeth are not hatched and the reference circle is a chain line (ISO 2203). The scale is
+// the largest scale of ISO 5455 at which the views fit on the sheet.
 #pragma once
 
 #include <string>
@@ -29,11 +29,11 @@ struct DataGroup {
 struct GearSheetInput {
   ToothedBody body;
   double reference_diameter;    ///< d    mm
-  std::vector<DataGroup> data;  ///< in their order
+  std::vector<DataGroup> data;  ///< in the order of the table
   DrawingInput words;           ///< text of the title block, and the fits of bore and keyway
-  std::string tip_fit;          ///< of the tip diameter, empty if it has none
+  std::string tip_fit;          ///< fit of the tip diameter; empty if it has none
   std::string mass;             ///< "0.41 kg", empty if unknown
-  std::string number;           ///< of the sheet, "1/2"
+  std::string number;           ///< number of the sheet, such as "1/2"
 };
 
 struct GearSheet {
@@ -42,10 +42,10 @@ struct GearSheet {
   double deviation_mm;  ///< deviation of the outline, mm on the gear
 };
 
-/// `tolerance_mm` is that of the outline, in mm on the gear.
+/// `tolerance_mm` applies to the outline, in mm on the gear.
 ///
-/// Errors    as dxf_drawing: a severed tooth, a bore that crosses the root, or an arc that does not
-///           meet the tolerance
+/// Errors    those of dxf_drawing: a severed tooth, a bore that reaches the root circle, or an arc
+///           that cannot be fitted within the tolerance
 Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double tolerance_mm);
 
 }  // namespace gearwright

@@ -24,23 +24,26 @@ namespace gearwright {
 
 namespace {
 
-// The level height satisfies ρΔ² = 2ε on the largest radius. On the tip land, where κ = 1/ρ, the
-// three terms of (M1), times 8, are then 2ε, 4ε and 2ε at a = ρΔ. This gives the fewest triangles.
+// The height of a level satisfies ρΔ² = 2ε at the largest radius ρ. On the tip land, κ = 1/ρ. The
+// three terms of (M1), multiplied by 8, are then 2ε, 4ε and 2ε at a = ρΔ, which gives the fewest
+// triangles.
 constexpr double kLevelShare = 2.0;
 
-// Least material between the root and the bore or the rim, mm.
+// Smallest thickness between the root and the bore or rim, mm.
 constexpr double kWallMin_mm = 1e-3;
 
-// The chords of the two sides of a thin wall must not meet. Therefore the tolerance is at most this
-// part of the wall's thickness.
+// In a thin wall, the chords of the two sides must not meet. The tolerance is therefore at most
+// this fraction of the wall thickness.
 constexpr double kWallShare = 0.25;
 
-// Limits beyond which a mesh is rejected: a file of 200 MB, which printers cannot read, and a few
-// seconds for the caps of a tooth (quadratic in the number of its points).
+// A mesh beyond these limits is rejected. They correspond to a file of 200 MB, which printers
+// cannot read, and to a few seconds for triangulating the cap of a tooth, whose cost is quadratic
+// in the number of points.
 constexpr double kVerticesMax = 2e6;
 constexpr std::size_t kHalfPointsMax = 20000;
 
-// The columns of one pitch, counter-clockwise from the middle of a space to just before the next.
+// The columns of one pitch, counter-clockwise from the middle of a tooth space to the last column
+// before the next one.
 std::vector<Column> pitch_columns(const std::vector<SectionPoint>& half, int copies) {
   const std::size_t n = half.size() - 1;
   const SinCos back = sincos_turn(-1, copies);
@@ -65,7 +68,7 @@ std::vector<Vec2> points_of(const std::vector<SectionPoint>& half) {
   return points;
 }
 
-// Distance of the section's polygon from the axis.
+// Smallest distance from the axis to the polygon of the section.
 double polygon_reach_min(const std::vector<SectionPoint>& half) {
   double reach = half.front().point.norm();
   for (std::size_t i = 0; i + 1 < half.size(); ++i) {
@@ -77,9 +80,9 @@ double polygon_reach_min(const std::vector<SectionPoint>& half) {
   return reach;
 }
 
-// The band of a wall of an internal gear that lies along a circle in the middle of the body. The columns
-// of the wall meet those of the teeth at both ends. The wall therefore has the screw of the teeth, or,
-// for a double-helical gear, the turn between the two screws.
+// The band of the wall of an internal gear that follows a circle in the middle of the body. The
+// columns of this wall meet those of the teeth at both ends. The wall therefore has the screw
+// motion of the teeth. For a double-helical gear, it has the rotation between the two screws.
 Band around(const ToothedBody& body, double width) {
   if (!body.two_helices) return body.bands().front();
   const double stagger = body.two_helices->stagger;
@@ -117,7 +120,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   const Outline& cut = modified ? modified->outline() : body.outline;
   const double chord = modified ? kCutShare * given : given;
 
-  // Levels along the face.
+  // The levels along the face.
   const double radius_max =
       ring ? body.bore->diameter / 2.0 : body.outline.arcs.back().end_point.norm();
   const double turn_max = std::min(std::sqrt(kLevelShare * chord / radius_max), facet_turn);
@@ -134,7 +137,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   const Levels levels{static_cast<int>(steps), bands.front()};
   const SectionTolerance tolerance{chord, facet_turn, turn / steps, radius_max};
 
-  // The section.
+  // The section points.
   std::vector<SectionPoint> half = section_points(cut, tolerance, kHalfPointsMax + 1);
   if (half.size() > kHalfPointsMax + 1) return too_fine();
   std::optional<ModifiedGrid> grid;
@@ -166,7 +169,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   const auto bottom_cap = modified ? cap_at(rim_or_reach, -end) : top_cap;
   if (!top_cap || !bottom_cap) return not_a_body(teeth, "the flanks of a tooth space cross");
 
-  // Walls.
+  // The walls.
   MeshBuilder builder;
   WallEnds outline{};
   if (modified) {
@@ -182,7 +185,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
                              body.grooved() ? nullptr : &lower);
   }
 
-  // Bore or rim, and the ends.
+  // The bore or the rim, and the end faces.
   const CapPlace bottom{false, -end, bands.front().angle(-end), lower.bottom};
   const CapPlace top{true, end, bands.back().angle(end), upper.top};
   if (ring) {

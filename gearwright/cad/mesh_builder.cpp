@@ -8,14 +8,16 @@ namespace gearwright {
 
 namespace {
 
-// A jump of the normal by more than this (rad) forms a crease. Tangent arcs meet within rounding.
+// A change of the normal direction by more than this angle (rad) forms a crease. Where arcs have a
+// common tangent, the change is only a rounding error.
 constexpr double kCrease = 1e-3;
 
 bool is_crease(const Column& column) { return (column.before - column.after).norm() > kCrease; }
 
-// Returns true if the rising diagonal of the quad between two columns (this column at the bottom,
-// the next at the top) is nearer to the surface than the falling one. The section bulges from its
-// chord by chord·(n_2 − n_1)/8 along its normal.
+// Decides between the two diagonals of the quad between two columns. Returns true if the rising one
+// is nearer to the surface than the falling one. The rising diagonal leads from the bottom of this
+// column to the top of the next. The section deviates from its chord by chord·(n_2 − n_1)/8 along
+// its normal.
 bool rising_diagonal(const Column& one, const Column& two, const Levels& levels) {
   const double turn = levels.band.twist * levels.band.width / levels.steps;
   const double bulge = (two.before - one.after).dot(two.point - one.point) / 8.0;
@@ -28,8 +30,8 @@ bool rising_diagonal(const Column& one, const Column& two, const Levels& levels)
   return std::abs(rising.dot(normal) - bulge) <= std::abs(falling.dot(normal) - bulge);
 }
 
-// The diagonals are chosen once per part, because the screw motion carries the choice to every
-// level and tooth.
+// The diagonals are chosen once per part. The screw motion carries this choice to every level and
+// every tooth.
 std::vector<char> rising_diagonals(const std::vector<Column>& part, int copies,
                                    const Levels& levels) {
   Column beyond = part.front();
@@ -44,7 +46,7 @@ std::vector<char> rising_diagonals(const std::vector<Column>& part, int copies,
   return rising;
 }
 
-// The columns at one level of a screw.
+// The columns at one level of a screw motion.
 Ring screw_ring(const std::vector<Column>& part, const std::vector<char>& crease, const Band& band,
                 double z) {
   const SinCos screw = sincos_of(band.angle(z));
@@ -87,7 +89,7 @@ void MeshBuilder::add_shaded(std::uint32_t vertex, const Vec3& normal) {
   mesh_.normals.push_back(normal);
 }
 
-// A level of copy 0, followed by its turned copies.
+// Adds a level of copy 0 and then its turned copies.
 void MeshBuilder::add_ring(const Ring& ring, const std::vector<char>& crease, int copies,
                            const WallEnds* below) {
   for (int k = 0; k < copies; ++k) {
@@ -133,7 +135,8 @@ WallEnds MeshBuilder::add_wall(const std::vector<Ring>& rings, const WallEdges& 
                    copies, inward);
 }
 
-// The vertices of the lowest ring begin at `bottom`, and those of the others at `second`.
+// `bottom` is the first vertex of the lowest ring. The vertices of all other rings begin at
+// `second`.
 WallEnds MeshBuilder::add_quads(std::size_t bottom, std::size_t second, std::size_t first_shaded,
                                 int steps, const WallEdges& edges, int copies, bool inward) {
   const std::size_t columns = edges.crease.size();
@@ -168,8 +171,8 @@ WallEnds MeshBuilder::add_quads(std::size_t bottom, std::size_t second, std::siz
 
 void MeshBuilder::add_quad(const std::array<std::uint32_t, 4>& corners,
                            const std::array<std::uint32_t, 4>& shaded, bool rising, bool inward) {
-  // The corners are counter-clockwise from the lower one, seen from outside the material, unless
-  // `inward`.
+  // Seen from outside the material, the corners are counter-clockwise, starting at the lower one.
+  // If `inward` is true, the order is reversed.
   const std::array<std::size_t, 6> order = rising ? std::array<std::size_t, 6>{0, 1, 2, 0, 2, 3}
                                                   : std::array<std::size_t, 6>{0, 1, 3, 1, 2, 3};
   for (std::size_t t = 0; t < order.size(); t += 3) {

@@ -1,9 +1,10 @@
-// Builds a triangle mesh from walls and caps, together with its shaded copy.
+// Builds a triangle mesh from walls and caps, together with a copy for shading.
 //
-//   τ  twist, rad/mm     ζ  height, mm     column  a vertex per level     ring  a level's vertices
+//   τ  twist, rad/mm     ζ  height, mm     column  one vertex per level   ring  vertices of a level
 //
-// A wall is one part of a section, repeated around the axis and screwed along it. A cap is plane
-// and uses the end rings of walls. A vertex where the normal jumps is shaded once per side.
+// A wall is one part of a section, repeated around the axis and moved along the axis by a screw
+// motion. A cap is plane and uses the end rings of walls. If the normal jumps at a vertex, the
+// vertex is shaded once per side.
 #pragma once
 
 #include <array>
@@ -19,13 +20,13 @@ namespace gearwright {
 /// One column of a wall.
 struct Column {
   Vec2 point;   ///< mm, in the section ζ = 0 of the first copy
-  Vec2 before;  ///< unit section normal, out of the material, on the side of the previous column
-                ///< (clockwise)
-  Vec2 after;   ///< the same on the side of the next column (counter-clockwise)
+  Vec2 before;  ///< unit normal of the section, pointing out of the material, on the side of the
+                ///< previous column (clockwise)
+  Vec2 after;   ///< the same for the side of the next column (counter-clockwise)
 };
 
 struct Levels {
-  int steps;  ///< of equal height, ≥ 1
+  int steps;  ///< number of steps of equal height, ≥ 1
   Band band;
 
   double z(int level) const {
@@ -33,28 +34,30 @@ struct Levels {
   }
 };
 
-/// A column at one level, in place.
+/// The position of a column at one level.
 struct RingPoint {
   Vec2 point;          ///< mm
-  Vec3 before, after;  ///< unit normals out of the material
+  Vec3 before, after;  ///< unit normals, pointing out of the material
 };
 
-/// A level of a wall without a screw motion, with the columns of its first copy.
+/// One level of a wall that is not a screw surface, with the columns of its first copy.
 struct Ring {
   double z;  ///< mm
   std::vector<RingPoint> points;
 };
 
-/// The edges of the quads of a wall: creases between them, and their diagonals.
+/// Data of the quads of a wall: which of their edges are creases, and how they are divided.
 struct WallEdges {
-  std::vector<char> crease;  ///< of each column
-  std::vector<char> rising;  ///< of each column: true if the next quad's diagonal rises from it
+  std::vector<char> crease;  ///< per column
+  std::vector<char> rising;  ///< per column: true if the diagonal of the next quad rises from this
+                             ///< column
 };
 
-/// The edges of a wall with a screw motion.
+/// The edges of a wall that is a screw surface.
 WallEdges edges_of(const std::vector<Column>& part, int copies, const Levels& levels);
 
-/// The end rings of a wall: column i of copy k is vertex `bottom` (or `top`) + k·columns + i.
+/// The end rings of a wall. Column i of copy k is vertex `bottom` + k·columns + i, or `top` +
+/// k·columns + i.
 struct WallEnds {
   std::uint32_t bottom;
   std::uint32_t top;
@@ -62,24 +65,26 @@ struct WallEnds {
 
 class MeshBuilder {
  public:
-  /// Adds a closed wall of `copies` equal parts. If `inward`, the material lies outside the wall.
-  /// Copy k is copy 0 turned by sincos_turn(k, copies), bit for bit. The lowest ring is the top ring
-  /// of the wall `below`, which has the same columns there, or a new ring if `below` is null.
+  /// Adds a closed wall of `copies` equal parts. If `inward` is true, the material lies outside the
+  /// wall. Copy k is exactly copy 0 turned by sincos_turn(k, copies). The lowest ring is the top
+  /// ring of the wall `below`, which has the same columns there. If `below` is null, it is a new
+  /// ring.
   WallEnds add_wall(const std::vector<Column>& part, int copies, const Levels& levels, bool inward,
                     const WallEnds* below = nullptr);
 
-  /// Adds a wall that is given level by level, from below.
+  /// Adds a wall whose levels are given one by one, from bottom to top.
   ///
   /// Domain    two rings or more, each with a point for every column (contract)
   WallEnds add_wall(const std::vector<Ring>& rings, const WallEdges& edges, int copies,
                     bool inward);
 
-  /// Vertices inside a cap, `copies` turned copies of `part`; returns the first one's index.
+  /// Adds `copies` turned copies of the vertices `part` inside a cap, and returns the index of the
+  /// first vertex.
   std::uint32_t add_points(const std::vector<Vec2>& part, int copies, double z);
 
   /// Begins a cap that faces up (+z) or down.
   void begin_cap(bool up);
-  /// Permits the vertices first … first + count − 1 as corners of this cap.
+  /// Permits the vertices first … first + count − 1 as corners of the current cap.
   void use_in_cap(std::uint32_t first, std::size_t count);
   /// Adds a triangle of the cap, counter-clockwise seen from +z, even if the cap faces down.
   void add_cap_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
@@ -93,7 +98,7 @@ class MeshBuilder {
     std::size_t count;
     std::uint32_t shaded;
   };
-  // Shaded columns of one part. `before` belongs to the quad that ends at the column.
+  // Shaded columns of one part. The normals `before` belong to the quad that ends at the column.
   struct Shades {
     std::vector<std::uint32_t> before;
     std::vector<std::uint32_t> after;

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// 2q points of one pitch, the first on the ray −π/|z|.
+// 2q points of one pitch. The first one lies on the ray −π/|z|.
 std::vector<Column> columns_of(const Circle& circle, int copies) {
   std::vector<Column> columns;
   for (int i = -circle.q; i < circle.q; ++i) {
@@ -23,14 +23,16 @@ std::vector<Column> columns_of(const Circle& circle, int copies) {
   return columns;
 }
 
-// Triangles of one half pitch of a cap, by local corner: 0 … n the half section from root to tip,
-// n + 1 … n + 1 + q the circle from the tooth's centre line to the middle of the space.
+// Triangles of one half pitch of a cap. Their corners are local indices: 0 … n is the half section
+// from root to tip, and n + 1 … n + 1 + q is the circle from the centre line of the tooth to the
+// middle of the space.
 std::optional<std::vector<Triangle>> half_pitch_cap(std::vector<Vec2> corners,
                                                     const std::vector<Column>& circle, bool ring) {
   for (std::size_t j = circle.size() / 2 + 1; j-- > 0;) {
     corners.push_back(mirrored(circle[j].point));
   }
-  // The corners run clockwise around the material of an external tooth, counter-clockwise for an internal gear.
+  // The corners run clockwise around the material of an external tooth, and counter-clockwise for
+  // an internal gear.
   const std::size_t count = corners.size();
   if (!ring) std::reverse(corners.begin(), corners.end());
   auto triangles = clip_ears(corners);

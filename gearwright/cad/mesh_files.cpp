@@ -25,7 +25,7 @@ void append(std::string& out, const Eigen::Vector3f& v) {
   for (int i = 0; i < 3; ++i) append_f32(out, v[i]);
 }
 
-// The file contains the normal of the rounded triangle.
+// The file contains the normal of the triangle with rounded corners.
 Eigen::Vector3f facet_normal(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                              const Eigen::Vector3f& c) {
   const Vec3 edge = (b - a).cast<double>();
@@ -70,7 +70,8 @@ void append_object(std::string& xml, const MeshPart& part, std::size_t id) {
   xml += "</triangles></mesh></object>\n";
 }
 
-// 3MF multiplies row vectors: the images of the three axes come first, then that of the origin.
+// 3MF multiplies row vectors by the matrix. The images of the three axes therefore come first,
+// followed by the image of the origin.
 std::string transform(const Eigen::Isometry3d& pose) {
   std::string out;
   for (int column = 0; column < 4; ++column) {
@@ -82,7 +83,7 @@ std::string transform(const Eigen::Isometry3d& pose) {
   return out;
 }
 
-// glTF's numbers for component types and buffer targets.
+// Numbers that glTF defines for component types and buffer targets.
 constexpr int kUnsignedInt = 5125;
 constexpr int kFloat = 5126;
 constexpr int kArrayBuffer = 34962;
@@ -103,12 +104,13 @@ std::string json_string(const std::string& text) {
   return out + "\"";
 }
 
-// Shortest decimal from which a reader obtains the same float.
+// Writes the shortest decimals from which a reader obtains the same floats.
 std::string json_vector(const Eigen::Vector3f& v) {
   return fmt::format("[{},{},{}]", v.x(), v.y(), v.z());
 }
 
-// The matrix by columns, as in glTF; empty for the identity, which is the default.
+// Writes the matrix by columns, as glTF requires. The result is empty for the identity, which is
+// the default.
 std::string json_matrix(const Eigen::Isometry3d& pose) {
   Eigen::Matrix4d m = pose.matrix();
   m.topRightCorner<3, 1>() *= kMetresPerMm;
@@ -121,7 +123,7 @@ std::string json_matrix(const Eigen::Isometry3d& pose) {
   return ",\"matrix\":[" + numbers + "]";
 }
 
-// The lists of the JSON chunk, extended part by part together with the binary chunk.
+// The lists of the JSON chunk. They are extended part by part, together with the binary chunk.
 struct Lists {
   std::string nodes, roots, meshes, materials, accessors, views;
   int view_count = 0;
@@ -138,7 +140,7 @@ struct Lists {
   }
 };
 
-// The mesh of a part, or of the earlier part that it repeats.
+// The mesh of a part, or of the earlier part whose mesh it shares.
 const TriangleMesh& mesh_of(const std::vector<MeshPart>& parts, std::size_t i) {
   return parts[parts[i].same_as.value_or(i)].mesh;
 }
@@ -149,7 +151,7 @@ void add_node(const MeshPart& part, std::size_t node, std::size_t mesh, Lists& l
                                       json_matrix(part.pose)));
 }
 
-// The mesh of a part and its material, both with the number `index`.
+// Adds the mesh of a part and its material. Both have the number `index`.
 void add_mesh(const MeshPart& part, std::size_t index, std::size_t colour_index, Lists& lists,
               std::string& binary) {
   const TriangleMesh& mesh = part.mesh;
@@ -160,7 +162,7 @@ void add_mesh(const MeshPart& part, std::size_t index, std::size_t colour_index,
   for (const Triangle& t : mesh.shaded_triangles) {
     for (const std::uint32_t corner : t) append_u32(binary, corner);
   }
-  // One accessor per view, so that their numbers agree.
+  // Each view has one accessor, so both have the same number.
   const int indices = lists.add_view(begin, binary.size(), kElementArrayBuffer);
   Lists::add(lists.accessors,
              fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"SCALAR"}})",
@@ -218,7 +220,7 @@ std::string stl_bytes(const std::vector<MeshPart>& parts) {
 
   std::string out;
   out.reserve(kHeaderBytes + 4 + kTriangleBytes * count);
-  // the text must not begin with "solid", which marks a text STL
+  // The text must not begin with "solid", because that word marks a text STL.
   out = "Gearwright, binary STL, mm:";
   for (const MeshPart& part : parts) out += " " + part.name;
   out.resize(kHeaderBytes, ' ');
@@ -265,7 +267,7 @@ std::string glb_bytes(const std::vector<MeshPart>& parts) {
   GW_EXPECTS(!parts.empty());
   Lists lists;
   std::string binary;
-  std::vector<std::size_t> number(parts.size());  // of the mesh of each part
+  std::vector<std::size_t> number(parts.size());  // number of the mesh that each part uses
   std::size_t meshes = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const MeshPart& part = parts[i];
@@ -278,8 +280,8 @@ std::string glb_bytes(const std::vector<MeshPart>& parts) {
     }
     add_node(part, i, number[i], lists);
   }
-  // All entries are 4 bytes wide, so the binary chunk needs no padding. The text is padded by
-  // blanks.
+  // All entries are multiples of 4 bytes long, so the binary chunk needs no padding. The JSON text
+  // is padded with spaces.
   std::string json = fmt::format(
       R"({{"asset":{{"version":"2.0","generator":"Gearwright"}},"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],"meshes":[{}],"materials":[{}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
       lists.roots, lists.nodes, lists.meshes, lists.materials, lists.accessors, lists.views,

@@ -1,4 +1,5 @@
-// Tests the inputs that tessellate rejects, and the key and the remedy in each error.
+// Tests that tessellate rejects impossible inputs, and that each error contains the key and a
+// remedy.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,7 +59,7 @@ TEST(MeshRefusal, WhatIsNoBody) {
   none.outline.arcs.clear();
   EXPECT_EQ(tessellate(none).error().field, "teeth");
 
-  // Flanks that cross the centre line of the tooth, so that its tip is severed.
+  // The flanks cross at the centre line of the tooth, so the tip is severed.
   ToothedBody severed{"severed", {3, {}}, 0.0, 5.0, std::nullopt, Eigen::Isometry3d::Identity()};
   const auto corner = [](double x, double y) { return testing::C(x, y); };
   const auto root = std::polar(5.0, kPi / 3);
@@ -70,8 +71,8 @@ TEST(MeshRefusal, WhatIsNoBody) {
 
   EXPECT_EQ(tessellate(sample_body({.beta = 0.3}), {.chord_tolerance_mm = 1e-9}).error().field,
             "chord_tolerance_mm");
-  // Without a helix, the number of levels is never too large. An earlier version added points to
-  // the section endlessly.
+  // Without a helix, the number of levels never becomes too large, so the number of points must be
+  // limited. An earlier version added points endlessly.
   for (const double tolerance : {1e-12, 1e-100, 1e-300, 5e-324})
     EXPECT_EQ(tessellate(sample_body({}), {.chord_tolerance_mm = tolerance}).error().field,
               "chord_tolerance_mm");

@@ -25,10 +25,10 @@ using testing::sample_body;
 using testing::undercut_body;
 
 struct Topology {
-  bool closed = true;  // each directed edge occurs once, and its opposite once
+  bool closed = true;  // each directed edge occurs exactly once, and so does its opposite
   int euler = 0;
   int parts = 0;
-  std::size_t unused = 0;  // vertices without a triangle
+  std::size_t unused = 0;  // vertices that belong to no triangle
 };
 
 Topology topology(const TriangleMesh& mesh) {
@@ -117,7 +117,7 @@ std::vector<MeshCase> mesh_cases() {
     bored.name += " keyway";
     bored.body.bore = Bore{1.1 * root, 0.4 * root, 0.2 * root};
     all.push_back(bored);
-    bored.name += " thin";  // 0.003 mm of wall at the keyway's corners
+    bored.name += " thin";  // only 0.003 mm of material remains at the corners of the keyway
     const double room = root - 0.003;
     bored.body.bore = Bore{2 * (std::sqrt(room * room - 0.04 * root * root) - 0.1 * root),
                            0.4 * root, 0.1 * root};
@@ -140,13 +140,14 @@ double perimeter(const Outline& outline) {
   return 2.0 * sum * std::abs(outline.teeth);
 }
 
-// The angle by which the section at the height z is turned.
+// The angle by which the section is turned at the height z.
 double turn_at(const ToothedBody& body, double z) {
   if (!body.two_helices) return body.twist * z;
   return body.twist * std::abs(z) + (z < 0.0 ? body.two_helices->stagger : 0.0);
 }
 
-// The area of the metal at each height, times its part of the face.
+// The metal area times the face width. In a groove, the metal area is the ring between groove and
+// bore.
 double exact_volume(const ToothedBody& body) {
   if (!body.grooved()) return metal_area(body) * body.face_width;
   const double gap = body.two_helices->gap;
@@ -162,7 +163,8 @@ TEST(Mesh, IsAClosedOrientedManifoldOfOnePart) {
     EXPECT_TRUE(found.closed) << name;
     EXPECT_EQ(found.parts, 1) << name;
     EXPECT_EQ(found.unused, 0u) << name;
-    EXPECT_EQ(found.euler, body.bore ? 0 : 2) << name;  // a torus, or a ball
+    EXPECT_EQ(found.euler, body.bore ? 0 : 2) << name;  // Euler characteristic of a torus, or of a
+                                                        // ball
   }
 }
 
@@ -172,7 +174,7 @@ TEST(Mesh, EnclosesSectionAreaTimesFaceWidth) {
       const double exact = exact_volume(body);
       double walls = perimeter(body.outline);
       if (body.bore) walls += kPi * body.bore->diameter;
-      // The surface moves by less than the tolerance everywhere.
+      // The surface deviates by less than the tolerance everywhere.
       EXPECT_NEAR(mesh_volume(mesh_of(body, tolerance)), exact, tolerance * walls * body.face_width)
           << name;
     }
@@ -180,8 +182,8 @@ TEST(Mesh, EnclosesSectionAreaTimesFaceWidth) {
 }
 
 TEST(Mesh, VolumeConvergesAsTheTolerance) {
-  // The errors of chords are of second order in the step, as is the tolerance, so their ratio is
-  // constant.
+  // Chord errors are of second order in the step. The tolerance is proportional to them, so their
+  // ratio is constant.
   const ToothedBody body = sample_body({.teeth = 24, .beta = 0.3});
   const double exact = metal_area(body) * body.face_width;
   const double coarse = std::abs(mesh_volume(mesh_of(body, 0.01)) / exact - 1.0);
@@ -191,11 +193,12 @@ TEST(Mesh, VolumeConvergesAsTheTolerance) {
   EXPECT_LT(coarse / fine, 200.0);
 }
 
-// Greatest distance of the wall triangles, turned back by the screw motion, from the exact section
-// in its plane. It is at least the distance from the exact surface. Tooth 0 and the adjacent halves
-// of both spaces are measured.
+// Greatest distance of the wall triangles from the exact section, measured in the plane of the
+// section after the triangles are turned back by the screw motion. It is not less than the distance
+// from the exact surface. Tooth 0 and the adjacent halves of both spaces are measured.
 double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
-  constexpr int kPoints = 600;  // per arc: a chord leaves an arc of 5 mm radius by 1e-7 mm
+  constexpr int kPoints = 600;  // per arc: with this number, a chord deviates from an arc of 5 mm
+                                // radius by 1e-7 mm
   std::vector<std::pair<Vec2, Vec2>> segments;
   for (const Arc& arc : body.outline.arcs) {
     const std::vector<Vec2> points = sample(arc, kPoints);
@@ -217,7 +220,8 @@ double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
     if (a.z() == b.z() && b.z() == c.z()) continue;  // a cap
     if (std::abs(a.head<2>().norm() - groove) < 1e-9 * end) continue;
     if (a.head<2>().norm() < bore * (1 + 1e-9)) continue;
-    // The screw maps each level to the next, so the lower quarter of the face represents all of it.
+    // The screw motion maps each level to the next, so the lowest quarter of the face represents
+    // the whole face.
     if (std::min({a.z(), b.z(), c.z()}) > -end / 2.0) continue;
     const bool on_rim = std::abs(a.head<2>().norm() - rim) < 1e-9 * rim;
     for (int i = 0; i <= 4; ++i) {
@@ -247,12 +251,14 @@ double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
 
 TEST(Mesh, StaysWithinTheChordToleranceAndUsesIt) {
   for (const auto& [name, body] : mesh_cases()) {
-    if (name.find("bore") != std::string::npos) continue;  // the walls are the same
+    if (name.find("bore") != std::string::npos)
+      continue;  // the walls of the teeth are the same as
+                 // without a bore
     const double tolerance = body.twist == 0.0 ? 0.005 : 0.02;
     const double deviation = wall_deviation(body, mesh_of(body, tolerance));
     EXPECT_LE(deviation, tolerance) << name;
-    // The mesh is not finer than necessary either. On helical walls the bound holds for both
-    // diagonals, and the mesh uses the better one.
+    // The mesh is also not finer than necessary. On helical walls, the bound holds for either
+    // diagonal, and the mesh uses the better one, so its deviation is smaller.
     EXPECT_GE(deviation, 0.25 * tolerance) << name;
   }
 }
@@ -280,13 +286,13 @@ TEST(Mesh, BoreKeepsItsTolerance) {
   }
   EXPECT_GE(lowest, 10.0 - 0.005);
   EXPECT_LT(lowest, 10.0 - 0.002);
-  EXPECT_EQ(highest, 12.8);  // the keyway's floor, at its very corners
+  EXPECT_EQ(highest, 12.8);  // height of the keyway floor, reached only at its corners
 }
 
 TEST(Mesh, ToothKIsToothZeroTurned) {
   const ToothedBody body = sample_body({.teeth = 23, .beta = 0.3});
   const TriangleMesh mesh = mesh_of(body);
-  // the first ring consists of 23 equal runs
+  // the first ring consists of 23 equal sections
   std::size_t ring = 0;
   while (mesh.vertices[ring].z() == mesh.vertices[0].z()) ++ring;
   ASSERT_EQ(ring % 23, 0u);
@@ -302,8 +308,8 @@ TEST(Mesh, ToothKIsToothZeroTurned) {
 }
 
 TEST(Mesh, GrowsInProportionToTheTeeth) {
-  // The same half tooth occurs 20 and 40 times. The numbers are fixed: 2 n columns per tooth and 2
-  // triangles per column.
+  // The same half tooth occurs 20 and 40 times. The expected numbers are 2 n columns per tooth and
+  // 2 triangles per column.
   const auto counts = [](int copies) {
     ToothedBody body = few_tooth_body(3, 4, 0.0, 10);
     Outline& o = body.outline;
@@ -321,12 +327,12 @@ TEST(Mesh, GrowsInProportionToTheTeeth) {
     const std::size_t z = static_cast<std::size_t>(copies);
     const TriangleMesh mesh = counts(copies);
     const std::size_t walls = 2 * 2 * n * z;
-    // the points between the outline and the 2z points of the hub
+    // the points between the outline and the 2z points of the hub circle
     const std::size_t ring = 2 * n * z + 2 * z;
     const std::size_t fan = 2 * z;
     EXPECT_EQ(mesh.triangles.size(), walls + 2 * (ring + fan)) << copies;
   }
-  // For whole gears, the size per tooth does not increase.
+  // For a whole gear, the mesh size per tooth does not increase with the number of teeth.
   const auto per_tooth = [](int z) {
     return static_cast<double>(mesh_of(sample_body({.teeth = z, .beta = 0.2})).triangles.size()) /
            z;
@@ -361,8 +367,8 @@ TEST(Mesh, ShadedTwinHasTheExactNormals) {
         worst = std::min(worst, facet.dot(mesh.normals[s[j]]));
       }
     }
-    // The normal of a facet and the surface normals at its corners differ at most by the turn
-    // across the facet: 0.26 rad along the section and the same over its level.
+    // The normal of a facet and the surface normals at its corners differ at most by the change of
+    // direction across the facet, which is 0.26 rad along the section and 0.26 rad over the level.
     EXPECT_GT(worst, std::cos(2 * 0.26)) << name;
   }
 }

@@ -17,10 +17,11 @@ namespace {
 using brep::Corner, brep::Corners, brep::Edge, brep::Edges, brep::Id, brep::Ids, brep::Rims,
     brep::Side;
 
-// A wall of tooth 0, counter-clockwise: an arc of a side, or a land.
+// A wall of tooth 0, in counter-clockwise order: an arc of a side, or a land.
 struct ToothWall {
   std::optional<std::size_t> arc;  // none for a land
-  bool left;                       // side of the arc; its poles run from tip to root there
+  bool left;                       // true if the arc is on the left side, where its poles run from
+                                   // tip to root
   Wall land;                       // a circle
 };
 
@@ -39,7 +40,8 @@ class ModifiedShell : public brep::ShellWriter {
     Corners below = corners_at(0);
     Edges floor = level_edges_at(0, below);
     Rims rims{{below, floor}, {}};
-    std::vector<Edges> chain(n);  // upright edges at the begin of each wall since the last plane
+    std::vector<Edges> chain(n);  // for the start of each wall: the edges along the face since the
+                                  // last plane
     std::size_t plane = 0;
     Edges plane_floor = floor;
     for (std::size_t l = 0; l + 1 < fit_.levels.size(); ++l) {
@@ -127,7 +129,7 @@ class ModifiedShell : public brep::ShellWriter {
     const ToothWall& w = wall(i);
     return fit_.faces[w.left ? 1 : 0][layer][*w.arc].poles;
   }
-  // Pole a along the loop, b upwards.
+  // Pole (a, b) of a face; a counts along the loop, b upwards.
   Vec3 pole(std::size_t i, std::size_t layer, std::size_t a, std::size_t b) const {
     const auto& rows = poles(i, layer);
     Vec3 p = rows[wall(i).left ? rows.size() - 1 - a : a][b];
@@ -140,7 +142,8 @@ class ModifiedShell : public brep::ShellWriter {
     return w.left ? backward(knots) : knots;
   }
 
-  // Pole b of the upright line at the start of wall i. For a land it is at the end of the previous wall.
+  // Pole b of the line along the face at the start of wall i. For a land, this line is the end of
+  // the previous wall.
   Vec3 upright_pole(std::size_t i, std::size_t layer, std::size_t b) const {
     if (wall(i).arc) return pole(i, layer, 0, b);
     return pole(i - 1, layer, poles_u(i - 1, layer) - 1, b);

@@ -1,11 +1,11 @@
 // Writes teeth with flank modifications as an advanced B-rep of a STEP file. Internal to cad/.
 //
-//   layer   between two levels: planes, and the lines where end reliefs begin
+//   layer   between two levels; levels are planes, and the lines at which end reliefs begin
 //   slice   between two planes
 //
-// Flanks and fillets are one B-spline face per arc and layer (cad/modified_fit.hpp). Lands are true
-// cylinders, one face per slice, whose sides consist of one edge per layer. An edge on a land deviates
-// from its cylinder by at most kHelixTarget_mm.
+// Flanks and fillets have one B-spline face per arc and layer (cad/modified_fit.hpp). Lands are
+// true cylinders with one face per slice. Each side of such a face consists of one edge per layer.
+// An edge on a land deviates from the cylinder by at most kHelixTarget_mm.
 //
 //   Law   every edge is used twice, once in each direction
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace gearwright {
 
-/// Writes the solid of a body with these teeth in its own frame.
+/// Writes the solid of a body with the given modified teeth, in its own frame.
 ///
 /// Units     mm
 /// Domain    walls = make_walls(body), fit = fit_modified(teeth, …) (contract)

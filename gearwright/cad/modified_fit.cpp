@@ -16,18 +16,19 @@ namespace gearwright {
 
 namespace {
 
-// Targets of the splines along u and along v, which together give that of a face, mm.
+// Target deviations of the splines along u and along v, mm. Their sum is the target of a face.
 constexpr double kTargetU_mm = kSectionTarget_mm / 2, kTargetV_mm = kSectionTarget_mm / 2;
-constexpr int kLineChecks = 12, kFaceChecks = 8;  // places between neighbouring knots
-constexpr int kRowsU = 7;  // rows of a layer on which the basis along u is examined
-// Least distance of a plane from the start of an end relief, relative to the height of a slice. The
-// line where a relief begins deviates from its plane by c sin β_b, a hundredth of a module.
+constexpr int kLineChecks = 12, kFaceChecks = 8;  // number of checked points between neighbouring
+                                                  // knots
+constexpr int kRowsU = 7;  // number of rows of a layer at which the basis along u is examined
+// Least distance between a plane and the line at which an end relief begins, relative to the height
+// of a slice. This line deviates from a plane by c sin β_b, which is about a hundredth of a module.
 constexpr double kNearPlane = 0.02;
 constexpr int kMoreSlices = 5;
 
 using Point = std::function<Vec3(double)>;
 
-// The greatest error of the spline through the points of a line, span by span.
+// For each span, the greatest error of the spline through the points of a line.
 std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   Eigen::MatrixXd samples(basis.poles(), 3);
   for (int i = 0; i < basis.poles(); ++i)
@@ -38,7 +39,7 @@ std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   });
 }
 
-// One side of the teeth, with the parameter of every arc: its own, or its relative length.
+// Fits one side of the teeth. The parameter of each arc is either its own or its relative length.
 class SideFitter {
  public:
   explicit SideFitter(const ModifiedSide& side) : side_(side) {
@@ -67,7 +68,7 @@ class SideFitter {
     return side_.point(arc, u, row);
   }
 
-  // Halves the spans along u that miss the target on a row.
+  // Halves the spans along u in which the spline misses the target on the given row.
   void refine(std::size_t arc, const ModifiedSide::Row& row) {
     const Point exact = [&](double x) { return point(arc, x, row); };
     while (true) {
@@ -87,7 +88,7 @@ struct Layer {
   ToothLevel low, high;
 };
 
-// True if the basis along v meets the targets on every edge and on lines between the edges.
+// True if the basis along v meets the targets on all edges and on lines between the edges.
 bool serves(const BSplineBasis& basis, const SideFitter& fitter, const Layer& layer) {
   std::vector<std::pair<double, ModifiedSide::Row>> rows;
   const auto row_at = [&](double v) -> const ModifiedSide::Row& {
@@ -111,7 +112,8 @@ bool serves(const BSplineBasis& basis, const SideFitter& fitter, const Layer& la
   return true;
 }
 
-// The basis with the fewest poles that serves both sides, or the last one.
+// The basis with the fewest poles that meets the targets on both sides. If there is none, the last
+// basis that was tried.
 BSplineBasis basis_along(const std::array<SideFitter, 2>& fitters, const Layer& layer) {
   const auto both = [&](const BSplineBasis& basis) {
     return serves(basis, fitters[0], layer) && serves(basis, fitters[1], layer);
@@ -122,8 +124,9 @@ BSplineBasis basis_along(const std::array<SideFitter, 2>& fitters, const Layer& 
   return {5, kMaxPoles};
 }
 
-// Poles of a face. `begin` and `below` replace the samples of its first row and its lower edge by
-// those of the neighbours, so that common edges are equal to the last bit.
+// Computes the poles of a face. `begin` and `below` are the first row and the lower edge as the
+// neighbouring faces have them. They replace the face's own samples, so common edges are exactly
+// equal.
 ModifiedFace fit_face(const SideFitter& fitter, std::size_t arc,
                       const std::vector<ModifiedSide::Row>& rows, const BSplineBasis& along_v,
                       const std::vector<Vec3>* begin, const std::vector<Vec3>* below,
@@ -223,7 +226,8 @@ Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLe
     for (std::size_t arc = 0; arc < fitters[side].arcs(); ++arc)
       fit.along_u[side].push_back(knots_of(fitters[side].basis(arc)));
 
-  std::array<std::vector<std::vector<Vec3>>, 2> above;  // upper edges of the layer below, by arc
+  std::array<std::vector<std::vector<Vec3>>, 2> above;  // upper edges of the faces in the layer
+                                                        // below, by arc
   for (std::size_t l = 0; l + 1 < fit.levels.size(); ++l) {
     const Layer layer{fit.levels[l], fit.levels[l + 1]};
     const BSplineBasis along_v = basis_along(fitters, layer);

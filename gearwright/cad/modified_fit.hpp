@@ -1,14 +1,14 @@
-// The faces of teeth with flank modifications as B-splines. Internal to cad/.
+// Represents the faces of teeth with flank modifications as B-splines. Internal to cad/.
 //
 //   X(u, v)   point of an arc (u from root to tip) in a layer of the body (v upwards), on the rows
 //             of cad/modified_teeth.hpp
 //   S(u, v)   tensor product of splines through X at the Greville points
 //
-// All arcs of a layer have one basis along v, and all layers of an arc one basis along u, so that
-// neighbouring faces share the poles of their common edge. The bases are refined until splines along
-// the edges and along lines between them meet the targets. Then S is compared with X at 8 × 8 places
-// between neighbouring knots. The stated deviation is |S − X|, which is not less than the normal
-// distance.
+// All arcs of a layer share one basis along v, and all layers of an arc share one basis along u.
+// Neighbouring faces therefore share the poles of their common edge. The bases are refined until
+// the splines along the edges, and along lines between the edges, meet the targets. Then S is
+// compared with X at 8 × 8 points between neighbouring knots. The stated deviation is |S − X|,
+// which is not less than the normal distance.
 #pragma once
 
 #include <array>
@@ -20,28 +20,29 @@
 
 namespace gearwright {
 
-/// The face of one arc of one side in one layer, in the frame of the side.
+/// The face of one arc on one side in one layer, in the frame of the side.
 struct ModifiedFace {
   std::vector<std::vector<Vec3>> poles;  ///< [u][v]  mm; none for a land
   double deviation_mm = 0.0;
 };
 
 struct ModifiedFit {
-  std::vector<ToothLevel> levels;  ///< those of tooth_levels()
-  std::vector<WallKnots> along_v;  ///< of each layer, in mm
-  /// Of the right and the left side, by arc.
+  std::vector<ToothLevel> levels;  ///< the levels from tooth_levels()
+  std::vector<WallKnots> along_v;  ///< per layer, in mm
+  /// Per side (right, left) and arc.
   std::array<std::vector<WallKnots>, 2> along_u;
-  /// Of the right and the left side, by layer and arc.
+  /// Per side (right, left), layer and arc.
   std::array<std::vector<std::vector<ModifiedFace>>, 2> faces;
 };
 
-/// The planes that cut the teeth into slices, and the starts of end reliefs, from below. If one of the
-/// planes of the teeth as cut would cross such a start, there are more slices.
+/// The levels from bottom to top: the planes that cut the teeth into slices, and the heights at
+/// which end reliefs begin. If a plane used for the teeth as cut would cross the line at which a
+/// relief begins, more slices are used.
 std::vector<ToothLevel> tooth_levels(const ModifiedTeeth& teeth, int slices, double face_width);
 
 /// Fits the teeth between these levels.
 ///
-/// Errors    a face for which no spline is within kSectionMax_mm
+/// Errors    a face that no spline approximates within kSectionMax_mm
 Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLevel> levels);
 
 }  // namespace gearwright

@@ -10,15 +10,17 @@ namespace gearwright {
 
 namespace {
 
-// Permitted error of c in a facet, relative to the greatest c. A crowning then has at least three steps.
+// Permitted error of c within a facet, relative to the greatest c. A crowning is then represented
+// by at least three steps.
 constexpr double kVisibleShare = 0.1;
-// Steps of the differences that give the normals: of u, and of z relative to the face width.
+// Steps of the finite differences that give the normals: in u, and in z relative to the face width.
 constexpr double kStepU = 1e-4, kStepZ = 1e-4;
-// Greatest number of halvings of a segment, and of doublings of the levels between two starts.
+// Greatest number of halvings of a segment, and of doublings of the number of levels between two
+// starts of reliefs.
 constexpr int kHalvings = 12;
-constexpr int kProbes = 9;  // heights, and places of an arc, at which c is examined
+constexpr int kProbes = 9;  // number of heights, and of points on an arc, at which c is examined
 
-// A segment of the grid: its arc, and the places where it begins and ends.
+// A segment of the grid: its arc, and the parameters at which it begins and ends.
 struct Segment {
   std::size_t arc;
   double u_0, u_1;
@@ -82,7 +84,7 @@ class GridMaker {
     return teeth_.side(left).field().at(std::log(rho), z).c;
   }
 
-  // The greatest error in the middle of a segment, apart from the curvature of the arc as cut.
+  // The greatest error in the middle of a segment. The curvature of the arc as cut is not included.
   double missed(const Segment& s) const {
     const double middle = 0.5 * (s.u_0 + s.u_1);
     double worst = 0.0;
@@ -114,7 +116,7 @@ class GridMaker {
     divide({s.arc, middle, s.u_1}, depth - 1, all);
   }
 
-  // True if n steps between lo and hi are fine enough for c on every segment.
+  // True if n steps between lo and hi represent c with sufficient accuracy on every segment.
   bool fine(const std::vector<SectionPoint>& half, double lo, double hi, int n) const {
     for (int k = 0; k < n; ++k) {
       const double z_0 = lo + (hi - lo) * k / n, z_1 = lo + (hi - lo) * (k + 1) / n;
@@ -143,12 +145,13 @@ class GridMaker {
   std::vector<ProbedRow> rows_;  // heights at which segments are examined
 };
 
-// The rows at, below and above a level, for the normals there.
+// The row at a level, and the rows just below and above it. The normals at the level follow from
+// them.
 struct Rows {
   ModifiedSide::Row here, below, above;
 };
 
-// The outward normal at u of an arc, from differences towards the inside of the arc.
+// The outward normal at u on an arc, from finite differences towards the inside of the arc.
 Vec3 normal_at(const ModifiedSide& side, std::size_t arc, double u, const Rows& rows,
                const Vec2& cut_normal) {
   const double h = u > 0.5 ? -kStepU : kStepU;
@@ -162,10 +165,10 @@ Vec3 normal_at(const ModifiedSide& side, std::size_t arc, double u, const Rows& 
 
 struct HalfPoint {
   Vec2 point;
-  Vec3 root, tip;  // normals on either side
+  Vec3 root, tip;  // unit normals on the two sides of a crease
 };
 
-// The half section of a side at a level, in its frame.
+// The half section of a side at a level, in the frame of the side.
 std::vector<HalfPoint> half_ring(const ModifiedSide& side, const ModifiedGrid& grid, double z) {
   const double h = kStepZ * (grid.levels.back() - grid.levels.front());
   const Rows rows{side.plane(z), side.plane(z - h), side.plane(z + h)};
@@ -209,7 +212,8 @@ std::vector<Ring> modified_rings(const ModifiedTeeth& teeth, const ModifiedGrid&
   for (const double z : grid.levels) {
     const std::vector<HalfPoint> right = half_ring(teeth.side(false), grid, z);
     const std::vector<HalfPoint> left = half_ring(teeth.side(true), grid, z);
-    // The middles of space and tooth lie on lands, or where the fades end, and are as cut.
+    // The centre lines of space and tooth lie on lands or at the ends of fades. Their points are as
+    // cut.
     const SinCos screw = sincos_of(teeth.side(true).twist() * z);
     Ring ring{z, {}};
     ring.points.push_back({turned(mirrored(root.point), screw),

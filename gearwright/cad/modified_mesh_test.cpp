@@ -32,7 +32,7 @@ TriangleMesh tessellated(const ToothedBody& body, double tolerance = kMeshTolera
   return mesh ? std::move(mesh).take() : TriangleMesh{};
 }
 
-// A point of a wall whose foot lies on the flank, clear of its two ends.
+// True if the foot of the normal through a wall point lies on the flank, away from its two ends.
 bool on_flank(const ModifiedGear& g, const Vec3& p, const FlankReading& at) {
   const double tip = g.gear.tip_diameter / 2;
   return at.foot > 0.01 && at.foot < 1.0 && std::abs(p.head<2>().norm() - tip) > 1e-6 &&
@@ -90,8 +90,9 @@ TEST(ModifiedMesh, is_closed) {
   }
 }
 
-// The normals for shading point out of their triangles, and turn by no more than a facet may, 0.26,
-// and half of the corner of 0.075 rad where an end relief begins, of which they are the mean.
+// The normals for shading point out of their triangles. They differ from the normals of the
+// triangles by at most 0.26, the permitted change over a facet, plus half of 0.075 rad. The latter
+// is the angle at the edge where an end relief begins; the normal there is the mean of both sides.
 TEST(ModifiedMesh, normals_are_those_of_the_surface) {
   for (const ModifiedGear& g : modified_gears(6.0)) {
     const TriangleMesh mesh = tessellated(g.body, 0.001);
@@ -100,7 +101,7 @@ TEST(ModifiedMesh, normals_are_those_of_the_surface) {
       const Triangle &t = mesh.triangles[i], &s = mesh.shaded_triangles[i];
       const Vec3& a = mesh.vertices[t[0]];
       const Vec3 n = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
-      if (n.norm() < 1e-6) continue;  // a sliver turns by the rounding of its corners
+      if (n.norm() < 1e-6) continue;  // in a sliver, rounding of the corners turns the normal
       for (const std::uint32_t corner : s)
         least = std::min(least, mesh.normals[corner].dot(n.normalized()));
     }
@@ -108,7 +109,7 @@ TEST(ModifiedMesh, normals_are_those_of_the_surface) {
   }
 }
 
-// ∫ c dA over both flanks of all teeth, with dA = L dξ dz/cos β_b.
+// Computes ∫ c dA over both flanks of all teeth, with dA = L dξ dz/cos β_b.
 double removed_from_flanks(const ModifiedGear& g) {
   const auto& ref = g.gear.reference();
   const double r_b = ref.base_diameter / 2, b = g.gear.spec.face_width;
@@ -126,8 +127,9 @@ double removed_from_flanks(const ModifiedGear& g) {
   return std::abs(g.gear.spec.teeth) * sum * cell / (r_b * std::cos(ref.base_helix_angle));
 }
 
-// A tip relief leaves the fillet as cut, so the flanks are all that changes. The flank beyond the edge
-// as cut, c sin α long, which then meets the tip cylinder, is not in the integral: 0.6 % here.
+// A tip relief does not change the fillet, so only the flanks contribute. At the tip, the modified
+// flank extends beyond the edge as cut by c sin α before it meets the tip cylinder. The integral
+// does not include this part, which is 0.6 % here.
 TEST(ModifiedMesh, removes_the_integral_of_the_modification) {
   for (Gear gear : {external(17, 0.0), external(21, 20.0), external(17, -15.0)}) {
     const double root = *gear.root_form_radius(), tip = gear.tip_form_radius();
@@ -145,8 +147,8 @@ TEST(ModifiedMesh, removes_the_integral_of_the_modification) {
   }
 }
 
-// Crowning also moves the fillets, so more is removed than from the flanks, but less than from
-// flanks that reached down to the root.
+// Crowning also moves the fillets. More is therefore removed than from the flanks alone, but less
+// than if the flanks reached down to the root.
 TEST(ModifiedMesh, crowning_removes_at_the_faces) {
   for (Gear gear : {external(17, 0.0), external(21, -20.0), internal(0.0), internal(20.0)}) {
     const bool ring = gear.spec.teeth < 0;
@@ -205,8 +207,8 @@ TEST(ModifiedMesh, lands_stay_as_cut) {
   }
 }
 
-// Where a linear relief begins, the flank has an edge and its vertices one normal for each side, which
-// differ by the slope of the relief.
+// Where a linear relief begins, the flank has an edge. Its vertices have one normal for each side,
+// and the two differ by the slope of the relief.
 TEST(ModifiedMesh, a_relief_begins_at_a_crease) {
   Gear gear = external(21, 20.0);
   const double root = *gear.root_form_radius(), tip = gear.tip_form_radius();
@@ -218,7 +220,7 @@ TEST(ModifiedMesh, a_relief_begins_at_a_crease) {
   std::map<std::uint32_t, std::vector<Vec3>> normals;
   for (std::size_t i = 0; i < mesh.normals.size(); ++i)
     normals[mesh.shaded_vertices[i]].push_back(mesh.normals[i]);
-  // c by the roll length L, of which an arc of the involute has dL = r_b/L per length.
+  // c as a function of the roll length L. On an arc of the involute, dL = r_b/L per unit of length.
   const double r_b = g.gear.reference().base_diameter / 2;
   const auto roll = [&](double rho) { return std::sqrt(rho * rho - r_b * r_b); };
   const double slope = 0.05 / (roll(tip) - roll(start)) * r_b / roll(start);
@@ -235,7 +237,7 @@ TEST(ModifiedMesh, a_relief_begins_at_a_crease) {
   EXPECT_GE(creases, 2 * 21);
 }
 
-// Tip relief of this amount over most of the flank.
+// A tip relief of the given amount that covers most of the flank.
 FlankModifications relief(const Gear& gear, double amount) {
   const double root = *gear.root_form_radius(), tip = gear.tip_form_radius();
   FlankModifications m;
@@ -243,7 +245,7 @@ FlankModifications relief(const Gear& gear, double amount) {
   return m;
 }
 
-// The reason why teeth stay as cut; empty if they have their modifications.
+// The reason why teeth remain as cut, or an empty string if they have their modifications.
 std::string reason(const CylindricalSpec& spec, double amount) {
   const Gear gear = make_gear(spec).value();
   const FlankModifications m = relief(gear, amount);
@@ -260,7 +262,7 @@ TEST(ModifiedMesh, teeth_that_cannot_be_modified_say_why) {
   EXPECT_EQ(reason(shifted(0.9), 0.001), "the teeth are pointed");
   EXPECT_EQ(reason(shifted(0.8), 0.1), "the modified flanks of a tooth would cross");
   EXPECT_EQ(reason(shifted(0.8), 0.001), "");
-  // Its tip rounding is shorter than the movement that it follows.
+  // The tip rounding is shorter than the displacement that it would have to follow.
   CylindricalSpec rounded = testing::plain_spec({.teeth = 25, .module = 2.5, .face_width = 10.0});
   rounded.tip_fillet = TipFilletSpec{TipFilletSpec::By::corner, 0.1};
   EXPECT_EQ(reason(rounded, 0.2), "the modification folds the surface beside the flank");

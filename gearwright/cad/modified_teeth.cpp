@@ -15,14 +15,16 @@ namespace gearwright {
 
 namespace {
 
-// Arcs of a flank are one surface if their tangents differ by less than this where they meet, rad.
+// Two arcs of a flank form one surface if their tangents at the joint differ by less than this,
+// rad.
 constexpr double kSmooth = 1e-6;
-// Starts of reliefs that are nearer than this to each other, or to the end of an arc, do not divide the
-// arc, mm. A linear relief of 1 in 5 changes by 2e-7 mm over this length.
+// Starts of reliefs do not divide the arc if they are closer than this to each other or to the end
+// of the arc, mm. A linear relief of 1 in 5 changes by 2e-7 mm over this length.
 constexpr double kSameStart_mm = 1e-6;
-// Step along the arc for the slope of the curvature at its end, relative to its parameter.
+// Step along the arc for the slope of the curvature at its end, as a fraction of the arc's
+// parameter.
 constexpr double kCurvatureStep = 1e-3;
-// Heights at which the teeth are examined.
+// Number of heights at which the teeth are examined.
 constexpr int kExaminedRows = 33;
 constexpr int kExaminedPoints = 16;
 
@@ -49,7 +51,7 @@ std::optional<Error> obstacle_of(const Outline& outline) {
   return std::nullopt;
 }
 
-// The starts of reliefs as radii, in increasing order.
+// The radii at which reliefs begin, in ascending order.
 std::vector<double> starts(const std::array<std::shared_ptr<const RemovalField>, 2>& fields) {
   std::vector<double> rho;
   for (const auto& field : fields)
@@ -58,7 +60,7 @@ std::vector<double> starts(const std::array<std::shared_ptr<const RemovalField>,
   return rho;
 }
 
-// The arc, divided at those radii that lie on it.
+// Appends the arc, divided at those of the given radii that lie on it.
 void append_divided(const Arc& arc, std::vector<double> rho, std::vector<Arc>& arcs) {
   const double begin = arc.begin_point.norm(), end = arc.end_point.norm();
   if (end < begin) std::reverse(rho.begin(), rho.end());
@@ -96,8 +98,9 @@ ModifiedSide::ModifiedSide(const Outline& outline, double twist,
   has_edge_ = roles_[last_ + 1] == Role::land;
 }
 
-// Beyond its end the arc is continued with its curvature and the slope of its curvature, because the moved
-// flank must still reach the tip cylinder. The error grows with the fourth power of the distance.
+// Beyond its end, the arc is continued with its end curvature and the slope of that curvature,
+// because the moved flank must still reach the tip cylinder. The error grows with the fourth power
+// of the distance.
 ModifiedSide::Place ModifiedSide::nominal(std::size_t arc, double u) const {
   const Arc& a = outline_->arcs[arc];
   const auto place = [&](const Vec2& p, double angle) {
@@ -116,7 +119,8 @@ ModifiedSide::Place ModifiedSide::nominal(std::size_t arc, double u) const {
 
 double ModifiedSide::zeta_at(const ToothLevel& level, const Place& at) const {
   if (level.kink || twist_ == 0.0) return level.z;
-  // Each step of ζ = z + c n_z reduces the error by the slope of c, which is at most 1 in 5.
+  // Each step of the iteration ζ = z + c n_z multiplies the error by the slope of c, which is at
+  // most 1 in 5.
   double zeta = level.z;
   for (int i = 0; i < 40; ++i) {
     const double next = level.z + removed(at, zeta) * at.n.z();
@@ -140,7 +144,7 @@ Vec3 ModifiedSide::flank(std::size_t arc, double u, const Row& row) const {
   return {xy.x(), xy.y(), zeta - c * at.n.z()};
 }
 
-// The secant method for |M| = r_a, from the nominal edge.
+// Solves |M| = r_a by the secant method, starting at the nominal edge.
 double ModifiedSide::edge_of(const Row& row) const {
   const double radius = outline_->arcs[last_].end_point.norm();
   const auto beyond = [&](double u) { return flank(last_, u, row).head<2>().norm() - radius; };
@@ -172,7 +176,8 @@ ModifiedSide::Row ModifiedSide::row(const ToothLevel& low, const ToothLevel& hig
 double ModifiedSide::weight(std::size_t arc, double rho) const {
   const bool tip = arc > last_;
   const auto& arcs = outline_->arcs;
-  std::size_t end = arc;  // the arc of the fade that meets a land, or the middle
+  std::size_t end = arc;  // the arc at which the fade ends: the one that meets a land or the centre
+                          // line
   if (tip) {
     while (end + 1 < arcs.size() && role(end + 1) == Role::fade) ++end;
   } else {
@@ -202,7 +207,7 @@ Vec3 ModifiedSide::point(std::size_t arc, double u, const Row& row) const {
   Vec2 p = a.point(u);
   double z = row.z;
   if (arc == last_ + 1 && has_edge_) {
-    // From the edge to the middle of the tooth.
+    // The part from the edge to the centre line of the tooth.
     const Vec2 edge = outline_->arcs[last_].end_point + row.shift[1];
     const double angle = std::atan2(edge.y(), edge.x()) * (1 - u);
     p = a.begin_point.norm() * Vec2(std::cos(angle), std::sin(angle));
@@ -269,7 +274,7 @@ double ModifiedTeeth::removed_volume(double face_width) const {
     const ModifiedSide& s = side(left);
     for (int i = 0; i <= kRows; ++i) {
       const ModifiedSide::Row row = s.plane(face_width * (static_cast<double>(i) / kRows - 0.5));
-      // Twice the area between the outline as cut and the modified one, both as polygons.
+      // Twice the area between the outline as cut and the modified outline, both taken as polygons.
       double area = 0.0;
       Vec2 cut_before, moved_before;
       bool begun = false;

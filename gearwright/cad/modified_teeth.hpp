@@ -1,4 +1,4 @@
-// The teeth of a body with flank modifications, as surfaces. Internal to cad/.
+// The surfaces of teeth with flank modifications. Internal to cad/.
 //
 //   c(u, ζ)   removed along the normal, mm, at the diameter and the height of the nominal point
 //             (gear/modifications.hpp)
@@ -6,15 +6,17 @@
 //   ζ, z      heights of the nominal and of the moved point, mm; z = ζ − c n_z
 //   w         weight of a fade, from 1 at the form diameter to 0 at the root or the tip
 //
-// A side is the half of a tooth with one flank, in the frame of the half outline (y > 0). The lower
-// half, which has the right flank, is mirrored together with its twist. The flank moves by c along its
-// normal. Its edge on the tip land is where it meets the tip cylinder. A root fillet, and a tip
-// fillet or chamfer, follow the end of the flank: they move by w times the movement of that end, where w
-// is a smooth step of the radius, and so meet the root and tip land as cut. Lands are cylinders.
+// A side is the half of a tooth that contains one flank, in the frame of the half outline (y > 0).
+// The lower half, which contains the right flank, is mirrored together with its twist. The flank
+// moves by c along its normal. The edge of the flank on the tip land is the line where the moved
+// flank meets the tip cylinder. The root fillet, and a tip fillet or chamfer, follow the end of the
+// flank: they move by w times the displacement of that end. Since w is a smooth step function of
+// the radius, they meet the root and tip land as cut. Lands are cylinders.
 //
 // Rows   A row is a curve across the half tooth, from root to tip, in a layer between two levels. A
-//        level is a plane z = const, or the image of ζ = const where an end relief begins. On a helical
-//        flank this image is not plane, because the flank moves along a normal that is inclined to z.
+//        level is a plane z = const, or the image of ζ = const where an end relief begins. On a
+//        helical flank, this image is not a plane, because the normal along which the flank moves
+//        is inclined to z.
 #pragma once
 
 #include <array>
@@ -28,7 +30,8 @@
 
 namespace gearwright {
 
-/// A level of the body: the plane at the height z, or, with `kink`, the moved line of the flank that was at z.
+/// A level of the body: the plane at the height z. If `kink` is true, it is the displaced line of
+/// the flank that was at z.
 struct ToothLevel {
   double z;
   bool kink = false;
@@ -37,28 +40,30 @@ struct ToothLevel {
 class ModifiedSide {
  public:
   enum class Role {
-    land,   ///< as cut
+    land,   ///< remains as cut
     fade,   ///< follows the end of the flank
-    flank,  ///< moved by c
+    flank,  ///< moved by c along the normal
   };
 
-  /// A row at v of the layer between two levels.
+  /// A row at the parameter v of the layer between two levels.
   struct Row {
     ToothLevel low, high;
-    double v;                   ///< 0 at the low level, 1 at the high one
-    double z;                   ///< mm, height of the lands
-    double edge;                ///< u of the last flank arc at the tip cylinder; 1 without an edge
-    std::array<Vec2, 2> shift;  ///< mm, of the ends of the flank at root and tip, turned back
-    std::array<double, 2> end_z;  ///< mm, their heights
+    double v;                   ///< 0 at the lower level, 1 at the upper one
+    double z;                   ///< mm, height of the row on the lands
+    double edge;                ///< u of the last flank arc at the tip cylinder; 1 if there is no
+                                ///< edge
+    std::array<Vec2, 2> shift;  ///< mm, displacements of the root and tip ends of the flank, turned
+                                ///< back by the twist
+    std::array<double, 2> end_z;  ///< mm, heights of these ends
   };
 
-  /// Domain    an outline that ModifiedTeeth has made
+  /// Domain    an outline made by ModifiedTeeth
   ModifiedSide(const Outline& outline, double twist, std::shared_ptr<const RemovalField> field);
 
   Row row(const ToothLevel& low, const ToothLevel& high, double v) const;
   Row plane(double z) const { return row({z}, {z}, 0.0); }
 
-  /// The point at u in [0, 1] of an arc, mm, in the frame of the side.
+  /// The point at the parameter u in [0, 1] of an arc, mm, in the frame of the side.
   Vec3 point(std::size_t arc, double u, const Row& row) const;
 
   Role role(std::size_t arc) const { return roles_[arc]; }
@@ -71,7 +76,7 @@ class ModifiedSide {
   double twist() const { return twist_; }
 
  private:
-  // A point of the outline with the normal of the screw surface there.
+  // A point of the outline with the normal of the screw surface at this point.
   struct Place {
     Vec2 p;
     Vec3 n;
@@ -88,30 +93,31 @@ class ModifiedSide {
   std::shared_ptr<const Outline> outline_;
   double twist_;
   std::shared_ptr<const RemovalField> field_;
-  std::vector<Role> roles_;           // of the arcs
-  std::size_t first_ = 0, last_ = 0;  // flank arcs
+  std::vector<Role> roles_;           // per arc
+  std::size_t first_ = 0, last_ = 0;  // first and last flank arc
   bool has_edge_ = false;
 };
 
 /// Both sides of the teeth of a body.
 class ModifiedTeeth {
  public:
-  /// The teeth of a body, with the removal fields of their right and left flanks.
+  /// Makes the teeth of a body from the removal fields of their right and left flanks.
   ///
-  /// Errors    the rule gives the reason why these teeth cannot be made with their modifications: pointed
+  /// Errors    the rule gives the reason why teeth with these modifications cannot be made: pointed
   ///           teeth, flanks in pieces, no root fillet, flanks that would cross
   static Result<ModifiedTeeth> of(
       const ToothedBody& body, const std::array<std::shared_ptr<const RemovalField>, 2>& removal);
 
-  /// The outline as cut, with its flank divided where a relief of either side begins.
+  /// The outline as cut. Its flank is divided where a relief of either side begins.
   const Outline& outline() const { return right_.outline(); }
   const ModifiedSide& side(bool left) const { return left ? left_ : right_; }
-  /// Heights at which an end relief of either side begins, in increasing order, mm.
+  /// Heights at which an end relief of either side begins, mm, in ascending order.
   std::vector<double> kinks_z() const;
 
   /// Volume removed from all teeth, mm³.
   ///
-  /// Accuracy  1e-6 of the volume of the body; the error of the polygons is 5e-5 of the removed volume
+  /// Accuracy  1e-6 of the volume of the body; replacing the outlines by polygons changes the
+  ///           removed volume by 5e-5
   double removed_volume(double face_width) const;
 
  private:

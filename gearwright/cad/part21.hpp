@@ -2,13 +2,13 @@
 //
 //   #12=CARTESIAN_POINT('',(18.504065825396,-6.327244292546,-12.5));
 //
-// An instance refers to others by their numbers. Every instance is written after those to which it
-// refers, so a file is written in one pass over the gears and needs no memory except its text.
-// Internal to cad/.
+// An instance refers to other instances by their numbers. Every instance is written after those to
+// which it refers, so a file is written in one pass over the gears and needs no memory except for
+// its text. Internal to cad/.
 //
-//   Laws  (1) a real has the fewest digits that read back to the same double
-//         (2) text reads back unchanged, because characters other than printable ASCII are escaped
-//             by the rules of the standard
+//   Laws  (1) a real has the fewest digits that a reader converts back to the same double
+//         (2) text can be read back unchanged, because characters other than printable ASCII are
+//             escaped by the rules of the standard
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ namespace gearwright {
 /// Number of an instance. 0 means none.
 using Part21Id = std::uint32_t;
 
-/// Returns a real in the form of the standard, always with a point and with a capital E before the
-/// exponent. −0 is written as 0.   Domain    finite (contract)
+/// Appends a real in the form of the standard: always with a decimal point, and with a capital E
+/// before the exponent. −0 is written as 0.   Domain    finite (contract)
 void append_real(std::string& text, double value);
 
 /// Returns a string in apostrophes. The characters ' and \ are doubled. All characters outside

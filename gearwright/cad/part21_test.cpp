@@ -55,7 +55,7 @@ TEST(Part21, TextIsEscaped) {
 TEST(Part21, BytesThatAreNoTextAreReplaced) {
   const std::string unknown = "\\X2\\FFFD\\X0\\";
   EXPECT_EQ(part21_string("a\xFFz"), "'a" + unknown + "z'");
-  EXPECT_EQ(part21_string("\xC3"), "'" + unknown + "'");                   // cut off
+  EXPECT_EQ(part21_string("\xC3"), "'" + unknown + "'");                   // truncated sequence
   EXPECT_EQ(part21_string("\xC0\x80"), "'\\X2\\FFFDFFFD\\X0\\'");          // overlong
   EXPECT_EQ(part21_string("\xED\xA0\x80"), "'\\X2\\FFFDFFFDFFFD\\X0\\'");  // a surrogate
   EXPECT_EQ(part21_string("\xF4\x90\x80\x80"), "'\\X2\\FFFDFFFDFFFDFFFD\\X0\\'");

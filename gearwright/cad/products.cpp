@@ -15,8 +15,8 @@ namespace {
 
 using Id = Part21Id;
 
-// Display values of STEP colours are sRGB. Three decimals are finer than the 256 levels of a
-// display.
+// Converts to sRGB, the colour space of STEP colours. Three decimals are finer than the 256 levels
+// of a display.
 double srgb(double linear) {
   const double value =
       linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
@@ -80,7 +80,8 @@ class ProductWriter {
     return out_.placement(origin, z, out_.direction(pose.linear().col(0)));
   }
 
-  // A relationship with a transformation joins representations that have different contexts.
+  // If two representations have different contexts, a relationship with a transformation connects
+  // them.
   Id representation_context(const std::string& name) {
     return add(
         "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#{}))"

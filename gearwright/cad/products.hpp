@@ -1,11 +1,11 @@
-// Products of a STEP file: the tree that a CAD system shows, and the position of each solid.
+// Products of a STEP file: the tree that a CAD system displays, and the position of each solid.
 // Internal to cad/.
 //
-// A single solid in its own frame is one product, a part. Otherwise the file describes an assembly,
-// whose components are the parts, each placed by its pose. Both the product structure and the
-// geometry contain the pose, as the application protocols require (NEXT_ASSEMBLY_USAGE_OCCURRENCE,
-// ITEM_DEFINED_TRANSFORMATION). Every representation has a context of its own. All contexts use the
-// same units, mm and rad.
+// A single solid in its own frame is one product, a part. In all other cases, the file describes an
+// assembly whose components are the parts, each at its pose. As the application protocols require,
+// both the product structure and the geometry contain the pose (NEXT_ASSEMBLY_USAGE_OCCURRENCE,
+// ITEM_DEFINED_TRANSFORMATION). Every representation has its own context. All contexts use the same
+// units, mm and rad.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,9 +19,9 @@ namespace gearwright {
 
 /// The application protocol that a file follows.
 struct StepProtocol {
-  const char* schema;   ///< for the header
-  const char* name;     ///< of the protocol's definition
-  int year;             ///< of its publication
+  const char* schema;   ///< schema name for the header
+  const char* name;     ///< name in the definition of the protocol
+  int year;             ///< year of publication
   const char* context;  ///< the subject of the protocol
 };
 
@@ -33,7 +33,8 @@ struct StepPart {
   std::optional<std::size_t> same_as{};  ///< index of an earlier part of which this one is a copy
 };
 
-/// Writes the products of the parts, and the assembly if there are several parts or one with a pose.
+/// Writes the products of the parts. If there are several parts, or if one part has a pose, an
+/// assembly is also written.
 ///
 /// Domain    at least one part (contract)
 void add_products(Part21& out, const StepProtocol& protocol, const std::vector<StepPart>& parts,

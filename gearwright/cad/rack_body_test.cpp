@@ -1,10 +1,11 @@
-// Tests racks as bodies: contour, area and mesh. Their STEP solids are cases of
-// cad/step_solid_test.cpp.
+// Tests racks as bodies: contour, area and mesh. cad/step_solid_test.cpp tests their STEP solids.
 //
-// (1) The contour is a closed chain. Straight pieces and chords of the fillets enclose the area.
-// (2) The mesh is closed and every edge occurs twice. Its volume is area times width, except for
-//     the chords of the fillets. Each vertex lies on the teeth, and the whole bar is inside its box.
-// (3) A drawing shows the bar with its teeth towards +x, and moves with its pose.
+// (1) The contour is a closed chain. Its straight pieces and the chords of the fillets enclose the
+//     expected area.
+// (2) The mesh is closed and every edge occurs twice. Its volume is the area times the width,
+//     except for the chords of the fillets. Every vertex lies on the teeth, and the whole bar is
+//     inside its box.
+// (3) A drawing shows the bar with its teeth towards +x, and the bar moves with its pose.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,8 +34,8 @@ std::vector<ToothedBody> racks() {
           rack_bar(1, 45.0), rack_bar(3, 10.0, 0.4), rack_bar(2, -0.001)};
 }
 
-// Height of the teeth of rack_bar() at s from the values of ISO 53-A, module 2, without using the
-// outline.
+// Height of the teeth of rack_bar() at s. It is computed from the values of ISO 53-A for module 2,
+// without the outline.
 double height_of(double s, int teeth, double beta_deg, double allowance) {
   const double beta = beta_deg * std::numbers::pi / 180, tangent = std::tan(std::numbers::pi / 9);
   const double pitch = 2 * std::numbers::pi;
@@ -64,13 +65,13 @@ TEST(RackBody, contour_is_closed_and_encloses_the_area) {  // (1)
       for (std::size_t j = 0; j + 1 < points.size(); ++j)
         area += 0.5 * (points[j].x() * points[j + 1].y() - points[j].y() * points[j + 1].x());
     }
-    // The chord of a fillet adds ρ² Δ³/12 in the normal section, with Δ = (π/2 − α)/399 for each.
+    // The chord of each fillet adds ρ² Δ³/12 in the normal section, with Δ = (π/2 − α)/399.
     const double turn = 7 * std::numbers::pi / 18, rho = body.rack->fillet_radius;
     const double chords = 2 * body.outline.teeth * std::hypot(1.0, body.rack->slope) * rho * rho *
                           std::pow(turn, 3) / (12 * 399.0 * 399.0);
     EXPECT_NEAR(area - metal_area(body), chords, 1e-3 * chords);
-    // Without fillets, the space has the depth 2.5 mm. The fillets fill less than 0.2 mm² at each
-    // corner.
+    // If there were no fillets, the space would be 2.5 mm deep. The fillets fill less than 0.2 mm²
+    // in each corner.
     const double sharp = body.outline.teeth * body.rack->pitch * 12.0;
     EXPECT_NEAR(metal_area(body) / sharp, 1.0, 0.1);
   }
@@ -93,7 +94,8 @@ TEST(RackBody, mesh_is_closed_and_on_the_teeth) {  // (2)
     }
     EXPECT_EQ(mesh->vertices.size() + mesh->triangles.size(), uses.size() / 2 + 2) << i;
     const double exact = metal_area(body) * 20.0;
-    // Chords of the fillets add material. They are shorter than 1.1 mm on each side of a tooth.
+    // The chords of the fillets add material. The fillets are shorter than 1.1 mm on each side of a
+    // tooth.
     const double most = 0.002 * 2.2 * body.outline.teeth * 20.0 * std::hypot(1.0, body.rack->slope);
     EXPECT_GE(mesh_volume(*mesh), exact * (1 - 1e-12)) << i;
     EXPECT_LE(mesh_volume(*mesh), exact + most) << i;
@@ -103,8 +105,8 @@ TEST(RackBody, mesh_is_closed_and_on_the_teeth) {  // (2)
       EXPECT_LE(std::abs(p.z()), 10.0);
       if (p.x() == -12.0) continue;
       const double s = p.y() - p.z() * body.rack->slope;
-      // Vertices inside a facet of a fillet lie on its chord, at most the tolerance above the
-      // circle.
+      // Vertices within a fillet facet lie on its chord. Their distance from the circle is at most
+      // the tolerance.
       const double x = height_of(s, static_cast<int>(numbers[i][0]), numbers[i][1], numbers[i][2]);
       EXPECT_NEAR(p.x(), x + 0.001, 0.0011 + 0.001) << i << " " << s;
     }
@@ -114,7 +116,7 @@ TEST(RackBody, mesh_is_closed_and_on_the_teeth) {  // (2)
       const Vec3 out = (b - a).cross(c - a).normalized();
       for (std::size_t j = 0; j < 3; ++j) {
         EXPECT_EQ(mesh->shaded_vertices[shaded[j]], t[j]);
-        // Facets of a fillet turn by at most 0.26 rad.
+        // The direction changes by at most 0.26 rad over a facet of a fillet.
         EXPECT_GT(mesh->normals[shaded[j]].dot(out), std::cos(0.26)) << i;
       }
     }

@@ -21,7 +21,7 @@ struct RackNode {
   RackId point, vertex;
 };
 
-// An oriented edge as it is used by a face.
+// An edge with the direction in which a face uses it.
 struct RackUse {
   RackId edge;
   bool forward;
@@ -45,10 +45,10 @@ class RackShell {
     const bool spur = q_ == 0.0;
     Station before = station(plan_.first());
     const Station start = before;
-    RackLoop low, high;  // along the border from the first line of constant s to the last
+    RackLoop low, high;  // along the border, from the first line of constant s to the last
     std::optional<RackUse> first_line, line;
     if (spur) first_line = line = straight(before.low, before.high);
-    // The corners of the bar except those of the first and the last line.
+    // Number of corners of the bar on each side, without those on the first and the last line.
     std::size_t low_cut = 0, high_cut = 0;
     std::optional<RackNode> low_corner, high_corner;
     for (const RackStrip& strip : plan_.strips()) {
@@ -142,7 +142,7 @@ class RackShell {
     return {at, point, out_.add(fmt::format("VERTEX_POINT('',#{})", point))};
   }
 
-  // The height at a line of constant s is that of the strip that ends there.
+  // The height at a line of constant s is taken from the strip that ends at this line.
   Station station(double s) {
     const auto& strips = plan_.strips();
     const auto strip = std::find_if(strips.begin(), strips.end() - 1,
@@ -167,19 +167,19 @@ class RackShell {
     return edge(from, to, out_.add(fmt::format("LINE('',#{},#{})", from.point, vector)));
   }
 
-  // The part of a strip's border between two points on one side of the bar.
+  // The part of a strip's border between two points on the same side of the bar.
   RackUse border(const RackStrip& strip, const RackNode& from, const RackNode& to) {
     if (strip.name != ArcName::root_fillet) return straight(from, to);
     const Vec2 c = axis_of(strip);
     const bool on_side = from.at.z() == to.at.z();
-    // The cylinder is cut by z = const or by y = const. The section is an ellipse with one axis
-    // along x.
+    // The plane z = const or y = const cuts the cylinder in an ellipse. One axis of the ellipse is
+    // parallel to x.
     const double across = on_side ? stretch() * rho() : stretch() * rho() / std::abs(q_);
     const Vec3 center = on_side ? Vec3(c.x(), c.y() + q_ * from.at.z(), from.at.z())
                                 : Vec3(c.x(), from.at.y(), (from.at.y() - c.y()) / q_);
     const Vec3 wide = on_side ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
     const Vec3 down(-1, 0, 0);
-    // The curve runs from −x to `wide` counter-clockwise about this axis.
+    // The curve runs counter-clockwise about this axis, from −x to `wide`.
     const Vec3 about = down.cross(wide);
     const bool along = (to.at - from.at).dot(wide) > 0.0;
     const RackId origin = out_.point(center), axis = out_.direction(about),
@@ -231,10 +231,10 @@ class RackShell {
         out_.add(fmt::format("ADVANCED_FACE('',(#{}),#{},{})", bound, surface, sense)));
   }
 
-  // A wall below the part of the border from `a` to `b`, with the metal on its left.
+  // A wall below the part of the border from `a` to `b`. The metal is on its left.
   struct Foot {
     RackNode at;
-    RackUse down;  // runs from the teeth to the back
+    RackUse down;  // runs from the teeth down to the back
   };
   Foot foot(const RackNode& top) {
     const RackNode at = node({-body_.rack->height, top.at.y(), top.at.z()});
@@ -262,13 +262,13 @@ class RackShell {
               add_wall({first.reversed()}, d, a, {0, -1, 0})});
   }
 
-  // The border is counter-clockwise seen from the teeth: along the low chain and back along the
-  // high one.
+  // Seen from the teeth, the border is counter-clockwise. It runs along the low chain and returns
+  // along the high chain.
   void add_border(const RackNode& start, const RackNode& end, const RackNode& low_corner,
                   const RackNode& high_corner, const Halves& low, const Halves& high) {
     const Foot a = foot(start), b = foot(low_corner), c = foot(end), d = foot(high_corner);
     const Vec3 y(0, 1, 0), z(0, 0, 1);
-    const bool up = q_ > 0.0;  // if true, the low chain begins along the end y = −l/2
+    const bool up = q_ > 0.0;  // if true, the low chain starts along the end y = −l/2
     add_back({add_wall(low.first, a, b, up ? -y : -z), add_wall(low.second, b, c, up ? -z : y),
               add_wall(reversed(high.second), c, d, up ? y : z),
               add_wall(reversed(high.first), d, a, up ? z : -y)});

@@ -2,10 +2,10 @@
 //
 //   part of the tooth   surface                                edges on the border
 //   land, flank         plane                                  lines
-//   fillet              cylinder along the tooth, radius ρ_f   ellipses (spur: circles)
+//   fillet              cylinder along the tooth, radius ρ_f   ellipses (circles for a spur rack)
 //
-// All surfaces and edges are exact. Every face is a strip of the plan (cad/rack_plan.hpp); a strip
-// that contains a corner of the bar has five edges, or six if it contains two.
+// All surfaces and edges are exact. Every face is a strip of the plan view (cad/rack_plan.hpp). A
+// strip with a corner of the bar has five edges, and a strip with two corners has six.
 //
 //   Law   every edge is used twice, once in each direction
 #pragma once
@@ -14,10 +14,11 @@
 
 namespace gearwright {
 
-/// Returns the number of faces: the strips, and the five planes of back, ends and sides.
+/// Returns the number of faces: the strips, and five planes for the back, the two ends and the two
+/// sides.
 std::size_t rack_face_count(const ToothedBody& body);
 
-/// Writes the solid of a rack in its own frame (the pose is not applied).
+/// Writes the solid of a rack in its own frame. The pose is not applied.
 ///
 /// Units     mm
 /// Domain    a body that is a rack (contract)

@@ -13,18 +13,19 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMostVertices = 2e6;  // as in cad/mesh.cpp
+constexpr double kMostVertices = 2e6;  // the same as in cad/mesh.cpp
 constexpr double kSameStation_mm = 1e-6;
 
-// A station: a line of constant s, with its ends on the border and the height of the teeth there.
+// A station is a line of constant s. It stores the two ends of this line on the border and the
+// height of the teeth.
 struct Station {
   double s, x;
-  std::uint32_t low, high, back_low, back_high;  // vertices
+  std::uint32_t low, high, back_low, back_high;  // vertex numbers
 };
 
-// A plane strip between two stations, with the exact surface normals at both.
+// A plane strip between two stations, with the exact surface normals at both stations.
 struct Facet {
-  double s, x;  // of the end of the strip
+  double s, x;  // position and height of the end of the strip
   Vec3 normal_begin, normal_end;
 };
 
@@ -43,7 +44,7 @@ class RackMesher {
   TriangleMesh mesh(const std::vector<Facet>& facets) {
     Station before = station(plan_.first(), first_height());
     const Vec3 back(-1, 0, 0);
-    if (before.low != before.high)  // spur
+    if (before.low != before.high)  // always true for a spur rack
       wall(before.high, before.low, before.back_low, before.back_high, {0, -1, 0});
     for (Facet facet : facets) {
       const double s_0 = before.s;
@@ -88,7 +89,7 @@ class RackMesher {
     return a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y());
   }
 
-  // Height on the circle of the fillet at the distance y from the middle of its tooth, and the
+  // Height on the circle of the fillet at the distance y from the centre line of its tooth, and the
   // slope dx/dy.
   std::pair<double, double> circle(const RackStrip& strip, double y) const {
     const double rho = body_.rack->fillet_radius;
@@ -143,7 +144,7 @@ class RackMesher {
     return made;
   }
 
-  // A wall of the border. Its normal follows from its position.
+  // A wall of the border. Its normal follows from its position on the border.
   void border(std::uint32_t a, std::uint32_t b, std::uint32_t back_b, std::uint32_t back_a) {
     const Vec3 &p = mesh_.vertices[a], &q = mesh_.vertices[b];
     const bool side = p.z() == q.z() && std::abs(p.z()) == plan_.width() / 2;
@@ -156,8 +157,8 @@ class RackMesher {
     face({b, a, back_a, back_b}, {out, out, out, out});
   }
 
-  // A quadrilateral, counter-clockwise seen from outside, or a triangle if two of its corners
-  // coincide.
+  // Adds a quadrilateral that is counter-clockwise seen from outside. If two corners coincide, a
+  // triangle is added.
   void face(const std::array<std::uint32_t, 4>& corners, const std::array<Vec3, 4>& normals) {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < 4; ++i)

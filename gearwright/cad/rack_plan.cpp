@@ -9,9 +9,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNarrow_mm = 1e-6;  // a hundredth of the resolution of any machine
+constexpr double kNarrow_mm = 1e-6;  // mm, a hundredth of the resolution of manufacturing machines
 
-// All strips of the teeth k_0 … k_1 of an infinite rack, numbered as those of the bar.
+// All strips of the teeth k_0 … k_1 of an infinite rack. The teeth are numbered like those of the
+// bar.
 std::vector<RackStrip> endless(const ToothedBody& body, int k_0, int k_1) {
   const std::vector<Arc>& arcs = body.outline.arcs;
   const double pitch = body.rack->pitch;
@@ -28,7 +29,7 @@ std::vector<RackStrip> endless(const ToothedBody& body, int k_0, int k_1) {
   for (int k = k_0; k <= k_1; ++k) {
     const double middle = body.rack->middle_of(k, body.outline.teeth);
     for (const Arc& arc : arcs) {
-      // The middle of the space has the same s for both adjacent teeth.
+      // The middle of the space is at the same s for both adjacent teeth.
       const double begin =
           &arc == &arcs.front() ? middle - pitch / 2 : middle - arc.begin_point.y();
       add({arc.name, begin, middle - arc.end_point.y(), &arc, middle, true});
@@ -55,7 +56,7 @@ RackPlan::RackPlan(const ToothedBody& body) {
   const double y = length_ / 2, climb = std::abs(slope_) * width_ / 2;
   corners_ = {-y - climb, std::min(-y + climb, y - climb), std::max(-y + climb, y - climb),
               y + climb};
-  // The low end begins at y = −l/2 if the teeth climb towards +y, and ends at y = l/2 otherwise.
+  // If the teeth climb towards +y, the low end starts at y = −l/2. Otherwise it ends at y = l/2.
   low_corner_ = slope_ > 0.0 ? -y + climb : slope_ < 0.0 ? y - climb : first();
   high_corner_ = slope_ > 0.0 ? y - climb : slope_ < 0.0 ? -y + climb : first();
 
@@ -83,9 +84,9 @@ Vec2 RackPlan::at(double s, double z) const {
   return {std::clamp(s + slope_ * z, -length_ / 2, length_ / 2), z};
 }
 
-// Returns the end of a line of constant s on the side z. If the line has not yet passed the corner
-// of that side or has already left it (never for a spur rack), its end lies on an end y of the bar.
-// Corners are exact.
+// Returns the end of a line of constant s on the side z. Before the line passes the corner of that
+// side, or after it has left this side, its end lies on an end y of the bar. This never happens for
+// a spur rack. Corners are exact.
 Vec2 RackPlan::end_of_line(double s, double z, double corner, double y) const {
   if (slope_ == 0.0) return at(s, z);
   const double top = std::copysign(width_ / 2, slope_);

@@ -14,10 +14,10 @@ namespace {
 constexpr int kDegree = 5;
 constexpr int kChecksPerSpan = 24;
 constexpr double kShortestSpan = 1e-9;
-// slowest speed of the curve's own parameter, relative to the mean speed
+// Slowest permitted speed of the curve's own parameter, relative to the mean speed.
 constexpr double kSlowest = 0.01;
 
-using ParameterAt = std::function<double(double)>;  // u in [0, 1] to the curve's parameter
+using ParameterAt = std::function<double(double)>;  // maps u in [0, 1] to the curve's parameter
 
 Complex value(const BSplineBasis& basis, const std::vector<Complex>& poles, double u) {
   const BSplineBasis::Local local = basis.local(u);
@@ -41,9 +41,9 @@ std::vector<Complex> interpolate(const BSplineBasis& basis, const std::vector<Co
   return poles;
 }
 
-// Returns the normal distance from q to the curve near its parameter t. It is the remainder of q −
-// W after the foot point has moved along the tangent, on the osculating circle. The error is of
-// third order in that movement. If the movement is not short compared with the radius of curvature,
+// Returns the normal distance from q to the curve near its parameter t. The foot point is moved
+// along the tangent on the osculating circle; the result is what remains of q − W. The error is of
+// third order in this movement. If the movement is not short compared with the radius of curvature,
 // the function returns the whole distance, which is larger.
 double normal_distance(const Curve& curve, double t, Complex q) {
   const CurvePoint w = curve.at(t);
@@ -80,8 +80,8 @@ Candidate fit(BSplineBasis basis, const Curve& curve, const ParameterAt& t_at, C
   return {std::move(basis), std::move(poles), std::move(spans), worst};
 }
 
-// Splines with few poles are tried first: uniform knots up to 40 poles, then halved spans from 16
-// poles on.
+// Splines with few poles are tried first: uniform knots up to 40 poles, then refinement from 16
+// poles on by halving spans.
 Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Complex end,
                  double target) {
   std::optional<Candidate> best;
@@ -101,7 +101,8 @@ Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Com
   }
 }
 
-// True if the slowest speed over equal steps of the curve's own parameter exceeds kSlowest times the mean.
+// True if the slowest speed exceeds kSlowest times the mean speed, measured over equal steps of the
+// curve's own parameter.
 bool runs_evenly(const Arc& arc) {
   constexpr int kSteps = 64;
   double slowest = 0.0;

@@ -12,7 +12,7 @@ namespace {
 
 Complex as_complex(const Vec2& v) { return {v.x(), v.y()}; }
 
-// Greatest distance from the arc of 1000 points of the spline, none of which the fit used.
+// Greatest distance from the arc to 1000 points of the spline that the fit did not use.
 double measured(const SectionSpline& spline, const Arc& arc) {
   const testing::OutlineDistance distance({1, {arc}});
   double worst = 0.0;
@@ -37,7 +37,7 @@ TEST(ScrewSpline, SectionIsAsNearAsItSays) {
          testing::sample_body({.teeth = teeth, .beta = 0.5, .chamfer = 0.3}).outline.arcs) {
       const SectionSpline spline = fit_section(arc);
       EXPECT_LE(spline.deviation_mm, kSectionTarget_mm);
-      // 1e-11 is the resolution of the ternary search of the oracle.
+      // 1e-11 is the resolution of the oracle's ternary search.
       EXPECT_LE(measured(spline, arc), 1.06 * spline.deviation_mm + 1e-11)
           << teeth << " " << to_string(arc.name);
     }
@@ -52,8 +52,8 @@ TEST(ScrewSpline, PoleCountsStayWhatTheyAre) {
 }
 
 TEST(ScrewSpline, InvoluteFromNearItsBaseCircleKeepsTheRollAngle) {
-  // From ξ = 0.05 the speed at the start is a tenth of the mean. As a function of length, the
-  // radius of curvature starts like √s.
+  // If the involute starts at ξ = 0.05, the speed at the start is a tenth of the mean. As a
+  // function of arc length, the radius of curvature starts like √s.
   Outline outline{20, {}};
   testing::append(outline, ArcName::flank, std::make_shared<testing::SampleInvolute>(20.0, 0.3),
                   0.05, 0.9);
@@ -63,8 +63,8 @@ TEST(ScrewSpline, InvoluteFromNearItsBaseCircleKeepsTheRollAngle) {
   EXPECT_LE(measured(spline, outline.arcs[0]), 1.06 * spline.deviation_mm + 1e-11);
 }
 
-// The curve is an arc of a circle followed by a straight line, so the curvature jumps in its
-// middle.
+// An arc of a circle is followed by a straight line, so the curvature jumps in the middle of the
+// curve.
 class Hook final : public testing::ComplexCurve {
  public:
   Jet jet(double t) const override {

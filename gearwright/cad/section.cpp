@@ -13,18 +13,18 @@ namespace {
 
 constexpr std::size_t kNodes = 16;
 constexpr int kMaxPanels = 64;
-// The sum of one panel has an error of about 1e-14, so two sums that agree to this level have
-// converged.
+// The sum over one panel has an error of about 1e-14. If two sums agree to this tolerance, the
+// integral has converged.
 constexpr double kStandsStill = 1e-13;
 
 struct Rule {
   std::array<double, kNodes> node;    // in [−1, 1]
-  std::array<double, kNodes> weight;  // of the quadrature
+  std::array<double, kNodes> weight;  // weights of the quadrature
   std::array<std::array<double, kNodes>, kNodes> derivative;
 };
 
-// Barycentric weights of the Gauss nodes are (−1)^j √((1 − x_j²) w_j), and the derivative matrix of
-// the interpolant follows from them (Berrut, Trefethen, SIAM Review 46 (2004), Eqs. 9.4, 9.5).
+// The barycentric weights of Gauss nodes are (−1)^j √((1 − x_j²) w_j). The derivative matrix of the
+// interpolant follows from them (Berrut, Trefethen, SIAM Review 46 (2004), Eqs. 9.4, 9.5).
 Rule make_rule() {
   using Gauss = boost::math::quadrature::gauss<double, kNodes>;
   Rule rule{};
@@ -60,7 +60,7 @@ double panel_area(const Rule& rule, const Arc& arc, double u0, double u1) {
   double sum = 0.0;
   for (std::size_t i = 0; i < kNodes; ++i) {
     Vec2 d = Vec2::Zero();
-    // The constant p_i has no derivative. It is omitted to avoid cancellation.
+    // The constant part p_i has no derivative and is subtracted to avoid cancellation.
     for (std::size_t j = 0; j < kNodes; ++j) d += rule.derivative[i][j] * (p[j] - p[i]);
     sum += rule.weight[i] * (p[i].x() * d.y() - p[i].y() * d.x());
   }
@@ -104,8 +104,9 @@ double bore_area(const Bore& bore) {
 
 double metal_area(const ToothedBody& body) {
   if (body.rack) {
-    // ∫ x dy over the half outline is the area above the datum line. A rectangle lies below it. The
-    // teeth that leave the bar at one end enter it at the other, so every section has this area.
+    // ∫ x dy over the half outline is the area above the datum line. Below this line, there is a
+    // rectangle. Parts of teeth that leave the bar at one end enter it at the other, so every
+    // section has the same area.
     static const Rule rule = make_rule();
     double half = 0.0;
     for (const Arc& arc : body.outline.arcs) {

@@ -1,14 +1,14 @@
-// Areas of the transverse section. They give the volume of the exact solid independently of any CAD
+// Areas of the transverse section. The volume of the exact solid follows from them without any CAD
 // kernel.
 //
 //   A    area enclosed by the outline of all teeth, mm²
 //   r    bore radius, w keyway width, t keyway depth from the bore circle, mm
 //
 // The area follows from Green's theorem, A = ½ ∮ (x dy − y dx). The two rays that bound half a
-// tooth pass through the axis and contribute nothing, so A = 2|z| times the integral over the half
-// outline. A curve provides points but no speed. Therefore dy/dt and dx/dt are those of the
-// polynomial through the points at 16 Gauss nodes, for which the quadrature is exact, and the
-// panels are halved until the sum converges.
+// tooth pass through the axis and contribute nothing, so A is 2|z| times the integral over the half
+// outline. A curve provides points but no derivatives with respect to its parameter. Therefore
+// dy/dt and dx/dt are taken from the polynomial through the points at 16 Gauss nodes, for which the
+// quadrature is exact. The panels are halved until the sum converges.
 #pragma once
 
 #include "gearwright/cad/toothed_body.hpp"
@@ -16,13 +16,13 @@
 
 namespace gearwright {
 
-/// Area enclosed by the closed outline of |z| teeth. For an internal gear it is the area of its
+/// Area enclosed by the closed outline of |z| teeth. For an internal gear, this is the area of its
 /// hole.
 ///
 /// Formula   2|z| Σ_arcs ½ ∫ (x dy − y dx)
 /// Units     mm²
 /// Domain    teeth ≠ 0, at least one arc (contract)
-/// Accuracy  |relative error| < 1e-12 where the curves are smooth between their ends
+/// Accuracy  |relative error| < 1e-12 if the curves are smooth between their ends
 /// Laws      (1) scaling every point by c scales A by c²   (2) a circle of radius r gives π r²
 double section_area(const Outline& outline);
 
@@ -32,18 +32,18 @@ double section_area(const Outline& outline);
 /// Domain    0 ≤ w < 2r, t ≥ 0 (contract)
 double bore_area(const Bore& bore);
 
-/// Area of the metal in a transverse section: outline minus bore, or for an internal gear rim minus
-/// outline.
+/// Area of the metal in a transverse section: outline minus bore, or rim minus outline for an
+/// internal gear.
 ///
 /// Units     mm²
 /// Domain    an internal gear has a bore, which is its rim (contract)
 double metal_area(const ToothedBody& body);
 
-/// Volume of the body with its teeth as cut: the area of the metal times the face width, less the
+/// Volume of the body with its teeth as cut: the area of the metal times the face width, minus the
 /// groove of a double-helical gear.
 ///
 /// Units     mm³
-/// Domain    that of metal_area
+/// Domain    as for metal_area
 double metal_volume(const ToothedBody& body);
 
 }  // namespace gearwright

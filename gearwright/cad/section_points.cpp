@@ -12,13 +12,14 @@ namespace gearwright {
 
 namespace {
 
-// Shares of ε. The density uses 0.90, so most segments pass the check at 0.95 without being split.
-// The five points of the check detect at least 0.97 of a parabola's height, and joining uses 0.02.
+// Fractions of ε. The density of the points uses 0.90, so most segments pass the check at 0.95
+// without being split. The five points of the check detect at least 0.97 of a parabola's height.
+// Merging of points uses 0.02.
 constexpr double kDensityShare = 0.90;
 constexpr double kCheckShare = 0.95;
 constexpr double kJoinShare = 0.02;
-// Cells of the density integral per arc. One arc turns by 2 rad at most, which is 0.03 rad per
-// cell.
+// Number of cells per arc for the integral of the density. The direction of one arc changes by at
+// most 2 rad, which is 0.03 rad per cell.
 constexpr int kCells = 64;
 
 double bound(const Arc& arc, double u_0, double u_1, const SectionTolerance& tolerance) {
@@ -58,8 +59,8 @@ std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance, std
   Vec2 before = arc.point(0.0);
   for (int i = 0; i < kCells; ++i) {
     const Vec2 after = arc.point((i + 1.0) / kCells);
-    // The density is evaluated at the middle of the cell, because an involute's curvature is
-    // infinite at its base circle.
+    // The density is evaluated at the middle of the cell, because the curvature of an involute is
+    // infinite at the base circle.
     const double curvature = std::abs(arc.at((i + 0.5) / kCells).curvature);
     const double density = std::max((turn + std::sqrt(turn * turn + curvature * slack)) / slack,
                                     curvature / tolerance.facet_turn);
@@ -68,7 +69,7 @@ std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance, std
     before = after;
   }
 
-  // A number that exceeds an integer only by rounding is not rounded up.
+  // A value that exceeds an integer only by rounding is not rounded up to the next integer.
   const double wanted = std::min(std::ceil(count.back() - 1e-9), static_cast<double>(most) + 1.0);
   const int segments = std::max(1, static_cast<int>(wanted));
   std::vector<double> parameters{0.0};
@@ -86,7 +87,7 @@ std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance, std
   return parameters;
 }
 
-// Joins neighbouring points that are closer than `nearest`. The two ends remain.
+// Merges neighbouring points that are closer than `nearest`. The two end points remain.
 std::vector<SectionPoint> join_near(const std::vector<SectionPoint>& points, double nearest) {
   std::vector<SectionPoint> kept{points.front()};
   for (std::size_t i = 1; i < points.size(); ++i) {

@@ -1,13 +1,13 @@
-// Places the fewest points on the section of half a tooth that a chord tolerance permits.
+// Places points on the section of half a tooth, using as few as a chord tolerance permits.
 //
 //   κ   curvature, 1/mm      a   chord of a segment, mm     Δ   turn between adjacent levels of the
 //       grid, rad
 //   ε   chord tolerance, mm  ρ   largest radius, mm
 //
-// The density of points solves (M1) of mesh.hpp for equality with d = κa²/8:
+// The density of points follows from (M1) of mesh.hpp, taken as an equation with d = κa²/8:
 //     κa² + 2a|Δ| + ρΔ² = 8ε   =>   1/a = (|Δ| + √(Δ² + κE)) / E,   E = 8ε − ρΔ².
-// The integral of the density along an arc is the number of segments. Equal parts of the integral
-// give the positions of the points.
+// The integral of the density along an arc is the number of segments. The points divide this
+// integral into equal parts.
 #pragma once
 
 #include <cstddef>
@@ -19,26 +19,28 @@ namespace gearwright {
 
 struct SectionPoint {
   Vec2 point;        ///< mm
-  Vec2 root_normal;  ///< unit, out of the material, on the side of the root
-  Vec2 tip_normal;   ///< the same on the side of the tip; differs at a corner of the outline
+  Vec2 root_normal;  ///< unit vector, out of the material, for the side towards the root
+  Vec2 tip_normal;   ///< the same for the side towards the tip; it differs at a corner of the
+                     ///< outline
   std::size_t arc;   ///< index of the arc of the outline on which the point lies
   double u;          ///< position on that arc, from 0 to 1
 };
 
 struct SectionTolerance {
   double chord;       ///< ε  mm
-  double facet_turn;  ///< rad, largest turn of the tangent over a segment (by the curvature)
+  double facet_turn;  ///< rad, greatest change of the tangent direction over a segment (from the
+                      ///< curvature)
   double level_turn;  ///< |Δ|  rad
   double radius;      ///< ρ  mm
 };
 
-/// Returns the points from the middle of the space to the middle of the tooth. The first lies
-/// exactly on the ray π/|z| and the last exactly on the x axis. Neighbours that are closer than
-/// chord/50 are joined, which moves the boundary by less than that distance. Points beyond the
-/// number `most` are omitted.
+/// Returns the points from the middle of the space to the centre line of the tooth. The first point
+/// lies exactly on the ray π/|z| and the last one exactly on the x axis. Neighbouring points that
+/// are closer than chord/50 are merged, which moves the boundary by less than that distance. At
+/// most `most` points are returned; the rest are omitted.
 ///
 /// Accuracy  (M1) < ε on every segment, with d measured at five points inside it
-/// Domain    ρΔ² < 8ε, the ends lie on their rays within 1e-6 ρ (contract)
+/// Domain    ρΔ² < 8ε; the ends lie within 1e-6 ρ of their rays (contract)
 std::vector<SectionPoint> section_points(const Outline& outline, const SectionTolerance& tolerance,
                                          std::size_t most);
 

@@ -10,8 +10,9 @@ namespace {
 
 using testing::append;
 
-// Polygon areas at n, 2n, 4n … points per arc are extrapolated. The error of an inscribed polygon
-// has an expansion in even powers of 1/n (Romberg). This shares no code with the quadrature.
+// Areas of polygons with n, 2n, 4n … points per arc are extrapolated (Romberg), because the error
+// of an inscribed polygon is a series in even powers of 1/n. This shares no code with the
+// quadrature.
 double polygon_oracle(const Outline& outline) {
   constexpr int kLevels = 9;
   double table[kLevels][kLevels] = {};
@@ -68,7 +69,7 @@ TEST(Section, ScalesWithTheSquare) {
 
 TEST(Section, BoreWithKeyway) {
   EXPECT_DOUBLE_EQ(bore_area({20.0}), kPi * 100.0);
-  // The area of the slot between the circle y = √(r² − x²) and y = r + t is computed in strips by
+  // The area of the slot between the circle y = √(r² − x²) and y = r + t is summed over strips by
   // the midpoint rule.
   const Bore bore{20.0, 6.0, 2.8};
   double slot = 0.0;

@@ -1,10 +1,10 @@
-// A drawing on paper: lines, arcs, circles and words on named layers, in mm. The corner of the
-// sheet is (0, 0), with x to the right and y up. PDF, SVG and DXF files are written from it
-// (sheet_files.hpp).
+// A drawing on paper: lines, arcs, circles and text on named layers, in mm. The lower left corner
+// of the sheet is (0, 0), with x to the right and y upwards. PDF, SVG and DXF files are written
+// from such a sheet (sheet_files.hpp).
 //
-//   h    height of capitals, mm (ISO 3098). The letters are those of Helvetica, whose widths are
-//        known (sheet_font.hpp), so that a layout can keep words and lines apart.
-//   b    bulge of a piece of a path: tan(sweep/4), > 0 counter-clockwise, 0 a line
+//   h    height of capitals, mm (ISO 3098). The letters are those of Helvetica. Their widths are
+//        known (sheet_font.hpp), so that a layout can avoid overlaps of text and lines.
+//   b    bulge of a segment of a path: tan(sweep/4), > 0 counter-clockwise, 0 for a line
 #pragma once
 
 #include <string>
@@ -15,27 +15,27 @@
 
 namespace gearwright {
 
-/// The purpose of a line or a word.
+/// The purpose of a line or a text.
 enum class SheetLayer { outline, hatch, axis, dimension, data, frame };
 inline constexpr int kSheetLayers = 6;
 
 struct LayerStyle {
-  const char* name;   ///< in a DXF file
+  const char* name;   ///< name of the layer in a DXF file
   double line_width;  ///< mm, ISO 128
-  bool chain;         ///< long dashes and dots, for axes and reference circles
+  bool chain;         ///< line of long dashes and dots, for axes and reference circles
   int dxf_color;      ///< AutoCAD colour index
 };
 const LayerStyle& style_of(SheetLayer layer);
-/// Lengths of dash, gap, dot, gap, mm (ISO 128-2, line 04 of 0.25 mm).
+/// Lengths of dash, gap, dot and gap, mm (ISO 128-2, line type 04 with a width of 0.25 mm).
 inline constexpr double kChain_mm[] = {6.0, 1.0, 0.5, 1.0};
 
 struct SheetPath {
   SheetLayer layer;
   std::vector<Vec2> points;    ///< mm
-  std::vector<double> bulges;  ///< bulges[i] leads to points[i + 1]; the last bulge of a closed
-                               ///< path leads to points[0]
+  std::vector<double> bulges;  ///< bulges[i] belongs to the segment from points[i] to points[i +
+                               ///< 1]; the last bulge of a closed path leads back to points[0]
   bool closed = false;
-  bool filled = false;  ///< a black triangle: an arrow head
+  bool filled = false;  ///< true for an arrow head, a black triangle
 };
 
 struct SheetCircle {
@@ -49,14 +49,15 @@ struct SheetText {
   Vec2 at;  ///< mm, left end of the base line
   std::string text;
   double height;         ///< h  mm
-  bool upright = false;  ///< turned by a quarter counter-clockwise, to be read from the right
+  bool upright = false;  ///< true for text turned by a quarter counter-clockwise, to be read from
+                         ///< the right
 };
 
 struct SheetBox {
   Vec2 lo, hi;  ///< mm
 };
 
-/// The alignment of words at a point.
+/// The alignment of a text at its point.
 enum class Along { start, middle, end };
 
 struct Sheet {
@@ -72,17 +73,17 @@ struct Sheet {
   void arrow(SheetLayer layer, const Vec2& tip, const Vec2& direction);
   void text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
             Along along = Along::start);
-  /// Adds text to be read from the right. `along` refers to the upward direction.
+  /// Adds a text to be read from the right. `along` refers to the upward direction.
   void upright_text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
                     Along along = Along::start);
-  /// Adds a symbol with an index, such as "α_n".
+  /// Adds a symbol with a subscript, such as "α_n".
   void symbol(SheetLayer layer, const Vec2& at, std::string_view symbol, double height);
 };
 
 /// Units  mm
 double symbol_width(std::string_view symbol, double height);
 
-/// Returns the box of the words, with capitals and descenders.
+/// Returns the box around a text, including capitals and descenders.
 SheetBox box_of(const SheetText& text);
 
 }  // namespace gearwright

@@ -1,4 +1,5 @@
-// Writes PDF 1.4 (Adobe, PDF Reference, third edition) with the operators that a drawing needs.
+// Writes PDF 1.4 (Adobe, PDF Reference, third edition). Only the operators that a drawing needs are
+// used.
 #include "gearwright/cad/sheet_files.hpp"
 
 #include <fmt/format.h>
@@ -18,14 +19,14 @@ namespace gearwright {
 namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr int kDecimals = 4;  // of a mm
-// A cubic approximates an arc of at most π/8 within 4e-8 of its radius.
+constexpr int kDecimals = 4;  // decimals of a mm
+// A cubic approximates an arc of at most π/8. The error is 4e-8 of the radius.
 const double kMostBulge = std::tan(std::acos(-1.0) / 32);
 
 std::string number(double mm) { return short_decimals(mm, kDecimals); }
 std::string point(const Vec2& p) { return number(p.x()) + " " + number(p.y()); }
 
-// Draws from a to b. The pen is already at a.
+// Draws an arc from a to b. The pen is already at a.
 void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
   const Vec2 chord = b - a, left(-chord.y(), chord.x());
   if (bulge == 0.0) {
@@ -36,14 +37,14 @@ void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
     append_arc(out, a, middle, half);
     append_arc(out, middle, b, half);
   } else {
-    // The handle lies a third of the way along the tangents, which are c (1 + b²)/3 long.
+    // The handles are a third of the end tangents, which are c (1 + b²)/3 long.
     const Vec2 along = (1 - bulge * bulge) * chord / 3, across = 2 * bulge * left / 3;
     out +=
         fmt::format("{} {} {} c\n", point(a + along - across), point(b - along - across), point(b));
   }
 }
 
-// Writes only the settings that change.
+// Writes only the settings that differ from the current ones.
 class Content {
  public:
   explicit Content(const Sheet& sheet) {
@@ -104,7 +105,7 @@ class Content {
   bool chain_ = false;
 };
 
-// Text of the document information, in UTF-16 with byte order mark, in hexadecimal.
+// Encodes text of the document information as hexadecimal UTF-16 with a byte order mark.
 std::string information(const std::string& utf8) {
   std::string text = "<FEFF";
   for (const char32_t code : code_points(utf8)) {
@@ -136,7 +137,7 @@ class Objects {
   std::vector<std::size_t> places_;
 };
 
-// One sheet in its own group. Only this class reverses y.
+// Writes one sheet as a group. Only this class reverses y.
 class SheetSvg {
  public:
   explicit SheetSvg(const Sheet& sheet) : sheet_(sheet) {

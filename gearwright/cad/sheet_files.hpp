@@ -1,11 +1,11 @@
 // Writes sheets of paper as files. The same sheets give the same bytes, because the files contain
-// neither a time nor a host name.
+// no time and no host name.
 //
-//   PDF   1.4, one page per sheet; the fonts Helvetica and Symbol, which need not be embedded
-//   SVG   in mm, the sheets side by side; every word has its width, so a substitute font
-//         does not exceed it
-//   DXF   AutoCAD 2000, in mm of the paper, the sheets side by side; layers and line types by name;
-//         words are TEXT entities
+//   PDF   1.4, one page per sheet; the fonts are Helvetica and Symbol, which need not be embedded
+//   SVG   in mm, the sheets side by side; every text has its width, so a substitute font does not
+//         exceed it
+//   DXF   AutoCAD 2000, in mm on paper, the sheets side by side; layers and line types have names;
+//         texts are TEXT entities
 #pragma once
 
 #include <string>
@@ -19,14 +19,14 @@ namespace gearwright {
 inline constexpr double kBetweenSheets_mm = 20.0;
 
 struct SheetWords {
-  std::string title, author;  ///< of the file; empty if there is none
+  std::string title, author;  ///< title and author of the file; empty if there is none
 };
 
 /// Domain    at least one sheet (contract), for all functions below
 /// Accuracy  0.15 µm on paper
 std::string sheets_pdf(const std::vector<Sheet>& sheets, const SheetWords& words);
-/// Returns the number of letters that no font of a PDF contains. They are replaced by question
-/// marks.
+/// Returns the number of letters that neither font of the PDF contains. The PDF shows question
+/// marks for them.
 int letters_not_in_pdf(const std::vector<Sheet>& sheets);
 
 std::string sheets_svg(const std::vector<Sheet>& sheets, const SheetWords& words);

@@ -39,7 +39,8 @@ TEST(SheetFont, widths_are_those_of_the_fonts) {
 }
 
 TEST(SheetFiles, arcs_are_within_a_tenth_of_a_micrometre_on_paper) {
-  // Arcs of every sweep about (100, 150). Points along each Bézier curve are compared with the arc.
+  // Arcs with various sweep angles about (100, 150). Points along each Bézier curve are compared
+  // with the arc.
   for (const double sweep : {0.01, 0.5, 1.5, 3.0, 3.3, 6.0, -2.0}) {
     const double r = 80;
     Sheet sheet = blank();
@@ -82,7 +83,8 @@ TEST(SheetFiles, the_table_of_a_pdf_says_where_its_objects_begin) {
   std::istringstream rows(pdf.substr(table + 5));
   int first = 0, count = 0;
   rows >> first >> count;
-  EXPECT_EQ(count, 10);  // and 9 objects: catalogue, pages, two fonts, words, two pages of two
+  EXPECT_EQ(count, 10);  // entry 0 and 9 objects: catalogue, pages, two fonts, text, two pages of
+                         // two
   for (int i = 0; i < count; ++i) {
     std::string place, generation, kind;
     rows >> place >> generation >> kind;

@@ -26,13 +26,13 @@ constexpr std::array<short, 224> kHelvetica{
     556,  556, 556, 556, 556, 556,  889,  500,  556, 556,  556, 556, 278,  278, 278, 278,  //
     556,  556, 556, 556, 556, 556,  556,  584,  611, 556,  556, 556, 556,  500, 556, 500};
 
-// The characters of WinAnsi from 0x80 to 0x9F; 0 means none.
+// The characters at the WinAnsi codes 0x80 to 0x9F; 0 if there is none.
 constexpr std::array<char32_t, 32> kWindows{
     0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
     0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
 
-// Α … Ω and α … ω in Symbol. 0 means that the letter does not exist.
+// Α … Ω and α … ω in Symbol; 0 if the letter does not exist.
 constexpr char32_t kAlpha = 0x0391, kLastGreek = 0x03C9;
 constexpr std::string_view kGreek{
     "ABGDEZHQIKLMNXOPR\0STUFCYW\0\0\0\0\0\0\0abgdezhqiklmnxoprVstufcyw", 57};
@@ -54,7 +54,8 @@ constexpr std::array<Sign, 10> kSigns{{{0x2212, 0x2D},
                                        {0x221A, 0xD6},
                                        {0x2192, 0xAE}}};
 
-// Letters of Symbol from A to z by their codes, then the signs above in their order.
+// Widths of the letters from A to z in Symbol, by their codes, followed by the signs above in the
+// same order.
 constexpr std::array<short, 58> kSymbolLetters{
     722, 667, 722, 612, 611, 763, 603, 722, 333, 631, 722, 686, 889, 722, 722,  //
     768, 741, 556, 592, 611, 690, 439, 768, 645, 795, 611, 333, 863, 333, 658,  //

@@ -9,15 +9,15 @@ namespace gearwright {
 
 namespace {
 
-// All in mm: gap between extension line and edge, projection beyond the dimension line, distance of
-// words from their line, tail of outside arrows.
+// Lengths in mm: gap between extension line and edge, projection beyond the dimension line,
+// distance between text and its line, length of the line behind an outside arrow.
 constexpr double kOff = 1, kPast = 1.5, kOverLine = 1.3, kTail = 6;
-constexpr double kInside = 10;  // between two arrows that point outward
+constexpr double kInside = 10;  // least distance between two arrows inside the extension lines
 constexpr double kHatch = 2.5;
 
-constexpr double kLine = 1.5;  // distance between lines, in heights of capitals
+constexpr double kLine = 1.5;  // distance between lines of text, relative to the height of capitals
 
-// Breaks text into lines at spaces. A single word may be wider than `width`.
+// Breaks text into lines at spaces. A single word may be longer than `width`.
 std::vector<std::string> broken(std::string_view words, double height, double width) {
   std::vector<std::string> lines;
   while (!words.empty()) {
@@ -83,7 +83,8 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
   const Vec2 forward = at(1, 0);
   sheet.arrow(kLayer, at(d.begin, d.line), inside ? Vec2(-forward) : forward);
   sheet.arrow(kLayer, at(d.end, d.line), inside ? forward : Vec2(-forward));
-  // Upright words are to the left of their line. Read from the right, they are above it.
+  // Upright text is to the left of its line, which is above the line when it is read from the
+  // right.
   const double base = up ? d.line - kOverLine : d.line + kOverLine;
   const auto words = [&](double along, Along where) {
     if (up)
@@ -104,8 +105,8 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
 }
 
 void hatch(Sheet& sheet, const SheetBox& box) {
-  // Hatching lines y = x + c. The steps of c do not depend on the box, so the hatching of all parts
-  // of a body agrees.
+  // Hatching lines are y = x + c. The values of c do not depend on the box, so all hatched parts of
+  // a body match.
   const double step = kHatch * std::sqrt(2.0);
   const double least = box.lo.y() - box.hi.x(), most = box.hi.y() - box.lo.x();
   for (double n = std::ceil(least / step); n * step < most; ++n) {

@@ -1,7 +1,7 @@
-// The parts of a workshop drawing: frame, title block, table of data, dimensions. Internal to cad/.
+// The parts of a workshop drawing: frame, title block, data table and dimensions. Internal to cad/.
 //
-// Frame and margins follow ISO 5457, the fields of the title block ISO 7200 and dimensions ISO
-// 129-1. Words are above their line and are read from below or from the right.
+// Frame and margins follow ISO 5457, the fields of the title block follow ISO 7200, and dimensions
+// follow ISO 129-1. Text is placed above its line and is read from below or from the right.
 #pragma once
 
 #include <string>
@@ -16,17 +16,18 @@ namespace gearwright {
 /// Heights of capitals, mm (ISO 3098-1).
 inline constexpr double kSmall = 1.8, kUsual = 2.5, kLarge = 3.5;
 
-/// Draws the frame and the centring marks of a sheet and returns the room within the frame.
+/// Draws the frame and the centring marks of a sheet. Returns the space within the frame.
 SheetBox draw_frame(Sheet& sheet);
 
 struct TitleBlock {
   const DrawingInput& words;
   std::string scale, format, number;  ///< "1:2", "A4", "1/2"
-  std::string mass, datum;            ///< "0.41 kg", empty if unknown; "axis of the bore"
+  std::string mass, datum;            ///< examples: "0.41 kg", or empty if unknown; "axis of the
+                                      ///< bore"
 };
 
-/// Draws the title block at the lower right corner of `within`, 180 mm wide; returns the box that
-/// it covers. A field without words is an empty cell.
+/// Draws the title block, 180 mm wide, at the lower right corner of `within`. Returns the box that
+/// it covers. A field without text is an empty cell.
 SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock& block);
 
 /// Returns the size in mm of the data table with this number of columns.
@@ -36,28 +37,29 @@ void draw_data(Sheet& sheet, const Vec2& corner, const std::vector<DataGroup>& g
 
 enum class Direction { across, up };
 
-/// A length or a diameter between two edges, on a dimension line next to them.
+/// A length or a diameter between two edges. Its dimension line is next to them.
 struct Dimension {
   Direction direction;
-  double begin, end;            ///< mm, along the direction; begin < end
-  double edge_begin, edge_end;  ///< mm, positions of the edges, across it
-  double line;                  ///< mm, position of the dimension line, across it
+  double begin, end;            ///< mm, along the dimension line; begin < end
+  double edge_begin, edge_end;  ///< mm, positions of the two edges, perpendicular to the dimension
+                                ///< line
+  double line;                  ///< mm, position of the dimension line, measured like edge_begin
   std::string words;
 };
 
-/// The words are on the line if there is room between the edges. Otherwise they are beyond it:
-/// after the end of a horizontal line, below a vertical one.
+/// The text is placed on the line if the space between the edges is sufficient. Otherwise it is
+/// placed after the end of a horizontal line, or below a vertical one.
 void draw_dimension(Sheet& sheet, const Dimension& dimension);
 
-/// Words within a box, from the top. They are as large as possible, in several lines if necessary.
-/// Words that do not fit end in an ellipsis.
+/// Draws text within a box, starting at the top. The letters are as large as possible, and several
+/// lines are used if necessary. Text that does not fit ends in an ellipsis.
 void draw_words(Sheet& sheet, SheetLayer layer, const SheetBox& box, std::string_view words,
                 double largest);
 
-/// Returns true if the words fit completely into a box of that size.
+/// Returns true if the whole text fits into a box of the given size.
 bool words_fit(const Vec2& size, std::string_view words, double largest);
 
-/// Draws lines at 45° through a box, which mark the section of a body.
+/// Fills a box with lines at 45°, which mark the section of a body.
 void hatch(Sheet& sheet, const SheetBox& box);
 
 }  // namespace gearwright

@@ -9,16 +9,16 @@ namespace gearwright {
 
 namespace {
 
-// All in mm: height of a row; widths of the columns for words, symbol and value; distance between
-// two columns of the table.
+// Lengths in mm: height of a row; widths of the parts of a column for the term, the symbol and the
+// value; distance between two columns of the table.
 constexpr double kRow = 4.8, kWords = 41, kSymbol = 11, kValue = 36, kBetween = 4;
 constexpr double kColumn = kWords + kSymbol + kValue;
-// Distance of words from the left edge, and of the base line from the lower edge.
+// Distance of text from the left edge, and of its base line from the lower edge.
 constexpr double kInset = 1.2, kBase = 1.4;
 
 double rows_of(const DataGroup& group) { return 1.0 + static_cast<double>(group.rows.size()); }
 
-// The number of groups in the first column that makes the longest column shortest.
+// The number of groups in the first column for which the longer column is as short as possible.
 std::size_t second_column(const std::vector<DataGroup>& groups) {
   double all = 0.0, before = 0.0, best = std::numeric_limits<double>::infinity();
   for (const DataGroup& g : groups) all += rows_of(g);
@@ -43,7 +43,7 @@ Columns split(const std::vector<DataGroup>& groups, int columns) {
   return result;
 }
 
-// Height at which the words fit into one line. It is reduced if they are too long.
+// The letter height at which the text fits into one line. It is reduced if the text is too long.
 double fitted(double natural_width, double width) {
   return kUsual * std::min(1.0, width / natural_width);
 }
@@ -83,13 +83,13 @@ struct Cell {
   std::string words;
 };
 
-// The room for words in a cell: below its label.
+// The space for text in a cell, below the label.
 SheetBox room(const SheetBox& cell) {
   return {cell.lo + Vec2(kFieldInset, kFieldInset / 2),
           cell.hi - Vec2(kFieldInset, kFieldInset / 2 + kSmall + kFieldInset)};
 }
 
-// Height of a row. It is increased within limits if words do not fit.
+// The height of a row. If a text does not fit, the height is increased up to a limit.
 double height_for(const std::vector<Cell>& cells, double height, double largest) {
   constexpr double kStep = 1, kMost = 24;
   const auto fits = [&](const Cell& cell) {
@@ -100,7 +100,7 @@ double height_for(const std::vector<Cell>& cells, double height, double largest)
   return height;
 }
 
-// One row of cells from `lo` upwards. The label is above the words.
+// Draws a row of cells upwards from `lo`. The label of a cell is above its text.
 void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cell>& cells,
               double largest) {
   double x = lo.x();

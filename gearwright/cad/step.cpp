@@ -20,11 +20,10 @@
 namespace gearwright {
 namespace {
 
-// A file contains its content but not the time of its creation, so the same gears give the same
-// bytes.
+// The time in the header is constant, so the same gears give the same bytes.
 constexpr const char* kTime = "1970-01-01T00:00:00";
 
-// First edition of ISO 10303-242, third of ISO 10303-214.
+// The first edition of ISO 10303-242, and the third edition of ISO 10303-214.
 constexpr StepProtocol kAp242{
     "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }",
     "ap242_managed_model_based_3d_engineering", 2014, "managed model based 3d engineering"};
@@ -64,7 +63,8 @@ Error too_many(std::size_t faces, int slices) {
               faces, kMaxStepFaces, slices > 1 ? ", a narrower face or a longer lead" : "")};
 }
 
-// Adds the arcs of half a tooth with modifications. Each has the greatest values of its faces.
+// Adds the arcs of half a tooth with modifications. Each arc has the greatest values of all its
+// faces.
 void add_modified_half(std::vector<StepFace>& faces, const ModifiedTeeth& teeth,
                        const ModifiedFit& fit, std::size_t body) {
   const auto& arcs = teeth.outline().arcs;
@@ -95,7 +95,7 @@ std::size_t modified_face_count(const ModifiedTeeth& teeth, const std::vector<To
   return tooth * static_cast<std::size_t>(std::abs(teeth.outline().teeth));
 }
 
-// Writes the solid of a body, and adds the faces of half a tooth.
+// Writes the solid of a body and adds the faces of half a tooth to the report.
 Result<Brep> add_solid(Part21& file, const ToothedBody& body, std::size_t index,
                        std::vector<StepFace>& faces) {
   if (body.rack) {

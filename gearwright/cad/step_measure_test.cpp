@@ -1,6 +1,6 @@
-// Balls in the spaces of our own STEP solids, measured by another CAD kernel. Each ball touches
-// both flanks at the position computed by inspection/balls.hpp, so the distance of its centre from
-// the solid is the radius of the ball.
+// Another CAD kernel measures balls in the tooth spaces of our STEP solids. Each ball touches both
+// flanks at the position that inspection/balls.hpp computes, so the distance from its centre to the
+// solid equals the radius of the ball.
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
@@ -18,7 +18,8 @@
 namespace gearwright {
 namespace {
 
-// Permissible distance of the faces from the screw surface, including the tolerance of the kernel.
+// Permissible distance of the faces from the screw surface. It includes the tolerance of the
+// kernel.
 constexpr double kSolid = 5e-5;  // mm
 
 CylindricalSpec spec_of(int teeth, double module, double beta_deg, double x) {
@@ -41,7 +42,7 @@ TEST(StepMeasured, balls_rest_where_they_are_said_to) {
     ASSERT_TRUE(sizes);
     const BallSeat seat = testing::taken(ball_in_space(gear, sizes->metric));
     const int z = std::abs(spec.teeth);
-    // The space opposite to it, or one of the two nearest to the opposite position.
+    // The space opposite to the first one, or one of the two nearest to the opposite position.
     for (const int space : {0, z / 2}) {
       const double angle = (2 * space + 1) * std::acos(-1.0) / z;
       const double r = seat.center_diameter / 2;

@@ -1,5 +1,6 @@
-// Solids with flank modifications, as another CAD kernel builds them: valid, closed, of the computed
-// volume, and with flanks on the modified surface.
+// Tests solids with flank modifications that another CAD kernel builds from STEP files. They must
+// be valid and closed and have the computed volume, and their flanks must lie on the modified
+// surface.
 
 #include <gtest/gtest.h>
 #include <BRepCheck_Analyzer.hxx>
@@ -43,7 +44,8 @@ Read read(const ModifiedGear& g) {
   return {made->report, testing::read_step(made->text)};
 }
 
-// 40 × 40 points of every B-spline face; those clear of the ends of the flank are measured.
+// 40 × 40 points of every B-spline face are computed. Those away from the ends of the flank are
+// measured.
 TEST(StepModified, flanks_lie_on_the_modified_surface) {
   for (const ModifiedGear& g : modified_gears(3.0)) {
     const Read r = read(g);
@@ -56,8 +58,8 @@ TEST(StepModified, flanks_lie_on_the_modified_surface) {
       if (surface.IsNull()) continue;
       double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
       surface->Bounds(u0, u1, v0, v1);
-      // The faces that follow a flank have their middle beyond one of its form diameters.
-      // Teeth are turned copies, of which those near the x axis are measured.
+      // If a face follows a flank, its middle lies beyond a form diameter. The teeth are turned
+      // copies of each other, so only those near the x axis are measured.
       const gp_Pnt m = surface->Value((u0 + u1) / 2, (v0 + v1) / 2);
       const double foot = read_flank(g, {m.X(), m.Y(), m.Z()}).foot;
       if (foot < 0.0 || foot > 1.0 || std::abs(std::atan2(m.Y(), m.X())) > 0.4) continue;
@@ -77,7 +79,7 @@ TEST(StepModified, flanks_lie_on_the_modified_surface) {
   }
 }
 
-// Spur, helical, internal: a kernel takes seconds to check one.
+// One spur, one helical and one internal gear, because a kernel needs seconds for each check.
 std::vector<ModifiedGear> solid_gears() {
   std::vector<ModifiedGear> all = modified_gears(4.0);
   all.erase(all.begin() + 2, all.begin() + 4);

@@ -38,7 +38,7 @@ using testing::volume;
 struct Case {
   std::string name;
   ToothedBody body;
-  std::size_t faces;  // walls × slices, bore walls, two caps
+  std::size_t faces;  // number of walls × slices, bore walls and two caps
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
@@ -61,7 +61,7 @@ std::vector<Case> cases() {
       {"FullRadiusRoot", sample_body({.beta = 0.3, .full_radius_root = true}), 102},
       {"NoLands", sample_body({.pointed = true, .full_radius_root = true}), 82},
       {"Chamfer", sample_body({.beta = 0.2, .chamfer = 0.4}), 162},
-      // τb = 19.7 rad requires seven slices of six walls.
+      // τb = 19.7 rad requires seven slices with six walls each.
       {"OneTooth",
        sample_body(
            {.teeth = 1, .normal_module = 1, .beta = 80 * kDeg, .face_width = 10, .dedendum = 1.2}),
@@ -74,8 +74,8 @@ std::vector<Case> cases() {
                               .dedendum = 1.2}),
                  {2.0}),
        45},
-      // Half a root land of π − 0.4 rad leaves 1.97 rad for the turn of 2 rad, so there are two
-      // slices of five walls.
+      // Half a root land spans π − 0.4 rad. The remaining 1.97 rad are less than the turn of 2 rad,
+      // so two slices with five walls each are needed.
       {"OneThinTooth", plain_body(1, 20.0, 0.4, 25.0, 0.3, 10.0, 0.2), 12},
       {"TwoTeeth",
        sample_body(
@@ -83,30 +83,30 @@ std::vector<Case> cases() {
        146},
       {"Many", with_bore(sample_body({.teeth = 120, .beta = 0.2, .face_width = 40}), {150}), 723},
       {"Ring", with_bore(plain_body(-12, 25.0, 0.2, 20.0, 0.08, 10.0, 0.03), {60.0}), 51},
-      // There are six walls per tooth if tip and root have no land. τb = 3.4 and 11.5 rad require
-      // two and four slices.
+      // Each tooth has six walls if tip and root have no land. τb = 3.4 and 11.5 rad require two
+      // and four slices.
       {"TwoTeethRoundedTip", testing::two_teeth(), 26},
       {"OneToothRoundedTip", testing::one_tooth(), 26},
       {"WheelCutByTwoTeeth", testing::cut_wheel(), 362},
       {"RingCutByPinion", testing::cut_ring(), 395},
       {"CircularArcs", testing::arc_pinion(), 74},
       {"DoubleCircularArcs", testing::double_arcs(), 138},
-      // There are five teeth of six walls and one more root land, plus back, ends and sides.
+      // Five teeth with six walls each, one more root land, the back, the ends and the sides.
       {"Rack", testing::rack_bar(5, 0.0), 36},
-      // At each end the teeth extend 3.64 mm further, past the middle of a tooth, which adds three
+      // At each end, the teeth extend by 3.64 mm, past the centre line of a tooth, which adds three
       // walls.
       {"RackRightHand", testing::rack_bar(5, 20.0), 42},
       {"RackLeftHand", testing::rack_bar(5, -20.0), 42},
-      // The full radius leaves no root land, so the ends begin in fillets.
+      // With the full radius there is no root land, so the ends begin in fillets.
       {"RackFullRadius", testing::rack_bar(3, 0.0, 0.4), 20},
-      // The lines cross three whole teeth and end in the fillets of two more.
+      // Lines of constant s cross three whole teeth, and the ends lie in the fillets of two more.
       {"RackOfOneTooth", testing::rack_bar(1, 44.0), 26},
   };
 }
 
 class StepSolidOf : public ::testing::TestWithParam<Case> {
  protected:
-  // Each test of a case runs in a process of its own, which reads the file once.
+  // Each test of a case runs in its own process, which reads the file once.
   void SetUp() override {
     const auto made = step_document({GetParam().body}, "gear.step");
     ASSERT_TRUE(made) << made.error().message();
@@ -150,7 +150,7 @@ TEST_P(StepSolidOf, UsesEveryEdgeOnceEachWay) {
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(solid(), TopAbs_EDGE, edges);
   std::vector<std::array<int, 2>> uses(static_cast<std::size_t>(edges.Extent()) + 1, {0, 0});
-  // An explorer combines the orientations of face and wire.
+  // The explorer combines the orientation of a face with that of its wire.
   for (TopExp_Explorer face(solid(), TopAbs_FACE); face.More(); face.Next()) {
     for (TopExp_Explorer edge(face.Current(), TopAbs_EDGE); edge.More(); edge.Next()) {
       const auto at = static_cast<std::size_t>(edges.FindIndex(edge.Current()));
@@ -162,8 +162,8 @@ TEST_P(StepSolidOf, UsesEveryEdgeOnceEachWay) {
   }
 }
 
-// The distance of an edge's curve from its two faces, and of its ends from their vertices, is below
-// the tolerance in the file.
+// The distance of an edge's curve from its two faces, and the distance of its ends from their
+// vertices, must be below the tolerance stated in the file.
 TEST_P(StepSolidOf, KeepsItsUncertainty) {
   double worst = 0.0;
   int looked = 0;

@@ -1,5 +1,5 @@
-// Compares the faces with the exact screw surface at points that the fit did not use. The surfaces
-// are those that another CAD kernel reads from the STEP file.
+// Compares the faces with the exact screw surface at points that the fit did not use. Another CAD
+// kernel reads the surfaces from the STEP file.
 
 #include <gtest/gtest.h>
 #include <BRep_Tool.hxx>
@@ -23,7 +23,7 @@ namespace {
 
 using testing::C;
 
-// A point turned back by the twist, and by whole pitches to tooth 0.
+// Turns a point back by the twist, and by whole pitches to tooth 0.
 Vec2 in_section(const gp_Pnt& p, const ToothedBody& body) {
   const C w = C(p.X(), p.Y()) * std::polar(1.0, -body.twist * p.Z());
   const double pitch = 2.0 * kPi / body.outline.teeth;
@@ -35,8 +35,9 @@ struct Worst {
   int faces = 0;
 };
 
-// 100 × 100 points of each of the first `most` B-spline faces, which include both halves of teeth.
-// The distance in the section bounds the normal distance in space.
+// 100 × 100 points are measured on each of the first `most` B-spline faces, which include both
+// halves of teeth. The distance within the section is an upper bound of the normal distance in
+// space.
 Worst look(const ToothedBody& body, const TopoDS_Shape& shape, int most) {
   const testing::OutlineDistance distance(body.outline);
   Worst worst;

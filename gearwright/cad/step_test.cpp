@@ -173,7 +173,7 @@ TEST_F(Step, PairIsAnAssemblyOfPlacedParts) {
   gear1.name = "gear1";
   auto gear2 = sample_body({.teeth = 31, .beta = -0.3, .face_width = 15});
   gear2.name = "gear2";
-  // The shaft is crossed: rotated by 30° about x, and moved.
+  // The axes are crossed: gear 2 is rotated by 30° about x and shifted.
   gear2.pose =
       Eigen::Translation3d(53.0, 4.0, -2.0) * Eigen::AngleAxisd(kPi / 6, Eigen::Vector3d::UnitX());
   const auto made = step_document({gear1, gear2}, "pair.step");
@@ -192,11 +192,12 @@ TEST_F(Step, PairIsAnAssemblyOfPlacedParts) {
   ASSERT_EQ(back.solids.size(), 2u);
   EXPECT_NEAR(testing::volume(back.solids[0]) / (metal_area(gear1) * 20), 1.0, 1e-6);
   EXPECT_NEAR(testing::volume(back.solids[1]) / (metal_area(gear2) * 15), 1.0, 1e-6);
-  // Both bodies are symmetric about their origins, which the poses move. Surfaces within 2e-5 mm
-  // move a centre by at most 1e-5 mm.
+  // Both bodies are symmetric about their origins, which the poses move. If a surface deviates by
+  // 2e-5 mm, the centre of mass moves by at most 1e-5 mm.
   EXPECT_LE(centre_of_mass(back.solids[0]).Distance(gp_Pnt(0, 0, 0)), 1e-5);
   EXPECT_LE(centre_of_mass(back.solids[1]).Distance(gp_Pnt(53, 4, -2)), 1e-5);
-  // Colours are written with three decimals of sRGB. An error of 0.0005 is 0.001 of linear light.
+  // Colours are written as sRGB values with three decimals. An error of 0.0005 corresponds to 0.001
+  // in linear light.
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_NEAR(back.colours[i][k], part_colour(i)[k], 0.001) << i << k;
@@ -213,8 +214,8 @@ TEST_F(Step, PlacedKeywayPointsWhereThePoseTurnsIt) {
   EXPECT_EQ(back.names, (std::vector<std::string>{"turned", body.name}));
   ASSERT_EQ(back.solids.size(), 1u);
   const gp_Pnt centre = centre_of_mass(back.solids[0]);
-  // The slot removes metal on the side +x. Its moment about y is −∫ x dA b of the slot:
-  // ∫ over |y| ≤ 3 of (12.8² − (100 − y²))/2 dy = 3·(163.84 − 100) + 9.
+  // The slot removes metal on the side +x. The moment of the slot about y is −∫ x dA b, with ∫ over
+  // |y| ≤ 3 of (12.8² − (100 − y²))/2 dy = 3·(163.84 − 100) + 9.
   const double moment = -(3.0 * 63.84 + 9.0);
   EXPECT_NEAR(centre.X(), moment / metal_area(body), 1e-6);
   EXPECT_NEAR(centre.Y(), 0.0, 1e-6);

@@ -16,9 +16,10 @@
 namespace gearwright {
 namespace {
 
-constexpr double kMarginShare = 0.05;  // of the radius, so that the stroke is not cut off
+constexpr double kMarginShare = 0.05;  // fraction of the radius; prevents the stroke from being cut
+                                       // off
 
-// Writes the d attribute. Only this class reverses y.
+// Writes the d attribute of a path. Only this class reverses y.
 class Path {
  public:
   explicit Path(const Eigen::Isometry3d* pose) {
@@ -50,7 +51,7 @@ class Path {
   const std::string& text() const { return text_; }
 
  private:
-  // 1e-10 mm.
+  // rounds to 1e-10 mm
   static std::string shorter(double value) { return short_decimals(value, 10); }
   static int shorter(int value) { return value; }
   template <class... T>
@@ -68,7 +69,7 @@ struct DrawnBody {
   int segments = 0;
   double deviation = 0.0;
   double radius = 0.0;
-  // of a rack, with y reversed; none if the outline is a circle
+  // box of a rack, with y reversed; absent if the outline lies within a circle
   std::optional<Eigen::AlignedBox2d> box{};
 };
 

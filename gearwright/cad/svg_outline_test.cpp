@@ -17,8 +17,8 @@ namespace {
 using testing::C;
 
 struct Subpath {
-  double area = 0.0;    // counter-clockwise positive with y up, mm²
-  double length = 0.0;  // mm, of the control polygon for curves
+  double area = 0.0;    // mm², positive if counter-clockwise with y upwards
+  double length = 0.0;  // mm; for curves, the length of the control polygon
   C begin, end;
   int arcs = 0, cubics = 0, lines = 0;
 };
@@ -28,8 +28,8 @@ std::string attribute(const std::string& text, const std::string& name) {
   return text.substr(at, text.find('"', at) - at);
 }
 
-// Reads the d attribute as a renderer does. The area follows from Green's theorem, exact for arcs
-// and cubics.
+// Reads the d attribute as a renderer does. The area is computed by Green's theorem, exactly for
+// arcs and cubics.
 std::vector<Subpath> subpaths_of(const std::string& text) {
   std::vector<Subpath> paths;
   std::istringstream in(attribute(text, "d"));
@@ -103,7 +103,7 @@ TEST(Svg, AreaIsThatOfTheGear) {
       const std::vector<Subpath> paths = subpaths_of(drawing.text);
       ASSERT_EQ(paths.size(), body.bore ? 2U : 1U);
       const double exact = section_area(body.outline);
-      // Rounding to ten decimals moves a point of the boundary by no more than 1e-10 mm.
+      // Rounding to ten decimals moves a boundary point by at most 1e-10 mm.
       EXPECT_NEAR(paths[0].area, exact, (drawing.deviation_mm + 2e-10) * paths[0].length)
           << body.name;
       if (body.bore) {

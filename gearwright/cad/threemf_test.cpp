@@ -21,7 +21,8 @@ std::uint32_t number_at(const std::string& bytes, std::size_t offset, int size) 
   return value;
 }
 
-// Reads an archive through its directory, as programs do, and compares all copies of each number.
+// Reads an archive through its directory, as programs do. Numbers that are stored more than once
+// are compared.
 std::map<std::string, std::string> unzip(const std::string& bytes) {
   std::map<std::string, std::string> files;
   const std::size_t end = bytes.size() - 22;
@@ -93,7 +94,7 @@ TEST(ThreeMf, ObjectsHaveTheMeshAndItemsTheirPoses) {
     const ToothedBody body = testing::sample_body({.teeth = 17, .beta = beta});
     parts.push_back({"a<b> & \"c\"", tessellate(body).value(), body.pose});
   }
-  // A quarter turn about z: the x axis goes to y.
+  // A quarter turn about z maps the x axis to y.
   parts[1].pose.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   parts[1].pose.translation() = Vec3(35.5, 0.0, -2.0);
   const std::string bytes = threemf_bytes(parts);

@@ -1,19 +1,20 @@
-// The data of a gear for CAD files: one outline in a screw motion along the face, with an optional
-// bore.
+// The data of a gear for CAD files: one outline, moved along the face by a screw motion, and an
+// optional bore.
 //
 //   τ    twist, rad/mm: 2π/lead, signed, > 0 right hand, 0 spur
-//   b    face width, mm; the body fills −b/2 ≤ z ≤ b/2, the outline is its section z = 0
+//   b    face width, mm; the body fills −b/2 ≤ z ≤ b/2, and the outline is its section at z = 0
 //
-// The section at height z is the section z = 0 turned by τz. Tip, root and bore are cylinders.
+// The section at the height z is the section z = 0 turned by τz. Tip, root and bore are cylinders.
 //
-// A double-helical gear has two such screws of opposite twist, one above the other (`TwoHelices`):
-// the section at height z is the outline turned by τ|z|, so both halves of a tooth point to the apex
-// in the middle plane. A gap between the halves is a groove round the axis.
+// A double-helical gear has two such screws with opposite twist, one above the other
+// (`TwoHelices`). Its section at the height z is the outline turned by τ|z|, so both halves of a
+// tooth point to the apex in the middle plane. A gap between the halves is a groove around the
+// axis.
 //
 // Flank modifications move the flanks of this solid along their normals.
 //
-// A rack is a bar, whose teeth are straight: the section at height z is that of z = 0 with the teeth
-// shifted by z tan β along y, between two ends that are perpendicular to y (`RackBlock`).
+// A rack is a bar with straight teeth, between two ends that are perpendicular to y (`RackBlock`).
+// Its section at the height z is the section z = 0 with the teeth shifted by z tan β along y.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -30,8 +31,9 @@
 
 namespace gearwright {
 
-/// The data that make an outline a rack, in the frame of pair/rack_outline.hpp: x is the height
-/// above the datum line, and n pitches lie between the ends, with the origin in the middle.
+/// The data that make an outline a rack. They refer to the frame of pair/rack_outline.hpp, in which
+/// x is the height above the datum line. n pitches lie between the ends, and the origin is in the
+/// middle.
 struct RackBlock {
   double pitch;          ///< p_t    mm, along y
   double height;         ///< mm, from the back to the datum line
@@ -42,11 +44,13 @@ struct RackBlock {
   double middle_of(int k, int n) const { return (k - (n - 1) / 2.0) * pitch; }
 };
 
-/// The data that make an outline a double-helical gear, whose half at z > 0 has the body's twist.
+/// The data that make an outline a double-helical gear. The half at z > 0 has the twist of the
+/// body.
 struct TwoHelices {
   double gap = 0.0;            ///< mm, between the halves
-  double groove_radius = 0.0;  ///< mm, of the gear within the gap; not used if there is no gap
-  double stagger = 0.0;        ///< rad, by which the half at z < 0 is turned; 0 without a gap
+  double groove_radius = 0.0;  ///< mm, radius of the gear within the gap; not used if there is no
+                               ///< gap
+  double stagger = 0.0;        ///< rad, rotation of the half at z < 0; 0 if there is no gap
 };
 
 /// One screw of a body: from middle − width/2 to middle + width/2.
@@ -54,7 +58,7 @@ struct Band {
   double twist;   ///< rad/mm
   double width;   ///< mm
   double middle;  ///< mm
-  double turn;    ///< rad, by which the outline is turned at z = 0, which may be outside the band
+  double turn;    ///< rad, rotation of the outline at z = 0, which may lie outside the band
 
   double angle(double z) const { return twist * z + turn; }
 };
@@ -62,39 +66,41 @@ struct Band {
 class ModifiedTeeth;
 
 struct ToothedBody {
-  std::string name;         ///< "gear1", the name in a CAD tree
-  Outline outline;          ///< half a tooth; |outline.teeth| copies make the gear
+  std::string name;         ///< "gear1", the name in the tree of a CAD system
+  Outline outline;          ///< half a tooth; the gear consists of |outline.teeth| copies
   double twist = 0.0;       ///< τ  rad/mm
   double face_width = 0.0;  ///< b  mm
   std::optional<Bore> bore;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
-  std::optional<std::size_t> colour{};      ///< for part_colour(); default: own index
-  std::optional<std::size_t> same_as{};     ///< an earlier body of the file with this shape
-  std::optional<RackBlock> rack{};          ///< a rack: no bore, and the twist does not apply
-  std::optional<TwoHelices> two_helices{};  ///< a double-helical gear
-  /// The teeth with flank modifications, made by modify(); null if they are as cut. Drawings show the
-  /// outline as cut.
+  std::optional<std::size_t> colour{};      ///< index for part_colour(); by default, the body's own
+                                            ///< index
+  std::optional<std::size_t> same_as{};     ///< an earlier body of the file with the same shape
+  std::optional<RackBlock> rack{};          ///< set for a rack, which has no bore and no twist
+  std::optional<TwoHelices> two_helices{};  ///< set for a double-helical gear
+  /// The teeth with flank modifications, made by modify(); null if the teeth are as cut. Drawings
+  /// always show the outline as cut.
   std::shared_ptr<const ModifiedTeeth> modified{};
-  std::string unmodified{};  ///< reason why modifications are left out; empty if none is left out
+  std::string unmodified{};  ///< the reason why modifications are omitted; empty if none is omitted
 
   bool grooved() const { return two_helices && two_helices->gap > 0.0; }
 
-  /// The screws of the teeth, from below: one, or two for a double-helical gear.
+  /// The screws of the teeth, from bottom to top: one, or two for a double-helical gear.
   std::vector<Band> bands() const;
 
-  /// The limits of the bore or the rim; `root` mm is the radius of the roots.
+  /// The limits for the bore or the rim. `root` is the radius of the roots, mm.
   HoleLimits hole_limits(double root) const {
     return {outline.teeth < 0, root,
             grooved() ? std::optional(two_helices->groove_radius) : std::nullopt};
   }
 
-  /// The radius that limits a bore or a rim, mm: that of the groove or, without a groove, `root`.
+  /// The radius that limits a bore or a rim, mm. It is the radius of the groove or, if there is no
+  /// groove, `root`.
   double limit_within(double root) const { return grooved() ? two_helices->groove_radius : root; }
 };
 
-/// Colours that distinguish gears in contact in every viewer. The values are linear RGB, far apart
-/// in lightness as well as hue: steel, bronze, blue, green, then ochre, purple, teal and dark grey
-/// for larger drives.
+/// Colours that distinguish gears in contact in every viewer. The values are linear RGB and differ
+/// clearly in lightness as well as in hue: steel, bronze, blue, green, and for larger drives ochre,
+/// purple, teal and dark grey.
 inline constexpr std::array<std::array<double, 3>, 8> kPartColours{{{0.45, 0.49, 0.53},
                                                                     {0.55, 0.34, 0.14},
                                                                     {0.12, 0.26, 0.48},
@@ -104,12 +110,12 @@ inline constexpr std::array<std::array<double, 3>, 8> kPartColours{{{0.45, 0.49,
                                                                     {0.1, 0.4, 0.42},
                                                                     {0.12, 0.13, 0.15}}};
 
-/// Returns the colour of the part with this index. The colours repeat.
+/// Returns the colour of the part with this index. The colours repeat after the last one.
 constexpr const std::array<double, 3>& part_colour(std::size_t index) {
   return kPartColours[index % kPartColours.size()];
 }
 
-/// Returns the error of `teeth` with the reason `why`.
+/// Returns an error of the key `teeth` with the reason `why`.
 inline Error not_a_body(int teeth, const std::string& why) {
   return {"teeth", std::to_string(teeth),
           "the outline does not enclose a body, because " + why +

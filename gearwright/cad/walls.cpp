@@ -17,18 +17,19 @@ namespace {
 
 using std::numbers::pi;
 
-// Variation of radius within which a land is a circle about the axis.
+// Variation of the radius up to which a land counts as a circle about the axis.
 constexpr double kRound_mm = 1e-8;
 constexpr double kLaw_mm = 1e-6;  // tolerance for the laws of an outline
-constexpr int kWallLooks = 64;    // points of an arc that are examined for radius and side
+constexpr int kWallLooks = 64;    // number of points of an arc at which radius and side are
+                                  // examined
 
 Complex as_complex(const Vec2& v) { return {v.x(), v.y()}; }
 
 struct Extent {
   double inner;
   double outer;
-  bool tooth_crossed;  // the half outline crosses the middle of the tooth
-  bool space_crossed;  // the half outline crosses the middle of the space
+  bool tooth_crossed;  // true if the half outline crosses the centre line of the tooth
+  bool space_crossed;  // true if the half outline crosses the middle of the space
 };
 
 Extent look_at(const Outline& outline, Complex space) {
@@ -38,7 +39,7 @@ Extent look_at(const Outline& outline, Complex space) {
       const Complex w = as_complex(arc.point(static_cast<double>(i) / kWallLooks));
       extent.inner = std::min(extent.inner, std::abs(w));
       extent.outer = std::max(extent.outer, std::abs(w));
-      // Distances from the two lines, which coincide with the x axis for z = 1.
+      // Distances from the two lines. If z = 1, both lie on the x axis.
       if (w.imag() < -kLaw_mm) extent.tooth_crossed = true;
       if ((w * std::conj(space)).imag() > kLaw_mm) extent.space_crossed = true;
     }
@@ -62,7 +63,8 @@ Wall turned(Wall wall, long long k, long long n) {
   return wall;
 }
 
-// Spline walls of the lower half (mirrored, root to tip) and of the upper half (tip to root).
+// Spline walls of the lower half (mirrored, from root to tip) and of the upper half (from tip to
+// root).
 struct SplinePair {
   Wall lower;
   Wall upper;
@@ -78,7 +80,7 @@ SplinePair spline_walls(Complex begin, Complex end, const SectionSpline& fit) {
            std::vector<Complex>(fit.poles.rbegin(), fit.poles.rend())}};
 }
 
-// Walls of tooth 0, from its lower half round to the space before tooth 1.
+// The walls of tooth 0, from its lower half to the space before tooth 1.
 std::vector<Wall> tooth_walls(const std::vector<Arc>& arcs, const std::vector<ArcFit>& fits,
                               int z) {
   std::vector<Wall> lower;
@@ -157,7 +159,7 @@ Outline tidied(const Outline& outline) {
     end = on_ray;
   };
   move(tidy.arcs.front().begin_point, sincos_turn(1, 2LL * std::abs(outline.teeth)), kLaw_mm);
-  // Each sliver at the tip may have been nearly as long as the shortest arc.
+  // Several slivers at the tip may be omitted, each nearly as long as the shortest arc.
   move(tidy.arcs.back().end_point, {0.0, 1.0}, 4.0 * kLaw_mm);
   return tidy;
 }
@@ -207,8 +209,8 @@ Result<BodyWalls> make_walls(const ToothedBody& body) {
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     const Arc& arc = arcs[i];
     fits.push_back({arc.name, std::nullopt});
-    // A circle can form one wall together with its mirror image only at the middle of a tooth or
-    // space.
+    // A circle and its mirror image can form one wall only if they meet at the centre line of a
+    // tooth or space.
     if ((i == 0 || i + 1 == arcs.size()) && round_land(arc)) continue;
     fits.back().spline = fit_section(arc);
     const double deviation = fits.back().spline->deviation_mm;

@@ -1,24 +1,24 @@
-// The walls of a toothed body: its closed loops divided into pieces, each of which becomes one
-// face.
+// The walls of a toothed body. A wall is a piece of one of its closed loops, and each wall becomes
+// one face.
 //
 //   wall      a piece of a loop, counter-clockwise: a spline, a circle about the axis, or a line
-//   loop      walls in order: the end of each is the begin of the next, and the loop is closed
-//   slice     a layer of the body: a body with a large twist is divided into slices of equal height
+//   loop      walls in order: each starts at the end of the previous one, and the loop is closed
+//   slice     a layer of the body: a body with a large twist is divided into layers of equal height
 //
-// Tooth 0 is symmetric about the x axis. Its lower half is the mirrored outline (root to tip), its
-// upper half the outline itself (tip to root). Tooth k is tooth 0 times e^{2πik/z}, exact for
-// quarter turns.
+// Tooth 0 is symmetric about the x axis. Its lower half is the mirrored outline (root to tip), and
+// its upper half is the outline itself (tip to root). Tooth k is tooth 0 times e^{2πik/z}, exact
+// for quarter turns.
 //
-// Rules that keep faces valid
+// Rules that ensure valid faces
 //   lands     an arc named a land is a true circle if its radius is constant within 1e-8 mm. The
-//             two halves of a tip land, and of a root land, form one wall unless it spans more
-//             than half a turn (z = 1). Any other arc is a spline, and its mirror image another
-//             one.
-//   slivers   an arc shorter than kShortestArc_mm gives no wall. The next wall begins where the
-//             short one began. The two walls at the middle of a tooth or space end on that line.
-//   slices    the fewest for which the turn of a slice is at most π and turn plus widest circle is
-//             at most 3π/2, so that no face meets itself and the u range of a cylinder is always
-//             less than a whole turn.
+//             two halves of a tip land form one wall unless it spans more than half a turn (z = 1).
+//             The same applies to a root land. Any other arc is a spline, and so is its mirror
+//             image.
+//   slivers   an arc shorter than kShortestArc_mm gives no wall. The next wall begins at the start
+//             of this arc. At the centre line of a tooth or space, two walls end on that line.
+//   slices    the number is the smallest for which a slice turns by at most π, and this turn plus
+//             the angle of the widest circle is at most 3π/2. No face then meets itself, and the u
+//             range of a cylinder is always less than a full turn.
 #pragma once
 
 #include <memory>
@@ -36,7 +36,7 @@ inline constexpr double kShortestArc_mm = 1e-6;
 
 enum class WallShape { spline, circle, line };
 
-/// Knots of a section spline, shared by all teeth; u from 0 to 1, counter-clockwise.
+/// Knots of a section spline. All teeth share them. u runs from 0 to 1, counter-clockwise.
 struct WallKnots {
   int degree;
   std::vector<double> distinct;
@@ -44,49 +44,51 @@ struct WallKnots {
 };
 
 WallKnots knots_of(const BSplineBasis& basis);
-/// The knots of the reversed spline.
+/// The knots of the spline in the reversed direction.
 WallKnots backward(WallKnots knots);
 
 struct Wall {
   WallShape shape;
   Complex begin;
   Complex end;
-  std::shared_ptr<const WallKnots> knots;  ///< spline
-  std::vector<Complex> poles;              ///< spline
-  double radius = 0.0;                     ///< circle  mm
-  double begin_angle = 0.0;                ///< circle  rad
-  double end_angle = 0.0;                  ///< circle  rad, > begin_angle, at most one turn more
+  std::shared_ptr<const WallKnots> knots;  ///< for a spline
+  std::vector<Complex> poles;              ///< for a spline
+  double radius = 0.0;                     ///< for a circle, mm
+  double begin_angle = 0.0;                ///< for a circle, rad
+  double end_angle = 0.0;                  ///< for a circle, rad; begin_angle < end_angle ≤
+                                           ///< begin_angle + 2π
 };
 
 struct WallLoop {
   std::vector<Wall> walls;
-  int slices = 1;  ///< of each screw of the body
+  int slices = 1;  ///< number of slices of each screw of the body
 };
 
-/// The result for one arc of the half outline.
+/// The face data for one arc of the half outline.
 struct ArcFit {
   ArcName name;
-  std::optional<SectionSpline> spline;  ///< none for a true circle
+  std::optional<SectionSpline> spline;  ///< absent for a true circle
 };
 
 struct BodyWalls {
   WallLoop teeth;
-  std::optional<WallLoop> bore;      ///< the rim of an internal gear
-  std::vector<HelixSpline> helices;  ///< turn of one slice of the teeth, for each screw of the body
-  std::vector<ArcFit> arcs;          ///< half a tooth, root to tip, without the slivers
+  std::optional<WallLoop> bore;      ///< bore, or rim of an internal gear
+  std::vector<HelixSpline> helices;  ///< rotation over one slice of the teeth, for each screw of
+                                     ///< the body
+  std::vector<ArcFit> arcs;          ///< half a tooth from root to tip, without the slivers
   double inner_radius;               ///< smallest radius of the outline, mm
   double outer_radius;               ///< greatest radius of the outline, mm
 };
 
-/// The outline without slivers. Its ends lie exactly on the middle lines of space and tooth.
+/// The outline without slivers. It ends exactly on the centre lines of space and tooth.
 ///
-/// Domain    the outline's laws hold within 1e-6 mm (contract)
+/// Domain    the laws of the outline hold within 1e-6 mm (contract)
 Outline tidied(const Outline& outline);
 
 /// True if the arc is a land and a circle about the axis.
 bool round_land(const Arc& arc);
 
-/// The error for a face if every spline deviates from it by more than kSectionMax_mm.
+/// The error for a face from which every spline deviates by more than kSectionMax_mm.
 Error no_spline(std::string_view face, double deviation);
 
 /// Cuts a body into walls.
@@ -95,28 +97,32 @@ Error no_spline(std::string_view face, double deviation);
 ///           internal gear without a rim around its roots (its bore is the rim) or with a keyway;
 ///           flanks that cross or a root beyond the axis (`teeth`); an arc for which no spline is
 ///           within kSectionMax_mm
-/// Domain    face width > 0, outline.teeth ≠ 0, the outline's laws hold within 1e-6 mm (contract)
+/// Domain    face width > 0, outline.teeth ≠ 0, the laws of the outline hold within 1e-6 mm
+///           (contract)
 Result<BodyWalls> make_walls(const ToothedBody& body);
 
-// The layers of a body: the planes at which its walls are cut, and the path of a section point
-// through one layer. A pole of a wall in a slice is h_j c_i at the height z_j, where h_j and z_j
-// belong to the slice and c_i to the wall.
+// The layers of a body: the planes that cut its walls, and the path of a section point through one
+// layer. Pole (j, i) of a wall in a slice is h_j c_i at the height z_j, where h_j and z_j belong to
+// the slice and c_i to the wall.
 
-/// A plane z = const, whose section is turned by an angle φ, which is τz for a body of one screw.
+/// A plane z = const. The section in it is turned by an angle φ, which is τz for a body with one
+/// screw.
 struct WallLevel {
   double z;      ///< mm
   double angle;  ///< φ  rad
   Complex turn;  ///< e^{iφ}
 };
 
-/// The layer between two levels. Its helix is that of the body, turned to the middle of the slice.
+/// The layer between two levels. Its helix is the helix of the body, turned to the middle of the
+/// slice.
 struct WallSlice {
   WallLevel low;
   WallLevel high;
-  double middle_angle;         ///< rad, halfway between the two levels'
-  std::vector<Complex> helix;  ///< h_j, the ends equal to the levels' turns to the last bit
+  double middle_angle;         ///< rad, mean of the angles of the two levels
+  std::vector<Complex> helix;  ///< h_j; the end values are identical to the rotations of the two
+                               ///< levels
   std::vector<double> height;  ///< z_j  mm
-  WallKnots knots;             ///< in z, mm
+  WallKnots knots;             ///< knots in z, mm
 
   bool straight() const { return low.angle == high.angle; }
 };

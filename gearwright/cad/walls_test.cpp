@@ -19,8 +19,8 @@ std::size_t count(const WallLoop& loop, WallShape shape) {
   return n;
 }
 
-// The end of each wall is the begin of the next within rounding, and the loop turns once about the
-// axis.
+// Each wall starts at the end of the previous one, except for rounding, and the loop turns once
+// about the axis.
 void expect_closed(const WallLoop& loop, double radius) {
   double turn = 0.0;
   for (std::size_t i = 0; i < loop.walls.size(); ++i) {
@@ -69,8 +69,8 @@ TEST(Walls, QuarterTeethAreExactQuarterTurns) {
 }
 
 TEST(Walls, SliversGiveNoWalls) {
-  // Half a tip land would be 0.8e-6 mm long, so it is omitted and the flanks meet on the middle of
-  // the tooth.
+  // Half a tip land would be 0.8e-6 mm long, so it is omitted, and the flanks meet on the centre
+  // line of the tooth.
   const auto tip = make_walls(plain_body(12, 20.0, 0.2, 25.0, 0.8e-6 / 25.0));
   ASSERT_TRUE(tip);
   EXPECT_EQ(tip->teeth.walls.size(), 36u);  // two flanks and a root land per tooth
@@ -105,7 +105,7 @@ TEST(Walls, SliverBetweenArcsJoinsItsNeighbours) {
 }
 
 TEST(Walls, SlicesKeepTurnsBelowAHalf) {
-  // The widest circle is 2(π/12 − 0.2), so only the turn determines the number of slices.
+  // The widest circle spans only 2(π/12 − 0.2), so the number of slices depends on the turn alone.
   const double most = kPi;
   for (const double turn : {0.0, 0.99, 1.01, 7.5}) {
     const auto walls = make_walls(plain_body(12, 20.0, 0.2, 25.0, 0.08, 10.0, -turn * most / 10.0));
@@ -113,7 +113,7 @@ TEST(Walls, SlicesKeepTurnsBelowAHalf) {
     EXPECT_EQ(walls->teeth.slices, std::max(1, static_cast<int>(std::ceil(turn))));
     EXPECT_EQ(walls->teeth.walls.size(), 48u);
   }
-  // The root land of one tooth is 0.9 π, which leaves 0.6 π for the turn.
+  // The root land of the single tooth spans 0.9 π, which leaves 0.6 π for the turn.
   const auto one = make_walls(plain_body(1, 20.0, 0.55 * kPi, 25.0, 0.3, 10.0, kPi / 10.0));
   ASSERT_TRUE(one);
   EXPECT_EQ(one->teeth.slices, 2);
@@ -163,11 +163,15 @@ TEST(Walls, RefusesWhatIsNoBody) {
   ring.bore = Bore{50.0};
   EXPECT_EQ(make_walls(ring).error().field, "bore.diameter");
 
-  EXPECT_EQ(make_walls(plain_body(12, 20.0, -0.01, 25.0, 0.08)).error().field, "teeth");  // tooth
-  EXPECT_EQ(make_walls(plain_body(12, 20.0, 0.30, 25.0, 0.08)).error().field, "teeth");   // space
+  EXPECT_EQ(make_walls(plain_body(12, 20.0, -0.01, 25.0, 0.08)).error().field, "teeth");  // crosses
+                                                                                          // the
+                                                                                          // tooth
+  EXPECT_EQ(make_walls(plain_body(12, 20.0, 0.30, 25.0, 0.08)).error().field, "teeth");   // crosses
+                                                                                          // the
+                                                                                          // space
 }
 
-// A flank jumps by 0.01 mm halfway, so no spline approximates it.
+// The flank has a jump of 0.01 mm in its middle, so no spline approximates it.
 class Torn final : public testing::ComplexCurve {
  public:
   Jet jet(double t) const override {

@@ -10,16 +10,16 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::uint16_t kZipVersion = 20;  // 2.0, the first version with deflate
+constexpr std::uint16_t kZipVersion = 20;  // 2.0, the first version that supports deflate
 constexpr std::uint16_t kDeflate = 8;
 constexpr std::uint16_t kMidnight = 0;
 constexpr std::uint16_t kNewYear1980 = (1U << 5U) | 1U;  // year 0 since 1980, month 1, day 1
-constexpr std::size_t kSizeMax = 0xfffffffeU;            // 0xffffffff announces ZIP64
+constexpr std::size_t kSizeMax = 0xfffffffeU;            // 0xffffffff would indicate ZIP64
 
 }  // namespace
 
-// The fields common to the local header and the directory, from the version to the length of the
-// extra field.
+// The fields that the local header and the directory have in common, from the version to the length
+// of the extra field.
 void ZipWriter::append_common(const Entry& entry) {
   append_u16(bytes_, kZipVersion);
   append_u16(bytes_, 0);  // flags

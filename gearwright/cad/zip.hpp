@@ -1,7 +1,7 @@
 // A ZIP archive in memory, the container of 3MF.
 //
-// Entries are deflated (base/packing.hpp) and dated 1 January 1980, the oldest date that ZIP
-// permits. The same input therefore gives the same bytes (for the same zlib release).
+// Entries are compressed by deflate (base/packing.hpp) and dated 1 January 1980, the oldest date
+// that ZIP permits. The same input therefore gives the same bytes with the same zlib release.
 // Format: PKWARE APPNOTE 6.3.3, without ZIP64.
 #pragma once
 
@@ -17,7 +17,7 @@ class ZipWriter {
   /// Domain    entries and archive below 2³² bytes, fewer than 65535 entries (contract)
   void add(std::string_view name, std::string_view content);
 
-  /// Returns the archive with its directory. The writer cannot be used afterwards.
+  /// Returns the archive with its directory. The writer must not be used afterwards.
   std::string finish() &&;
 
  private:

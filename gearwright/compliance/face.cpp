@@ -47,7 +47,8 @@ double lagrange_slope(int i, double x) {
 
 }  // namespace
 
-// The stiffness of all elements of one length, with the inner nodes eliminated.
+// The stiffness matrices shared by all elements of the same length, with the inner nodes
+// eliminated.
 struct Face::Kind {
   double length;
   Eigen::LLT<MatrixXd> inner;  // 2r × 2r
@@ -73,7 +74,7 @@ Face::Face(const ModeMatrices& modes, double width, double element)
   kind->length = width / n;
   const double half = 0.5 * kind->length;
   MatrixXd all(4 * r, 4 * r);
-  const std::array<int, 4> place{2, 0, 1, 3};  // inner nodes first
+  const std::array<int, 4> place{2, 0, 1, 3};  // puts the inner nodes first
   for (int a = 0; a < 4; ++a) {
     for (int b = 0; b < 4; ++b) {
       double m00 = 0.0;
@@ -109,7 +110,7 @@ Face::Face(const ModeMatrices& modes, double width, double element)
     GW_ENSURES(llt.info() == Eigen::Success);
     factor_.push_back(llt.matrixL());
     if (i == n) break;
-    // M = O L⁻ᵀ, where O is the block below the diagonal.
+    // M = O L⁻ᵀ, where O is the block below the diagonal block.
     const MatrixXd transposed = factor_.back().triangularView<Eigen::Lower>().solve(
         kinds_[kind_of_[i]]->ends.topRightCorner(r, r));
     below_.push_back(transposed.transpose());
@@ -153,7 +154,8 @@ void Face::solve(MatrixXd& x) const {
   const auto node = [&](Index i) { return x.middleRows(i * r, r); };
   const auto n = static_cast<Index>(kind_of_.size());
   GW_EXPECTS(x.rows() == (n * kDegree + 1) * r);
-  // The inner nodes are solved first, and the loads on them are transferred to the ends of the element.
+  // For each element, the inner nodes are solved first. Their loads are then transferred to its
+  // ends.
   for (Index e = 0; e < n; ++e) {
     const Kind& k = *kinds_[kind_of_[e]];
     auto inner = x.middleRows((e * kDegree + 1) * r, 2 * r);

@@ -3,8 +3,9 @@
 //   K = m00 ⊗ K_aa + m01 ⊗ K_ab + m01ᵀ ⊗ K_abᵀ + m11 ⊗ K_bb                          [T12.8]
 //   m00 = ∫NNᵀ, m01 = ∫N N′ᵀ, m11 = ∫N′N′ᵀ of an element
 //
-// The two inner nodes of each element are eliminated first, which leaves a chain of blocks. Elements of
-// the same length share this elimination. Both end faces z = const are free, without conditions.
+// The two inner nodes of each element are eliminated first, which leaves a block-tridiagonal
+// system. Elements of equal length share this elimination. Both end faces z = const are free of
+// constraints.
 //                                                theory: docs/theory/12-loaded-contact.md
 #pragma once
 
@@ -19,21 +20,22 @@ namespace gearwright::detail {
 
 class Face {
  public:
-  /// The face from −width/2 to width/2, divided into elements about as long as `element`; in modules.
+  /// Divides the face from −width/2 to width/2 into elements of about the length `element`. All
+  /// lengths are in modules.
   Face(const ModeMatrices& modes, double width, double element);
   ~Face();
   Face(Face&&) noexcept;
 
   int node_count() const { return static_cast<int>(nodes_.size()); }
   int mode_count() const { return modes_; }
-  /// Weights of the nodes, which give the value at z.
+  /// Weights of the nodal values that give the value at z.
   Eigen::VectorXd at(double z) const;
-  /// Weights of the nodes, which give the slope at z.
+  /// Weights of the nodal values that give the slope at z.
   Eigen::VectorXd slope_at(double z) const;
-  /// Weights of the nodes, which give the mean over [lo, hi].
+  /// Weights of the nodal values that give the mean over [lo, hi].
   Eigen::VectorXd mean(double lo, double hi) const;
-  /// Replaces each column, a load, by the amplitudes under this load. A column contains all modes of the
-  /// first node, then of the next node, and so on.
+  /// Solves in place: each column contains a load and is replaced by the amplitudes under this
+  /// load. A column lists all modes of the first node, then all modes of the second, and so on.
   void solve(Eigen::MatrixXd& columns) const;
 
  private:
@@ -43,7 +45,7 @@ class Face {
   std::vector<double> ends_, nodes_;
   std::vector<int> kind_of_;
   std::vector<std::unique_ptr<Kind>> kinds_;
-  std::vector<Eigen::MatrixXd> factor_, below_;  // Cholesky factors of the chain of blocks
+  std::vector<Eigen::MatrixXd> factor_, below_;  // Cholesky factors of the block-tridiagonal matrix
   int modes_ = 0;
 };
 

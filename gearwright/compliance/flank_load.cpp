@@ -15,8 +15,8 @@ constexpr int kBumpPoints = 24;
 
 using Complex = std::complex<double>;
 
-// Adds the shape functions at the point t of the outline, times `weight` and the components of
-// `direction`.
+// Adds the shape functions at the point t of the outline, multiplied by `weight` and by the
+// components of `direction`.
 void add_point(const SectionMesh& mesh, double t, const Eigen::Vector3d& direction, double weight,
                Functional& f) {
   const auto last = static_cast<double>(mesh.edges.size());
@@ -60,8 +60,8 @@ FlankPlace flank_place(const SectionMesh& mesh, double s) {
   const auto [arc, u] = mesh.arc_at(t);
   Complex tangent = std::polar(1.0, arc->at(u).tangent_angle);
   if (arc->end < arc->begin) tangent = -tangent;
-  // The outline runs from the space to the tip on the side y > 0. The material lies to the right of an
-  // external gear's outline, and to the left of an internal gear's outline.
+  // On the side y > 0, the outline runs from the tooth space to the tip. The material lies to its
+  // right for an external gear and to its left for an internal gear.
   return {mesh.outline(t), tangent * Complex(0, -mesh.outward), tangent};
 }
 
@@ -77,7 +77,7 @@ double length_at_radius(const SectionMesh& mesh, double radius) {
 
 Functional bump(const SectionMesh& mesh, double s, double c, double tau) {
   const FlankPlace p = flank_place(mesh, s);
-  // The normal of the screw surface is perpendicular to ∂x/∂z = e_z + τ e_z × w and to the outline.
+  // The normal of the screw surface is perpendicular to the outline and to ∂x/∂z = e_z + τ e_z × w.
   const Complex along = tau * Complex(0, 1) * p.point;
   const double axial = -(p.normal * std::conj(along)).real();
   const double length = std::hypot(1.0, axial);

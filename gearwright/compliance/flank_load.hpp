@@ -1,5 +1,5 @@
-// A load on the flank of one tooth and the displacement under the load. Both are weighted by the same
-// smooth function along the flank, a bump, so Betti's reciprocity holds.
+// A load on the flank of one tooth, and the displacement under this load. Both use the same smooth
+// weight function along the flank, a bump, so that Betti's reciprocity holds.
 //
 //   s    arc length along the outline from the middle of the space, m_n
 //   c    half width of the bump b(s) = 15/(16c) (1 − s²/c²)², m_n
@@ -13,8 +13,8 @@
 
 namespace gearwright::detail {
 
-/// A weighted sum of displacements, Σ weight · U(dof). The same weights are the nodal forces of a unit
-/// line load.
+/// A weighted sum of displacements, Σ weight · U(dof). Read as nodal forces, the same weights
+/// represent a unit line load.
 struct Functional {
   std::vector<int> dof;
   std::vector<double> weight;
@@ -22,26 +22,25 @@ struct Functional {
   Eigen::VectorXd vector(Eigen::Index n) const;
 };
 
-/// A position on the flank: the point, the inward normal of the section, and the tangent towards
-/// the tip.
+/// A point on the flank, with the inward normal of the section and the tangent towards the tip.
 struct FlankPlace {
   std::complex<double> point, normal, tangent;
 };
 FlankPlace flank_place(const SectionMesh& mesh, double s);
-/// The arc length at which the outline of tooth 0 has a radius, in modules.
+/// The arc length at which the outline of tooth 0 reaches `radius`, in modules.
 double length_at_radius(const SectionMesh& mesh, double radius);
 
-/// The position and the half width of a bump.
+/// The position and half width of a bump.
 struct BumpPlace {
   double s, c;
 };
 
-/// The bump at s with its force along the inward normal of the flank. If τ ≠ 0, it is the normal of the
-/// screw surface.
+/// The bump at s with its force along the inward normal of the flank. If τ ≠ 0, this is the normal
+/// of the screw surface.
 Functional bump(const SectionMesh& mesh, double s, double c, double tau);
-/// The bump at s with its force along the axis.
+/// The bump at s with its force along the gear axis.
 Functional axial_bump(const SectionMesh& mesh, double s, double c);
-/// The functional moved from tooth 0 to tooth k.
+/// Moves the functional from tooth 0 to tooth k.
 Functional on_tooth(const SectionMesh& mesh, const Functional& f, int k);
 
 }  // namespace gearwright::detail

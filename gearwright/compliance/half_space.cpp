@@ -10,15 +10,16 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr int kGraded = 40;      // number of points, which are concentrated at the singularity
-constexpr double kTiny = 1e-12;  // modules: an arbitrary least distance, so that asinh is finite
+constexpr int kGraded = 40;      // number of nodes, which are concentrated at the singularity
+constexpr double kTiny = 1e-12;  // modules: an arbitrary small distance that keeps asinh finite
 
 double bump_at(double x, double c) {
   const double q = 1 - x * x / (c * c);
   return q > 0.0 ? 15.0 / (16.0 * c) * q * q : 0.0;
 }
 
-// The density of the difference x − x′ for two bumps. The integrand is a polynomial, so the rule is exact.
+// The density of the difference x − x′ for two bumps. The integrand is a polynomial, so the
+// quadrature is exact.
 double difference_density(double t, double c, double c_other) {
   static const GaussRule rule = gauss_rule(6);
   const double lo = std::max(-c, t - c_other);
@@ -32,7 +33,7 @@ double difference_density(double t, double c, double c_other) {
   return 0.5 * (hi - lo) * sum;
 }
 
-// Adds nodes between 0 and `to`, which are dense towards 0: x = to·u⁴.
+// Adds nodes between 0 and `to` that become denser towards 0: x = to·u⁴.
 template <class Density>
 void graded(double to, Density density, Offsets& out) {
   static const GaussRule rule = gauss_rule(kGraded);

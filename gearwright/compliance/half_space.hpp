@@ -1,4 +1,5 @@
-// Indentation of an elastic half space, which replaces the flank locally, by a bump or a Hertz strip.
+// Indentation of an elastic half space by a bump or a Hertz strip. The half space represents the
+// flank locally.
 //
 //   H(R) = (1 − ν²)/(π E R)   displacement at the distance R from a unit force      E = 1
 //   R² = Δs² + 2g Δs Δz + G Δz²   metric of the flank; g = 0 and G = 1 for a spur gear
@@ -18,22 +19,23 @@ struct FlankMetric {
   double zz = 1.0;  ///< G
 };
 
-/// Displacement in plane strain, except for an additive constant, under a bump of half width c and
-/// weighted by the same bump. [T12.11]
+/// Displacement in plane strain under a bump of half width c, averaged with the same bump as
+/// weight. An additive constant is omitted. [T12.11]
 double plane_bump(double c, double poisson_ratio);
-/// Displacement in plane strain, except for the same constant, at the centre of a Hertz strip of half
-/// width a. [T12.11]
+/// Displacement in plane strain at the centre of a Hertz strip of half width a. The same constant
+/// as in plane_bump is omitted. [T12.11]
 double plane_hertz(double a, double poisson_ratio);
-/// Nodes and weights of a quadrature rule for functions with a logarithm at 0.
+/// Nodes and weights of a quadrature rule for functions with a logarithmic singularity at 0.
 struct Offsets {
   std::vector<double> x, weight;
 };
-/// The rule for ∫∫ b_c(x) b_c′(x′) f(Δs + x′ − x) dx dx′.
+/// The quadrature rule for ∫∫ b_c(x) b_c′(x′) f(Δs + x′ − x) dx dx′.
 Offsets bump_offsets(double ds, double c, double c_other);
-/// The rule for the mean of f over the offsets between a Hertz strip and its centre.
+/// The quadrature rule for the mean of f over the distances between the points of a Hertz strip and
+/// its centre.
 Offsets hertz_offsets(double a);
 
-/// Mean of 1/R between the points of two slices of width h, whose middles have the distance d.
+/// Mean of 1/R between the points of two slices of width h. The middles of the slices are d apart.
 double slices_inverse(const FlankMetric& metric, double offset, double d, double h);
 /// Mean of 1/R between the points of a slice [z_lo, z_hi] and a point at z.
 double slice_to_point(const FlankMetric& metric, double offset, double z, double z_lo, double z_hi);

@@ -12,13 +12,14 @@ namespace {
 
 constexpr double kElement = 0.5;        // modules along the face
 constexpr double kHalfWidth = 0.05;     // modules, default width of the strip
-constexpr double kOnFace = 1e-9;        // relative to half the face: tolerance for rounded values
+constexpr double kOnFace = 1e-9;        // relative to half the face width: tolerance for rounded
+                                        // positions
 constexpr double kNearestToTip = 0.02;  // modules: least distance of the load from the tip
 
 using detail::FlankMetric;
 
-// −H[b, b] + H[a, a] between the loaded part of the face and a place, or within the loaded part. The
-// mirror images at both ends of the face are included.
+// −H[b, b] + H[a, a] between the loaded part of the face and a position, or within the loaded part.
+// The mirror images at both ends of the face are included.
 class Local {
  public:
   Local(const FlankMetric& metric, double c, double a, double nu)

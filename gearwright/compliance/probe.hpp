@@ -1,6 +1,7 @@
-// The compliance of a single tooth at one position, under a unit line force normal to the flank.
+// The compliance of a single tooth at one position of its flank, under a unit line force normal to
+// the flank.
 //
-// It is used for comparisons with finite elements and measurements.
+// It serves for comparisons with finite elements and with measurements.
 //                                      theory: docs/theory/12-loaded-contact.md, [T12.9]
 #pragma once
 
@@ -12,36 +13,38 @@
 
 namespace gearwright {
 
-/// A probe on the flank at y > 0 of tooth 0, which is the side of `outline`.
+/// The position of the load on the flank at y > 0 of tooth 0. `outline` describes the same side.
 struct ComplianceProbe {
-  double diameter = 0.0;                          ///< mm
-  std::optional<std::array<double, 2>> loaded{};  ///< z of both ends of the load, mm; none for a
-                                                  ///< uniform load on an infinitely wide gear
+  double diameter = 0.0;                          ///< d_y  mm, diameter at which the load acts
+  std::optional<std::array<double, 2>> loaded{};  ///< z of both ends of the load, mm; if absent,
+                                                  ///< the load is uniform on an infinitely wide
+                                                  ///< gear
   std::optional<double> half_width{};             ///< a  mm, of the Hertz strip; default 0.05 m_n
-  std::vector<double> read{};                     ///< z  mm, at which deflections are computed
+  std::vector<double> read{};                     ///< z  mm, positions at which deflections are
+                                                  ///< computed
 };
 
 struct ProbeAnswer {
-  /// Deflection along the normal under the load: for an infinitely wide gear in mm per N/mm, otherwise
-  /// the mean over the loaded part in mm per N.
+  /// Deflection along the normal under the load. For an infinitely wide gear it is in mm per N/mm.
+  /// Otherwise it is the mean over the loaded part, in mm per N.
   double own = 0.0;
   std::vector<double> profile;  ///< mm per N, at `read`
 };
 
-/// The compliance of a tooth of the gear.
+/// Computes the compliance of a tooth of the gear.
 ///
-/// Errors    as make_section_mesh; `diameter` if it is not on the flank; `z` and `read_z` if they are
-///           not on the face
+/// Errors    those of make_section_mesh; `diameter` if it does not lie on the flank; `z` and
+///           `read_z` if they do not lie on the face
 Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
-/// The compliance of a tooth with the transverse section of the gear and another helix, whose section
-/// turns by `twist`, rad/mm.
+/// Computes the compliance of a tooth that has the transverse section of the gear but another
+/// helix. Its section turns by `twist`, rad/mm.
 Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 
-/// Displacement along the line of action, E·u/F′, due to the twist of the body under a line force F′ at
-/// the base radius. The body is a full disc from the bore to the root, or the rim of an internal gear
-/// from its outside to the root. [T12.16]
+/// Displacement along the line of action, E·u/F′, due to the twist of the body under a line force
+/// F′ at the base radius. The body is the full disc between bore and root, or the rim of an
+/// internal gear between its roots and its outside diameter. [T12.16]
 double body_twist(double base_radius, double bore_radius, double root_radius, double poisson_ratio);
 
 }  // namespace gearwright

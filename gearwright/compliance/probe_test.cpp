@@ -43,12 +43,12 @@ TEST(ToothCompliance, InTheSectionAgreesWithTriangles) {
   }
 }
 
-// The compliance includes the twist of the body, whose closed form is compared with the printed
-// part of the reference.
+// The compliance includes the twist of the body. Its closed form is compared with the value that
+// the reference prints for this part.
 TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {
   EXPECT_NEAR(body_twist(12.5 * std::cos(20 * M_PI / 180), 6.0, 11.25, 0.3), 0.567, 5e-4);
-  // A ring is held at its outside. Its rotation is the integral from the root of dφ = M/(2πG)
-  // dr/r³.
+  // The ring is held at its outside. Its rotation is the integral of dφ = M/(2πG) dr/r³, starting
+  // at the root.
   constexpr int kSteps = 1000;
   const double step = (33.75 - 31.25) / kSteps;
   double sum = 0.0;
@@ -57,9 +57,9 @@ TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {
   EXPECT_NEAR(body_twist(28.0, 33.75, 31.25, 0.3), want, 1e-6 * want);
 }
 
-// Stiffness of two teeth at the pitch point, 300 N/mm, m = 5, rims 4 modules deep, without the
-// twist of the bodies. It is compared with separate finite elements and with c'_th of ISO 6336-1,
-// an approximation of the formulas of Weber and Banaschek.
+// Stiffness of two teeth in contact at the pitch point: 300 N/mm, m = 5, rims 4 modules thick,
+// without the twist of the bodies. It is compared with independent finite elements and with c'_th
+// of ISO 6336-1, which approximates the formulas of Weber and Banaschek.
 TEST(ToothCompliance, StiffnessOfAPairIsThatOfTheStandard) {
   struct Row {
     int z1, z2;
@@ -106,7 +106,7 @@ void expect_profile(double twist, double radius, double from, const std::vector<
                                   ComplianceAccuracy::full);
   ASSERT_TRUE(a) << a.error().message();
   for (std::size_t i = 0; i < at.size(); ++i) {
-    // The reference has no Hertz contact strip under the load.
+    // Under the load, the reference has no Hertz contact strip.
     if (std::abs(at[i] - from - 0.25) < 0.9) continue;
     EXPECT_NEAR(a->profile[i] * kModule, want[i], share * a->own * kModule) << from << ' ' << at[i];
   }
@@ -122,8 +122,8 @@ TEST(ToothCompliance, AlongTheFaceAgreesWithBricks) {
                  0.03);
 }
 
-// The obtuse and acute ends of a helical tooth. Errors are relative to the greatest displacement,
-// which is the displacement under the load.
+// Compliance at the obtuse and acute ends of a helical tooth. Errors are relative to the greatest
+// displacement, which occurs under the load.
 TEST(ToothCompliance, AlongAHelicalFaceAgreesWithBricks) {
   const double twist = std::tan(20 * M_PI / 180) / 12.5;
   const std::vector<double> z{0, 2, 4, 6, 8, 10};
@@ -133,9 +133,9 @@ TEST(ToothCompliance, AlongAHelicalFaceAgreesWithBricks) {
   expect_profile(twist, 12.5, 4.5, z, {0.114, 0.362, 1.097, 0.883, 0.309, 0.094}, 0.04);
 }
 
-// A gear with a helix angle of 45°, at both ends and in the middle of its face, including the point
-// under the load. The error is 0.9 % of the greatest displacement of a row, and 1.8 % at the face
-// of the acute end.
+// Compliance with a helix angle of 45° at both ends and in the middle of the face, including the
+// point under the load. The error is 0.9 % of the greatest displacement of a row, and 1.8 % at the
+// acute end.
 TEST(ToothCompliance, AlongASteepHelixAgreesWithBricks) {
   const auto data = nlohmann::json::parse(
       std::ifstream(testing::source_file("tests/oracle/bricks/tooth_bricks.json")));
@@ -198,14 +198,14 @@ TEST(ToothCompliance, OfOneToothIsSymmetricAndPositive) {
     EXPECT_EQ((c - c.transpose()).cwiseAbs().maxCoeff(), 0.0);
     EXPECT_GT(c.eigenvalues().real().minCoeff(), 0.0);
     EXPECT_GT(c.minCoeff(), 0.0);
-    // The influence of neighbouring teeth on each other is equal.
+    // Two neighbouring teeth influence each other equally.
     const Eigen::MatrixXd to = table.other_tooth(1, line, line);
     const Eigen::MatrixXd from = table.other_tooth(-1, line, line);
     EXPECT_LT((to - from.transpose()).cwiseAbs().maxCoeff(), 1e-12 * c.maxCoeff());
   }
 }
 
-// For teeth that touch at points, the table contains the ends of the face.
+// Teeth that touch at points can touch at the ends of the face, so the table contains these ends.
 TEST(ToothCompliance, AtItsFreeEndsAToothYieldsMoreThanInItsMiddle) {
   auto section =
       make_tooth_section(gear_of(kModule), 0.0, body_of(kModule), ComplianceAccuracy::draft);

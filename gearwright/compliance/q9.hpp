@@ -1,9 +1,10 @@
-// Quadrilateral elements with nine nodes and nine Gauss points, of which a section mesh consists.
+// Quadrilateral elements with nine nodes and nine Gauss points. A section mesh consists of these
+// elements.
 //
-//   x, y   place in an element, −1 … 1      N   the nine shape functions
+//   x, y   coordinates in an element, −1 … 1      N   the nine shape functions
 //
-// The order of the nodes is: the corners (−1,−1), (1,−1), (1,1), (−1,1), the middles of the sides in the
-// same sense, and the centre.
+// The nodes are ordered as follows: the corners (−1,−1), (1,−1), (1,1), (−1,1), then the middles of
+// the sides in the same sense of rotation, then the centre.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +19,7 @@ using Place9 = Eigen::Matrix<double, 9, 2>;
 
 struct Shape9 {
   Node9 value;
-  Slope9 slope;  ///< derivatives by x and y
+  Slope9 slope;  ///< derivatives with respect to x and y
 };
 Shape9 shape9(double x, double y);
 

@@ -15,8 +15,8 @@ RootPoints root_points(const ToothSection& section) {
   const Eigen::Index r = phi.cols();
   const Matrix6 law = hooke(1.0, section.poisson_ratio);
   RootPoints points;
-  // The points are the ends and middles of the elements along the fillet. At an end, the mean of both
-  // elements is used.
+  // The points are the ends and middles of the elements along the fillet. Where two elements meet,
+  // the mean of their values is used.
   const int first = 2 * mesh.fillet_begin;
   const int last = 2 * mesh.flank_begin;
   for (int i = first; i <= last; ++i) {
@@ -65,7 +65,8 @@ RootPoints root_points(const ToothSection& section) {
 }
 
 double greatest_principal(const Eigen::Matrix<double, 6, 1>& s) {
-  // The greatest root of the characteristic polynomial, in trigonometric form (Lode angle).
+  // The greatest root of the characteristic polynomial, computed in trigonometric form (Lode
+  // angle).
   const double mean = (s[0] + s[1] + s[2]) / 3;
   const double x = s[0] - mean;
   const double y = s[1] - mean;

@@ -1,4 +1,4 @@
-// Stress at the root of the teeth, computed from the modes and their slopes along the face.
+// Stress at the roots of the teeth, computed from the modes and from their slopes along the face.
 //
 //   σ = D (A f + B f′)   components xx, yy, zz, xy, yz, zx in coordinates that turn with the helix
 //                                                theory: docs/theory/12-loaded-contact.md, [T12.15]
@@ -12,15 +12,16 @@
 namespace gearwright::detail {
 
 struct RootPoints {
-  std::vector<double> t;                    ///< place along the outline
+  std::vector<double> t;                    ///< position along the outline
   std::vector<std::complex<double>> place;  ///< point on tooth 0, normal modules
-  /// Stresses in the teeth −1, 0, 1 for each mode and for its slope, with six rows per point.
+  /// Stresses in the teeth −1, 0 and 1 due to each mode and due to its slope. Each point has six
+  /// rows.
   std::vector<Eigen::MatrixXd> of_mode, of_slope;
 };
 
 RootPoints root_points(const ToothSection& section);
 
-/// The greatest principal stress of six components.
+/// The greatest principal stress of a stress tensor with these six components.
 double greatest_principal(const Eigen::Matrix<double, 6, 1>& stress);
 
 }  // namespace gearwright::detail

@@ -12,7 +12,8 @@ namespace {
 
 using Matrix27 = Eigen::Matrix<double, 27, 27>;
 
-constexpr double kPoint = 1e-4;  // least relative area at which slopes of an element are computed
+constexpr double kPoint = 1e-4;  // relative area of an element below which its slopes are not
+                                 // computed
 
 Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   Place9 x;
@@ -23,7 +24,7 @@ Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   return x;
 }
 
-// The sparsity pattern of the matrices, in 3 × 3 blocks of two nodes that share an element.
+// The sparsity pattern of the matrices. Each two nodes that share an element have a 3 × 3 block.
 class BlockPattern {
  public:
   explicit BlockPattern(const SectionMesh& mesh) : beside_(mesh.nodes.size()) {
@@ -59,10 +60,10 @@ class BlockPattern {
 
  private:
   std::vector<std::vector<int>> beside_;
-  std::vector<int> first_;  // of each column
+  std::vector<int> first_;  // per column
 };
 
-// The nodes that are not held, in an order that keeps the factors sparse (approximate minimum degree).
+// The unconstrained nodes, in an order that keeps the factors sparse (approximate minimum degree).
 std::vector<int> elimination_order(const SectionMesh& mesh) {
   std::vector<int> place(mesh.nodes.size(), 0);
   for (const int i : mesh.bore) place[i] = -1;
@@ -87,7 +88,7 @@ std::vector<int> elimination_order(const SectionMesh& mesh) {
   return out;
 }
 
-// The term of [T12.6] that is linear in k, from the elements of ab and abᵀ.
+// The term of [T12.6] that is linear in k, computed from the elements of ab and abᵀ.
 double between(double ab, double ba, double) { return ab + ba; }
 std::complex<double> between(double ab, double ba, std::complex<double>) { return {0.0, ab - ba}; }
 
@@ -181,8 +182,8 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
     const double middle = (shape9(0.0, 0.0).slope * x).determinant();
     for (int a = 0; a < 9; ++a) {
       Shape9 s = shape9(kX[a], kY[a]);
-      // At the tip of a pointed tooth a side of the element is degenerate, so the slopes at the middle of
-      // the element are used.
+      // At the tip of a pointed tooth, one side of the element is degenerate. There the slopes at
+      // the middle of the element are used.
       if ((s.slope * x).determinant() < kPoint * middle) s = shape9(0.0, 0.0);
       const Slope9 slope = (s.slope * x).inverse() * s.slope;
       for (int k = 0; k < 9; ++k) {
@@ -199,8 +200,9 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
 
 template <class Scalar>
 struct StripSolver<Scalar>::Parts {
-  std::vector<Eigen::Index> free;  // dof that are not held, in the order of elimination
-  // Upper triangles of the terms of [T12.6] in 1, k, k² for these dof, with the same pattern.
+  std::vector<Eigen::Index> free;  // unconstrained degrees of freedom, in the order of elimination
+  // Upper triangles of the coefficients of 1, k and k² in [T12.6] for these degrees of freedom, all
+  // with the same pattern.
   std::array<Eigen::SparseMatrix<Scalar>, 3> k;
 };
 
@@ -215,7 +217,7 @@ StripSolver<Scalar>::StripSolver(const SectionMesh& mesh, const SectionMatrices&
       place[3 * static_cast<std::size_t>(i) + c] = static_cast<int>(parts_->free.size());
       parts_->free.push_back(3 * i + c);
     }
-  // All three matrices have an entry for every two dof that share an element.
+  // All three matrices have an entry for each two degrees of freedom that share an element.
   const Sparse back = matrices.ab.transpose();
   const std::array<const Sparse*, 3> from{&matrices.aa, &matrices.ab, &matrices.bb};
   const auto size = static_cast<Eigen::Index>(parts_->free.size());

@@ -1,5 +1,5 @@
-// Sparse stiffness matrices of a section, for displacements that are waves or free functions along the
-// face.
+// Sparse stiffness matrices of a section. The displacements vary along the face as waves or as free
+// functions.
 //
 //   U = (u, v, w)   displacement in coordinates that turn with the helix; dof 3·node + component
 //   A, B            matrices that give the strains due to U and due to ∂U/∂z   [T12.5]
@@ -24,7 +24,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// The matrix of Hooke's law, for strains xx, yy, zz, xy, yz, zx.   Domain: 0 ≤ ν < ½ (contract)
 Matrix6 hooke(double youngs_modulus, double poisson_ratio);
 
-/// A and B of the 27 dof of an element at a point `at` of the section. [T12.4], [T12.5]
+/// A and B for the 27 degrees of freedom of an element at the point `at` of the section. [T12.4],
+/// [T12.5]
 struct StrainPair {
   Eigen::Matrix<double, 6, 27> a, b;
 };
@@ -35,15 +36,15 @@ struct SectionMatrices {
   Sparse aa, ab, bb;  ///< ∫AᵀDA, ∫AᵀDB, ∫BᵀDB over the section; ab is not symmetric
 };
 
-/// The matrices of a section. If `wave` is true, B belongs to U = (u cos kz, v cos kz, w sin kz), divided
-/// by k [T12.6]. If not, B belongs to free functions of z.
+/// Computes the matrices of a section. If `wave` is true, B belongs to U = (u cos kz, v cos kz, w
+/// sin kz) and is divided by k [T12.6]. If it is false, B belongs to free functions of z.
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
 
-/// The trace ε_x + ε_y of each displacement field, averaged at the nodes, as a field of w. It is 0 at the
-/// bore.
+/// The trace ε_x + ε_y of each displacement field, averaged at the nodes and stored as a field of
+/// w. It is 0 at the bore.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
-/// Solves for waves along the face with a given wave number k, on the nodes that are not held.
+/// Computes waves along the face with a given wave number k. Only unconstrained nodes are included.
 /// [T12.6], [T12.18]
 ///
 ///   double                 K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0
@@ -53,12 +54,13 @@ class StripSolver {
  public:
   using Fields = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// `matrices` belong to waves if Scalar is double, and to free functions of z if Scalar is complex.
+  /// `matrices` must be those for waves if Scalar is double, and those for free functions of z if
+  /// it is complex.
   StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices);
   ~StripSolver();
   StripSolver(StripSolver&&) noexcept;
-  /// Displacements of all dof under the columns of `loads`. If k = 0 and τ = 0, the loads must not be
-  /// axial. Each call factorises K(k). Thread-safe.
+  /// Displacements of all degrees of freedom under the columns of `loads`. If k = 0 and τ = 0, the
+  /// loads must have no axial component. Each call factorises K(k). Thread-safe.
   Fields solve(double k, const Eigen::MatrixXd& loads) const;
 
  private:

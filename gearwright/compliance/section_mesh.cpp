@@ -14,10 +14,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kLengthSteps = 64;    // per element; the error of the chord length is 1e-6
-constexpr double kSameNode = 1e-7;  // modules: points that are closer are equal
-constexpr double kNoArc = 1e-6;     // modules: shorter arcs are ignored
-constexpr double kMinRim = 0.3;     // modules: least thickness of the body behind the teeth
+constexpr int kLengthSteps = 64;    // per element; the chord length then has an error of 1e-6
+constexpr double kSameNode = 1e-7;  // modules: points closer than this are merged
+constexpr double kNoArc = 1e-6;     // modules: arcs shorter than this are ignored
+constexpr double kMinRim = 0.3;     // modules: smallest thickness of the body behind the teeth
 
 struct Part {
   Arc arc;
@@ -28,8 +28,8 @@ double arc_length(const Arc& arc) {
   return arc.begin == arc.end ? 0.0 : ArcLength(*arc.curve, arc.begin, arc.end).length();
 }
 
-// Distributes a number of elements among the arcs of one name in proportion to their length, with at
-// least one element each.
+// Distributes a number of elements among the arcs with one name, in proportion to their length.
+// Each arc receives at least one element.
 void share_out(std::vector<Part>& parts, ArcName name, int elements) {
   double sum = 0.0;
   for (const Part& p : parts)
@@ -39,7 +39,7 @@ void share_out(std::vector<Part>& parts, ArcName name, int elements) {
       p.elements = std::max(1, static_cast<int>(std::lround(elements * arc_length(p.arc) / sum)));
 }
 
-// Adds nodes, and merges nodes that two blocks share.
+// Adds nodes and merges the nodes that two blocks have in common.
 class Nodes {
  public:
   explicit Nodes(std::vector<Complex>& nodes) : nodes_(nodes) {}
@@ -57,7 +57,7 @@ class Nodes {
   }
 
  private:
-  static constexpr double kCell = 1e-5;  // modules, far below any element
+  static constexpr double kCell = 1e-5;  // modules, much smaller than any element
   std::vector<Complex>& nodes_;
   std::map<std::pair<long, long>, int> places_;
 };
@@ -98,7 +98,7 @@ class Builder {
         std::array<int, 9> e{at(i, j),         at(i + 2, j), at(i + 2, j + 2),
                              at(i, j + 2),     at(i + 1, j), at(i + 2, j + 1),
                              at(i + 1, j + 2), at(i, j + 1), at(i + 1, j + 1)};
-        // Elements of blocks that run clockwise are reversed; their side y = −1 does not change.
+        // Elements of blocks that run clockwise are reversed. Their side y = −1 remains the same.
         if (jacobian(mesh_, e, 0, 0) < 0.0)
           e = {e[1], e[0], e[3], e[2], e[4], e[7], e[6], e[5], e[8]};
         mesh_.elements.push_back(e);
@@ -213,11 +213,12 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
   if (!(rim > kMinRim)) {
     return refused("bore.diameter", 2 * bore_radius,
                    {2 * module * (mesh.root_radius - out * kMinRim)},
-                   out > 0.0 ? "must be at most {} mm, so that a rim is left under the teeth"
+                   out > 0.0 ? "must be at most {} mm, so that a rim remains under the teeth"
                              : "must be at least {} mm, because it is the outside diameter of the "
                                "rim of an internal gear, and a rim must be left around the teeth");
   }
-  // `foot` is the base point on the tooth's centre line, and `body` the radius at which the body begins.
+  // `foot` lies on the centre line of the tooth at its base. `body` is the radius at which the body
+  // begins.
   const double foot = mesh.root_radius - out * std::min(1.125, 0.5 * rim);
   const double below = 0.45 * options.rim;
   const double left = out * (foot - ri);
@@ -317,10 +318,11 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
     if (std::abs(std::abs(mesh.nodes[i]) - ri) < kSameNode)
       mesh.bore.push_back(static_cast<int>(i));
   if (folds(mesh)) {
-    return Error{"teeth", std::to_string(outline.teeth),
-                 "gives an outline whose finite elements would fold, as with undercut or pointed "
-                 "teeth; a greater profile shift or a smaller tip diameter would help",
-                 FailureKind::not_under_load};
+    return Error{
+        "teeth", std::to_string(outline.teeth),
+        "gives a tooth that cannot be divided into finite elements, because it is too undercut or "
+        "too pointed; a greater profile shift or a smaller tip diameter would help",
+        FailureKind::not_under_load};
   }
   return mesh;
 }

@@ -1,14 +1,14 @@
-// Finite elements of the transverse section of a gear. Some teeth have their exact outline, and the rest
-// of the rim is smooth at the root circle. The section is held at the bore, or at the outside of the rim
-// for an internal gear.
+// Finite elements of the transverse section of a gear. Some teeth have their exact outline. The
+// rest of the rim is smooth and ends at the root circle. The section is fixed at the bore, or for
+// an internal gear at the outside of the rim.
 //
-//   t    place along half an outline, in elements: from 0 in the middle of the space to n at the tip
-//        land
-//   c    place across the tooth: 0 on the outline, 1 on the tooth's centre line
+//   t    position along half an outline, counted in elements: 0 in the middle of the tooth space, n
+//        at the tip land
+//   c    position across the tooth: 0 on the outline, 1 on the centre line of the tooth
 //   Lengths in normal modules.                        theory: docs/theory/12-loaded-contact.md
 //
-// The centre line of tooth 0 is the x axis, and tooth k follows k pitches counter-clockwise. The mesh is
-// symmetric about the x axis. Loads act on the side y > 0 of tooth 0.
+// The centre line of tooth 0 is the x axis. Tooth k lies k pitches counter-clockwise from tooth 0.
+// The mesh is symmetric about the x axis. Loads act on the side y > 0 of tooth 0.
 #pragma once
 
 #include <array>
@@ -20,15 +20,15 @@
 
 namespace gearwright {
 
-/// The fineness of a section mesh, as numbers of elements along the outline and across.
+/// The fineness of a section mesh: numbers of elements along the outline and across the tooth.
 struct SectionMeshOptions {
-  int side_teeth = 1;  ///< teeth with their outline on each side of tooth 0
+  int side_teeth = 1;  ///< number of teeth with their exact outline on each side of tooth 0
   int fillet = 6;
   int flank = 7;
   int across = 3;
   int rim = 2;
   int body = 6;
-  int rest = 10;            ///< around the smooth part of the rim
+  int rest = 10;            ///< elements around the smooth part of the rim
   double to_tip = 1.25;     ///< if > 1, the mesh is finer towards the tip, where contact ends
   double to_outline = 1.3;  ///< if > 1, the mesh is finer towards the outline
 };
@@ -36,15 +36,15 @@ struct SectionMeshOptions {
 struct SectionMesh {
   std::vector<std::complex<double>> nodes;  ///< normal modules
   std::vector<std::array<int, 9>> elements;
-  std::vector<int> bore;  ///< nodes that are held
+  std::vector<int> bore;  ///< nodes that are fixed
   double outward = 1.0;   ///< 1 if the teeth point outwards, −1 for an internal gear
-  /// A part of an outline, from t = e to e + 1, which is the side y = −1 of an element. `forward` is
-  /// true if x increases with t.
+  /// A part of an outline from t = e to e + 1. It is the side y = −1 of an element. `forward` is
+  /// true if the element coordinate x increases with t.
   struct Edge {
     int element;
     bool forward;
   };
-  std::vector<Edge> edges;                     ///< of tooth 0 on its side y > 0
+  std::vector<Edge> edges;                     ///< edges of tooth 0 on its side y > 0
   std::vector<std::vector<Edge>> tooth_edges;  ///< of each tooth; the first is tooth −side_teeth
   int fillet_begin = 0, flank_begin = 0, flank_end = 0;  ///< t at which these parts begin or end
   /// Nodes of each tooth, in the same order for all teeth. The first tooth is −side_teeth.
@@ -52,30 +52,30 @@ struct SectionMesh {
   int side_teeth = 1;
   int tooth_count = 0;       ///< |z|
   double root_radius = 0.0;  ///< normal modules
-  double bore_radius = 0.0;  ///< radius at which the body is held
+  double bore_radius = 0.0;  ///< radius at which the body is fixed
 
-  /// A place on the exact outline of tooth 0: the arc and the position on the arc, 0 … 1.
+  /// A point on the exact outline of tooth 0: an arc and the position on it, 0 … 1.
   struct OnArc {
     const Arc* arc;
     double u;
   };
   OnArc arc_at(double t) const;
   std::complex<double> outline(double t) const;
-  /// The arc length from t = 0 to t, and the t of an arc length.
+  /// The arc length from t = 0 to t, and the inverse function.
   double length_at(double t) const;
   double parameter_at(double length) const;
 
-  std::vector<Arc> arcs;  ///< without the tip land; lengths in mm
+  std::vector<Arc> arcs;  ///< arcs of the outline except the tip land; lengths in mm
   double module = 1.0;    ///< m_n  mm
   std::vector<int> arc_begin;
   double to_tip = 1.25;
-  std::vector<double> lengths;  ///< arc lengths at kLengthSteps places per element
+  std::vector<double> lengths;  ///< arc lengths at kLengthSteps positions per element
 };
-/// Makes the mesh. `bore_radius` is the outside radius of the rim for an internal gear.
+/// Makes the mesh. For an internal gear, `bore_radius` is the outside radius of the rim.
 ///
 /// Domain    0 < bore radius (contract)
-/// Errors    `bore.diameter` if no rim is left; `teeth` if elements fold, because the outline is too
-///           undercut or too pointed for this mesh
+/// Errors    `bore.diameter` if no rim remains; `teeth` if elements fold, which happens if the
+///           outline is too undercut or too pointed for this mesh
 Result<SectionMesh> make_section_mesh(const Outline& outline, double module, double bore_radius,
                                       const SectionMeshOptions& options);
 

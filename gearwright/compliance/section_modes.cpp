@@ -11,11 +11,11 @@ namespace gearwright::detail {
 
 namespace {
 
-// Wave numbers along the face, per module, without k = 0. The wavelength is 21 modules at 0.3, and half a
-// module at 13, which is shorter than any bump.
+// Wave numbers along the face, per module, except k = 0. The wavelength is 42 modules at 0.15 and
+// half a module at 13, which is shorter than any bump.
 constexpr std::array kWaves{0.15, 0.3, 0.6, 1.0, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0};
-// Wave numbers of waves that follow the helix. Without these waves, the root stress of 17:43 teeth with
-// β = 20° is 6 % too high.
+// Wave numbers of the waves that follow the helix. Without these waves, the root stress of a 17:43
+// pair with β = 20° is 6 % too high.
 constexpr std::array kHelixWaves{0.5, 2.0, 6.0};
 constexpr double kNoEnergy = 1e-20;
 
@@ -25,8 +25,8 @@ Eigen::MatrixXd columns(const std::vector<Functional>& list, Eigen::Index n) {
   return m;
 }
 
-// The rows of the degrees of freedom in the plane, or along the axis. The energy of waves does not couple
-// the two kinds.
+// The rows of the degrees of freedom in the plane of the section, or of those along the axis. The
+// energy of a wave does not couple the two groups.
 RowMajor part(const RowMajor& fields, bool in_plane) {
   const Eigen::Index nodes = fields.rows() / 3;
   RowMajor out(in_plane ? 2 * nodes : nodes, fields.cols());
@@ -39,8 +39,8 @@ RowMajor part(const RowMajor& fields, bool in_plane) {
   return out;
 }
 
-// Linear combinations of the snapshots that are orthonormal in the energy E. Combinations with small
-// singular values are dropped. `loaded` is E times the snapshots.
+// Linear combinations of the snapshots that are orthonormal in the energy norm E. Combinations with
+// small singular values are dropped. `loaded` is E times the snapshots.
 Eigen::MatrixXd principal(const RowMajor& snapshots, const RowMajor& loaded, double tolerance) {
   const Eigen::MatrixXd energy = snapshots.transpose() * loaded;
   std::vector<Eigen::Index> kept;
@@ -77,8 +77,8 @@ RowMajor side_by_side(const std::vector<Eigen::MatrixXd>& fields) {
   return all;
 }
 
-// Displacement fields of a spur section: waves, plane strain and, for the free ends, plane stress and the
-// warping of both. If τ ≠ 0, waves under axial loads are added.
+// Displacement fields of a spur section: waves, plane strain and, to represent the free ends, plane
+// stress and the warping of both. If τ ≠ 0, waves under axial loads are added.
 std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const SectionMatrices& wave,
                                               double nu, const std::vector<BumpPlace>& places,
                                               double tau, Progress* progress) {
@@ -108,8 +108,8 @@ std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const Sec
   return fields;
 }
 
-// Real and imaginary parts of waves that follow the helix, under loads along the normal of the screw
-// surface. [T12.18]
+// Real and imaginary parts of waves that follow the helix. Their loads act along the normal of the
+// screw surface. [T12.18]
 std::vector<Eigen::MatrixXd> fields_along_helix(const SectionMesh& mesh, const SectionMatrices& own,
                                                 const std::vector<BumpPlace>& places, double tau,
                                                 Progress* progress) {

@@ -1,5 +1,5 @@
-// Modes of a loaded section, from waves along the face and from solutions for the free ends. The modes
-// reduce the tooth to a beam along its face.
+// Displacement modes of a loaded section. They are extracted from waves along the face and from
+// solutions for the free ends, and reduce the tooth to a beam along its face.
 //
 //   Φ     modes: first fields of u and v, then fields of w
 //   f(z)  amplitudes of the modes along the face
@@ -14,24 +14,24 @@
 
 namespace gearwright::detail {
 
-/// [T12.7] projected on modes.
+/// The matrices of [T12.7] projected onto the modes.
 struct ModeMatrices {
   Eigen::MatrixXd aa, ab, bb;
 };
 
 struct SectionModes {
   Eigen::MatrixXd fields;  ///< Φ, 3·nodes rows
-  ModeMatrices matrices;   ///< of the section that turns with the helix
+  ModeMatrices matrices;   ///< matrices of the section that turns with the helix
 };
-/// Modes for loads at these places of the flank. For a helical gear (τ ≠ 0), waves along the helix are
-/// included. Modes whose singular value is below `tolerance` times the greatest are dropped. Every wave
-/// and every part counts as one step of the progress.
+/// Computes the modes for loads at these positions of the flank. For a helical gear (τ ≠ 0), waves
+/// along the helix are included. Modes whose singular value is below `tolerance` times the greatest
+/// one are dropped. Each wave and each part counts as one step of `progress`.
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
                            Progress* progress = nullptr);
 
-/// Displacements of the section in plane strain, under loads that are uniform along the face, without
-/// modes.
+/// Displacements of the section in plane strain under loads that are uniform along the face. They
+/// are computed directly, without modes.
 Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,
                              const std::vector<Functional>& loads);
 

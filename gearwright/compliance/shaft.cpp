@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// Stiffness of a section: bending E I and shear κ G A.
+// Stiffness of a shaft section: bending stiffness E I and shear stiffness κ G A.
 struct ShaftSection {
   double bending, shear;
 };
@@ -33,12 +33,12 @@ ShaftSection shaft_section_at(const Shaft& s, double z) {
   return {s.youngs_modulus * area * d * d / 16, kappa * shaft_modulus_of_shear(s) * area};
 }
 
-// Transverse force Q, bending moment K = E I ψ', slope and deflection at z.
+// Transverse force Q, bending moment K = E I ψ', slope ψ and deflection w at z.
 struct ShaftState {
   double z = 0.0, Q = 0.0, K = 0.0, psi = 0.0, w = 0.0;
 };
 
-// The state at z, from a state before it, if section and load are constant between the two:
+// The state at z, computed from a state at smaller z. Section and load must be constant in between:
 // Q' = −q,  K' = −Q − m,  ψ' = K/(E I),  w' = ψ + Q/(κ G A).
 ShaftState shaft_state_at(const Shaft& s, const ShaftState& from, double z, double q, double m) {
   const double t = z - from.z;
@@ -84,7 +84,7 @@ std::vector<double> shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
   const std::array<double, 2> R = bearing_reactions(shaft, load);
   const double b = load.hi - load.lo;
 
-  // Section and load are constant between two of these points.
+  // Between neighbouring points of this list, section and load are constant.
   std::vector<double> points(z);
   points.insert(points.end(), shaft.steps.begin(), shaft.steps.end());
   points.insert(points.end(), {shaft.bearings[0], shaft.bearings[1], load.lo, load.hi});
@@ -109,7 +109,7 @@ std::vector<double> shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
         ->w;
   };
 
-  // A displacement and a rotation of the whole shaft bring the bearings to their places.
+  // A displacement and a rotation of the whole shaft make the deflections at the bearings correct.
   std::array<double, 2> off{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double place = shaft.bearing_stiffness ? -R[i] / (*shaft.bearing_stiffness)[i] : 0.0;
@@ -132,8 +132,8 @@ std::vector<double> shaft_twist(const Shaft& shaft, double torque, double body, 
   twist.reserve(z.size());
   for (const double place : z) {
     GW_EXPECTS(place >= lo && place <= hi);
-    // The torque decreases linearly from the end of the face, so its integral over t is
-    // t (1 − t/(2 b)) times the torque at the end.
+    // The torque decreases linearly from one end of the face. Its integral over t is therefore t (1
+    // − t/(2 b)) times the torque at that end.
     const double t = left ? place - lo : hi - place;
     twist.push_back(torque * t * (1 - t / (2 * (hi - lo))) /
                     (shaft_modulus_of_shear(shaft) * polar));

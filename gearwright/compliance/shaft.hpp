@@ -6,8 +6,9 @@
 //   I, A       second moment and area of a section of diameter d
 //   κ          shear coefficient of a solid circle, 6(1 + ν)/(7 + 6ν) (Cowper 1966)
 //
-// Between the points at which the section or the load changes, deflection and twist are polynomials and
-// are evaluated in closed form. With two bearings the shaft is statically determinate.
+// Section and load change only at certain points. Between these points, deflection and twist are
+// polynomials, which are evaluated in closed form. A shaft on two bearings is statically
+// determinate.
 //                                                          theory: docs/theory/11-rating.md
 #pragma once
 
@@ -17,31 +18,32 @@
 
 namespace gearwright {
 
-/// The side of the face on which the torque enters or leaves, towards −z (left) or +z (right).
+/// The side of the face on which the torque enters or leaves: −z (left) or +z (right).
 enum class ShaftSide { left, right };
 
 struct Shaft {
   std::array<double, 2> bearings{};  ///< z of the bearings, mm, ascending
-  std::vector<double> diameters;     ///< d   mm, by ascending z
+  std::vector<double> diameters;     ///< d   mm, in the order of ascending z
   std::vector<double> steps;         ///< z at which the diameter changes, mm, ascending
   double youngs_modulus = 206000.0;  ///< E   MPa
   double poisson_ratio = 0.3;        ///< ν
   bool shear = true;                 ///< true for a Timoshenko beam, false for an Euler beam
-  std::optional<std::array<double, 2>> bearing_stiffness;  ///< N/mm, radial; none if rigid
+  std::optional<std::array<double, 2>> bearing_stiffness;  ///< N/mm, radial; absent if the bearings
+                                                           ///< are rigid
   ShaftSide torque_from = ShaftSide::left;
-  /// True if `bearings` and `steps` are in ascending order, there is one more diameter than steps, and
-  /// every size is positive.
+  /// True if `bearings` and `steps` are in ascending order, if the number of diameters exceeds the
+  /// number of steps by one, and if all sizes are positive.
   bool possible() const;
 };
 
-/// The load of a gear, distributed evenly over its face from `lo` to `hi`.
+/// The load of a gear, uniformly distributed over its face from `lo` to `hi`.
 struct ShaftLoad {
   double force = 0.0;         ///< F  N, in the direction of w
   double moment = 0.0;        ///< M  N mm, > 0 if it increases the slope dw/dz
   double lo = 0.0, hi = 0.0;  ///< mm
 };
 
-/// Reactions of the bearings on the shaft, N, in the direction of w.
+/// Reaction forces of the bearings on the shaft, N, in the direction of w.
 ///
 /// Domain    shaft.possible() (contract)
 std::array<double, 2> bearing_reactions(const Shaft& shaft, const ShaftLoad& load);
@@ -55,9 +57,9 @@ std::array<double, 2> bearing_reactions(const Shaft& shaft, const ShaftLoad& loa
 std::vector<double> shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
                                      const std::vector<double>& z);
 
-/// Twist of a gear at each z of its face, rad, relative to the end of the face on the side of the torque.
-/// It is positive in the sense in which the mesh force turns the gear. The gear is regarded as a solid
-/// body of the diameter `body`, mm.
+/// Twist of a gear at each z of its face, rad, relative to the end of the face at which the torque
+/// acts. It is positive in the sense in which the mesh force turns the gear. The gear is treated as
+/// a solid cylinder with the diameter `body`, mm.
 ///
 /// Formula   [T11.51]
 /// Domain    shaft.possible(), lo < hi, every z within [lo, hi] (contract)

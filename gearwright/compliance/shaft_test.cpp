@@ -1,6 +1,6 @@
 // The deflection of a shaft is compared with textbook beams and with finite elements that share no
-// code with it: Hermite elements for bending alone, and linear elements with reduced integration
-// for bending with shear, extrapolated from two meshes.
+// code with the product: Hermite elements for bending alone, and linear elements with reduced
+// integration for bending with shear, extrapolated from two meshes.
 #include "gearwright/compliance/shaft.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,8 @@ namespace gearwright {
 namespace {
 
 using Eigen::Index;
-// Short elements between close ends reduce the accuracy of the oracle, so it uses `long double`.
+// The oracle uses `long double`, because short elements between close neighbours reduce its
+// accuracy.
 using BeamScalar = long double;
 using BeamMatrix4 = Eigen::Matrix<BeamScalar, 4, 4>;
 using BeamVector4 = Eigen::Matrix<BeamScalar, 4, 1>;
@@ -31,7 +32,8 @@ Shaft plain_shaft(double from, double to, double diameter) {
 }
 double second_moment(double d) { return std::numbers::pi * std::pow(d, 4) / 64; }
 
-constexpr double kBeamRounding = 1e-11;  // relative error of polynomials of the fourth degree
+constexpr double kBeamRounding = 1e-11;  // relative rounding error of polynomials of the fourth
+                                         // degree
 
 TEST(Shaft, UniformLoadOverTheSpan) {
   Shaft s = plain_shaft(-50, 50, 30);
@@ -43,7 +45,7 @@ TEST(Shaft, UniformLoadOverTheSpan) {
   EXPECT_NEAR(w[2], 0.0, 1e-14);
 }
 
-// A load over the length e differs from a point load by O(e²).
+// A load distributed over the length e differs from a point load by O(e²).
 TEST(Shaft, PointLoadInTheMiddleAndOverhung) {
   constexpr double e = 1e-3;
   constexpr double kSpread = 1e-8;
@@ -61,7 +63,7 @@ TEST(Shaft, PointLoadInTheMiddleAndOverhung) {
 }
 
 TEST(Shaft, BearingsYieldByTheirReactions) {
-  Shaft s = plain_shaft(-30, 70, 1e4);  // as stiff as a wall
+  Shaft s = plain_shaft(-30, 70, 1e4);  // practically rigid
   s.bearing_stiffness = {2e5, 1e5};
   const ShaftLoad load{1000, 0, -10, 10};
   const auto R = bearing_reactions(s, load);
@@ -76,7 +78,7 @@ TEST(Shaft, BearingsYieldByTheirReactions) {
 struct RandomShaft {
   Shaft shaft;
   ShaftLoad load;
-  std::vector<double> ends;  ///< section and load are constant between these ends
+  std::vector<double> ends;  ///< section and load are constant between neighbouring values
 };
 
 RandomShaft random_shaft(std::mt19937& random) {
@@ -100,7 +102,8 @@ RandomShaft random_shaft(std::mt19937& random) {
   return r;
 }
 
-// Nodes of a mesh with `parts` elements between neighbouring ends, and w there.
+// Nodes of a mesh with `parts` elements in each interval between ends, and the deflection w at the
+// nodes.
 struct BeamMesh {
   std::vector<double> z, w;
 };
@@ -183,7 +186,8 @@ TEST(Shaft, BendingAgreesWithHermiteElements) {
   }
 }
 
-// The error of linear elements consists of even powers of h, and two meshes remove the term h².
+// The error of linear elements is a series in even powers of h. Combining two meshes removes the
+// term in h².
 TEST(Shaft, ShearAgreesWithLinearElements) {
   constexpr int kParts = 12;
   std::mt19937 random(11);
@@ -220,7 +224,7 @@ TEST(Shaft, LawsOfScale) {
   }
 }
 
-// The twist is compared with the sum over thin discs, from both sides.
+// The twist is compared with a sum over thin discs, for both sides of the torque.
 TEST(Shaft, TwistOfThinDiscs) {
   Shaft s = plain_shaft(-60, 60, 40);
   constexpr double T = 2e5, b = 40, body = 55;
@@ -233,7 +237,7 @@ TEST(Shaft, TwistOfThinDiscs) {
     const auto twist = shaft_twist(s, T, body, -b / 2, b / 2, at);
     for (std::size_t k = 0; k < at.size(); ++k) {
       double sum = 0.0;
-      for (int i = 0; i < kDiscs; ++i) {  // disc edges lie at all of these places
+      for (int i = 0; i < kDiscs; ++i) {  // disc boundaries coincide with all of these positions
         const double z = -b / 2 + b * (i + 0.5) / kDiscs;
         if (left ? z > at[k] : z < at[k]) continue;
         sum += T * (left ? b / 2 - z : z + b / 2) / b / GI * b / kDiscs;

@@ -1,5 +1,6 @@
-// The section of a tooth for the computation of its compliance: the mesh, the positions on the flank for
-// the tables, and the modes. It depends on the outline and the helix, but not on the face width.
+// The section of a tooth for the computation of its compliance: the mesh, the positions on the
+// flank that the tables use, and the modes. It depends on the outline and the helix but not on the
+// face width.
 //
 //   Lengths are in normal modules, and E = 1. A compliance is E·u·m_n/F, or E·u/F′ in plane strain.
 //                                                theory: docs/theory/12-loaded-contact.md
@@ -14,13 +15,13 @@
 
 namespace gearwright {
 
-/// `draft` uses a coarser mesh and fewer modes and is two to three times as fast as `full`.
+/// `draft` uses a coarser mesh and fewer modes than `full` and is two to three times as fast.
 enum class ComplianceAccuracy { full, draft };
 
-/// The body of a gear, on which the compliance depends.
+/// The body of a gear. The compliance depends on its bore and material.
 struct ElasticBody {
-  double bore_diameter = 0.0;  ///< mm, at which the body is held; for an internal gear the outside
-                               ///< diameter of the rim
+  double bore_diameter = 0.0;  ///< mm, diameter at which the body is fixed; for an internal gear,
+                               ///< the outside diameter of the rim
   double poisson_ratio = 0.3;
   double youngs_modulus = 206000.0;  ///< MPa
 };
@@ -32,32 +33,32 @@ struct ToothSection {
   SectionModes modes;
   double poisson_ratio = 0.3;
   double tau = 0.0;       ///< τ, rotation of the section per length; the loaded flank is at y > 0
-  std::vector<double> s;  ///< evenly spaced places along the flank, as arc lengths
-  std::vector<double> c;  ///< half widths of the bumps at these places
+  std::vector<double> s;  ///< evenly spaced positions along the flank, as arc lengths
+  std::vector<double> c;  ///< half widths of the bumps at these positions
   double flank_lo = 0.0, flank_hi = 0.0;  ///< arc lengths at the ends of the flank
   std::vector<Functional> bumps;          ///< bumps along the normal of the screw surface
   std::vector<double> radius_lengths;     ///< arc lengths at evenly spaced radii of the flank
   double radius_lo = 0.0, radius_hi = 0.0;
 
-  /// Arc length at a radius, in modules. Beyond the flank it is extrapolated linearly.
+  /// The arc length at a radius, in modules. It is extrapolated linearly beyond the flank.
   double length_at_radius(double radius) const;
-  /// Metric of the flank at a place.
+  /// Metric of the flank at the arc length s.
   FlankMetric metric(double s) const;
 };
 
-/// Mesh options for the section of a gear whose section turns by `twist`, rad/mm.
+/// Mesh options for the section of a gear. The section turns by `twist`, rad/mm.
 SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccuracy accuracy);
 double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 
-/// The half width of a bump at s: 0.3 modules, or less near the tip.
+/// The half width of a bump at s: 0.3 modules, reduced near the tip.
 double bump_width(double s, double flank_hi);
 }  // namespace detail
-/// Makes the section of a tooth whose loaded flank lies at y > 0. `twist` is the rotation of the section,
-/// rad/mm. `also` is an additional position along the flank for which modes are computed. `progress` is
-/// passed to section_modes().
+/// Makes the section of a tooth whose loaded flank lies at y > 0. `twist` is the rotation of the
+/// section, rad/mm. `also` is an additional position along the flank for which modes are computed.
+/// section_modes() receives `progress`.
 ///
 /// Domain    a gear with teeth (contract)
-/// Errors    as make_section_mesh
+/// Errors    those of make_section_mesh
 Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(
     const Gear& gear, double twist, const ElasticBody& body, ComplianceAccuracy accuracy,
     std::optional<double> also = std::nullopt, Progress* progress = nullptr);

@@ -17,8 +17,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kElement = 0.5;     // modules along the face
-constexpr double kImageReach = 2.0;  // modules; beyond, the images of bump and strip are equal
-// The slice at the mirrored place. For a spur gear, slice n−1−j is equivalent to slice j.
+constexpr double kImageReach = 2.0;  // modules; at greater distances, the images of bump and strip
+                                     // are equal
+// The slice at the mirrored position. For a spur gear, slice n−1−j is equivalent to slice j.
 int mirrored(int j, int n) { return n - 1 - j; }
 
 }  // namespace
@@ -39,8 +40,8 @@ ToothTable::ToothTable(std::shared_ptr<const detail::ToothSection> section,
   make_local(request);
 }
 
-// Weights of the interpolating cubic through the four evenly spaced places around x, or through the first
-// or last four places near an end.
+// Weights of cubic interpolation through the four evenly spaced positions around x. Near an end,
+// the first or last four positions are used.
 ToothTable::Weights ToothTable::cubic(const std::vector<double>& places, double x) {
   const double step = places[1] - places[0];
   Weights w{};
@@ -66,7 +67,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   const Index r = face.mode_count();
   const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
-  // Loads and readings in terms of modes, the readings at the places of tooth −side … side.
+  // Loads and readings in terms of the modes. Readings are at the positions of teeth −side … side.
   MatrixXd load(r, places_);
   MatrixXd read(r, places_ * (2 * side + 1));
   for (int i = 0; i < places_; ++i) {
@@ -93,7 +94,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   // A spur gear is symmetric about the middle of the face.
   const bool symmetric = s.tau == 0.0;
   const int solved = symmetric ? (n_ + 1) / 2 : n_;
-  // Every place is computed independently.
+  // All positions are computed independently.
   parallel_for(static_cast<std::size_t>(places_), [&](std::size_t at) {
     count_step(request.progress);
     const int i = static_cast<int>(at);
@@ -102,7 +103,7 @@ void ToothTable::make(const ToothTableRequest& request) {
       for (Index a = 0; a < nodes; ++a) x.col(j).segment(a * r, r) = mean(a, j) * load.col(i);
     face.solve(x);
     count_step(request.progress);
-    // Displacements, first by place and then by slice.
+    // Displacements, ordered by position and then by slice.
     MatrixXd by_node(nodes * read.cols(), solved);
     for (Index a = 0; a < nodes; ++a)
       by_node.middleRows(a * read.cols(), read.cols()).noalias() =
@@ -125,7 +126,8 @@ void ToothTable::make(const ToothTableRequest& request) {
     }
     if (!request.root_stress) return;
     count_step(request.progress);
-    // Amplitudes f and slopes g at the middles of all slices. The columns of one slice are adjacent.
+    // Amplitudes f and slopes g at the middles of all slices. The columns of one slice are
+    // adjacent.
     MatrixXd f = MatrixXd::Zero(r, solved * n_);
     MatrixXd g = f;
     for (int l = 0; l < n_; ++l) {
@@ -153,8 +155,8 @@ void ToothTable::make(const ToothTableRequest& request) {
       }
     }
   });
-  // Betti's reciprocity is exact for a single tooth. For neighbouring teeth the mean of both directions
-  // is used, because the smooth part of the rim disturbs the reciprocity.
+  // For a single tooth, Betti's reciprocity is exact. For neighbouring teeth, the smooth part of
+  // the rim disturbs it, so the mean of both directions is used.
   for (int j = 0; j < n_; ++j) {
     for (int l = 0; l < n_; ++l) {
       for (int i = 0; i < places_; ++i) {
@@ -173,7 +175,8 @@ void ToothTable::make(const ToothTableRequest& request) {
   }
 }
 
-// Subtracts H[b, b], the indentation under the bumps, and computes H[a, a] under the strip along the line.
+// Subtracts H[b, b], the indentation under the bumps, and computes H[a, a] under the Hertz strip
+// along the contact line.
 void ToothTable::make_local(const ToothTableRequest& request) {
   using namespace detail;
   const ToothSection& s = *section_;
@@ -203,7 +206,7 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       }
       if (s.tau == 0.0)
         for (int d = 1; d < n_; ++d) direct[n_ - 1 - d] = direct[n_ - 1 + d];
-      // The metric for mirror images at an end of the face.
+      // The metric for the mirror images at an end of the face.
       const FlankMetric across{0.0, metric.zz - metric.sz * metric.sz};
       for (int j = 0; j < n_; ++j) {
         for (int l = 0; l < n_; ++l) {
@@ -218,8 +221,8 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       }
     }
   });
-  // H[a, a] along the line, including mirror images at the ends. The metric in the middle of the flank is
-  // used for all positions.
+  // H[a, a] along the contact line, including the mirror images at the ends of the face. The metric
+  // in the middle of the flank is used for all positions.
   const Offsets o = hertz_offsets(request.half_width);
   const double per = request.line_per_height;
   const FlankMetric along{0.0, per * per};
@@ -293,8 +296,8 @@ MatrixXd ToothTable::other_tooth(int k, const LinePlaces& read, const LinePlaces
 MatrixXd ToothTable::on_grid(const TablePlace& place) const {
   MatrixXd grid = MatrixXd::Zero(n_, places_);
   const Weights along = weights(place.s);
-  // Near an end of the face the compliance increases steeply, so the value at the middle of the last
-  // slice is used beyond that middle.
+  // Near an end of the face, the compliance increases steeply. Beyond the middle of the last slice,
+  // its value at that middle is used.
   const Weights across = cubic(middles_, std::clamp(place.z, middles_.front(), middles_.back()));
   for (int j = 0; j < 4; ++j)
     for (int a = 0; a < 4; ++a) grid(across.first + j, along.first + a) = across.w[j] * along.w[a];

@@ -1,12 +1,12 @@
-// Influence coefficients between positions on the flank of a tooth, as tables over slices of the face and
-// positions along the flank. The tables are used for all rotations, torques and errors.
+// Tables of influence coefficients between positions on the flank of a tooth. They cover the slices
+// of the face and positions along the flank, and serve for all rotations, torques and errors.
 //
 //   C(s, z; s′, z′) = C_FE[b, b] − H[b, b] + H[a, a]                                       [T12.9]
 //                                                theory: docs/theory/12-loaded-contact.md
 //
-// The table contains the first two terms and is interpolated in s and s′ by cubics. The third term is
-// computed along the contact line. Lengths are in normal modules and E = 1, so C is E·u·m_n/F. Forces
-// are totals over a slice, and displacements are means over a slice.
+// The tables contain the first two terms, which are interpolated in s and s′ by cubics. The third
+// term is computed along the contact line. Lengths are in normal modules and E = 1, so C is
+// E·u·m_n/F. Forces are totals over a slice, and displacements are means over a slice.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace gearwright {
 
-/// The slices of the face, in normal modules. z = 0 is the middle of the face.
+/// The slices into which the face is divided, in normal modules. z = 0 is the middle of the face.
 struct FaceSlices {
   int count = 32;
   double lo = 0.0, hi = 0.0;
@@ -25,21 +25,21 @@ struct FaceSlices {
   double middle(int j) const { return lo + (j + 0.5) * width(); }
 };
 
-/// The arc length along the flank at which the contact line of a tooth crosses each slice. The value is
-/// arbitrary for slices that the line does not cross.
+/// For each slice, the arc length along the flank at which the contact line of a tooth crosses it.
+/// For slices that the line does not cross, the value is arbitrary.
 using LinePlaces = std::vector<double>;
-/// A place on the flank: arc length s and height z, normal modules.
+/// A position on the flank: arc length s and height z, normal modules.
 struct TablePlace {
   double s, z;
 };
 
 struct ToothTableRequest {
-  double face_width = 0.0;  ///< of this gear, normal modules
+  double face_width = 0.0;  ///< face width of this gear, normal modules
   FaceSlices slices;
   double half_width = 0.05;      ///< half width a of the strip in H[a, a], normal modules
-  double line_per_height = 1.0;  ///< length of the contact line per height, 1/cos β_b
-  bool root_stress = true;       ///< true if root stresses are required
-  Progress* progress = nullptr;  ///< counts eight steps for each place along the flank
+  double line_per_height = 1.0;  ///< length of the contact line per unit of height, 1/cos β_b
+  bool root_stress = true;       ///< true if root stresses are to be computed
+  Progress* progress = nullptr;  ///< counts eight steps for each position along the flank
 };
 
 class ToothTable {
@@ -47,26 +47,27 @@ class ToothTable {
   ToothTable(std::shared_ptr<const detail::ToothSection> section, const ToothTableRequest& request);
 
   const detail::ToothSection& section() const { return *section_; }
-  /// Coefficients between the positions of one line, a symmetric matrix.
+  /// Coefficients between the positions of one line, as a symmetric matrix.
   Eigen::MatrixXd same_tooth(const LinePlaces& line) const;
-  /// Displacements on a line of tooth k (≠ 0) under forces on a line of tooth 0. Beyond side_teeth(), the
-  /// result for the farthest tooth in the mesh is used, because only the rotation of the body has an
-  /// effect at that distance.
+  /// Displacements on a line of tooth k (≠ 0) under forces on a line of tooth 0. If |k| exceeds
+  /// side_teeth(), the result for the farthest tooth in the mesh is returned, because at that
+  /// distance only the rotation of the body has an effect.
   Eigen::MatrixXd other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const;
   int side_teeth() const { return section_->mesh.side_teeth; }
   int slices() const { return n_; }
 
-  /// Distributes the forces on the slices of a line to the grid of the table. The grid has a row per
-  /// slice and a column per place along the flank.
+  /// Distributes the forces on the slices of a line to the grid of the table. The grid has a row
+  /// per slice and a column per position along the flank.
   Eigen::MatrixXd on_grid(const LinePlaces& line, const Eigen::VectorXd& force) const;
-  /// Distributes a force of 1 at a place to the grid of the table.
+  /// Distributes a unit force at a position to the grid of the table.
   Eigen::MatrixXd on_grid(const TablePlace& place) const;
-  /// Displacement on tooth k under the forces `loaded` on tooth 0, as a mean with the weights `read`,
-  /// without the deformation of the contact. It consists of the first two terms of [T12.9]. In H[b, b],
-  /// mirror images at the ends of the face are omitted here, because no H[a, a] replaces them.
+  /// Displacement on tooth k under the forces `loaded` on tooth 0, averaged with the weights
+  /// `read`. The deformation of the contact itself is excluded. The result consists of the first
+  /// two terms of [T12.9]. The mirror images in H[b, b] at the ends of the face are omitted,
+  /// because no H[a, a] replaces them.
   double yield(int k, const Eigen::MatrixXd& read, const Eigen::MatrixXd& loaded) const;
-  /// Adds to `stress` the stresses σ·m_n²/F at the root points of tooth k (−1, 0 or 1) under forces on the
-  /// grid of tooth 0. `stress` has six rows per point and a column per slice.
+  /// Adds to `stress` the stresses σ·m_n²/F at the root points of tooth k (−1, 0 or 1) under forces
+  /// on the grid of tooth 0. `stress` has six rows per point and a column per slice.
   void add_root_stress(int k, const Eigen::MatrixXd& force, Eigen::MatrixXd& stress) const;
   const detail::RootPoints& root() const { return root_; }
 
@@ -85,13 +86,14 @@ class ToothTable {
   FaceSlices slices_;
   double half_face_ = 0.0;
   int n_ = 0, places_ = 0;
-  std::vector<double> middles_;             // of the slices
+  std::vector<double> middles_;             // middles of the slices
   std::vector<double> same_;                // [load slice][read slice][load place][read place]
-  std::vector<double> image_;               // as same_: mirror images of H[b, b] at the ends
-  std::vector<std::vector<double>> other_;  // as same_: of tooth −side … side
-  Eigen::MatrixXd hertz_;                   // H[a, a] of slices
+  std::vector<double> image_;               // ordered like same_: mirror images of H[b, b] at the
+                                            // ends of the face
+  std::vector<std::vector<double>> other_;  // ordered like same_: teeth −side … side
+  Eigen::MatrixXd hertz_;                   // H[a, a] between slices
   detail::RootPoints root_;
-  // Stresses of tooth −1, 0, 1: [tooth][load place](6·points·slices × load slices)
+  // Stresses of teeth −1, 0 and 1: [tooth][load place](6·points·slices × load slices)
   std::vector<std::vector<Eigen::MatrixXd>> stress_;
 };
 

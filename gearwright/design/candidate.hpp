@@ -1,13 +1,13 @@
-// Batches of candidates: the values of a pair that are compared with the limits of a search, in
-// columns, computed with vector instructions.
+// Batches of candidates. For each candidate, the values of a pair that a search compares with its
+// limits are computed with vector instructions and stored in columns.
 //
-// One text of formulas (design/candidate_formulas.inc) is compiled for double and for every
-// instruction set. At run time the best available instruction set is used. The last bits of the vector
-// results depend on the machine. Within kSieveDoubt of a limit, and for every printed number, the
-// scalar formulas of the pair are therefore used.
+// The formulas are written once (design/candidate_formulas.inc) and compiled for double and for
+// every instruction set. At run time, the best available instruction set is used. The last bits of
+// the vector results depend on the machine. Therefore the scalar formulas of the pair are used
+// within kSieveDoubt of a limit and for every printed number.
 //
-//   Laws  (1) the vector results agree with the scalar instance to 1e-12
-//         (2) the verdicts are the same on any machine
+//   Laws  (1) the vector results agree with the scalar results to 1e-12
+//         (2) the verdicts are the same on every machine
 #pragma once
 
 #include <array>
@@ -18,13 +18,13 @@
 
 namespace gearwright {
 
-/// Number of candidates in a batch, small enough for the columns to stay in the cache.
+/// Number of candidates in a batch. It is so small that the columns stay in the cache.
 inline constexpr std::size_t kBatch = 1024;
 
-/// Data common to all candidates of a batch, on parallel axes, in normal modules.
+/// Data that all candidates of a batch share. Axes are parallel, and lengths are in normal modules.
 struct CandidateConstants {
   double tan_alpha = 0.0;                                      ///< tan α_n
-  std::array<double, 2> addendum{}, dedendum{}, edge_depth{};  ///< of the racks
+  std::array<double, 2> addendum{}, dedendum{}, edge_depth{};  ///< of the two racks
   std::array<double, 2> flank_depth{};                         ///< for the interference limit
   bool tight = false, shorten = false;
 };
@@ -37,16 +37,17 @@ struct CandidateBatch {
     center_distance,
     tan_working,         ///< tan α_wt
     contact_ratio,       ///< ε_α
-    contact_ratio_true,  ///< clipped to the usable flanks
-    sliding,             ///< greatest |ζ|; ∞ beyond a base tangent point
+    contact_ratio_true,  ///< ε_α of the path clipped to the usable flanks
+    sliding,             ///< greatest |ζ|; ∞ if the path extends beyond a base tangent point
     tip_1,
     tip_2,  ///< s_an
     clearance_1,
     clearance_2,
     interference_1,
-    interference_2,  ///< ρ at the mating gear's tip − ρ_F; ∞ for an internal gear, for which there
-                     ///< is no such limit
-    residual,        ///< of inv α_wt; the error of tan α_wt is the residual over tan² α_wt
+    interference_2,  ///< curvature radius of the flank at the mating gear's tip, minus ρ_F; ∞ for
+                     ///< an internal gear, which has no such limit
+    residual,        ///< residual of inv α_wt; the error of tan α_wt is the residual divided by
+                     ///< tan² α_wt
     kOut
   };
   std::array<std::vector<double>, kIn> in;
@@ -55,21 +56,21 @@ struct CandidateBatch {
   void resize(std::size_t n);
 };
 
-/// Evaluates the batch with vector instructions. Values are NaN if a tip lies inside its base circle or
-/// if there is no mesh.
+/// Evaluates the batch with vector instructions. A value is NaN if a tip lies inside its base
+/// circle or if the gears cannot mesh.
 void evaluate(const CandidateConstants& constants, CandidateBatch& batch);
 /// Evaluates the batch with scalar formulas.
 void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch);
 
-/// Within this distance from a limit, modules, the vector result is not used.
+/// Distance from a limit, modules, within which the vector result is not used.
 inline constexpr double kSieveDoubt = 1e-10;
-/// Verdicts of the filter for a trial. The first three name the limit that certainly rejects the trial.
-/// kSievePass is returned if the point with the longest path is not rejected, and kSieveAsk if the
-/// filter cannot decide. In the last two cases the graph decides.
+/// Verdicts of the filter for a trial. The first three name the limit that certainly rejects the
+/// trial. kSievePass means that the point with the longest path meets these limits, and kSieveAsk
+/// that the filter cannot decide. In the last two cases, the graph decides.
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
                         kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
 
-/// The constants of the filter for one rack, helix and mounting.
+/// The constants of the filter for one rack, helix angle and mounting.
 struct SieveConstants {
   double cos_transverse = 1.0;       ///< cos α_t
   double involute_transverse = 0.0;  ///< inv α_t
@@ -77,7 +78,8 @@ struct SieveConstants {
   double min_path = 0.0;             ///< K
   std::array<double, 2> addendum{};
   bool tight = false, internal = false;
-  bool path = false;  ///< true if the third limit is evaluated (external pairs at extended centres)
+  bool path = false;  ///< true if the third limit is evaluated, which requires an external pair at
+                      ///< extended centres
 };
 
 struct SieveBatch {
@@ -91,7 +93,7 @@ struct SieveBatch {
 void sieve(const SieveConstants& constants, SieveBatch& batch);
 void sieve_scalar(const SieveConstants& constants, SieveBatch& batch);
 
-/// The name of the instruction set in use, such as "AVX3" or "AVX2".
+/// The name of the instruction set in use, for example "AVX3" or "AVX2".
 std::string lanes_name();
 std::size_t lanes();
 

@@ -1,5 +1,5 @@
-// Without Google Highway, the scalar formulas are used. They are also the reference in the tests of
-// the vector code.
+// The scalar formulas, which are used if Google Highway is not available. They are also the
+// reference for the tests of the vector code.
 #include "gearwright/design/candidate.hpp"
 
 namespace gearwright {

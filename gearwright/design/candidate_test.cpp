@@ -1,5 +1,6 @@
-// Lanes are compared with the scalar instance, and that with the formulas of the pair. Law (1) of
-// the header: lanes agree with the scalar instance to 1e-12. The sieve: sieve_test.cpp.
+// The vector results are compared with the scalar results, and the scalar results with the formulas
+// of the pair. Law (1) of the header: vector and scalar results agree to 1e-12. sieve_test.cpp
+// tests the filter.
 #include "gearwright/design/candidate.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ using testing::search::Random;
 using testing::search::trial;
 using Batch = CandidateBatch;
 
-constexpr double kLanes = 1e-12;  // law (1), of 1 + |value|
+constexpr double kLanes = 1e-12;  // law (1), relative to 1 + |value|
 
 class CandidateOfMode : public ::testing::TestWithParam<Mode> {};
 INSTANTIATE_TEST_SUITE_P(Modes, CandidateOfMode, ::testing::ValuesIn(kModes),
@@ -59,8 +60,8 @@ void fill(Random& random, const Mode& mode, std::size_t from, std::size_t to, Ba
   }
 }
 
-// ζ has no bound, so 1/(1 + |ζ|) is compared. It is the ratio of the two curvature radii, the
-// smaller over the larger, and does not amplify their rounding.
+// ζ has no upper limit, so 1/(1 + |ζ|) is compared. This is the ratio of the smaller curvature
+// radius to the larger one, and it does not amplify their rounding errors.
 double compared(int column, double v) {
   return column == Batch::sliding ? 1.0 / (1.0 + std::abs(v)) : v;
 }
@@ -87,13 +88,13 @@ TEST_P(CandidateOfMode, LanesAgreeWithTheScalarInstance) {  // (1)
       if (std::isnan(a) && std::isnan(b)) continue;
       const double off = a == b ? 0.0 : std::abs(a - b) / (1.0 + std::abs(b));
       auto& most = worst[static_cast<std::size_t>(k)];
-      most = off <= most ? most : off;  // keeps NaN
+      most = off <= most ? most : off;  // the negated form keeps NaN
       ASSERT_LE(off, kLanes) << "column " << k << " of " << lanes.in[0][i] << ":" << lanes.in[1][i]
                              << " sin β " << lanes.in[2][i] << " x " << lanes.in[3][i] << " "
                              << lanes.in[4][i];
     }
   }
-  EXPECT_GT(compared_candidates, lanes.size() * 8 / 10);  // sums without a working angle
+  EXPECT_GT(compared_candidates, lanes.size() * 8 / 10);  // the other sums have no working angle
   RecordProperty("worst_1e_15",
                  std::to_string(*std::max_element(worst.begin(), worst.end()) / 1e-15));
 }
@@ -126,8 +127,8 @@ TEST_P(CandidateOfMode, PartialVectorsAreWhole) {
   EXPECT_EQ(none.size(), 0u);
 }
 
-// The scalar instance is compared with the results of a search, which are those of the pair's
-// formulas.
+// The scalar results are compared with the results of a search, which uses the formulas of the
+// pair.
 TEST_P(CandidateOfMode, NumbersAreThoseOfTheRow) {
   const Mode mode = GetParam();
   constexpr double kRow = 1e-11;
@@ -142,7 +143,7 @@ TEST_P(CandidateOfMode, NumbersAreThoseOfTheRow) {
   int beyond_base = 0;
   for (std::size_t i = 0; i < b.size(); ++i) {
     const auto out = [&](Batch::Out k) { return b.out[k][i]; };
-    // d tan α/d inv α = 1/tan² α, the effect of the residual on the working angle.
+    // d tan α/d inv α = 1/tan² α determines the effect of the residual on the working angle.
     if (!(out(Batch::residual) < 1e-14 * std::pow(out(Batch::tan_working), 2))) continue;
     if (std::isnan(out(Batch::contact_ratio)) || std::isnan(out(Batch::tip_1)) ||
         std::isnan(out(Batch::tip_2)))
@@ -190,7 +191,8 @@ TEST(Candidate, WhatDoesNotExistIsNotANumber) {
   Batch b;
   b.resize(2);
   const double values[2][5] = {{20, 40, 0.0, -1.9, 0.0},    // tip inside the base circle
-                               {40, 40, 0.0, -1.3, -1.3}};  // below the sum of the base radii
+                               {40, 40, 0.0, -1.3, -1.3}};  // centre distance below the sum of the
+                                                            // base radii
   for (std::size_t k = 0; k < 5; ++k)
     for (std::size_t i = 0; i < 2; ++i) b.in[k][i] = values[i][k];
   evaluate(candidate_constants_of(SearchProblem{}), b);

@@ -1,5 +1,5 @@
-// Chooses the point of a design in its region. If possible, the point lies on the line of Eq. 11 and
-// away from the borders.
+// Chooses the profile shifts of a design within its region. If possible, the point lies on the line
+// of Eq. 11 and away from the borders.
 //                                              theory: docs/theory/09-design-search.md, 9.4
 #include <algorithm>
 #include <cmath>
@@ -18,13 +18,13 @@ Vec2 balanced_point(int z1, int z2, double sum, double lambda) {
 }
 
 bool line_is_outside(const ShiftGraph& graph, double a, double b) {
-  constexpr double kBarely = 1e-9;  // modules, a distance at which rounding has no influence
+  constexpr double kBarely = 1e-9;  // modules; rounding errors are much smaller
   const Trial& t = graph.trial();
   const Vec2 at_0 = balanced_point(t.z1, t.z2, 0.0, graph.problem().lambda);
   const Vec2 at_1 = balanced_point(t.z1, t.z2, 1.0, graph.problem().lambda);
   const auto limits = graph.shift_limits();
   for (const int i : {0, 1}) {
-    // Along the line, the shifts do not decrease as Σ increases.
+    // Along the line, neither shift decreases as Σ increases.
     const double rise = at_1[i] - at_0[i];
     const Interval& limit = limits[static_cast<std::size_t>(i)];
     if (!(rise > 0.0)) {
@@ -40,11 +40,11 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b) {
 namespace {
 
 constexpr double kFarOff = 1e9;  // modules; greater than the distance of any point
-// A smaller distance from a border, modules, is a rounding error.
+// Distances from a border below this value, modules, are rounding errors.
 constexpr double kSameEnd = 1e-9;
 
-// The greatest value of f over [a, b], by nodes and golden section around the highest node; any
-// value of f if the greatest does not exceed 0.
+// The greatest value of f over [a, b]. It is found at nodes and by golden section around the
+// highest node. If it does not exceed 0, any value of f may be returned.
 template <class F>
 double greatest(const F& f, double a, double b, double bend) {
   if (!(a < b)) return f(a);
@@ -57,7 +57,8 @@ double greatest(const F& f, double a, double b, double bend) {
     const double value = f(node(i));
     if (value > top) top = value, best = i;
   }
-  // climb() stops at a positive value. A value above the maximum is therefore subtracted.
+  // climb() stops as soon as a value is positive. A constant above the maximum is therefore
+  // subtracted.
   const double above = top + 1.0;
   const double x =
       detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
@@ -65,13 +66,13 @@ double greatest(const F& f, double a, double b, double bend) {
   return std::max(top, f(x));
 }
 
-// The point of the line of Eq. 11 with Σ nearest 0 that keeps a distance from the borders and, if
-// requested, does not cut into a fillet.
+// Finds the point of the line of Eq. 11 that has Σ nearest 0 among the points that keep a distance
+// from the borders and, if requested, do not cut into a fillet.
 enum class Fillets { asked, left_out };
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
   if (!(range.lo <= range.hi) || line_is_outside(graph, range.lo, range.hi)) return std::nullopt;
-  // If fillets are checked, the distance is discontinuous, so its curvature has no limit.
+  // If fillets are checked, the distance is not continuous, so its curvature has no upper limit.
   const double bend =
       fillets == Fillets::asked ? std::numeric_limits<double>::infinity() : kMostBend;
   const Trial& t = graph.trial();
@@ -81,16 +82,16 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const auto off_walls = [&](double sum) {
     const Vec2 p = place(sum);
     const double wall = graph.wall_distance(p[0], p[1]);
-    // A cut fillet counts as a violated border. The distance from it is not computed.
+    // A cut fillet counts as a violated border. The amount of the cut is not computed.
     return fillets == Fillets::asked && wall > 0.0 && fillet_is_cut(graph, p) ? -wall : wall;
   };
   const double nearest = std::clamp(0.0, range.lo, range.hi);
   const double at_nearest = off_walls(nearest);
   if (at_nearest >= kWallDistance) return place(nearest);
-  // As a function of Σ, the distance has one maximum, except in the rare regions in pieces. The search
-  // climbs from `nearest` in growing steps. Then it returns to the first point that is far enough from
-  // the borders.
-  constexpr double kStep = 0.05;  // modules, a tenth of the usual value
+  // As a function of Σ, the distance has one maximum, except if the region consists of several
+  // pieces, which is rare. The search climbs from `nearest` in growing steps. It then returns to
+  // the first point that is far enough from the borders.
+  constexpr double kStep = 0.05;  // modules, a tenth of the usual distance
   const double right = std::min(nearest + kStep, range.hi);
   const double left = std::max(nearest - kStep, range.lo);
   const double at_right = right > nearest ? off_walls(right) : -kFarOff;
@@ -123,7 +124,7 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
                                 std::min(nearest, here), std::max(nearest, here));
     if (root.found()) return place(root.x);
   }
-  // For external gears at extended centres, the distance has only one maximum.
+  // For external gears at extended centres, the distance is known to have only one maximum.
   const SearchProblem& problem = graph.problem();
   const bool one_hump = problem.mounting == Mounting::extended && !problem.internal() &&
                         !problem.crossed() && fillets == Fillets::left_out;
@@ -143,8 +144,8 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
 
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
   if (!graph.problem().limits.avoid_interference) {
-    // If interference is not excluded, the point with Σ nearest 0 is used. It may lie at a border, but
-    // then it is found only with the region.
+    // If interference is permitted, the point with Σ nearest 0 is used. If this point lies at a
+    // border, it is computed only together with the region.
     const ShiftGraph::Sums range = graph.sums();
     if (!(range.lo <= range.hi)) return std::nullopt;
     const Trial& t = graph.trial();
@@ -152,8 +153,8 @@ std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
         balanced_point(t.z1, t.z2, std::clamp(0.0, range.lo, range.hi), graph.problem().lambda);
     return graph.wall_distance(p[0], p[1]) > kSameEnd ? std::optional(p) : std::nullopt;
   }
-  // The check of fillets takes longer than that of all other borders and rarely fails, so the point is
-  // first computed without it.
+  // The check of fillets takes longer than the checks of all other borders and rarely fails. The
+  // point is therefore first computed without it.
   const auto place = place_off_walls(graph, Fillets::left_out);
   return place && fillet_is_cut(graph, *place) ? place_off_walls(graph, Fillets::asked) : place;
 }
@@ -172,7 +173,8 @@ Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const Vec2 inside{x1, sum - x1};
   const Vec2 middle = (region.lo + region.hi) / 2.0;
   const bool runs = graph.problem().limits.avoid_interference;
-  // If the slice at one end is a point, the distance is exactly half, so a tolerance is subtracted.
+  // If the slice at one end is a single point, the distance is exactly half. A tolerance is
+  // therefore subtracted.
   const double enough =
       (runs ? std::max(0.0, graph.wall_distance(inside[0], inside[1]) / 2.0) : 0.0) - kTouching;
   const bool one = region.sums.size() == 1;

@@ -1,7 +1,7 @@
-// The point of a design. Laws: (1) it is within every limit, and away from the borders; (2) if Σ =
-// 0 is well inside, it is the point of Eq. 11 there; (3) the row is the same with and without its
-// region; (4) a gap is negative if the corner of the mounted pair cuts into a fillet, and only
-// then.
+// The point of a design. Laws: (1) it is within all limits and away from the borders; (2) if Σ = 0
+// lies well inside, it is the point of Eq. 11 with Σ = 0; (3) the row does not depend on whether
+// the region is computed; (4) a gap is negative if and only if a corner of the mounted pair cuts
+// into a fillet.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -90,7 +90,8 @@ Gear gear(const TrialGear& g, Angle helix, double x) {
   return testing::taken(make_gear(s));
 }
 
-// Arbitrary shifts at tight and at extended centres, for spur and helical gears; if the gap is near
+// Random shifts at tight and extended centres, for spur and helical gears. If the gap is near 0,
+// both results are accepted.
 // 0, both results are accepted.
 TEST(FilletGap, HasTheSignOfThePairsClearance) {  // (4)
   int cut = 0;
@@ -111,7 +112,7 @@ TEST(FilletGap, HasTheSignOfThePairsClearance) {  // (4)
     const std::int64_t size = *search.space().size();
     for (std::int64_t i = 0; i < size; i += size / 60) {
       const Trial t = search.space().trial(i);
-      if (t.z1 < 18) continue;  // undercut is outside the domain
+      if (t.z1 < 18) continue;  // undercut gears are outside the domain
       const ShiftGraph graph = search.graph(t);
       for (const double sum : {-0.3, 0.4, 1.0, 1.6, 2.2}) {
         const Vec2 x = balanced_point(t.z1, t.z2, sum, 0.625);

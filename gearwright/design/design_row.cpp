@@ -34,12 +34,11 @@ double DesignRow::cut_shift(std::size_t i, const SearchProblem& problem) const {
 namespace {
 
 // Mean E_sn of each gear: from the table of the series, or half of the sum that gives the required
-// backlash. A gear outside the table of the series gets no allowance, and its drawing is rejected
-// later.
+// backlash. A gear outside the table gets no allowance, and its drawing is later rejected.
 std::array<double, 2> allowances_of(const SearchAllowances& wanted, const Mesh<double>& nominal,
                                     const std::array<double, 2>& diameters, double alpha_n) {
   if (wanted.backlash) {
-    // [T9.13]: j_bn = −(E_sn1 + E_sn2) cos α_n plus the backlash of nominal teeth.
+    // [T9.13]: j_bn = −(E_sn1 + E_sn2) cos α_n plus the backlash of the teeth without allowances.
     const double j_n = ((*wanted.backlash)[0] + (*wanted.backlash)[1]) / 2;
     const double j_bn = j_n * std::cos(nominal.rack.normal_pressure_angle);
     const double each = -(j_bn - nominal.backlash.normal_base) / std::cos(alpha_n) / 2;
@@ -101,8 +100,8 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
     const TrialGear& g = graph.gears()[i];
     return m * leaf::flank_start(std::abs(g.r), g.sin_transverse, g.edge_depth, cut[i]);
   };
-  // The path is clipped to the usable flanks. On crossed axes it is not clipped to the faces, because
-  // the search does not choose face widths there.
+  // The path is clipped to the usable flanks. On crossed axes, it is not clipped to the faces,
+  // because the search does not choose face widths for crossed axes.
   const double from = leaf::usable_begin(mesh.rho1_A, flank_start(0));
   const double end = leaf::rho_1_where(mesh.base_tangent_distance, 1.0,
                                        std::max(0.0, flank_start(1)) / mesh.base_cosine_ratio);
@@ -115,7 +114,7 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   for (std::size_t i : {0, 1}) {
     const TrialGear& g = graph.gears()[i];
     const TrialGear& mate = graph.gears()[1 - i];
-    // Thinner teeth are cut deeper, but their tips are not changed.
+    // A negative allowance makes the cut deeper but does not change the tips.
     const double deeper = row.shift[i] - cut[i];
     const double mate_deeper = row.shift[1 - i] - cut[1 - i];
     row.tip_thickness[i] = m * tip_thickness(g, cut[i], at.k + deeper);
@@ -131,8 +130,8 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
     const TrialGear& g = graph.gears()[i];
     if (g.teeth < 0) continue;
     const double start = m * leaf::flank_start(g.r, g.sin_transverse, g.flank_depth, cut[i]);
-    // Factor from lengths in the transverse section to lengths along the line of action, which on
-    // crossed axes is inclined by the base helix angle.
+    // Factor from lengths in the transverse section to lengths along the line of action. On crossed
+    // axes, this line is inclined by the base helix angle.
     const double weight = problem.crossed() ? 1.0 / g.cos_base_helix : 1.0;
     row.form_clearance[i] = weight * (ends[i] - start);
     row.interference = row.interference || ends[i] < start - slack;
@@ -180,14 +179,15 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
       if (row.runs) return row;
     }
   }
-  // If designs are drawn, a point off the borders may exist although its drawing was rejected above.
+  // If designs are drawn, a point away from the borders may exist even though its drawing was
+  // rejected above.
   const bool none = point && !graph.problem().draw;
   const auto region = shift_region(graph, detail, none ? OffWalls::none : OffWalls::sought);
   return region ? design_row(graph, *region) : std::nullopt;
 }
 
 bool has_design(const ShiftGraph& graph) {
-  // Most trials have no region, and this test is faster than the search for a feasible point.
+  // Most trials have no region. This test is faster than the search for a feasible point.
   if (!graph.has_feasible_sums()) return false;
   const SearchProblem& problem = graph.problem();
   if (!problem.limits.clear_fillets && !problem.rating && !problem.draw) return true;
@@ -224,7 +224,7 @@ namespace {
 // Rounds a cost to multiples of kSame, because the rounding errors of equal costs depend on the module.
 double settled(double cost) {
   constexpr double kSame = 1e-11;
-  constexpr double kTooLarge = 1e4;  // from this value on, a step of kSame is less than rounding
+  constexpr double kTooLarge = 1e4;  // from this value on, rounding errors exceed a step of kSame
   return std::abs(cost) < kTooLarge ? std::round(cost / kSame) * kSame : cost;
 }
 

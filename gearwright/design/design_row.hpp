@@ -1,7 +1,7 @@
 // One feasible design: its values at a point of the region, and the criteria by which it is ranked.
 //
-// The values are computed with the formulas of a mounted pair (pair/mesh.hpp), so they are those of
-// the mounted design.
+// The values are computed with the formulas for a mounted pair (pair/mesh.hpp), so they equal those
+// of the mounted design.
 #pragma once
 
 #include <array>
@@ -20,31 +20,35 @@ namespace gearwright {
 struct DesignRow {
   Trial trial;
   std::array<double, 2> shift{};          ///< x1, x2
-  std::array<double, 2> allowance{};      ///< E_sn, the mean of the upper and lower allowance
-  double face_width = 0.0;                ///< b, of both gears
-  bool balanced = false;                  ///< true on the line of Eq. 11; false for chosen_point()
+  std::array<double, 2> allowance{};      ///< E_sn, the mean of upper and lower allowance
+  double face_width = 0.0;                ///< b, common to both gears
+  bool balanced = false;                  ///< true if the point lies on the line of Eq. 11; false
+                                          ///< if it is that of chosen_point()
   double center_distance = 0.0;           ///< a
   Angle working_angle;                    ///< α_wt; α_n of the rack on crossed axes
   double ratio = 0.0;                     ///< z2/z1
   double contact_ratio = 0.0;             ///< ε_α, Eq. 10; AE/p_bn on crossed axes
-  double contact_ratio_true = 0.0;        ///< the same with the path clipped to the usable flanks
+  double contact_ratio_true = 0.0;        ///< ε_α of the path clipped to the usable flanks
   double overlap_ratio = 0.0;             ///< ε_β
   double backlash_normal = 0.0;           ///< j_bn, along the common normal
   std::array<double, 2> tip_thickness{};  ///< s_an
   std::array<double, 2> tip_clearance{};  ///< tip 1 to root 2, tip 2 to root 1
   double tip_alteration = 0.0;            ///< k m_n, ≤ 0
   std::array<std::array<std::optional<double>, 2>, 2> sliding;  ///< ζ of gear 1, 2 at A, E
-  bool interference = false;  ///< true if a tip passes the start of the mating gear's involute
-  /// Distance of the mating gear's tip from the start of the involute, along the line of action, on
-  /// the flank of gear 1 and of gear 2. None for an internal gear, whose cutter determines the start.
+  bool interference = false;  ///< true if a tip reaches beyond the start of the mating gear's
+                              ///< involute
+  /// Distance between the mating gear's tip and the start of the involute, along the line of
+  /// action, on the flanks of gear 1 and gear 2. Absent for an internal gear, because this start
+  /// depends on its cutter.
   std::array<std::optional<double>, 2> form_clearance{};
   double mass = 0.0;  ///< kg, of both gears: design/design_strength.hpp
-  /// S_H and S_F of each gear; none if not requested, or if the standard gives no form factor for the
-  /// root.
+  /// S_H and S_F of each gear. Absent if not requested, or if the standard has no form factor for
+  /// the root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
-  bool runs = true;  ///< false if the verdict over the drawing has a finding worse than green
-  std::array<std::optional<double>, 2> backlash_ends{};  ///< j_n, least and greatest, as drawn
-  /// True if the following members, which describe the region, are computed.
+  bool runs = true;  ///< false if the verdict on the drawing contains a finding worse than green
+  std::array<std::optional<double>, 2> backlash_ends{};  ///< j_n, least and greatest value for the
+                                                         ///< tolerances of the drawing
+  /// True if the members below, which describe the region, are computed.
   bool whole = false;
   double area = 0.0;
   std::array<double, 2> sums{};  ///< least and greatest Σ
@@ -52,27 +56,29 @@ struct DesignRow {
 
   /// x_E of gear i, the generating profile shift.
   double cut_shift(std::size_t i, const SearchProblem& problem) const;
-  /// Greatest |ζ|; none where a flank reaches a base tangent point.
+  /// Greatest |ζ|; absent if a flank reaches a base tangent point.
   std::optional<double> max_sliding() const;
 };
 
-/// The row of a trial; none if the trial is not feasible. RegionDetail::point omits the values of the
-/// region, which take a hundred times as long as the rest. The shifts do not depend on the detail.
+/// The row of a trial, if the trial is feasible. With RegionDetail::point, the values of the region
+/// are omitted, which take a hundred times as long as the rest. The shifts are the same in both
+/// cases.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
 /// The row for a known region.
 std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region);
 
-/// True if there is a design: a region and, if fillets are checked, a point of the region at which the
-/// tips do not cut into the fillets. Rated or drawn designs must also meet their limits.
+/// True if a design exists. This requires a region and, if fillets are checked, a point in it at
+/// which the tips do not cut into the fillets. If designs are rated or drawn, the design must also
+/// meet these limits.
 bool has_design(const ShiftGraph& graph);
 /// The row at any point of the graph.   Domain: a working angle exists there (contract)
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
-/// The cost of a design for one objective; smaller is better. Costs are defined for rows on the line of
-/// Eq. 11 only. Other rows have no cost and come last.
+/// The cost of a design for one objective; a smaller cost is better. Only rows on the line of Eq.
+/// 11 have costs. All other rows come last.
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row, Objective objective);
-/// The key by which rows are sorted: the objective, then contact ratio, module, z1, z2 and trial. This
-/// is a total order, in which the smaller key comes first.
+/// The key by which rows are sorted: the objective, then contact ratio, module, z1, z2 and trial
+/// number. The order is total, and the smaller key comes first.
 struct RankKey {
   bool without_cost;
   double cost, contact_ratio, module;
@@ -86,8 +92,8 @@ RankKey rank_key(const SearchProblem& problem, Objective objective, const Design
 bool ranks_before(const SearchProblem& problem, Objective objective, const DesignRow& a,
                   const DesignRow& b);
 
-/// True if a is at least as good as b in every objective and better in one. Rows without a cost never
-/// dominate.
+/// True if a is at least as good as b in all objectives and better in at least one. A row without a
+/// cost never dominates another row.
 bool dominates(const SearchProblem& problem, const DesignRow& a, const DesignRow& b);
 
 /// The rows that no other row dominates. Rows can be added in any order.
@@ -95,7 +101,10 @@ class ParetoFront {
  public:
   explicit ParetoFront(const SearchProblem& problem) : problem_(&problem) {}
   void add(const DesignRow& row);
-  const std::vector<DesignRow>& rows() const { return rows_; }  ///< in order of arrival
+  const std::vector<DesignRow>& rows() const {
+    return rows_;
+  }  ///< in the order in which they were
+     ///< added
 
  private:
   const SearchProblem* problem_;

@@ -28,8 +28,8 @@ double root_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t 
   return 2 * row.trial.module * std::abs(g.r - g.dedendum + row.cut_shift(i, graph.problem()));
 }
 
-// True if the flank of gear i is an involute where the mating tip begins to touch it. The straight part
-// of a rack has cut the gear there.
+// True if the tip of the mating gear begins to touch the flank of gear i on its involute, which is
+// the part cut by the straight flank of the rack.
 bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::size_t i) {
   const TrialGear& g = graph.gears()[i];
   const auto& clearance = row.form_clearance[i];
@@ -39,7 +39,7 @@ bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::si
   return row.cut_shift(i, graph.problem()) >= undercut && row.tip_thickness[i] >= 0.0;
 }
 
-// The cut of an internal gear; none if the tip of the pinion reaches the fillet.
+// The cut of an internal gear; absent if the tip of the pinion reaches the fillet.
 std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
   const auto& rating = graph.problem().rating;
   if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0 || row.allowance[1] != 0.0)
@@ -154,7 +154,7 @@ struct Safeties {
   std::array<std::optional<double>, 2> flank{}, root{};
 };
 
-// The safety factors of one state of the teeth. `input` contains the body of the design itself.
+// The safety factors for one state of the teeth. `input` contains the gear body of the design.
 Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
   const auto rating = rate(pair, input);
   if (!rating) return {};
@@ -170,8 +170,8 @@ Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
   return found;
 }
 
-// The least ratio of a safety factor to its limit; 0 if a safety factor has no value. If drawings are
-// checked, an absent limit is 1, because the verdict requires it.
+// The smallest ratio of a safety factor to its limit; 0 if a safety factor has no value. If
+// drawings are checked, a limit that is not given is 1, because the verdict requires this value.
 double share_of(const SearchProblem& problem, const Safeties& found) {
   double share = std::numeric_limits<double>::infinity();
   const auto keep = [&](const std::optional<double>& safety, std::optional<double> least) {
@@ -185,8 +185,8 @@ double share_of(const SearchProblem& problem, const Safeties& found) {
   return share;
 }
 
-// The least ratio of safety factor to limit in all states, at the face width of the row. Stores the
-// safety factors of the first state in the row.
+// The smallest ratio of safety factor to limit over all states, at the face width of the row. The
+// safety factors for the first state are stored in the row.
 double required_share(const SearchProblem& problem, const std::vector<RatedPair>& states,
                       DesignRow& row) {
   const SearchRating& asked = *problem.rating;
@@ -202,10 +202,10 @@ double required_share(const SearchProblem& problem, const std::vector<RatedPair>
   return share;
 }
 
-// Sets the least width of the band at which the safety factors are sufficient in every state of the
-// teeth, or the greatest width if none is sufficient. Safety factors grow with at most the fourth power
-// of the width (rating/sizing.cpp), so widths that are certainly insufficient are skipped. The row gets
-// the safety factors of the first state, the design itself.
+// Sets the smallest face width of the band for which the safety factors are sufficient in all
+// states of the teeth. If there is none, the greatest width is set. Safety factors grow with at
+// most the fourth power of the width (rating/sizing.cpp), so widths that are certainly insufficient
+// are skipped. The row gets the safety factors for the first state, which is the design itself.
 void size_face(const ShiftGraph& graph, const std::vector<RatedPair>& states, DesignRow& row) {
   constexpr double kPower = 4.0;
   const SearchProblem& problem = graph.problem();
@@ -237,8 +237,8 @@ DesignRow rated(const ShiftGraph& graph, DesignRow row) {
     if (drawn.backlash) row.backlash_ends = {(*drawn.backlash)[0], (*drawn.backlash)[1]};
     const auto wider = next_face_width(problem, row.trial, row.face_width, row.face_width);
     if (drawn.runs || drawn.at_ends.empty() || !wider) break;
-    // If safety factors are too low at an end of the tolerances, the states at all ends are included
-    // when the width is computed again.
+    // If the safety factors are too low at some tolerance ends, the face width is computed again
+    // with the states at all ends.
     states.resize(1);
     std::move(drawn.at_ends.begin(), drawn.at_ends.end(), std::back_inserter(states));
     set_face_width(graph, row, *wider);

@@ -1,9 +1,9 @@
-// Strength of designs. Laws: (1) the pair in closed form is the pair that is cut and mounted, and
-// its safeties are those of the mounted pair; (2) a search with safeties finds the designs of the
-// search without safeties, except those with insufficient safeties; (3) lists by mass and by safety
-// are in order; (4) a greater load removes designs and adds none; (5) a face has the least width of
-// its band that is sufficient as drawn and at the ends of the tolerances, and at most two drawings
-// are judged for it.
+// Strength of designs. Laws: (1) the closed forms give the pair that is cut and mounted, with the
+// same safety factors; (2) a search with required safety factors finds the designs of the search
+// without them, except for those whose factors are too low; (3) lists by mass and by safety are
+// sorted; (4) a greater load removes designs and adds none; (5) the face width is the smallest of
+// its band that is sufficient for the nominal values and at the tolerance ends, and at most two
+// drawings are checked to find it.
 #include "gearwright/design/design_strength.hpp"
 
 #include <gtest/gtest.h>
@@ -122,13 +122,13 @@ TEST(DesignStrength, IsThatOfTheMountedPair) {  // (1)
   shifted.limits.min_shift = 0.1;
   shifted.limits.max_shift = 0.9;
   expect_mounted(shifted, 20);
-  SearchProblem small = wish();  // no cutter leaves the whole flanks of these wheels
+  SearchProblem small = wish();  // every cutter for these wheels would remove a part of the flanks
   small.ratio = {-2.2, -2.0};
   small.helix = {Angle()};
   small.pinion_teeth = {17, 18};
   small.center_distance.reset();
   expect_mounted(small, 10);
-  // At 25° the fillet radius of the default rack does not fit.
+  // With 25°, the fillet radius of the default rack is too large for the rack.
   rings.normal_pressure_angle = Angle::degrees(25);
   rings.ratio = {-3.5, -3.3};
   rings.helix = {Angle::degrees(8)};
@@ -140,8 +140,8 @@ TEST(DesignStrength, IsThatOfTheMountedPair) {  // (1)
   expect_mounted(steep, 50);
 }
 
-// Work counter: an internal gear is cut once for all modules and pinions. It was once cut for every
-// design.
+// Work counter: an internal gear is cut once for all modules and pinions. An earlier version cut it
+// for every design.
 TEST(DesignStrength, RingsAreCutOnce) {
   SearchProblem p = wish();
   p.ratio = {-4.0, -2.5};
@@ -182,7 +182,7 @@ TEST(DesignStrength, SafetiesTakeAwayWhatFallsShort) {  // (2)
   EXPECT_EQ(counts.rejected[static_cast<std::size_t>(Limit::safety_flank)] +
                 counts.rejected[static_cast<std::size_t>(Limit::safety_root)],
             static_cast<std::int64_t>(count - kept.size()));
-  // A design with sufficient safeties is also found if only one design is requested.
+  // A design with sufficient safety factors is found even if only one design is requested.
   for (const DesignRow& row : kept) EXPECT_TRUE(search.feasible(row.trial));
   for (const DesignRow& row : rows) EXPECT_TRUE(row.whole);
 }
@@ -218,7 +218,7 @@ TEST(DesignStrength, MoreLoadLeavesFewer) {  // (4)
   EXPECT_EQ(before, 0u);
 }
 
-// The pair with teeth that are cut 0.1 modules deeper, as at the end of a wide tolerance.
+// The pair with its teeth cut 0.1 modules deeper, as at one end of a wide tolerance.
 RatedPair thin_teeth(const SearchProblem& p, const DesignRow& row) {
   RatedPair pair = mounted_design(Search(p).graph(row.trial), row).value();
   for (RatedGear& gear : pair.gears) gear.generating_shift -= 0.1;
@@ -230,7 +230,7 @@ bool thin_teeth_hold(const SearchProblem& p, const RatedPair& pair) {
   return rating && holds(*rating, {*p.limits.safety_flank, *p.limits.safety_root});
 }
 
-// The search for the width once did not end if only the verdict rejected a width.
+// An earlier version did not terminate if only the verdict rejected a width.
 TEST(DesignStrength, AFaceIsAsWideAsItsWorstTeethNeed) {  // (5)
   SearchProblem p = wish(100.0);
   p.helix = {Angle::degrees(12)};

@@ -20,10 +20,12 @@ namespace gearwright {
 namespace {
 
 using M = SetMember;
-constexpr std::size_t kCarrier = kSetMembers;  // the carrier follows the members
+constexpr std::size_t kCarrier = kSetMembers;  // the index of the carrier follows those of the
+                                               // members
 constexpr std::size_t at(M m) { return static_cast<std::size_t>(m); }
 
-// Speed of a body divided by the speed of the planet, both relative to the carrier, as a fraction p/q.
+// The speed of a body divided by the speed of the planet. Both speeds are relative to the carrier,
+// and the result is a fraction p/q.
 struct Share {
   long long p, q;
 };
@@ -45,7 +47,7 @@ struct Ends {
 };
 
 // i = (α_in − α_fixed)/(α_out − α_fixed), where α is the speed relative to the carrier. Products of
-// three numbers of teeth are exact in double. 0 if there is no finite ratio.
+// three numbers of teeth are exact in double. The result is 0 if no finite ratio exists.
 double ratio_of(const TeethOfSet& z, const Ends& ends) {
   const Share f = share_of(z, ends.fixed), i = share_of(z, ends.input),
               o = share_of(z, ends.output);
@@ -73,9 +75,9 @@ struct SetMeshes {
   }
 };
 
-// N* is the gcd of (a_i b_j − a_j b_i)/gcd(a) over all pairs of meshes, where a and b are the numbers of
-// teeth of planet and central gear. These relations between two meshes generate all integer relations,
-// because the a_i/gcd(a) have no common divisor. [T13.12]
+// N* is the gcd of (a_i b_j − a_j b_i)/gcd(a) over all pairs of meshes, where a and b are the
+// numbers of teeth of the planet gear and the central gear. The relations between two meshes
+// generate all integer relations, because the a_i/gcd(a) have no common divisor. [T13.12]
 long long places_of(const SetMeshes& meshes) {
   long long common = 0, places = 0;
   for (std::size_t i = 0; i < meshes.count; ++i) common = std::gcd(common, meshes.list[i].rider);
@@ -138,9 +140,10 @@ class SetSearch {
     }
   }
 
-  // The least angle between neighbouring planets, in turns; none if they cannot be assembled.
+  // The smallest angle between neighbouring planets, in turns; absent if the planets cannot be
+  // assembled.
   std::optional<double> spacing(int n, long long places) const {
-    const bool divides = places % n == 0;  // 0 places mean that every place is possible
+    const bool divides = places % n == 0;  // places = 0 means that every position is possible
     if (divides && (problem_.base.spacing != Spacing::opposite || n % 2 == 0)) return 1.0 / n;
     switch (problem_.base.spacing) {
       case Spacing::equal: return std::nullopt;
@@ -157,8 +160,9 @@ class SetSearch {
     return static_cast<double>(places / n) / static_cast<double>(places);
   }
 
-  // Clearance of the planet gears whose centre distance is that of the first mesh. A second planet gear
-  // with another centre distance has profile shifts, which are known only when the drive is made.
+  // Clearance between the planet gears at the centre distance of the first mesh. A second planet
+  // gear with another centre distance has profile shifts. They are computed only when the drive is
+  // made, so this gear is not checked here.
   double clearance_of(const TeethOfSet& z, const SetMeshes& meshes, double step) const {
     const double a = distance(meshes.list[0]);
     double tip = z[at(M::planet)] * transverse_ + 2.0;
@@ -201,7 +205,8 @@ class SetSearch {
   double transverse_ = 1.0;
 };
 
-// Fixed, input and output members. Members that the problem does not give have the defaults of a set.
+// The fixed, input and output members. If the problem does not give a member, the default of the
+// set is used.
 Result<Ends> ends_of(const DriveSearchProblem& problem) {
   DriveCandidate any;
   for (const M m : members_of(problem))
@@ -275,8 +280,8 @@ void search_sets(const DriveSearchProblem& problem, const Ends& ends, int thread
       threads);
 }
 
-// Replaces every candidate, whose size is in modules, by one candidate for each module with which its
-// size is permitted.
+// Replaces every candidate, whose size is in modules, by one candidate for each module for which
+// its size is permissible.
 void give_modules(const DriveSearchProblem& problem, DriveSearchResult& result) {
   const std::vector<double>& modules = problem.modules;
   if (modules.empty()) return;
@@ -390,7 +395,7 @@ std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
-  // In this order, only an earlier candidate can dominate a candidate.
+  // Candidates are in such an order that only an earlier candidate can dominate a later one.
   std::vector<std::size_t> front;
   const auto beats = [&](const std::vector<double>& a, const std::vector<double>& b) {
     return a != b && std::equal(a.begin(), a.end(), b.begin(), std::less_equal<>());

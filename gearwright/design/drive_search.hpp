@@ -1,14 +1,16 @@
-// Search for whole drives: planetary sets of five kinds and trains, by their numbers of teeth.
+// Searches for whole drives: planetary sets of five kinds, and trains. A drive is defined by its
+// numbers of teeth.
 //
-//   i        = n_in/n_out, exactly [T13.3]
-//   N*       number of places per turn at which a planet can be assembled [T13.12]
-//   a        centre distance, a = m_t (z_a + z_b)/2 of the first mesh without shifts
+//   i        ratio n_in/n_out, exact [T13.3]
+//   N*       number of positions per turn at which a planet can be assembled [T13.12]
+//   a        centre distance of the first mesh without shifts, m_t (z_a + z_b)/2
 //   c        clearance between the tip circles of neighbouring planets, modules [T13.15b]
 //                                              theory: docs/theory/13-drives.md
 //
-// Ratio, assembly, neighbouring planets and phases of every set are checked, and the sets that meet all
-// limits are ranked. The ranking by efficiency is exact if the losses of the meshes are given; otherwise
-// they are estimated. The caller makes the drives of the best sets.
+// For every set, the ratio, the assembly, the clearance of neighbouring planets and the mesh phases
+// are checked. The sets that meet all limits are ranked. If the losses of the meshes are given, the
+// ranking by efficiency is exact. Otherwise the losses are estimated. The caller makes the drives
+// of the best sets.
 #pragma once
 
 #include <array>
@@ -28,49 +30,52 @@ inline constexpr std::array<std::string_view, 5> kDriveKindNames{"planetary", "s
                                                                  "two_suns", "train"};
 
 enum class DriveObjective {
-  efficiency,           ///< greatest efficiency if the input drives
+  efficiency,           ///< greatest efficiency with the input driving
   ratio,                ///< ratio nearest to the target
   size,                 ///< least overall diameter
-  efficiency_backward,  ///< greatest efficiency if the output drives
+  efficiency_backward,  ///< greatest efficiency with the output driving
   clearance,            ///< greatest clearance between neighbouring planets
   planets               ///< greatest number of planets
 };
 inline constexpr std::array<std::string_view, 6> kDriveObjectiveNames{
     "efficiency", "ratio", "size", "efficiency_backward", "clearance", "planets"};
 
-using TeethBand = std::array<int, 2>;  ///< closed
+using TeethBand = std::array<int, 2>;  ///< both ends included
 
 struct DriveSearchProblem {
   DriveKind kind = DriveKind::planetary;
-  std::array<double, 2> ratio{};       ///< closed, signed
+  std::array<double, 2> ratio{};       ///< both ends included, signed
   std::optional<double> target_ratio;  ///< by default the middle of the band
   TeethBand planets{3, 3};
-  /// Bands of the members of the kind; by default the bands of teeth_band().
+  /// Bands for the members of this kind of set. By default, those of teeth_band() are used.
   std::array<std::optional<TeethBand>, kSetMembers> teeth{};
   TeethBand stages{2, 2};  ///< number of stages of a train, all with one module
   TeethBand pinion{17, 40}, wheel{17, 150};
-  /// Greatest difference between the sums of teeth of meshes on one circle. The default is 1, or the
-  /// number of planets if two rings mesh with one planet gear. A train has no limit by default.
+  /// Greatest permissible difference between the sums of teeth of meshes on one circle. The default
+  /// is 1, or the number of planets if two rings mesh with one planet gear. For a train, the
+  /// default is no limit.
   std::optional<int> coaxial_teeth;
-  double neighbour_clearance = 1.0;   ///< c ≥ this  modules
+  double neighbour_clearance = 1.0;   ///< lower limit of c  modules
   std::vector<PhasingClass> phasing;  ///< allowed classes; all if empty
   std::vector<DriveObjective> objectives{DriveObjective::efficiency};
-  /// m_n of all meshes  mm; each set is tried with every module. If empty, there is no geometry of
-  /// teeth, and sizes are in modules.
+  /// m_n of all meshes  mm; each set is tried with every module. If the list is empty, no tooth
+  /// geometry is computed, and sizes are in modules.
   std::vector<double> modules;
-  double size_max = kInfinity;  ///< greatest DriveCandidate::size  mm; requires modules
-  std::optional<std::array<double, 2>> face_width;  ///< b  mm, closed band of the sized face width
-  double face_diameters = 1.2;                      ///< greatest b/d of the smallest gear if sized
-  std::optional<double> safety_flank, safety_root;  ///< least S_H and S_F of every mesh
-  /// Helix angle, losses, spacing, and the fixed and driving members. The numbers of teeth in it are not
-  /// used.
+  double size_max = kInfinity;  ///< upper limit of DriveCandidate::size  mm; requires modules
+  std::optional<std::array<double, 2>> face_width;  ///< b  mm, band of the face widths from which
+                                                    ///<    the search chooses, both ends included
+  double face_diameters = 1.2;                      ///< if the face width is chosen: greatest b/d
+                                                    ///< of the smallest gear
+  std::optional<double> safety_flank, safety_root;  ///< lower limits of S_H and S_F of every mesh
+  /// Helix angle, losses, spacing, and the fixed and driving members. Its numbers of teeth are
+  /// ignored.
   PlanetarySpec base;
 
   double target() const { return target_ratio.value_or((ratio[0] + ratio[1]) / 2); }
   bool asks(DriveObjective objective) const;
 };
 
-/// The members of the kind whose numbers of teeth are tried; empty for a train.
+/// The members of this kind of set whose numbers of teeth are tried; empty for a train.
 std::vector<SetMember> members_of(const DriveSearchProblem& problem);
 /// The band of the number of teeth of a member, as given or by default.
 TeethBand teeth_band(const DriveSearchProblem& problem, SetMember member);
@@ -80,10 +85,10 @@ enum class DriveLimit { ratio, assembly, neighbours, phasing, size };
 inline constexpr std::array<std::string_view, 5> kDriveLimitNames{"ratio", "assembly", "neighbours",
                                                                   "phasing", "size"};
 
-/// A drive by its numbers of teeth.
+/// A drive, defined by its numbers of teeth.
 struct DriveCandidate {
   std::array<int, kSetMembers> teeth{};      ///< > 0, also for rings; 0 if there is no such member
-  std::vector<std::array<int, 2>> stages{};  ///< of a train
+  std::vector<std::array<int, 2>> stages{};  ///< numbers of teeth of the stages of a train
   int planets = 1;
   double module = 1.0;     ///< m_n  mm
   double ratio = 0.0;      ///< i
@@ -98,31 +103,33 @@ struct DriveCandidate {
 struct DriveSearchResult {
   std::int64_t tested = 0;
   std::array<std::int64_t, kDriveLimitNames.size()> rejected{};
-  std::vector<DriveCandidate> found;  ///< best first by the first objective, then by size
+  std::vector<DriveCandidate> found;  ///< sorted by the first objective, the best first, and then
+                                      ///< by size
 };
 
 /// All candidates that meet the limits.
 ///
-/// Formula   the sums of teeth of all meshes on one circle agree to `coaxial_teeth`, because all
-///           meshes of a set have one module
+/// Formula   the sums of teeth of all meshes on one circle differ by at most `coaxial_teeth`,
+///           because all meshes of a set have the same module
 /// Domain    bands from 1 to kMostDriveTeeth (contract)
-/// Errors    `drive.fixed`, `drive.input`, `drive.output` if there is no such member, or if one
-///           member has two of these functions
+/// Errors    `drive.fixed`, `drive.input` or `drive.output` if the set has no such member, or if
+///           one member has two of these functions
 Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int threads = 0);
-/// Sets the fixed, input and output members that the problem does not give. If there are two rings
-/// (wolfrom) or two suns, one is fixed and the other is the output. Other kinds use the defaults of a
-/// set.
+/// Sets the fixed, input and output members that the problem does not give. In a set with two rings
+/// (wolfrom) or two suns, one of the two is fixed and the other is the output. For other kinds, the
+/// defaults of the set are used.
 void complete_ends(DriveSearchProblem& problem);
-/// The set of a candidate, with the losses and ends of the problem.   Domain: not a train
+/// The set of a candidate, with the losses and the fixed, input and output members of the
+/// problem.   Domain: not a train
 PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
-/// The greatest face width that the search may choose, mm, from the band and from b/d.
+/// The greatest face width that the search may choose, mm. It follows from the band and from b/d.
 double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate);
 
-/// The number by which candidates are ranked for an objective; smaller is better.
+/// The number by which candidates are ranked for an objective; a smaller number is better.
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,
                DriveObjective objective);
 
-/// Indices of the candidates that are not dominated in all objectives.
+/// Indices of the candidates that no other candidate dominates in all objectives.
 std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
                                       const std::vector<DriveCandidate>& candidates);
 

@@ -1,6 +1,6 @@
-// Laws: (1) a search finds the same sets as a separate computation of the drives of all numbers of
-// teeth; (2) it finds the sets with a ratio near 100 that another method counted; (3) a train's
-// ratio is that of its drive.
+// Laws: (1) a search finds the same sets as a separate computation that makes the drives of all
+// numbers of teeth; (2) it finds the sets with a ratio near 100 that another method counted; (3)
+// the ratio of a train is the ratio of its drive.
 #include "gearwright/design/drive_search.hpp"
 
 #include <gtest/gtest.h>
@@ -44,14 +44,14 @@ TEST(DriveSearchTest, FindsWhatTheDrivesSay) {
       for (int r = s + 2 * p - 1; r <= s + 2 * p + 1; ++r)
         for (int n = 3; n <= 5; ++n) {
           if (r > 80) continue;
-          // Root diameter of the ring, and circle of the planets' tips.
+          // Root diameter of the ring, and diameter of the circle that the planet tips touch.
           if (std::max(r + 2.5, s + 2 * p + 2.0) > problem.size_max) continue;
           PlanetarySpec set = problem.base;
           set.z(M::sun) = s;
           set.z(M::planet) = p;
           set.z(M::ring) = r;
           set.planets = n;
-          // Speeds and places are computed first, because teeth take longer.
+          // Speeds and positions are computed first, because the tooth geometry takes longer.
           set.normal_module.reset();
           const auto numbers = graph_of(set);
           ASSERT_TRUE(numbers);
@@ -80,8 +80,8 @@ TEST(DriveSearchTest, FindsWhatTheDrivesSay) {
   EXPECT_EQ(counted, found->tested);
 }
 
-// Ratio, places and efficiency of every candidate are compared with the drive of its numbers of
-// teeth.
+// For every candidate, ratio, positions and efficiency are compared with those of the drive that
+// has the same numbers of teeth.
 void expect_as_drives(const DriveSearchProblem& problem, const DriveSearchResult& result,
                       std::size_t every) {
   for (std::size_t k = 0; k < result.found.size(); k += every) {
@@ -126,7 +126,7 @@ TEST(DriveSearchTest, OtherKindsAreAsTheirDrives) {
   expect_as_drives(suns, *c, 1 + c->found.size() / 40);
 }
 
-// The table of the theory page: 13/29·26/71/68 has i = 101.13 and η = 0.815.
+// A row of the table in the theory page: 13/29·26/71/68 has i = 101.13 and η = 0.815.
 TEST(DriveSearchTest, ThreeGearsNearHundred) {
   DriveSearchProblem problem = problem_of(DriveKind::wolfrom, {99.0, 103.0});
   problem.teeth[at(M::sun)] = {12, 18};

@@ -11,18 +11,19 @@ namespace gearwright {
 
 using TeethOfSet = std::array<int, kSetMembers>;
 
-/// Greatest difference between the sums of teeth on one circle.
+/// Greatest permissible difference between the sums of teeth on one circle.
 inline int coaxial_slack(const DriveSearchProblem& problem) {
   if (problem.coaxial_teeth) return *problem.coaxial_teeth;
   const bool one_gear = !problem.teeth[static_cast<std::size_t>(SetMember::planet2)];
   return problem.kind == DriveKind::wolfrom && one_gear ? problem.planets[1] : 1;
 }
 
-/// η of a mesh with the coefficient of friction μ, estimated from the numbers of teeth (z < 0 for a
-/// ring). It is used for ranking only.
+/// The efficiency η of a mesh with the coefficient of friction μ. It is estimated from the numbers
+/// of teeth (z < 0 for a ring) and used for ranking only.
 double estimated_efficiency(int z1, int z2, double friction);
 
-/// Adds all trains of the problem to the result. The band of the last wheel follows from the ratio.
+/// Adds all trains of the problem to the result. The numbers of teeth of the last wheel follow from
+/// the ratio.
 void search_trains(const DriveSearchProblem& problem, DriveSearchResult& result);
 
 /// Visits all sets of the kind whose planet has a given number of teeth.

@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-// Relative tolerance of a width, which may have been computed from a module or a diameter.
+// Relative tolerance of a width that was computed from a module or a diameter.
 constexpr double kRounding = 1e-9;
 
 }  // namespace

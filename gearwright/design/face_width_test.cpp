@@ -1,6 +1,6 @@
-// The face widths of a band. Laws: (1) the next width is the least multiple of the step that is
-// greater than the previous width, at least the required width and within the band; (2) the end of
-// a band is reached in at most as many steps as it has widths.
+// The face widths of a band. Laws: (1) the next width is the smallest multiple of the step that is
+// greater than the previous width, not less than the required width, and within the band; (2) the
+// number of steps to the end of a band is at most the number of its widths.
 #include "gearwright/design/face_width.hpp"
 
 #include <gtest/gtest.h>
@@ -52,8 +52,8 @@ TEST(FaceWidth, TheNextOneIsGreater) {  // (1)
   }
 }
 
-// If the required width was far below the previous width, the next width was once smaller, 12 mm
-// after 60 mm.
+// In an earlier version, the next width could be smaller than the previous one, for example 12 mm
+// after 60 mm, if the required width was far below the previous one.
 TEST(FaceWidth, ABandEnds) {  // (2)
   const Band b = band(10.0, 120.0, 0.1);
   for (const double share : {0.2, 0.9, 1.0, 1.01}) {

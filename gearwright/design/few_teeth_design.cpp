@@ -19,22 +19,22 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kSteepestHelix = 75;  // degrees
-constexpr double kMinTipFillet =
-    0.1;  // modules: least tip radius r_t, below which a cutter overheats
+constexpr int kSteepestHelix = 75;     // degrees; greatest helix angle
+constexpr double kMinTipFillet = 0.1;  // modules; a cutter with a smaller tip radius r_t overheats
 constexpr double kSameRatio = 0.02;
-// Sums of shifts that differ by less, modules, are equal. The grid has steps of 0.001.
+// Sums of shifts count as equal if they differ by less than this, modules. The grid has steps of
+// 0.001.
 constexpr double kSameSum = 1e-6;
-// Helix angles are rounded to this fraction of a degree, as on drawings.
+// Helix angles are rounded to this fraction of a degree, so that drawings show them exactly.
 constexpr double kHelixSteps = 1e9;
-// Relative excess of the least centre distance over the sum of the base radii.
+// Relative difference between the least centre distance and the sum of the base radii.
 constexpr double kOffBase = 1e-9;
-// Relative rounding error of a radius that is computed in two ways.
+// Relative rounding error between two computations of the same radius.
 constexpr double kSameRadius = 1e-9;
 
-// The rank of a feasible candidate: the contact ratio in steps of 0.02, then the sum of the shifts. If
-// the contact ratios of two candidates are in the same step, the candidate whose centre distance is
-// nearer to the reference centre distance is better.
+// The rank of a feasible candidate: the contact ratio in steps of 0.02, then the sum of the shifts.
+// If the contact ratios of two candidates fall into the same step, the candidate with the centre
+// distance nearer to the reference centre distance is better.
 struct Rank {
   double ratio, sum;  // in whole steps
 
@@ -46,11 +46,11 @@ struct Rank {
   }
 };
 
-// The last check that a candidate reached, and the condition that rejected it.
+// The last check that a candidate reached, and the condition that rejected the candidate.
 struct Verdict {
   int stage = 0;
   double shortfall =
-      0.0;  // amount by which the check failed; the candidate with the least one is reported
+      0.0;  // amount by which the check failed; the candidate with the smallest amount is reported
   std::string limit;
   std::optional<FewTeethDesign> design;
 };
@@ -66,14 +66,14 @@ struct Cut {
   double distance, mounted;
 };
 
-// A pair of shifts, with its verdict and, if it can be mounted, its rank.
+// A pair of shifts with its verdict and, if the gears can be mounted, its rank.
 struct Candidate {
   double x1, x2;
   Verdict verdict;
   std::optional<Rank> rank;
 };
 
-// Chord of the tooth space where the flanks begin.
+// Chord of the tooth space at the start of the flanks.
 double gap_of(const Gear& gear) {
   const Arc* flank = gear.tooth->outline.find(ArcName::flank);
   const Vec2& p = flank->begin_point;
@@ -107,7 +107,7 @@ class Search {
     const int n2 = static_cast<int>(std::lround(reach2 / step));
     std::vector<Candidate> all;
     for (int i = -n1; i <= n1; ++i) {
-      // Shifts are rounded to the decimals of a drawing.
+      // Shifts are rounded to as many decimals as drawings show.
       for (int k = -n2; k <= n2; ++k)
         all.push_back({p_.pinion_shift.value_or(std::round((x1 + i * step) * 1000) / 1000),
                        std::round((x2 + k * step) * 1000) / 1000,
@@ -116,7 +116,8 @@ class Search {
     }
     tried += static_cast<int>(all.size());
     begin_stage(p_.progress, "pairs of profile shifts", static_cast<std::int64_t>(all.size()));
-    // Each candidate is independent, so the result does not depend on the number of threads.
+    // Candidates are evaluated independently, so the result does not depend on the number of
+    // threads.
     parallel_for(all.size(), [&](std::size_t i) {
       Candidate& c = all[i];
       const auto cut = cut_gears(c.x1, c.x2, c.verdict);
@@ -130,8 +131,8 @@ class Search {
     }
   }
 
-  // Mounts the candidates in the order of their rank, and in the order of the grid if ranks are equal,
-  // until one is accepted.
+  // Mounts the candidates until one is accepted. Candidates are mounted by rank, and those with
+  // equal rank in the order of the grid.
   void mount_the_best(std::vector<Candidate>& all) {
     std::vector<Candidate*> order;
     for (Candidate& c : all) {
@@ -140,7 +141,8 @@ class Search {
     std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
       return a->rank->is_better_than(*b->rank);
     });
-    // Candidates are mounted in groups of 1, 2, 4 and so on in parallel, because usually one of the
+    // Candidates are mounted in parallel in groups of 1, 2, 4 and so on, because usually one of the
+    // first is accepted.
     // first is accepted.
     begin_stage(p_.progress, "pairs mounted", static_cast<std::int64_t>(order.size()));
     std::size_t together = 1;
@@ -170,8 +172,8 @@ class Search {
 
   static Rank rank_of(const Cut& cut) {
     const auto input = mesh_input(cut.gear_1, cut.gear_2, {cut.mounted, std::nullopt});
-    // If the centre distance does not exceed the sum of the base radii, there is no mesh. Such a
-    // candidate gets the contact ratio 0 and is tried last.
+    // If the centre distance does not exceed the sum of the base radii, the gears cannot mesh. Such
+    // a candidate gets the contact ratio 0 and is tried last.
     const bool meshes = cut.mounted > base_radius_sum(input.gears);
     const double ratio = meshes ? mesh_of(input).true_ratio : 0.0;
     return Rank::of(std::isfinite(ratio) ? ratio : 0.0,
@@ -194,7 +196,7 @@ class Search {
     return c;
   }
 
-  // The cutter, its gear and the generating distance E.
+  // The cutter, its gear, and the generating centre distance E.
   struct Place {
     CylindricalSpec cutter;
     Gear gear;
@@ -228,8 +230,8 @@ class Search {
       return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance
                : std::numeric_limits<double>::quiet_NaN();
     };
-    // The search proceeds in steps of one degree, because the difference is undefined where the shifts
-    // have no backlash-free centre distance.
+    // The search proceeds in steps of one degree, because the difference does not exist if the
+    // shifts have no backlash-free centre distance.
     double before = 0.0;
     for (int degree = 1; degree <= kSteepestHelix; ++degree) {
       const double beta = Angle::degrees(degree).rad();
@@ -239,8 +241,8 @@ class Search {
     return std::nullopt;
   }
 
-  // The generating distance E if helix angle and centre distance are given: E + j/(2 tan α_wt) = a. The
-  // shift of the wheel follows from E.
+  // The generating centre distance E for a given helix angle and centre distance: E + j/(2 tan
+  // α_wt) = a. The shift of the wheel follows from E.
   std::optional<double> distance_within(const Gear& cutter) const {
     const double r =
         cutter.base_radius() * std::abs(1.0 + static_cast<double>(p_.teeth[1]) / p_.teeth[0]);
@@ -250,7 +252,7 @@ class Search {
       return e + side_ * p_.backlash * r / (2 * std::sqrt((e - r) * (e + r))) - a;
     };
     const double lo = r * (1 + kOffBase);
-    // Away from the base circles, the backlash contributes little to the distance.
+    // Away from the base circles, the backlash changes the distance only slightly.
     const double hi = side_ > 0.0 ? a : 2 * a;
     if (!(lo < hi)) return std::nullopt;
     const double from = side_ > 0.0 ? std::max(lo, a - 0.5 * (a - r)) : a;
@@ -258,7 +260,7 @@ class Search {
     return find_root(miss, from, hi).x;
   }
 
-  // The gears of a candidate. If there are none, the reason is stored in `verdict`.
+  // Cuts the gears of a candidate. If they cannot be cut, the reason is stored in `verdict`.
   std::optional<Cut> cut_gears(double x1, double x2, Verdict& verdict) const {
     auto made = candidate(x1, x2);
     if (auto* cut = std::get_if<Cut>(&made)) return std::move(*cut);
@@ -378,8 +380,8 @@ class Search {
     return {15, 0.0, "", std::move(design)};
   }
 
-  // True if the pinion's concave root cuts a cusp. The flank of the wheel then ends before the point
-  // that is conjugate to the start of the pinion's flank.
+  // True if the concave root of the pinion cuts a cusp. The flank of the wheel then ends before the
+  // point that is conjugate to the start of the pinion's flank.
   bool has_cusp(const Gear& cutter, const Gear& whole, double distance) const {
     const Arc& flank = *cutter.tooth->outline.find(ArcName::flank);
     const auto& involute = curve_as<Involute>(*flank.curve);
@@ -388,8 +390,8 @@ class Search {
     return std::abs(*whole.tooth->tip_form_radius - end) > kSameRadius * end;
   }
 
-  // Thickness of the finished tip: the width of the land, or the diameter of the tip fillet if the
-  // fillet ends the tooth.
+  // Width of the finished tip: the width of the land or, if the tip fillet ends the tooth, the
+  // diameter of this fillet.
   static double tip_width(const Gear& g) {
     if (g.tooth->rounded_tip && g.tooth->tip_fillet) return 2 * g.tooth->tip_fillet->radius;
     return g.tip_tooth_thickness_normal.value_or(0.0);

@@ -1,16 +1,17 @@
-// Design of a pinion of few teeth and its wheel: the profile shifts with the longest path of contact
-// without undercut, cusp, pointed tooth or interference.
+// Design of a pinion with few teeth and its wheel. The profile shifts are those with the longest
+// path of contact among all that cause no undercut, cusp, pointed tooth or interference.
 //
 //   x1, x2   profile shifts of pinion and wheel, the two unknowns       C    clearance at both tips, mm
 //
-// The cutter of the wheel is the pinion with a tip that is longer by C, so the wheel is conjugate to the
-// tip fillet and the root fillet of the pinion. Both gears are then shortened by C.
+// The wheel is cut by the pinion itself, with its tip lengthened by C. The wheel is therefore
+// conjugate to the tip fillet and the root fillet of the pinion. Both gears are then shortened by
+// C.
 //                                  theory: docs/theory/06-few-teeth.md, 6.7
 //
-// Every candidate is generated exactly. The shifts are searched on a grid of 0.05, and then on finer
-// grids around the best candidate, down to 0.001. The candidates are mounted in the order of their rank
-// until one has no interference, because the check for interference takes ten times as long as the
-// generation of the teeth.
+// The teeth of every candidate are generated exactly. The shifts are searched on a grid with steps
+// of 0.05, and then on finer grids around the best candidate, down to steps of 0.001. Candidates
+// are mounted by rank until one has no interference, because the check for interference takes ten
+// times as long as the generation of the teeth.
 #pragma once
 
 #include <array>
@@ -26,25 +27,30 @@ namespace gearwright {
 
 /// Lengths mm.
 struct FewTeethProblem {
-  std::array<int, 2> teeth{};  ///< of pinion and wheel; < 0 for an internal gear
+  std::array<int, 2> teeth{};  ///< numbers of teeth of pinion and wheel; < 0 for an internal gear
   double normal_module = 0.0;
   Angle normal_pressure_angle{};
-  std::optional<Angle> helix;             ///< β of the pinion; by default from the centre distance
+  std::optional<Angle> helix;             ///< β of the pinion; by default, it follows from the
+                                          ///< centre distance
   std::optional<double> center_distance;  ///< a; free if absent
   std::optional<double> pinion_shift;     ///< x1; computed if absent
-  StraightRack rack;                      ///< of the pinion; a circular fillet replaces its root
-  double root_offset = 0.0;               ///< distance of the root fillet from the undercut limit
+  StraightRack rack;                      ///< rack of the pinion; a circular fillet replaces its
+                                          ///< root
+  double root_offset = 0.0;               ///< distance between the root fillet and the undercut
+                                          ///< limit
   double min_tip_land = 0.0;              ///< normal thickness at both tips
-  double min_gap = 0.0;                   ///< least chord of both spaces where the flanks begin
+  double min_gap = 0.0;                   ///< smallest chord of both tooth spaces at the start of
+                                          ///< the flanks
   double clearance = 0.0;                 ///< C
   double backlash = 0.0;                  ///< circumferential backlash
   double contact_ratio = 1.2;             ///< total contact ratio, which determines the face width
-  std::optional<double> face_width;       ///< of both gears; by default from the contact ratio
+  std::optional<double> face_width;       ///< of both gears; by default, it follows from the
+                                          ///< contact ratio
   Progress* progress = nullptr;           ///< reports the progress
 };
 
 struct FewTeethDesign {
-  FewTeethDesign() = default;  ///< empty, and not an aggregate; design_few_teeth() makes it
+  FewTeethDesign() = default;  ///< empty, and not an aggregate; only design_few_teeth() fills it
   CylindricalSpec pinion, cutter;
   double wheel_tip_diameter, wheel_shift;
   double generating_distance, center_distance;
@@ -54,14 +60,15 @@ struct FewTeethDesign {
 
 struct FewTeethAnswer {
   std::optional<FewTeethDesign> design;
-  std::string limit;  ///< if there is no design, the condition that rejected the candidate that
+  std::string limit;  ///< if there is no design: the condition that rejected the candidate which
   ///< passed the most checks
   int candidates = 0;  ///< number of candidates tried
 };
-/// The design with the greatest transverse contact ratio. If several contact ratios agree to 0.02, the
-/// design with the least |x1 + x2| is chosen.
+/// Returns the design with the greatest transverse contact ratio. Among designs whose contact
+/// ratios agree to 0.02, the one with the smallest |x1 + x2| is chosen.
 ///
 /// Errors    `gear1.helix_angle` if neither helix angle nor centre distance is given; `gear2.teeth`
+///           if an internal gear has no more teeth than its pinion
 Result<FewTeethAnswer> design_few_teeth(const FewTeethProblem& problem);
 
 }  // namespace gearwright

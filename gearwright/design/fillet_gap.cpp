@@ -12,16 +12,17 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// The mating gear in the frame of one gear.
+// The tip corner of the mating gear, in the frame of one gear.
 struct Corner {
   double a;      // centre distance
   double u;      // tip radius
-  double angle;  // angle of the corner from the middle of its tooth, including half of the backlash
-  double ratio;  // z of the mating gear over z
+  double angle;  // angle between the corner and the middle of its tooth, including half of the
+                 // backlash
+  double ratio;  // number of teeth of the mating gear divided by that of this gear
 };
 
-// The fillet that the rounding of the rack's tip cuts, in the transverse section. X is measured from the
-// middle of the rack's tooth, and Y outwards from the pitch line.
+// The root fillet in the transverse section, as cut by the tip rounding of the rack. X is measured
+// from the middle of the rack's tooth, and Y outwards from the pitch line.
 class Fillet {
  public:
   Fillet(const TrialGear& g, double alpha_n, double x) : r_(g.r) {
@@ -35,14 +36,14 @@ class Fillet {
   }
   double end() const { return end_; }
 
-  // The gap at the point that the rounding cuts with the normal angle tau; ∞ if the corner does not
+  // The gap at the point that is cut with the normal angle tau. It is ∞ if the corner does not
   // reach the radius of that point.
   double gap(double tau, const Corner& c) const {
     const double sine = std::sin(tau);
     const double cosine = std::cos(tau);
     const double X = (across_ + radius_ * sine) / cos_beta_;
     const double Y = -down_ - radius_ * cosine;
-    // The rack cuts the point when its normal passes through the pitch point.
+    // The rack cuts a point when the normal at this point passes through the pitch point.
     const double roll = X + Y * sine / cosine * cos_beta_;
     const double to = r_ + Y;
     const double side = X - roll;
@@ -65,7 +66,7 @@ class Fillet {
 double least_gap(const Fillet& fillet, const Corner& corner) {
   constexpr int kNodes = 12;
   const auto node = [&](int i) { return fillet.end() * i / kNodes; };
-  // The nodes run from the flank down to the greatest depth of the corner.
+  // The nodes range from the flank to the greatest depth that the corner reaches.
   std::array<double, kNodes + 1> at;
   at.fill(kInfinite);
   int best = kNodes;
@@ -77,15 +78,15 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
     if (gap < least) least = gap, best = i;
   }
   if (least == kInfinite) return least;
-  // Between the nodes, the gap may be smaller than at the least node, but at most by the difference
-  // between the least node and its neighbours. If the gap stays positive even with this difference, the
-  // value at the least node is returned.
+  // Between nodes, the gap may be smaller than at the lowest node. The difference from its
+  // neighbours bounds this decrease. If the gap is positive even after subtracting this difference,
+  // the value at the lowest node is returned.
   const auto rise = [&](int i) {
     const double gap = at[static_cast<std::size_t>(std::clamp(i, 0, kNodes))];
     return gap == kInfinite ? least : gap - least;
   };
   if (best == kNodes || least > std::max(rise(best - 1), rise(best + 1))) return least;
-  // There is one minimum between the neighbours of the least node. Golden section finds it to a
+  // There is one minimum between the neighbours of the lowest node. Golden section locates it to a
   // thousandth of a step, which changes the gap by a millionth of a step.
   constexpr double kGolden = 0.6180339887498949;
   double lo = node(std::max(best - 1, 0));
@@ -119,8 +120,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const std::array<TrialGear, 2>& g = graph.gears();
   if (graph.problem().crossed() || g[1].teeth < 0) return std::nullopt;
   const double sum = shifts[0] + shifts[1];
-  // If Σ = 0, both gears mesh with one rack, and the corners do not reach the fillets that its rounding
-  // cuts.
+  // If Σ = 0, both gears mesh with one rack, so the corners do not reach the fillets that the
+  // rounding of this rack cuts.
   if (sum == 0.0 &&
       std::max(g[0].addendum, g[1].addendum) <= std::min(g[0].flank_depth, g[1].flank_depth) + 1e-3)
     return std::nullopt;
@@ -130,7 +131,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const double alpha_w = std::atan2(at.N, B);
   const double inv_t = std::tan(std::asin(g[0].sin_transverse)) - std::asin(g[0].sin_transverse);
   const double inv_w = at.N / B - alpha_w;
-  // Backlash along the line of action, if the centre distance exceeds the backlash-free one.
+  // Backlash along the line of action that results if the centre distance exceeds the backlash-free
+  // one.
   const double opened = inv_w - inv_t - 2.0 * std::tan(alpha_n) * sum / (g[0].teeth + g[1].teeth);
   const double backlash = std::max(0.0, 2.0 * B * opened);
   double least = kInfinite;
@@ -138,7 +140,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
     const TrialGear& mate = g[1 - i];
     const double x = shifts[static_cast<int>(1 - i)];
     const double u = mate.r + mate.addendum + x + at.k;
-    // Half of the transverse tip thickness, from s_an, as an angle. [T9.3]
+    // Half of the transverse tip thickness, computed from s_an, as an angle. [T9.3]
     const double cos_at_tip =
         1.0 / std::sqrt(1.0 + std::pow(mate.tan_base_helix * u / mate.r_b, 2));
     const double half = tip_thickness(mate, x, at.k) / cos_at_tip / (2.0 * u);
@@ -152,7 +154,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
 
 bool fillet_is_cut(const ShiftGraph& graph, const Vec2& shifts) {
   if (!graph.problem().limits.clear_fillets) return false;
-  constexpr double kClear = 1e-6;  // modules: tolerance for the rounding of a printed spec
+  constexpr double kClear = 1e-6;  // modules: tolerance for values that were rounded in a printed
+                                   // spec
   const auto gap = fillet_gap(graph, shifts);
   return gap && *gap < kClear;
 }

@@ -14,7 +14,8 @@ namespace gearwright {
 
 namespace {
 
-// Relative tolerance, so that a centre distance given with ten digits equals the computed one.
+// Relative tolerance, so that a centre distance given with ten digits counts as equal to the
+// computed one.
 constexpr double kSameDistance = 1e-9;
 
 std::array<CylindricalSpec, 2> specs_of(const FitProblem& p) {
@@ -49,7 +50,7 @@ Error one_condition_too_many() {
           "overdetermines the pair; leave out this value or another given value"};
 }
 
-// The position of known gears on parallel axes, which have only one backlash-free centre distance.
+// The position of known gears on parallel axes. Only one centre distance is backlash-free.
 Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
                            const std::array<double, 2>& shift) {
   Fit result;
@@ -102,7 +103,7 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
   return result;
 }
 
-// Computes the positions if helix angles, shifts and rack are known.
+// Computes the position of gears whose helix angles, shifts and racks are known.
 Result<Fit> place_of_gears(const FitProblem& p) {
   const std::array<double, 2> shift{*p.shift[0], *p.shift[1]};
   const BasePair<double> gears = base_gears(p);
@@ -156,7 +157,7 @@ Result<Fit> place_of_gears(const FitProblem& p) {
       {}};
 }
 
-// Computes the sum of the shifts if helix angles and position are known.
+// Computes the sum of the shifts of gears whose helix angles and position are known.
 Result<Fit> shifts_of_place(const FitProblem& p) {
   if (!p.center_distance) {
     return absent_input(
@@ -169,7 +170,7 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
   const bool parallel = axes_are_parallel(gears);
   std::optional<Angle> shaft_angle = p.shaft_angle;
   if (!parallel && !shaft_angle) {
-    // By default, Σ is the shaft angle at which this centre distance is the minimum.
+    // By default, Σ is the shaft angle for which the given centre distance is the minimum.
     const auto alpha = transverse_angle_at_pitch_sum(gears, *p.center_distance);
     if (!alpha) {
       Fit none;
@@ -219,7 +220,7 @@ Result<Fit> fit(const FitProblem& p) {
   const bool helices = p.helix[0] && p.helix[1];
   const bool shifts = p.shift[0] && p.shift[1];
   if (helices) {
-    // The gears must be able to mesh at this shaft angle before anything else is computed.
+    // First, the gears must be able to mesh at this shaft angle.
     const auto specs = specs_of(p);
     if (auto error = check_partners(specs[0], specs[1], p.shaft_angle)) return *error;
     return shifts ? place_of_gears(p) : shifts_of_place(p);

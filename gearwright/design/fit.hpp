@@ -1,14 +1,16 @@
-// Inverse design: gears for a given centre distance, shaft angle and ratio.
+// Finds gears for a given centre distance, shaft angle and ratio. This is the inverse of computing
+// a pair.
 //
 //   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, with β_w2 = Σ − β_w1: the sum of the pitch diameters in units
 //        of p_n/π
 //   T = 2 a cos α_wn/(m_n cos α_n), the required value of H
 //                                              theory: docs/theory/04-conjugate-action.md, 4.9
 //
-// H is convex, so H = T has no, one or two solutions. If the gears are known, their positions are
-// computed, and if the position is known, the gears. If a helix angle is free, only designs at their
-// minimum centre distance are computed. Their pitch planes coincide (X = 0), and an error of Σ has no
-// effect of first order. On parallel axes every backlash-free pair is such a design.
+// H is convex, so H = T has at most two solutions. If the gears are known, their positions are
+// computed. If the position is known, the gears are computed. If a helix angle is free, only
+// designs at their minimum centre distance are considered. Their pitch planes coincide (X = 0), so
+// an error of Σ has no first-order effect. On parallel axes, every backlash-free pair is such a
+// design.
 #pragma once
 
 #include <array>
@@ -21,7 +23,8 @@
 
 namespace gearwright {
 
-/// The known values; absent values are unknown and computed. Lengths in mm; z2 < 0 for an internal gear.
+/// The known values. Absent values are unknown and are computed. Lengths in mm; z2 < 0 for an
+/// internal gear.
 struct FitProblem {
   std::array<int, 2> teeth{};
   double normal_module = 0.0;                          ///< m_n, common to both gears
@@ -31,8 +34,8 @@ struct FitProblem {
   std::optional<double> center_distance;               ///< a
   std::optional<Angle> shaft_angle;                    ///< Σ
   std::optional<Angle> working_normal_pressure_angle;  ///< α_wn
-  /// Both gears, if helix angles and shifts are known. The module and pressure angle of each gear may
-  /// differ from those above.
+  /// Both gears, if their helix angles and shifts are known. Their module and pressure angle may
+  /// differ from the values above.
   std::optional<std::array<CylindricalSpec, 2>> known;
 };
 
@@ -46,7 +49,7 @@ struct FitBranch {
 
 struct Fit {
   std::vector<FitBranch> branches;  ///< by ascending |β_1|, or by ascending α_wn for known gears
-  std::string reason;               ///< the reason if there is no solution
+  std::string reason;               ///< why there is no solution; empty if there is one
   std::optional<double> nearest_distance;    ///< mm, at the given shaft angle
   std::optional<Angle> nearest_shaft_angle;  ///< at the given centre distance
 };
@@ -62,7 +65,7 @@ struct Fit {
 ///                              distance, with the given α_wn, helix angle or shifts; if none of
 ///                              these is given, x1 + x2 = 0
 ///
-/// Errors    the member that is missing, or that overdetermines the pair
+/// Errors    the member that is missing, or the one that overdetermines the pair
 Result<Fit> fit(const FitProblem& problem);
 
 }  // namespace gearwright

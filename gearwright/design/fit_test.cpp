@@ -1,4 +1,4 @@
-// Each case of fit is solved, or rejected with a reason.
+// Each case of fit is either solved or rejected with a reason.
 #include "gearwright/design/fit.hpp"
 
 #include <gtest/gtest.h>
@@ -51,12 +51,12 @@ TEST(Fit, none_has_a_reason_and_a_neighbour) {
   EXPECT_TRUE(f->branches.empty());
   const double least = 0.75 * std::pow(std::cbrt(169.0) + std::cbrt(676.0), 1.5);
   EXPECT_NEAR(*f->nearest_distance, least, 1e-12);
-  // At the nearest values there is exactly one solution, or two that coincide.
+  // At the nearest values, there is exactly one solution, or two solutions coincide.
   p.shaft_angle = *f->nearest_shaft_angle - Angle::radians(1e-9);
   EXPECT_FALSE(fit(p)->branches.empty());
   p.shaft_angle = *f->nearest_shaft_angle + Angle::radians(1e-6);
   EXPECT_TRUE(fit(p)->branches.empty());
-  // In this case even parallel gears do not fit.
+  // At this centre distance, even gears on parallel axes do not fit.
   p.center_distance = 25.0;
   p.shaft_angle = 30_deg;
   const auto none = fit(p);
@@ -114,7 +114,8 @@ TEST(Fit, parallel_axes_come_out_of_it) {
   EXPECT_GT(fit(s)->branches.at(0).shift[0] + fit(s)->branches.at(0).shift[1], 0.5);
 }
 
-// With known helices and distance, the result is the pair with this minimum centre distance.
+// If the helix angles and the centre distance are known, the result is the pair for which this
+// distance is the minimum.
 TEST(Fit, an_absent_angle_is_that_of_the_least_distance) {
   FitProblem p = problem(12, 24);
   p.helix = {45_deg, 45_deg};

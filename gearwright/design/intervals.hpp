@@ -1,12 +1,14 @@
 // The closed intervals in which a continuous function of one variable is not negative, with solved
 // ends.
 //
-// The function is evaluated at nodes. Between two nodes of different sign, one root is solved by
-// bracketing. From every node that is higher than its neighbours but below zero, golden section climbs
-// to the maximum first, so that a narrow interval between nodes is also found. The result is exact to
-// rounding for quasiconcave functions, whose superlevel sets are intervals.
-// docs/theory/09-design-search.md proves where the functions of the s1–s2 graph are quasiconcave. For
-// other functions, a maximum narrower than the step of the nodes, beside a higher one, may be missed.
+// The function is evaluated at nodes. Between two nodes of different sign, one root is found by
+// bracketing. If a node is below zero but higher than its neighbours, golden section first climbs
+// from it to the maximum, so that a narrow interval between nodes is also found. The result is
+// exact except for rounding if the function is quasiconcave, which means that its superlevel sets
+// are intervals.
+// docs/theory/09-design-search.md proves for which arguments the functions of the s1–s2 graph are
+// quasiconcave. For other functions, a maximum may be missed if it is narrower than the distance of
+// the nodes and lies next to a higher maximum.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +28,7 @@ struct Interval {
 
 inline constexpr int kIntervalNodes = 24;
 
-/// The number in the intervals that is nearest to 0; none if there are no intervals.
+/// The number in the intervals that is nearest to 0; absent if there are no intervals.
 inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals) {
   std::optional<double> nearest;
   for (const Interval& i : intervals) {
@@ -36,17 +38,19 @@ inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals
   return nearest;
 }
 
-/// Known properties of a function, which reduce the number of evaluations.
+/// Known properties of a function. They reduce the number of evaluations.
 struct Hump {
-  /// Upper limit of f″, except at creases where f is the least of several smooth functions.
+  /// Upper limit of f″, not counting creases, at which f changes from one smooth function to
+  /// another.
   double bend = std::numeric_limits<double>::infinity();
-  double below = -1e-9;  ///< maxima below this value are not searched for
+  double below = -1e-9;  ///< maxima below this value are ignored
 };
 
 namespace detail {
 
-/// The greatest possible value of f between a and b, from its values at a < x < y < b. The values at a
-/// and b may be −∞ if they are unknown. A concave function stays below the secant beyond its two points.
+/// The greatest possible value of a concave function between a and b, from its values at a < x < y
+/// < b. f(a) and f(b) may be −∞ if they are unknown. A concave function stays below a secant
+/// outside the interval of its two points.
 inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double y, double f_y,
                               double b, double f_b, double bend) {
   const auto rise = [](double lower, double upper) { return std::max(upper - lower, 0.0); };
@@ -58,12 +62,12 @@ inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double
   return std::max(f_x, f_y) + std::max(outside, inside) + bend * (b - a) * (b - a);
 }
 
-/// Searches the maximum of f between a and b by golden section and returns the best point. The search
-/// ends as soon as f > 0, or if f cannot exceed `hump.below`.
+/// Searches for the maximum of f between a and b by golden section and returns the best point. The
+/// search ends as soon as f > 0, or when f is certain not to exceed `hump.below`.
 template <class F>
 double climb(const F& f, double a, double b, const Hump& hump = {}) {
   constexpr double kGolden = 0.6180339887498949;
-  // Suitable for variables of the order of 1, such as shifts and their sums.
+  // This value suits variables of the order of 1, such as shifts and their sums.
   constexpr double kNarrow = 1e-13;
   constexpr double kUnknown = -std::numeric_limits<double>::infinity();
   double x = b - kGolden * (b - a);
@@ -93,8 +97,9 @@ double climb(const F& f, double a, double b, const Hump& hump = {}) {
   return f_x > f_y ? x : y;
 }
 
-/// True if the node x is a root within rounding, because the chord to the next node crosses zero there,
-/// for example at a corner of the shift limits. Bracketing would not improve it.
+/// True if the node x is a root except for rounding, which is the case if the chord to the next
+/// node crosses zero there. An example is a corner of the shift limits. Bracketing would not
+/// improve such a root.
 inline bool is_root(double x, double f_x, double next, double f_next) {
   const double away = std::abs(next - x) * -f_x;
   return away <=
@@ -103,7 +108,7 @@ inline bool is_root(double x, double f_x, double next, double f_next) {
 
 }  // namespace detail
 
-/// The intervals with f ≥ 0, and the greatest computed value of f.
+/// The intervals in which f ≥ 0, and the greatest computed value of f.
 struct Superlevel {
   std::vector<Interval> pieces;
   double highest = -std::numeric_limits<double>::infinity();
@@ -144,8 +149,8 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
     at.insert(at.begin() + static_cast<std::ptrdiff_t>(top > at[i].x ? i + 1 : i), {top, value});
     ++i;
   }
-  // A node with f = 0, for example at a corner of the shift limits, is a root. A positive maximum
-  // between this node and a negative neighbour is searched first.
+  // A node with f = 0 is a root, for example at a corner of the shift limits. First, a positive
+  // maximum between this node and a negative neighbour is searched for.
   for (std::size_t i = 0; i + 1 < at.size(); ++i) {
     const double l = at[i].value;
     const double r = at[i + 1].value;
@@ -159,7 +164,7 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i].value < 0.0) continue;
     Interval piece{at[i].x, at[i].x};
-    // The solved root may lie outside the interval by a rounding error, but the inside node does not.
+    // Because of rounding, the computed root may lie outside the interval. The inner node does not.
     const auto end = [&](const Node& outside, const Node& inside) {
       if (detail::is_root(outside.x, outside.value, inside.x, inside.value)) return outside.x;
       return find_root([&f](double x) { return f(x); }, std::min(outside.x, inside.x),
@@ -175,7 +180,8 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
   return found;
 }
 
-/// The intervals of [a, b] in which f ≥ 0, in ascending order. An interval may be a single point.
+/// The intervals of [a, b] in which f ≥ 0, in ascending order. An interval may consist of a single
+/// point.
 ///
 /// Domain    f continuous; there are no intervals if a > b
 template <class F>
@@ -184,15 +190,15 @@ std::vector<Interval> where_not_negative(const F& f, double a, double b, int nod
   return superlevel(f, a, b, nodes, hump).pieces;
 }
 
-/// The intervals in which f ≥ 0. If there are none, the intervals in which f ≥ −touch.
+/// The intervals in which f ≥ 0 or, if there are none, the intervals in which f ≥ −touch.
 ///
 /// Domain    touch much smaller than −hump.below
 template <class F>
 std::vector<Interval> where_not_negative_or_touching(const F& f, double a, double b, double touch,
                                                      const Hump& hump = {}) {
   Superlevel exactly = superlevel(f, a, b, kIntervalNodes, hump);
-  // A maximum that touches zero within rounding counts, but the tolerance must not change the ends of
-  // other intervals.
+  // A maximum that is zero within rounding counts as an interval. The tolerance must not change the
+  // ends of other intervals.
   if (!exactly.pieces.empty() || exactly.highest < hump.below) return std::move(exactly.pieces);
   return where_not_negative([&](double x) { return f(x) + touch; }, a, b, kIntervalNodes, hump);
 }

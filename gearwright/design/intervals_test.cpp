@@ -1,6 +1,6 @@
-// Intervals of functions whose intervals are known: (1) ends are roots to rounding; (2) a narrow
-// hump between two nodes is found; (3) a single point is an interval; (4) work: the search of a
-// hump ends as soon as it cannot reach zero, and a root at a node needs no search.
+// Tests functions whose intervals are known: (1) the ends are roots except for rounding; (2) a
+// narrow hump between two nodes is found; (3) a single point is an interval; (4) work counters: the
+// search for a maximum ends as soon as it cannot reach zero, and a root at a node needs no search.
 #include "gearwright/design/intervals.hpp"
 
 #include <gtest/gtest.h>
@@ -49,8 +49,8 @@ TEST(Intervals, WhereNothingEndsTheGivenEndsAreKept) {
   EXPECT_TRUE(where_not_negative([](double) { return 1.0; }, 1.0, 0.0).empty());
 }
 
-// Straight and round humps, with widths from a third of the distance of the nodes down to a
-// billionth of it.
+// Triangular and rounded humps. Their widths range from a third of the distance between nodes down
+// to a billionth of it.
 TEST(Intervals, NarrowHumpsBetweenNodesAreFound) {
   Random random(2);
   for (int i = 0; i < 2000; ++i) {
@@ -68,7 +68,7 @@ TEST(Intervals, NarrowHumpsBetweenNodesAreFound) {
   }
 }
 
-// The two nodes beside a hump in the middle between them have equal values.
+// If a hump lies exactly in the middle between two nodes, both nodes have equal values.
 TEST(Intervals, AHumpInTheMiddleBetweenNodesIsFoundOnce) {
   for (int node = 0; node < kIntervalNodes; ++node) {
     const double c = (node + 0.5) / kIntervalNodes;
@@ -79,7 +79,7 @@ TEST(Intervals, AHumpInTheMiddleBetweenNodesIsFoundOnce) {
   }
 }
 
-// A hump next to an end, where a node has only one neighbour.
+// A hump next to an end, where the adjacent node has only one neighbour.
 TEST(Intervals, HumpsAtTheEndsAreFound) {
   for (const double c : {0.0, 1e-9, 1e-3, 1.0 - 1e-3, 1.0 - 1e-9, 1.0}) {
     const auto found =
@@ -106,8 +106,8 @@ TEST(Intervals, APointCounts) {
   }
 }
 
-// If a function has many humps wider than the distance of nodes, all are found, in order and
-// separate.
+// If the humps of a function are wider than the distance between nodes, all are found, in order and
+// separately.
 TEST(Intervals, ManyHumpsComeInOrder) {
   const double pi = std::numbers::pi;
   const auto found =
@@ -123,7 +123,8 @@ TEST(Intervals, ManyHumpsComeInOrder) {
   }
 }
 
-// The ends of a piece lie on its own side of the neighbouring nodes, so two pieces never overlap.
+// Each end of an interval lies on the inner side of the adjacent node, so two intervals never
+// overlap.
 TEST(Intervals, PiecesOfRandomWavesAreApartAndTrue) {
   Random random(3);
   for (int i = 0; i < 500; ++i) {
@@ -144,12 +145,12 @@ TEST(Intervals, PiecesOfRandomWavesAreApartAndTrue) {
     constexpr int kGrid = 2000;
     for (int k = 0; k < kGrid; ++k)
       if (f((k + 0.5) / kGrid) >= 0.0) ++hits;
-    // Each end is misplaced by at most half a cell; 25 radians have at most 5 pieces.
+    // Each end has an error of at most half a cell. In 25 radians there are at most 5 intervals.
     EXPECT_NEAR(inside, static_cast<double>(hits) / kGrid, 5.0 / kGrid) << w << " " << shift;
   }
 }
 
-// At a corner of the shift limits the width is exactly 0, and it increases from there.
+// At a corner of the shift limits, the width is exactly 0 and increases on one side.
 TEST(Intervals, AHumpBesideANodeThatIsZeroIsFound) {
   const auto hump = [](double x) { return x * (0.5 - x); };
   const auto right = where_not_negative(hump, 0.0, 24.0);
@@ -165,9 +166,9 @@ TEST(Intervals, AHumpBesideANodeThatIsZeroIsFound) {
   EXPECT_EQ(only_touching[0].hi, 0.0);
 }
 
-// (4) Work counter: 25 nodes, and a dozen evaluations for a hump that ends 0.07 below zero. Golden
-// section down to rounding needed sixty. Humps that reach zero are found as before, to the last
-// bit.
+// (4) Work counter: 25 nodes, plus a dozen evaluations for a hump whose maximum is −0.07. A golden
+// section down to rounding would need sixty. Humps that reach zero are found with exactly the same
+// result as before.
 TEST(Intervals, HopelessHumpsAreLeftSoon) {
   const Hump known{.bend = 100.0};
   for (const double top : {-0.07, -1.0, 1e-9, 0.3}) {
@@ -194,7 +195,7 @@ TEST(Intervals, HopelessHumpsAreLeftSoon) {
   }
 }
 
-// (4) An end that is 0 except for rounding is a root itself, and no bracket around it is needed.
+// (4) If a node is 0 except for rounding, it is itself the end, and no bracket around it is needed.
 TEST(Intervals, EndsWithinRoundingOfANodeAreThatNode) {
   int looks = 0;
   const auto f = [&](double x) {

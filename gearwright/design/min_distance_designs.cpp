@@ -23,16 +23,18 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMargin = 0.1 * kRadPerDeg;  // least distance of a working helix angle from 90°
+constexpr double kMargin = 0.1 * kRadPerDeg;     // least distance between a working helix angle and
+                                                 // 90°
 constexpr double kSteepest = 89.0 * kRadPerDeg;  // greatest helix angle of a gear
 constexpr double kParallel = 1e-9;               // rad, as in pair/partners.cpp
-constexpr int kCells = 512;  // of the range of β_w1, to find roots of functions of unknown shape
+constexpr int kCells = 512;  // number of cells of the range of β_w1 for finding roots of functions
+                             // of unknown shape
 // H as a function of β_w1 at one shaft angle, and its minimum.
 class PitchSum {
  public:
   PitchSum(const std::array<int, 2>& teeth, double sigma)
       : z1_(teeth[0]), z2_(std::abs(teeth[1])), side_(side_of(teeth[1])), sigma_(sigma) {
-    // Both working helix angles are within ±90°.
+    // Both working helix angles must lie within ±90°.
     lo_ = -kHalfPi + std::max(0.0, side_ > 0 ? sigma_ : 0.0) + kMargin;
     hi_ = kHalfPi + std::min(0.0, side_ > 0 ? sigma_ : 0.0) - kMargin;
     const auto slope = [this](double b1) {
@@ -59,8 +61,8 @@ class PitchSum {
     std::vector<double> found;
     for (const auto& [from, to] : {std::pair{lo_, argmin_}, std::pair{argmin_, hi_}}) {
       const Root root = find_root(f, from, to);
-      // If the bracket contains no root, the root lies beyond the ends, where H is so great that no
-      // practical gear has this t.
+      // If the bracket contains no root, the root lies outside the range. H is so great there that
+      // no practical gear has this value.
       if (root.stop == RootStop::no_bracket) continue;
       GW_ENSURES(root.found());
       if (found.empty() || found.back() != root.x) found.push_back(root.x);
@@ -77,12 +79,12 @@ double shaft_angle_of(const FitProblem& p) {
   return std::abs(p.shaft_angle->rad()) <= kParallel ? 0.0 : p.shaft_angle->rad();
 }
 
-// Computes the design that belongs to a value of β_w1, if there is one.
+// Computes the design for a given value of β_w1, if it exists.
 class Designs {
  public:
   explicit Designs(const FitProblem& p) : p_(p), H_(p.teeth, shaft_angle_of(p)) {}
   const PitchSum& pitch_sum() const { return H_; }
-  // T, the value of H for the working pressure angle α_wn.
+  // T, the required value of H for the working pressure angle α_wn.
   double target(double cos_wn) const {
     return 2 * *p_.center_distance * cos_wn /
            (p_.normal_module * std::cos(p_.normal_pressure_angle.rad()));
@@ -116,8 +118,8 @@ class Designs {
   PitchSum H_;
 };
 
-// Roots of f in the parts of [lo, hi] in which f is defined. A root is solved for every change of sign
-// between neighbouring grid points, and a pair of roots near every extremum that crosses zero.
+// Roots of f in those parts of [lo, hi] in which f exists. One root is found for every change of
+// sign between neighbouring grid points, and two roots near every extremum that crosses zero.
 std::vector<double> roots(const std::function<std::optional<double>(double)>& f, double lo,
                           double hi) {
   std::vector<double> found;
@@ -159,8 +161,8 @@ std::array<double, 2> divided(const FitProblem& p, double sum) {
   return {x1, x2};
 }
 
-// Finds the nearest possible values for one working pressure angle: the least a at the given Σ, and the
-// greatest |Σ| at the given a.
+// Finds the nearest possible values for a given working pressure angle: the smallest a for the
+// given Σ, and the greatest |Σ| for the given a.
 void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   const Designs designs(p);
   const PitchSum& H = designs.pitch_sum();
@@ -173,7 +175,7 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
                                       Angle::radians(std::acos(cos_wn)).deg()))
                       .rule;
   if (p.teeth[1] < 0) return;
-  // The least sum of pitch diameters is z1 + z2 and grows with |Σ|.
+  // The smallest sum of the pitch diameters is z1 + z2. The sum grows with |Σ|.
   if (!(t > p.teeth[0] + p.teeth[1])) {
     result.reason += fmt::format(
         "; at the given centre distance there is no such pair at any shaft angle, because even on "
@@ -185,7 +187,7 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   const auto f = [&](double s) { return PitchSum(p.teeth, sign * s).min() - t; };
   const Root root = find_root(f, 0.0, std::numbers::pi - 3 * kMargin);
   if (root.found())
-    result.nearest_shaft_angle = Angle::radians(sign * root.x);  // none within ±179.8°
+    result.nearest_shaft_angle = Angle::radians(sign * root.x);  // none for |Σ| ≤ 179.8°
 }
 
 std::optional<Error> contradiction(const FitProblem& p) {
@@ -244,7 +246,8 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
         "there is no pair with `{}` = {} whose minimum centre distance is the given distance",
         gear_field(known + 1, "helix_angle"), format_number(p.helix[known]->deg()));
   } else if (p.working_normal_pressure_angle || wanted_sum == 0.0) {
-    // If x1 + x2 = 0 at the minimum centre distance, the working pressure angle is that of the rack.
+    // If x1 + x2 = 0 at the minimum centre distance, the working pressure angle equals that of the
+    // rack.
     const Angle alpha = p.working_normal_pressure_angle.value_or(p.normal_pressure_angle);
     const double cos_wn = std::cos(alpha.rad());
     const std::optional<double> sum =

@@ -22,11 +22,11 @@ std::string shown(const std::array<double, 2>& b) {
   return b[0] == b[1] ? shown(b[0]) : fmt::format("[{:.10g}, {:.10g}]", b[0], b[1]);
 }
 
-// Greatest number of trials that are filtered for one member.
+// Greatest number of trials per member that are evaluated by the filter.
 constexpr std::int64_t kMaxSifted = 20 * kMaxForChange;
-// Effort of the change that permits interference, with which designs do not run.
+// Effort of the change that permits interference. Designs with interference do not run.
 constexpr double kNotToRun = 100.0;
-// Relative accuracy of a change, which is printed with four digits.
+// Relative accuracy of a change. A change is printed with four digits.
 constexpr double kEnough = 1e-9;
 
 // Computes the least change of one member, and counts the evaluated graphs.
@@ -36,14 +36,15 @@ class Least {
         std::int64_t most_questions)
       : knob_(&knob), watch_(&watch), max_questions_(most_questions), problem_(problem) {}
 
-  /// The nearest value with which a design exists; its change is rounded up to four digits.
+  /// The nearest value with which a design exists. The change is rounded up to four digits.
   std::optional<double> find() {
     if (knob_->value == knob_->far || !reach()) return std::nullopt;
     const auto to = knob_->kind == Knob::Kind::limit ? of_limit() : of_new_trials();
     if (!to || knob_->kind == Knob::Kind::teeth) return to;
     const double move = *to - knob_->value;
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(move))) - 3.0);
-    constexpr double kWhole = 1e-6;  // of a step: tolerance, so that whole steps are not rounded up
+    constexpr double kWhole = 1e-6;  // in steps: tolerance that prevents whole steps from being
+                                     // rounded up
     const double rounded =
         knob_->value + std::copysign(std::ceil(std::abs(move) / step - kWhole) * step, move);
     const double tidy = std::stod(shown(rounded));
@@ -54,7 +55,7 @@ class Least {
   bool stopped() const { return stopped_; }
 
  private:
-  // Moves the far end nearer until the number of its trials is small enough.
+  // Moves the far end of the range nearer until there are few enough trials.
   bool reach() {
     far_ = knob_->far;
     for (int i = 0; i < 60; ++i) {
@@ -72,7 +73,7 @@ class Least {
     }
     return false;
   }
-  // Evaluates one trial with the knob at a value.
+  // Evaluates one trial with a given value of the knob.
   bool feasible(const Trial& t, double value) {
     ++questions_;
     knob_->set(problem_, value);
@@ -87,12 +88,13 @@ class Least {
   }
   bool lets_through(double value) {
     if (knob_->kind == Knob::Kind::limit) return feasible(*witness_, value);
-    // The band must include the exact ratio of the trial that was found, by the rule of SearchSpace.
+    // The band must include the exact ratio of the trial that was found. The rule of SearchSpace
+    // applies.
     knob_->set(problem_, value);
     const auto [first, last] = wheels_of(problem_, witness_->z1);
     return first <= witness_->z2 && witness_->z2 <= last;
   }
-  // Sets the member to the far end of its range, and calls f for the trials that pass the filter.
+  // Sets the member to the far end of its range and calls f for every trial that passes the filter.
   template <class F>
   void each_candidate(const F& f) {
     knob_->set(problem_, far_);
@@ -136,7 +138,7 @@ class Least {
     return best;
   }
 
-  // The value of the member that would include the trial.
+  // The value to which the member must change to include the trial.
   double needs(const Trial& t) const {
     return knob_->kind == Knob::Kind::teeth ? t.z1 : static_cast<double>(t.z2) / t.z1;
   }
@@ -325,7 +327,7 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   };
   if (problem.coprime)
     switched("coprime", "true", "false", 0.5, [](SearchProblem& p) { p.coprime = false; });
-  // If designs are drawn, interference is never permitted.
+  // If designs are drawn, the change never permits interference.
   if (problem.limits.avoid_interference && !problem.draw) {
     switched("limits.avoid_interference", "true", "false", kNotToRun, [](SearchProblem& p) {
       p.limits.avoid_interference = p.limits.clear_fillets = false;
@@ -347,7 +349,7 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   std::stable_sort(
       found.changes.begin(), found.changes.end(),
       [](const NearestChange& a, const NearestChange& b) { return a.effort < b.effort; });
-  // Both ends of a band have the same name, so each name is kept only once.
+  // Both ends of a band have the same name, and each name is stored only once.
   std::vector<std::string> once;
   for (std::string& field : found.bounded) {
     if (std::find(once.begin(), once.end(), field) == once.end()) once.push_back(std::move(field));

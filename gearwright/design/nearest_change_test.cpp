@@ -1,6 +1,6 @@
-// Laws of a nearest change: (1) with the change, read back from its text, a design exists; (2) with
-// a slightly smaller change none does; (3) changes are sorted, the smallest first, and a change
-// that does not help is not in the list.
+// Laws of a nearest change: (1) with the change as printed, a design exists; (2) with a slightly
+// smaller change, no design exists; (3) the changes are sorted, smallest first, and a change that
+// does not help is not listed.
 #include "gearwright/design/nearest_change.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ bool feasible(const SearchProblem& p) {
   return search.exists(0, *search.space().size());
 }
 
-// "1.2" or "[99, 101]": both ends.
+// Reads both ends of "1.2" or "[99, 101]".
 std::array<double, 2> band(const std::string& text) {
   double a = 0.0;
   double b = 0.0;
@@ -35,12 +35,12 @@ std::array<double, 2> band(const std::string& text) {
   return {a, a};
 }
 
-// The member that a change affects. Both ends of the shifts are one band.
+// The member that a change affects. Both limits of the shifts count as one band.
 std::string member(const NearestChange& c) {
   return c.field.ends_with("_shift") ? "limits.shift" : c.field;
 }
 
-// Sets a member to a band, or to one number if it has only one.
+// Sets a member to a band, or to a number if the member is not a band.
 void set(SearchProblem& p, const std::string& key, const std::array<double, 2>& v) {
   SearchLimits& l = p.limits;
   if (key == "limits.contact_ratio") {
@@ -74,11 +74,11 @@ void set(SearchProblem& p, const std::string& key, const std::array<double, 2>& 
 struct Empty {
   const char* name;
   SearchProblem problem;
-  std::vector<std::string> named;    // among the changes
-  std::vector<std::string> useless;  // not among them
+  std::vector<std::string> named;    // members that must be among the changes
+  std::vector<std::string> useless;  // members that must not
 };
 
-// 20 … 24 teeth, module 2 and ratios about 2 at 66 mm, with one limit that rejects all designs.
+// 20 … 24 teeth, module 2 and ratios of about 2 at 66 mm. One limit rejects all designs.
 SearchProblem small() {
   SearchProblem p;
   p.ratio = {1.9, 2.1};
@@ -172,7 +172,8 @@ std::vector<Empty> empty_searches() {
          p.limits.avoid_interference = true;
        }),
        {"limits.avoid_interference"},
-       // A change of a single end does not help, because Σ is given and the other end rejects all.
+       // Changing a single end does not help, because Σ is given and the other end rejects all
+       // designs.
        {"limits.shift"}},
 
       {"ring",
@@ -223,8 +224,8 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
     EXPECT_FALSE(feasible(p)) << what;  // `from` is the given value
     set(p, member(c), to);
     EXPECT_TRUE(feasible(p)) << what;  // (1)
-    // The text has four digits of the move, rounded outwards, so the required move is at most
-    // 1.1e-3 smaller.
+    // The text contains the change with four digits, rounded outwards, so the required change is at
+    // most 1.1e-3 smaller.
     auto less = to;
     for (const std::size_t i : {0, 1}) {
       const double move = to[i] - from[i];
@@ -239,10 +240,10 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
   }
 }
 
-// Tight centres with shortened tips, whose clearance is at most that of the racks. For each knob
-// all trials, 432 and more, must be checked, and only the clearance helps. Bisection of the whole
-// search needed about 30 times as many checks, each of which costs two thousand times as much as a
-// check by the sieve.
+// Tight centres with shortened tips, whose clearance is at most that of the racks. For each knob,
+// all trials (432 and more) must be checked, and only a change of the clearance helps. A bisection
+// of the whole search would need about 30 times as many checks with the graph, and each of them
+// costs two thousand times as much as a check with the filter.
 SearchProblem slow() {
   SearchProblem p;
   p.ratio = {4.0, 5.0};
@@ -265,8 +266,8 @@ TEST(NearestChange, EveryTrialIsAskedOnceOrTwice) {
   EXPECT_NEAR(std::stod(found.changes[0].to), 0.25, 1e-6);
   EXPECT_TRUE(found.bounded.empty());
   EXPECT_FALSE(found.stopped);
-  // The number of checks: the trials that remain after the sieve at the far end of each knob, and
-  // the bisections.
+  // The number of checks: the trials that pass the filter at the far end of each knob, plus the
+  // bisections.
   std::int64_t passed = 0;
   for (SearchProblem far : {p, p, p, p, p}) {
     far.pinion_teeth = {5, 40};
@@ -299,7 +300,7 @@ TEST(NearestChange, IsTheOneThatBisectionOfTheWholeSearchFinds) {
       limit = middle;
       (feasible(other) ? yes : no) = middle;
     }
-    // `to` has four digits of the move, rounded outwards.
+    // `to` contains the change with four digits, rounded outwards.
     EXPECT_LE(std::stod(at->to), yes + 1e-9);
     EXPECT_NEAR(std::stod(at->to), yes, 1e-3 * (least - yes) + 1e-9);
   }

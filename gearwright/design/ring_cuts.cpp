@@ -6,7 +6,7 @@ namespace gearwright {
 
 namespace {
 
-// Chooses the cutter. The module is 1, because every length is proportional to the module.
+// Chooses the cutter for module 1. Every length is proportional to the module.
 std::optional<RingCut> cut_of(const SearchProblem& problem, const Trial& trial, double shift) {
   CylindricalSpec spec;
   spec.teeth = trial.z2;
@@ -36,7 +36,7 @@ std::optional<RingCut> RingCuts::of(const SearchProblem& problem, const Trial& t
   }
   const auto cut = cut_of(problem, trial, shift);
   const std::lock_guard lock(mutex_);
-  constexpr std::size_t kMost = 1 << 16;  // limits the stored cuts to a few megabytes
+  constexpr std::size_t kMost = 1 << 16;  // limits the memory for stored cuts to a few megabytes
   if (cuts_.size() >= kMost) cuts_.clear();
   cuts_.emplace(key, cut);
   return cut;

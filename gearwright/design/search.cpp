@@ -23,8 +23,8 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   return *this;
 }
 
-// Replaces an absent limit of a shift or a distance, modules. It exceeds any value, but its square is
-// finite.
+// Represents an absent limit of a shift or a distance, modules. It exceeds all real values, and its
+// square is finite.
 constexpr double kNoLimit = 1e9;
 
 Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {
@@ -36,7 +36,8 @@ std::shared_ptr<const TrialGears> Search::gears(int which, int rack, Angle helix
   const std::lock_guard lock(mutex_);
   const auto key = std::make_tuple(which, rack, helix);
   if (const auto found = tables_.find(key); found != tables_.end()) return found->second;
-  // Trials are processed by rack and helix angle, so a few tables are sufficient.
+  // Trials are processed in the order of rack and helix angle, so a few stored tables of gears are
+  // sufficient.
   constexpr std::size_t kTables = 16;
   if (tables_.size() >= kTables) tables_.clear();
   const bool ring = problem_.internal();
@@ -58,7 +59,8 @@ ShiftGraph Search::graph(const Trial& trial) const {
 
 namespace {
 
-// Collects trials of one rack and helix angle and evaluates the filter for all of them at once.
+// Collects trials with the same rack and helix angle and evaluates the filter for all of them at
+// once.
 class Sieve {
  public:
   Sieve(const SearchProblem& problem, const Trial& first, const TrialGear& pinion)
@@ -94,14 +96,14 @@ class Sieve {
       a_lo = (*distance)[0] / t.module;
       a_hi = (*distance)[1] / t.module;
     }
-    // Shortened tips are thicker, so the graph must determine the greatest shifts.
+    // Shortened tips are thicker. The greatest shifts must then be computed by the graph.
     const double hi_1 = shortened_ ? ceiling_ : g_1.x_max;
     const double hi_2 = shortened_ ? ceiling_ : g_2.x_max;
     const double values[] = {g_1.r, g_1.x_min, hi_1, g_2.r, g_2.x_min, hi_2, a_lo, a_hi};
     for (std::size_t k = 0; k < SieveBatch::kIn; ++k) batch_.in[k][i] = values[k];
   }
   std::size_t size() const { return trials_.size(); }
-  /// decide(trial, verdict) returns true to continue.
+  /// decide(trial, verdict) returns true if the search shall continue.
   template <class F>
   bool flush(const F& decide) {
     if (trials_.empty()) return true;
@@ -169,7 +171,8 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
            ++result.rejected[static_cast<std::size_t>(verdict)];
            return true;
          }
-         // A graph may take as long as a thousand verdicts, so the watch is called before each graph.
+         // A graph may take as long as a thousand verdicts of the filter, so the watch is called
+         // before each graph.
          if (wish.watch && !wish.watch(0)) return false;
          const ShiftGraph graph(problem_, t, g_1, g_2);
          const auto keep = [&](const DesignRow& row) {
@@ -200,7 +203,8 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
              rows.back() = *design_row(graph, wish.detail);
            return true;
          }
-         // If all limits leave a region, tips cut into the fillets at its candidate points.
+         // If every single limit leaves a region, the reason is that the tips cut into the fillets
+         // at its candidate points.
          const Limit limit = graph.what_kills().value_or(Limit::interference);
          ++result.rejected[static_cast<std::size_t>(limit)];
          return true;

@@ -1,9 +1,9 @@
-// The design search: computes for every trial either a design or the limit that rejects the trial, and
-// sorts the best designs.
+// The design search. For every trial, it computes either a design or the limit that rejects the
+// trial. The best designs are sorted.
 //
-// Ranges of trials are searched independently, so the search can be divided among threads, shards and
-// ranks. The first three limits take only a few operations and reject most trials. The filter
-// (design/candidate.hpp) evaluates them for several trials at once, and a graph is computed only for
+// Ranges of trials are searched independently, so a search can be divided among threads, shards and
+// ranks. The first three limits need only a few operations and reject most trials. The filter
+// (design/candidate.hpp) evaluates them for several trials at once. A graph is computed only for
 // trials that the filter does not reject.
 #pragma once
 
@@ -24,30 +24,34 @@
 namespace gearwright {
 
 struct SearchCounts {
-  std::int64_t tested = 0;  ///< number of trials; only coprime ones if this is required
+  std::int64_t tested = 0;  ///< number of trials; only those with coprime numbers of teeth, if this
+                            ///< is required
   std::int64_t feasible = 0;
-  std::array<std::int64_t, kLimits> rejected{};  ///< by the first limit that leaves no design
+  std::array<std::int64_t, kLimits> rejected{};  ///< counted by the first limit that leaves no
+                                                 ///< design
   std::int64_t points_tested = 0, points_feasible = 0;  ///< points of the grid of shifts
 
   SearchCounts& operator+=(const SearchCounts& other);
   friend bool operator==(const SearchCounts&, const SearchCounts&) = default;
 };
 
-/// Numbers of trials that the filter could decide, and that it could not decide (`asked`).
+/// The numbers of trials that the filter decided and of those that it could not decide (`asked`).
 struct SieveCounts {
   std::int64_t decided = 0, asked = 0;
 };
 
-/// A callback for long searches. It receives the number of trials since the last call and returns true
-/// to continue. It is called many times per second, from any working thread, and may be empty.
+/// A callback for long searches. It receives the number of trials since the last call and returns
+/// true if the search shall continue. Any working thread may call it, many times per second. The
+/// callback may be empty.
 using SearchWatch = std::function<bool(std::int64_t trials)>;
 
 /// Options for the search of a range.
 struct RangeOptions {
-  RegionDetail detail = RegionDetail::whole;  ///< of each row; ranking by area requires `whole`
+  RegionDetail detail = RegionDetail::whole;  ///< extent of each row; ranking by area requires
+                                              ///< `whole`
   SieveCounts* sieve = nullptr;
   std::vector<ShiftPoint>* points =
-      nullptr;  ///< receives the feasible points of the grid of shifts
+      nullptr;  ///< if not null, receives the feasible points of the grid of shifts
   SearchWatch watch{};
 };
 
@@ -58,14 +62,14 @@ class Search {
   const SearchProblem& problem() const { return problem_; }
   const SearchSpace& space() const { return space_; }
 
-  /// Searches the trials [from, to) and appends their feasible designs in the order of the trials.
-  /// Thread-safe. If the watch ends the search, the result covers only a part of the range.
+  /// Searches the trials [from, to) and appends the feasible designs in the order of the trials.
+  /// Thread-safe. If the watch stops the search, the result covers only a part of the range.
   SearchCounts range(std::int64_t from, std::int64_t to, std::vector<DesignRow>& rows,
                      const RangeOptions& wish = {}) const;
 
-  /// The row with the values of its region.
+  /// The given row, completed by the values of its region.
   DesignRow whole(const DesignRow& row) const;
-  /// True if a trial of [from, to) is feasible. The search stops at the first one.
+  /// True if a trial in [from, to) is feasible. The search stops at the first such trial.
   bool exists(std::int64_t from, std::int64_t to) const;
 
   /// Calls f for every trial that the filter does not reject, until f returns false.
@@ -75,8 +79,8 @@ class Search {
   bool feasible(const Trial& trial) const { return has_design(graph(trial)); }
 
  private:
-  // Evaluates the filter for the trials [from, to) and calls decide(trial, verdict, gear 1, gear 2) for
-  // each, until `decide` returns false.
+  // Evaluates the filter for the trials [from, to). For each trial, decide(trial, verdict, gear 1,
+  // gear 2) is called until it returns false.
   template <class F>
   void sift(std::int64_t from, std::int64_t to, const SearchWatch& watch, const F& decide) const;
   std::shared_ptr<const TrialGears> gears(int which, int rack, Angle helix) const;
@@ -87,16 +91,17 @@ class Search {
   mutable std::map<std::tuple<int, int, Angle>, std::shared_ptr<const TrialGears>> tables_;
 };
 
-/// The result of a search. Designs are sorted by the first objective, the best first. If there are
-/// several objectives, the designs of the Pareto front come before all others.
+/// The result of a search. Designs are sorted by the first objective, best first. If there are
+/// several objectives, the designs of the Pareto front precede all others.
 struct SearchAnswer {
-  SearchAnswer() = default;  ///< empty, and not an aggregate; a Search makes it
+  SearchAnswer() = default;  ///< empty, and not an aggregate; only a Search fills it
   SearchCounts counts;
   std::vector<DesignRow> designs;
-  std::vector<std::size_t> pareto;  ///< indices in `designs` of the designs on the Pareto front
-  bool cut = false;                 ///< true if there are more feasible designs than in `designs`
+  std::vector<std::size_t> pareto;  ///< indices of the Pareto front in `designs`
+  bool cut = false;                 ///< true if there are more feasible designs than `designs`
+                                    ///< contains
 };
-/// Collects any number of designs and keeps the best ones and the Pareto front.
+/// Receives any number of designs and keeps only the best ones and the Pareto front.
 class BestDesigns {
  public:
   /// `most` is the number of designs that the result may contain.
@@ -112,7 +117,7 @@ class BestDesigns {
   };
   const SearchProblem* problem_;
   std::size_t max_;
-  std::vector<Place> heap_;      ///< places of the best rows, the worst of them on top
+  std::vector<Place> heap_;      ///< indices of the best rows; the worst of them is on top
   std::vector<DesignRow> rows_;  ///< the rows to which `heap_` refers
   ParetoFront front_;
   std::int64_t added_ = 0;

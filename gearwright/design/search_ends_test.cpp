@@ -1,4 +1,4 @@
-// A search terminates for any behaviour of the limits at their own ends.
+// A search terminates whatever its limits do at their own ends.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,9 +9,9 @@
 namespace gearwright {
 namespace {
 
-// The limits on interference stop bounding at some sums of shifts, beyond which they lie at
-// infinity; an earlier version searched endlessly for a corner between such an edge and that of
-// sliding.
+// At some sums of shifts, the limits on interference no longer give a bound, which means that the
+// bound lies at infinity. An earlier version searched endlessly for a corner between such an edge
+// and the edge of sliding.
 TEST(SearchEnds, WhereAnEdgeStopsBounding) {
   SearchProblem p;
   p.ratio = {2.0, 6.0};

@@ -1,6 +1,6 @@
-// The ranks of designs. Laws: (1) the few best are the head of the full list; (2) designs of equal
-// cost are in the order of module and teeth; (3) the front contains the designs that no other
-// design dominates, for any order of arrival.
+// The ranks of designs. Laws: (1) a short list of the best designs is the head of the full list;
+// (2) designs with equal costs are sorted by module and teeth; (3) the front contains exactly the
+// designs that no other design dominates, in whatever order they are added.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,8 +54,8 @@ TEST(SearchRank, TheFewBestAreTheHeadOfTheList) {  // (1)
   }
 }
 
-// The same pair in another module has the same cost except for rounding, so module, z1 and z2
-// decide.
+// The same pair in another module has the same cost except for rounding, so its rank depends on
+// module, z1 and z2.
 TEST(SearchRank, EqualWorthsComeInOrder) {  // (2)
   SearchProblem p = problem_of_search(reference().at("searches")[2].at("input"));
   const Found f = whole(Search(p));
@@ -77,7 +77,7 @@ TEST(SearchRank, EqualWorthsComeInOrder) {  // (2)
   EXPECT_GT(ties, 100);
 }
 
-// The plain definition, evaluated for all pairs of designs.
+// The definition of the front, evaluated directly for all pairs of designs.
 TEST(SearchRank, TheFrontIsWhatNoneDominates) {  // (3)
   SearchProblem p = helical_search();
   p.objectives = {Objective::size, Objective::contact_ratio, Objective::sliding};

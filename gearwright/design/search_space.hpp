@@ -1,8 +1,9 @@
-// The trials of a search, numbered 0 … size − 1. Any part of them can be computed on any machine with
-// the same result.
+// The trials of a search, numbered 0 … size − 1. Every trial can be computed from its number, with
+// the same result on every machine.
 //
-//   order     rack, helix, module, z1, z2; the last one changes fastest
-//   z2        the tooth numbers whose ratio lies in the closed band, with a tolerance of 1e-12
+//   order     rack, helix, module, z1, z2; z2 changes fastest
+//   z2        numbers of teeth whose ratio lies in the band, ends included, with a tolerance of
+//             1e-12
 #pragma once
 
 #include <cstdint>
@@ -13,14 +14,14 @@
 
 namespace gearwright {
 
-inline constexpr int kMaxSearchTeeth = 20'000;  ///< of a wheel; the shift limits of every number of
-                                                ///< teeth are tabulated
+inline constexpr int kMaxSearchTeeth = 20'000;  ///< of a wheel; for each number of teeth up to the
+                                                ///< largest, the shift limits are stored in a table
 
 class SearchSpace {
  public:
-  /// Domain    a problem as read from a spec; wheels up to kMaxSearchTeeth (contract)
+  /// Domain    a problem as read from a spec; wheels with at most kMaxSearchTeeth teeth (contract)
   explicit SearchSpace(const SearchProblem& problem);
-  /// The number of trials, including those with a common factor; none if it exceeds 9·10^18.
+  /// The number of trials, including those with a common factor; absent if it exceeds 9·10^18.
   std::optional<std::int64_t> size() const { return size_; }
   /// The number of trials as a double.
   double approximate_size() const;
@@ -28,8 +29,8 @@ class SearchSpace {
   /// Domain    0 ≤ index < size (contract)
   Trial trial(std::int64_t index) const;
 
-  /// Calls f(trial) for every trial of [from, to) until f returns false. Trials with a common factor are
-  /// omitted if only coprime numbers are permitted.
+  /// Calls f(trial) for the trials in [from, to) until f returns false. If only coprime numbers of
+  /// teeth are permitted, other trials are omitted.
   template <class F>
   void each(std::int64_t from, std::int64_t to, const F& f) const {
     if (from >= to) return;
@@ -38,8 +39,8 @@ class SearchSpace {
     }
   }
 
-  int min_wheel() const { return min_wheel_; }  ///< |z2|
-  int max_wheel() const { return max_wheel_; }  ///< |z2|; 0 if there is no pair
+  int min_wheel() const { return min_wheel_; }  ///< least |z2|
+  int max_wheel() const { return max_wheel_; }  ///< greatest |z2|; 0 if there is no pair
 
  private:
   struct Cursor {
@@ -56,14 +57,15 @@ class SearchSpace {
   struct Wheels {
     int z1, first, last;  ///< first and last z2
   };
-  std::vector<Wheels> pinions_;              ///< pinions with a wheel
-  std::vector<std::int64_t> before_pinion_;  ///< number of trials of one module before each pinion
+  std::vector<Wheels> pinions_;              ///< pinions that have at least one wheel
+  std::vector<std::int64_t> before_pinion_;  ///< for each pinion: number of trials with one module
+                                             ///< that precede it
   std::int64_t per_module_ = 0;
   std::optional<std::int64_t> size_;
   int min_wheel_ = 0, max_wheel_ = 0;
 };
 
-/// The first and the last z2 for z1; first > last if there is none.
+/// The first and the last z2 for a given z1; first > last if there is none.
 std::array<int, 2> wheels_of(const SearchProblem& problem, int z1);
 
 }  // namespace gearwright

@@ -1,5 +1,5 @@
-// Trials are numbered. Laws: (1) every number is a trial, and each trial has one number; (2) bands
-// of the ratio are closed.
+// The numbering of trials. Laws: (1) every number belongs to exactly one trial; (2) the ends of a
+// ratio band belong to the band.
 #include "gearwright/design/search_space.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(SearchSpace, EveryNumberIsATrialOnce) {  // (1)
   }
 }
 
-// each() gives the same sequence of trials between any two numbers, and stops if its function
+// each() gives the same sequence of trials between any two numbers and stops when its function
 // returns false.
 TEST(SearchSpace, PartsOfTheLineAreTheLine) {
   SearchProblem p = space_problem();
@@ -95,7 +95,8 @@ TEST(SearchSpace, SpacesBeyondCountingHaveNoSize) {
   EXPECT_GT(space.approximate_size(), 9e18);
 }
 
-// 1.9 · 30 and 2.1 · 10 are 57 and 21 in spite of rounding. Wheels are not smaller than pinions.
+// In spite of rounding, 1.9 · 30 and 2.1 · 10 count as 57 and 21. Wheels are not smaller than
+// pinions.
 TEST(SearchSpace, BandsAreClosed) {  // (2)
   SearchProblem p;
   const auto wheels = [&](double from, double to, int z1) {

@@ -1,6 +1,6 @@
-// The three complete searches of the reference, and laws: (1) a search may be divided anywhere; (2)
-// the coprime search is the search without common factors; (3) exists() is true if range() finds a
-// design. search_rank_test.cpp tests the ranks.
+// The three complete searches of the reference, and laws: (1) a search may be divided at any trial;
+// (2) the search for coprime designs gives the designs without common factors; (3) exists() is true
+// if and only if range() finds a design. search_rank_test.cpp tests the ranks.
 #include "gearwright/design/search.hpp"
 
 #include <gtest/gtest.h>
@@ -34,11 +34,11 @@ using testing::search::problem_of_search;
 using testing::search::reference;
 using testing::search::whole;
 
-// The type is not an aggregate, because C++20 would accept a part of the members and set the others
-// to 0.
+// The type must not be an aggregate. Otherwise C++20 would accept an initialisation of only some
+// members and set the others to 0.
 static_assert(!std::is_constructible_v<SearchAnswer, SearchCounts>);
 
-// Rounding of the doubles in the source; areas are about 1 modules².
+// Rounding error of the doubles in the source. Areas are about 1 modules².
 constexpr double kPrintedDouble = 1e-11;
 
 const json& bests() {
@@ -120,8 +120,9 @@ TEST(Search, RegionsOfTheReference) {
   EXPECT_GT(regions, 30);
 }
 
-// The five best by each objective. The reference has designs of equal cost in another order, so the
-// costs are compared, and each of its five designs is found with all its numbers.
+// The five best designs for each objective. The reference orders designs of equal cost differently.
+// The costs are therefore compared, and each of the five designs must be found with all its
+// numbers.
 TEST(Search, BestFiveOfTheReference) {
   const std::map<std::string, Objective> objectives{
       {"contact_ratio", Objective::formula_contact_ratio},
@@ -175,7 +176,7 @@ TEST(Search, CutAnywhereItIsTheSame) {  // (1)
     for (const std::int64_t pieces : {2, 7, 1000}) {
       Found parts;
       for (std::int64_t i = 0; i < pieces; ++i) {
-        // A new search of the same problem keeps nothing from the preceding piece.
+        // A new search for the same problem has no stored data from the preceding piece.
         const Search fresh(p);
         parts.counts += fresh.range(size * i / pieces, size * (i + 1) / pieces, parts.rows);
       }
@@ -200,7 +201,8 @@ TEST(Search, CountsAreWhole) {
   }
 }
 
-// Different racks follow each other at the same helix. The sieve must keep them separate.
+// Different racks follow each other at the same helix angle. The filter must process them
+// separately.
 TEST(Search, EveryTrialHasItsOwnVerdict) {
   SearchProblem p = testing::search::helical_search();
   p.helix = {Angle::radians(0.2)};

@@ -1,8 +1,8 @@
-// The bounds that each limit gives for x1 on a line Σ = const, and for Σ: the formulas of the s1–s2
-// graph.
+// The bounds that each limit imposes on x1 on a line Σ = const, and on Σ. These are the formulas of
+// the s1–s2 graph.
 //
-// The bounds are the leaf formulas (pair/leaf_formulas.hpp), solved for a shift. Tests compare the
-// bounds with the values of a mounted pair.
+// The bounds are the leaf formulas (pair/leaf_formulas.hpp), solved for a shift. Tests compare them
+// with the values of a mounted pair.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,9 +53,9 @@ void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, doubl
   }
 }
 
-// The mating gear's tip must keep the distance c_F from the start of the flank: ρ_1A ≥ ρ_F1 + c_F and
-// ρ_2E ≥ ρ_F2 + c_F. As a function of the mating gear's tip radius u, each condition is
-// w q(u) ≤ c + s u. This is a quadratic, and the condition is violated between its roots. [T9.9]
+// The tip of the mating gear must keep the distance c_F from the start of the flank: ρ_1A ≥ ρ_F1 +
+// c_F and ρ_2E ≥ ρ_F2 + c_F. As a function of the mating gear's tip radius u, each condition is w
+// q(u) ≤ c + s u. This is a quadratic, and the condition is violated between its roots. [T9.9]
 void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2,
                                     double& hi_1) const {
   const auto greater_root = [](double w, double c, double s, double b) {
@@ -79,26 +79,26 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
     raise(lo_2, greater_root(weight_[0], c_2, s_2, gears_[0].r_b) - A_1);
     return;
   }
-  // For the tip v = |u| of the internal gear, √(v² − b²) ≥ s v + c holds between the roots.
+  // For the tip radius v = |u| of the internal gear, √(v² − b²) ≥ s v + c holds between the roots.
   const double s = 1.0 / gears_[0].sin_transverse;
   const double c = -at.N + problem_->limits.form_clearance +
                    gears_[0].r * gears_[0].sin_transverse - s * gears_[0].flank_depth +
                    s * (A_2 + sum);
   const double b = gears_[1].r_b;
   const double disc = c * c - (s * s - 1.0) * b * b;
-  // If disc < 0, the line lies above the whole branch. The two ends are then returned in reverse order.
-  // Their distance is 0 at disc = 0, so the width is a continuous function of Σ.
+  // If disc < 0, the line lies above the whole branch, and the two ends are returned in reverse
+  // order. Their distance is 0 at disc = 0, so the width is a continuous function of Σ.
   const double middle = -s * c / (s * s - 1.0) + A_2 + sum;
   const double half = std::copysign(std::sqrt(std::abs(disc)), disc) / (s * s - 1.0);
   raise(lo_2, middle - half);
   lower(hi_1, middle + half);
 }
 
-// The range of the shift of gear i in which its usable flank is long enough. The usable flanks begin at
-// f_i = max(0, w_i ρ_Fi) [T9.1]. The path clipped to them must have the length K: w_1 q_1 − f_1 ≥ K,
-// likewise for gear 2, and N − f_1 − f_2 ≥ K. This function solves the first two conditions. In the last
-// one, the case f_1, f_2 > 0 depends on Σ alone (sum_margin). The start of an internal gear's flank is
-// unknown. [T9.7]
+// The range of the shift of gear i in which its usable flank is long enough. The usable flanks
+// begin at f_i = max(0, w_i ρ_Fi) [T9.1]. The path clipped to them must have the length K. This
+// gives w_1 q_1 − f_1 ≥ K, the same condition for gear 2, and N − f_1 − f_2 ≥ K. This function
+// solves the first two conditions. The third one depends on Σ alone if f_1, f_2 > 0 (sum_margin).
+// The start of an internal gear's flank is unknown. [T9.7]
 std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   const TrialGear& g = gears_[i];
   if (g.teeth < 0) return {-kInfinity, kInfinity};
@@ -106,8 +106,8 @@ std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   const double path = min_path_ / weight_[i];
   double least = radius_of(path, g.r_b);
   double most = kInfinity;
-  // The condition q(u) ≥ s u + c holds between the roots, or up to the greater root if the line is below
-  // 0 at the base circle.
+  // The condition q(u) ≥ s u + c holds between the roots. If the line is below 0 at the base
+  // circle, it holds up to the greater root.
   const double s = 1.0 / g.sin_transverse;
   const double c = path + g.r * g.sin_transverse - s * (g.edge_depth + A);
   const double disc = c * c - (s * s - 1.0) * g.r_b * g.r_b;
@@ -157,7 +157,8 @@ void ShiftGraph::bound(const SumPlace& at, double sum, int limits, Line& line) c
     const ShiftEdge below = internal_ ? ShiftEdge::interference1 : ShiftEdge::interference2;
     bound_interference(at, sum, line.lo_of(below), line.hi_of(ShiftEdge::interference1));
   }
-  // If tips are shortened, these bounds are roots. They are solved only if they may be the tightest.
+  // If tips are shortened, these bounds are roots of equations. They are computed only if they may
+  // be the tightest.
   double& hi = line.hi_of(ShiftEdge::s1max);
   if (Line::kNamed || least_max_shift(*problem_, g_1, at.k) < hi)
     lower(hi, max_shift(*problem_, g_1, at.k));
@@ -182,8 +183,8 @@ ShiftSlice ShiftBounds::slice() const {
   ShiftSlice s{{-kInfinity, kInfinity}, ShiftEdge::mesh, ShiftEdge::mesh};
   s.lo = *std::max_element(lo.begin(), lo.end());
   s.hi = *std::min_element(hi.begin(), hi.end());
-  // If several bounds coincide, for example those of the clipped path and of interference, the name of
-  // the first is used.
+  // If several bounds coincide, the name of the first one is used. This happens, for example, to
+  // the bounds of the clipped path and of interference.
   const auto first = [](const auto& bounds, double value) {
     const auto at = std::find_if(bounds.begin(), bounds.end(), [value](double bound) {
       return bound == value || std::abs(bound - value) <= kOneBound;
@@ -200,7 +201,8 @@ ShiftGraph::SumMargin ShiftGraph::sum_margin(const SumPlace& at, double sum, int
   if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {
     // N − ρ_F1 − ρ_F2 ≥ K, in units of Σ. [T9.7]
     const double path = at.N - min_path_ - least_start_[0] - least_start_[1];
-    margin = {path / start_slope_[0] - sum, ShiftEdge::eps_true};  // both gears have the same slope
+    margin = {path / start_slope_[0] - sum, ShiftEdge::eps_true};  // the slope is the same for both
+                                                                   // gears
   }
   if (limits > static_cast<int>(Limit::tip_clearance) && problem_->limits.tip_clearance) {
     const double lost = at.a - R_ - sum - at.k;  // [T9.5]

@@ -60,7 +60,8 @@ std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& char
 
 std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, int rack,
                                                   Angle helix, int from, int to) {
-  SearchProblem free = problem;  // without a centre distance, and with the same rack for both gears
+  SearchProblem free = problem;  // the problem without a centre distance and with the same rack for
+                                 // both gears
   free.center_distance.reset();
   free.shaft_angle.reset();
   free.ratio = {1.0, 1.0};
@@ -68,7 +69,7 @@ std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, 
   free.racks[0].rack[1] = free.racks[0].rack[0];
   free.racks[0].undercut_depth[1] = free.racks[0].undercut_depth[0];
   free.racks[0].flank_depth[1] = free.racks[0].flank_depth[0];
-  free.limits.contact_ratio = 0.0;  // this limit then only requires a working pressure angle
+  free.limits.contact_ratio = 0.0;  // then only a working pressure angle is required
 
   std::vector<IdenticalGears> chart;
   for (const ShiftLimits& limits : shift_limit_chart(free, 0, helix, 0, from, to)) {
@@ -83,7 +84,7 @@ std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, 
         const double share = static_cast<double>(k) / 4.0;
         const double x = limits.min + share * (limits.max - limits.min);
         if (2.0 * x < min_sum) continue;
-        // Shortened tips of deep negative shifts may end inside their base circles.
+        // With large negative shifts, shortened tips may end inside their base circles.
         if (gear.r + gear.addendum + x + graph.place(2.0 * x).k < gear.r_b) continue;
         row.contact_ratio[k] = row_at(graph, {x, x}).contact_ratio;
       }

@@ -106,7 +106,8 @@ TEST(ShiftCharts, ContactRatiosOfIdenticalGears) {
   EXPECT_GT(none, 20);
 }
 
-// A short addendum is reduced further at tight centres without a lower limit, and no flank remains.
+// At tight centres without a lower limit, a short addendum is reduced further until no flank
+// remains.
 TEST(ShiftCharts, TipsInsideTheirBaseCirclesHaveNoContactRatio) {
   SearchProblem problem = spur();
   problem.mounting = Mounting::tight;
@@ -125,7 +126,7 @@ TEST(ShiftCharts, TipsInsideTheirBaseCirclesHaveNoContactRatio) {
   EXPECT_GT(none, 300);
 }
 
-// The chart is about single gears. The requirements of the problem on its own pair have no effect.
+// The chart describes single gears, so the requirements on the pair of the problem have no effect.
 TEST(ShiftCharts, TheProblemsDistanceRatioAndWheelRackChangeNothing) {
   SearchProblem problem = spur();
   const auto plain = identical_gears_chart(problem, 0, Angle(), 12, 30);

@@ -20,9 +20,9 @@ using detail::raise;
 
 namespace {
 
-// Relative excess of the least centre distance over the sum of the base radii. At this distance, the
-// working pressure angle is 4e-5 rad. For smaller distances, double precision is not sufficient to
-// decide whether there is a mesh.
+// Relative difference between the least centre distance and the sum of the base radii. At this
+// distance, the working pressure angle is 4e-5 rad. At smaller distances, double precision cannot
+// decide whether the gears mesh.
 constexpr double kMinOpening = 1e-9;
 
 }  // namespace
@@ -108,7 +108,8 @@ double ShiftGraph::sum_of_distance(double distance) const {
   return (involute(alpha_w) - inv_alpha_t_) * teeth_sum_ / (2.0 * tan_alpha_);
 }
 
-// The range of Σ by the limits that have a closed form, without the corners of the rectangle of shifts.
+// The range of Σ from the limits that have a closed form. The corners of the rectangle of shifts
+// are not used.
 ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   Sums s{-kInfinity, kInfinity, ShiftEdge::mesh, ShiftEdge::mesh};
   const auto from_below = [&](double sum, ShiftEdge edge) {
@@ -117,16 +118,16 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   const auto from_above = [&](double sum, ShiftEdge edge) {
     if (sum < s.hi) s.hi = sum, s.hi_edge = edge;
   };
-  // The centre distance of an internal pair decreases as Σ increases, so a lower limit of the distance
-  // is an upper limit of Σ.
+  // For an internal pair, the centre distance decreases as Σ increases. A lower limit of the
+  // distance is therefore an upper limit of Σ.
   const auto not_nearer = [&](double sum, ShiftEdge edge) {
     internal_ ? from_above(sum, edge) : from_below(sum, edge);
   };
   const auto not_farther = [&](double sum, ShiftEdge edge) {
     internal_ ? from_below(sum, edge) : from_above(sum, edge);
   };
-  // Without a working pressure angle there is no contact ratio, so this condition belongs to the contact
-  // ratio and not to an earlier limit.
+  // If there is no working pressure angle, there is no contact ratio. This condition is therefore
+  // assigned to the limit of the contact ratio.
   if (limits > static_cast<int>(Limit::contact_ratio)) {
     not_nearer(mesh_sum_, ShiftEdge::mesh);
   }
@@ -135,13 +136,14 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
     const auto& band = *problem_->center_distance;
     const double least = band[0] / trial_.module;
     const double most = band[1] / trial_.module;
-    // No sum of shifts gives a backlash-free centre distance below the sum of the base radii.
+    // If the centre distance is below the sum of the base radii, no sum of shifts makes it
+    // backlash-free.
     if (tight_ && most < nearest_) return {1.0, 0.0, ShiftEdge::Cmax, ShiftEdge::Cmax};
     not_nearer(sum_of_distance(least), ShiftEdge::Cmin);
     not_farther(sum_of_distance(most), ShiftEdge::Cmax);
   }
   if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {
-    // N ≥ K, because the path lies between the base tangent points.
+    // The condition is N ≥ K, because the path lies between the base tangent points.
     from_below(path_sum_, ShiftEdge::eps_true);
   }
   return s;
@@ -151,8 +153,8 @@ ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   Sums s = plain_sums(limits, Band::asked);
   if (s.lo_edge == ShiftEdge::Cmax && s.hi_edge == ShiftEdge::Cmax)
     return s;  // the limit cannot be reached
-  // The graph also ends at the corners of the rectangle of shifts. A corner is a point and does not name
-  // an edge.
+  // The range also ends at the corners of the rectangle of shifts. A corner is a point, so no edge
+  // is named.
   raise(s.lo, gears_[0].x_min + gears_[1].x_min);
   double corner = gears_[0].x_max + gears_[1].x_max;
   if (tight_ && problem_->shorten_tips) {
@@ -164,9 +166,9 @@ ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   return s;
 }
 
-// A sum at which tips shortened by k leave no path of length K. The same is true for every greater sum,
-// because k decreases. E is greatest if both tip pressure angles are equal, and is then
-// √((a + h_a1 + h_a2 + k)² − B²) − N. [T9.6]
+// Finds a sum at which tips shortened by k leave no path of length K. For all greater sums there is
+// no such path either, because k decreases. E is greatest if both tip pressure angles are equal. It
+// is then √((a + h_a1 + h_a2 + k)² − B²) − N. [T9.6]
 double ShiftGraph::beyond_long_paths(double sum) const {
   if (internal_) return sum;  // tips are not shortened
   sum = std::max(sum, 0.0);
@@ -178,11 +180,11 @@ double ShiftGraph::beyond_long_paths(double sum) const {
   }
 }
 
-// The sum above which tips are too thin even if they are shortened by k. It is large if there is no such
-// sum.
+// The sum above which tips are too thin even when they are shortened by k. If there is no such sum,
+// a large number is returned.
 double ShiftGraph::beyond_thin_tips(double sum, double least) const {
   constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
-  constexpr double kBeyond = 1e-9;     // modules, the remainder after the last increases
+  constexpr double kBeyond = 1e-9;     // modules, bound for the sum of all further increases
   for (int i = 0; i < 60; ++i) {
     const double k = place(std::max(sum, least)).k;
     const double next = max_shift(*problem_, gears_[0], k) + max_shift(*problem_, gears_[1], k);
@@ -193,8 +195,8 @@ double ShiftGraph::beyond_thin_tips(double sum, double least) const {
 }
 
 double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const {
-  // ρ_1E − ρ_1A of the leaf formulas, with weights for crossed axes and with the signs of N. In this form
-  // the slope by x1 is the sum of the slopes of the two square roots.
+  // ρ_1E − ρ_1A of the leaf formulas, with weights for crossed axes and with signed N. In this
+  // form, the slope with respect to x1 is the sum of the slopes of the two square roots.
   const double u_1 = gears_[0].r + gears_[0].addendum + at.k + x1;
   const double u_2 = gears_[1].r + gears_[1].addendum + at.k + (sum - x1);
   const double sign = internal_ ? -1.0 : 1.0;
@@ -204,7 +206,8 @@ double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const 
 
 namespace {
 
-// dE/dx1 = w_1/sin α_a1 − w_2/sin α_a2, and its derivative, if both tips lie outside their base circles.
+// dE/dx1 = w_1/sin α_a1 − w_2/sin α_a2, and its derivative. Both tips must lie outside their base
+// circles.
 struct PathSlope {
   double first, second;
 };
@@ -224,7 +227,8 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
                                              const LineEnds& within) const {
   const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
   const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
-  double x1 = (A_1 + A_2 + sum) * gears_[0].r_b / B_ - A_1;  // equal tip pressure angles [T9.6]
+  double x1 = (A_1 + A_2 + sum) * gears_[0].r_b / B_ - A_1;  // x1 with equal tip pressure angles
+                                                             // [T9.6]
   if (crossed_ && within.lo < within.hi) {
     const auto slope = [&](double x) {
       const PathSlope s = path_slope(A_1 + x, gears_[0].r_b, weight_[0], A_2 + sum - x,
@@ -239,8 +243,7 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
   return {x1, path_length(at, sum, x1)};
 }
 
-// The point between the maximum of the path length and a bound at which E = K; none if there is no such
-// point.
+// The point with E = K between the maximum of the path length and a bound. Absent if there is none.
 std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, const Longest& top,
                                               LineSide side, double bound) const {
   const bool below = side == LineSide::lo;
@@ -253,8 +256,8 @@ std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, co
                                    weight_[1], internal_);
     return Slope<double>{path_length(at, sum, x) - min_path_, s.first};
   };
-  // E of an external pair is concave, so Newton's steps from outside never pass the root. E of an
-  // internal pair may be convex, so the steps are limited to a bracket.
+  // For an external pair, E is concave, so Newton steps from outside never pass the root. For an
+  // internal pair, E may be convex, so the steps are limited to a bracket.
   return below ? newton_in_bracket<double>(excess, bound, top.x1, bound, true).x
                : newton_in_bracket<double>(excess, top.x1, bound, bound, false).x;
 }
@@ -265,8 +268,8 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
   if (limits <= static_cast<int>(Limit::contact_ratio) || slice.empty()) return slice;
   const Longest top = longest_path(at, sum, slice);
   if (!(top.length >= min_path_)) {
-    // The interval is a point or empty. The returned interval lies at the place of the longest path and
-    // has zero or negative width.
+    // The interval is a point or empty. An interval of zero or negative width is returned at the
+    // position of the longest path.
     const bool touching = top.length >= min_path_ - kTouching;
     return {{top.x1 + (touching ? 0.0 : 1.0), top.x1}, ShiftEdge::eps, ShiftEdge::eps};
   }

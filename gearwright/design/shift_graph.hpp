@@ -1,18 +1,18 @@
-// The s1–s2 graph of one pair of tooth numbers: the ranges of the two profile shifts that meet all
-// limits.
+// The s1–s2 graph of a pair of gears with given numbers of teeth: the ranges of the two profile
+// shifts that meet all limits.
 //
-//   Σ = x1 + x2     centre distance, working pressure angle and tip alteration depend on Σ alone, and on
-//                   a line Σ = const every limit leaves one interval of x1
+//   Σ = x1 + x2     sum of shifts. Centre distance, working pressure angle and tip alteration
+//                   depend on Σ alone. On a line Σ = const, every limit leaves one interval of x1
 //   a(Σ), N(Σ), k(Σ)  centre distance, distance of the base tangent points, tip alteration
-//   E(Σ, x1)        length of the path of contact, with one maximum in x1 (external: concave)
+//   E(Σ, x1)        length of the path of contact; it has one maximum in x1 (external: concave)
 //   w_1, w_2        weights of the flanks in E: 1, or 1/cos β_b on crossed axes
 //   K               least length of the path: the least contact ratio times the pitch
 //                                              theory: docs/theory/09-design-search.md
 //
-// All values are in normal modules with ISO 21771 signs, so external, internal and crossed pairs have
-// the same formulas. Every bound is solved, not sampled. Where section 9.4 does not prove that there is
-// a single interval of Σ, the ends are searched from nodes. If interference is excluded, external gears
-// with tips inside their own reference circle are also excluded.
+// All values are in normal modules with ISO 21771 signs, so the same formulas hold for external,
+// internal and crossed pairs. Every bound is solved, not sampled. If section 9.4 does not prove
+// that there is a single interval of Σ, the ends are searched for from nodes. If interference is
+// excluded, external gears with tips inside their own reference circle are excluded too.
 #pragma once
 
 #include <array>
@@ -26,12 +26,12 @@
 
 namespace gearwright {
 
-/// Upper limit of the second derivative of margins by Σ, 1/modules. The greatest values, a few
-/// 1/modules, are those of the interference bounds. The limit is generous, because it only determines
-/// when a search ends.
+/// Upper limit of the second derivatives of margins with respect to Σ, 1/modules. Those of the
+/// interference bounds are the greatest, a few 1/modules. The limit is generous, because it only
+/// determines when a search ends.
 inline constexpr double kMostBend = 100.0;
 
-/// The limit that forms a part of the boundary.
+/// The limit that defines a part of the boundary.
 enum class ShiftEdge {
   s1min,
   s1max,
@@ -48,13 +48,13 @@ enum class ShiftEdge {
   mesh
 };
 inline constexpr std::size_t kShiftEdges = 13;
-/// "s1min", "Cmax", …; "mesh" if there is no working pressure angle beyond this edge.
+/// For example "s1min" or "Cmax"; "mesh" if there is no working pressure angle beyond the edge.
 std::string_view name(ShiftEdge edge);
-/// Tolerance within which two limits touch, modules. A centre distance divided by a module has rounding
-/// errors.
+/// Tolerance within which two limits count as touching, modules. A centre distance divided by a
+/// module has rounding errors.
 inline constexpr double kTouching = 1e-11;
-/// Bounds of x1 that differ by less, modules, count as one bound, so that its name does not depend on
-/// rounding.
+/// Bounds of x1 that differ by less than this, modules, count as one bound. Otherwise rounding
+/// would decide which limit is named.
 inline constexpr double kOneBound = 1e-12;
 /// The interval of x1 on a line Σ = const. It is empty if lo > hi + kTouching.
 struct LineEnds {
@@ -69,7 +69,7 @@ enum class LineSide { lo, hi };
 struct ShiftSlice : LineEnds {
   ShiftEdge lo_edge, hi_edge;
 };
-/// The lower and upper bound of x1 that each limit gives; ∓∞ if a limit gives no bound.
+/// The lower and upper bound of x1 that each limit imposes; ∓∞ if a limit imposes none.
 struct ShiftBounds {
   std::array<double, kShiftEdges> lo, hi;
   ShiftBounds() {
@@ -79,7 +79,7 @@ struct ShiftBounds {
   static constexpr bool kNamed = true;
   double& lo_of(ShiftEdge edge) { return lo[static_cast<std::size_t>(edge)]; }
   double& hi_of(ShiftEdge edge) { return hi[static_cast<std::size_t>(edge)]; }
-  ShiftSlice slice() const;  ///< the slice between the tightest bounds
+  ShiftSlice slice() const;  ///< the slice between the tightest of these bounds
 };
 
 /// Values that depend on Σ alone.
@@ -102,7 +102,8 @@ class ShiftGraph {
   double pitch() const { return pitch_; }        ///< p_bt; p_bn on crossed axes
   /// The values that depend on Σ alone.   Domain: within sums() (contract: a working angle exists)
   SumPlace place(double sum) const;
-  /// The range of Σ that meets the limits that depend on Σ alone. Only the first `limits` limits are used.
+  /// The range of Σ allowed by the limits that depend on Σ alone. Only the first `limits` limits
+  /// are used.
   struct Sums {
     double lo, hi;
     ShiftEdge lo_edge, hi_edge;
@@ -111,46 +112,47 @@ class ShiftGraph {
     return limits == kRegionLimits ? region_sums_ : all_sums(limits);
   }
 
-  /// The margin of the limits that depend on Σ alone but are not ranges of Σ, in units of Σ. The limits
-  /// are met if it is ≥ 0.
+  /// The margin of those limits that depend on Σ alone but are not ranges of Σ, in units of Σ.
+  /// These limits are met if the margin is ≥ 0.
   struct SumMargin {
     double value;
     ShiftEdge edge;
   };
   SumMargin sum_margin(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
-  /// All bounds of x1 on a line Σ = const, except the bound of the path length.
+  /// All bounds of x1 on a line Σ = const, except that of the path length.
   ShiftBounds bounds_before_path(double sum, int limits = kRegionLimits) const {
     return bounds_before_path(place(sum), sum, limits);
   }
   /// The interval of x1 on a line Σ = const, including the limit of the path length.
   ShiftSlice slice(double sum, int limits = kRegionLimits) const;
-  /// One end of slice() without its name, for the integral of the area.
+  /// One end of slice() without its name. It is used to integrate the area.
   double slice_end(double sum, LineSide side) const;
-  /// The result of bounds_before_path() without names, which is sufficient for most lines.
+  /// The ends of bounds_before_path() without names. This is sufficient for most lines.
   LineEnds ends_before_path(const SumPlace& at, double sum, int limits = kRegionLimits) const;
   /// E, the length of the path at a point.
   double path_length(const SumPlace& at, double sum, double x1) const;
   struct Longest {
     double x1, length;
   };
-  /// The greatest E on a line Σ = const, and its place.
+  /// The greatest E on a line Σ = const, and the x1 at which it occurs.
   Longest longest_path(const SumPlace& at, double sum, const LineEnds& within) const;
-  /// The sums Σ at which the first `limits` limits leave an interval of x1. There are several intervals
-  /// of Σ only if the region is in pieces.
+  /// The sums Σ for which the first `limits` limits leave an interval of x1. There are several
+  /// intervals of Σ only if the region consists of several pieces.
   std::vector<Interval> feasible_sums(int limits = kRegionLimits) const;
-  /// True if feasible_sums() is not empty; in this case it is faster than feasible_sums().
+  /// True if feasible_sums() is not empty. In that case, this function is faster than
+  /// feasible_sums().
   bool has_feasible_sums(int limits = kRegionLimits) const;
-  /// The first limit that leaves no region; none if the region exists.
+  /// The first limit that leaves no region; absent if a region exists.
   std::optional<Limit> what_kills() const;
-  /// The least margin of all limits at one point, modules, from the same bounds as the slices. The point
-  /// is inside the region if it is ≥ 0. Outside sums(), it is the distance from this range.
+  /// The smallest margin of all limits at a point, modules, from the same bounds as the slices. If
+  /// it is ≥ 0, the point is inside the region. Outside sums(), it is the distance from that range.
   double margin(double x1, double x2) const;
-  /// The limits of each shift that are independent of the other shift, without the limits of shortened
-  /// tips.
+  /// The limits of each shift that do not depend on the other shift. The limits of shortened tips
+  /// are not included.
   std::array<Interval, 2> shift_limits() const;
-  /// margin() without the band of centre distances, because its ends are a choice of the user. It is the
-  /// distance of a point from the nearest border.   Domain: within sums()
+  /// The same as margin(), but without the band of centre distances, because the user chooses its
+  /// ends. The result is the distance of a point from the nearest border.   Domain: within sums()
   double wall_distance(double x1, double x2) const;
 
  private:
@@ -182,12 +184,12 @@ class ShiftGraph {
   std::array<double, 2> weight_{1.0, 1.0};
   bool internal_, crossed_, tight_;
   double pitch_, min_path_;
-  double R_, B_;  ///< r1 + r2, r_b1 + r_b2; signed
+  double R_, B_;  ///< r1 + r2, r_b1 + r_b2; with signs
   double tan_alpha_, inv_alpha_t_, teeth_sum_;
   double nearest_;                                      ///< least centre distance
   double crossed_line_0_ = 0.0, crossed_line_1_ = 0.0;  ///< N = …_0 + …_1 Σ
-  // Stored values that are used for every line.
-  double mesh_sum_ = 0.0, path_sum_ = 0.0;  ///< Σ at which a mesh begins, and at which N = K
+  // Values that are stored because every line uses them.
+  double mesh_sum_ = 0.0, path_sum_ = 0.0;  ///< Σ at which meshing begins, and Σ at which N = K
   Sums walls_{};                            ///< plain_sums() without the band of centre distances
   Sums region_sums_{};                      ///< sums() of all limits
   std::array<double, 2> start_slope_{};     ///< w_i/sin α_t

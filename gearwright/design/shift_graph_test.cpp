@@ -1,6 +1,7 @@
 // The graph is compared with the results of mounted pairs, for every kind of mounting. Laws: (1)
-// margin() and the results agree on which points are inside; (2) the ends of a slice are on their
-// limits, and its interior is within them; (3) the sums with a slice are the feasible ones.
+// margin() and the results agree on which points are inside; (2) the ends of a slice lie on the
+// limits that it names, and its interior is within them; (3) the feasible sums are exactly those
+// with a slice.
 #include "gearwright/design/shift_graph.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ShiftGraphOfKind, ::testing::ValuesIn(kKinds),
                            return name;
                          });
 
-// A random point around the rectangle and the band of the remaining sums.
+// A random point near the rectangle of shifts and near the band of the sums that remain.
 Vec2 place_near(Random& random, const ShiftGraph& g, const ShiftGraph::Sums& range) {
   const auto& [g_1, g_2] = g.gears();
   const double x1 = random.uniform(g_1.x_min - 0.1, g_1.x_max + 0.1);
@@ -135,7 +136,8 @@ TEST_P(ShiftGraphOfKind, PathsAreThoseOfTheMesh) {
     if (!(range.lo < range.hi)) continue;
     const double sum = random.uniform(range.lo, range.hi);
     const ShiftSlice s =
-        g.slice(sum, 2);  // between the shifts' own limits, tips beyond base circles
+        g.slice(sum, 2);  // a slice between the limits of the shifts; tips extend beyond base
+                          // circles
     if (s.empty()) continue;
     ++paths;
     const SumPlace at = g.place(sum);
@@ -175,7 +177,7 @@ TEST(ShiftGraph, CentreDistancesAreThoseOfThePair) {
   }
 }
 
-// k = y − Σ of the tight centres restores the clearance h_f − h_a of the racks.
+// At tight centres, k = y − Σ restores the clearance h_f − h_a of the racks.
 TEST(ShiftGraph, ShortenedTipsKeepTheClearance) {
   SearchProblem p;
   p.mounting = Mounting::tight;
@@ -198,7 +200,7 @@ TEST(ShiftGraph, ShortenedTipsKeepTheClearance) {
   }
 }
 
-// Each limit in turn is the first that leaves no design of 20:40, module 1.
+// Each limit in turn is the first one that leaves no design for 20:40 teeth, module 1.
 TEST(ShiftGraph, TheFirstLimitThatLeavesNothingIsNamed) {
   const auto killed = [](const auto& set, int z1 = 20, int z2 = 40) {
     SearchProblem p;
@@ -220,7 +222,7 @@ TEST(ShiftGraph, TheFirstLimitThatLeavesNothingIsNamed) {
   EXPECT_EQ(killed([](SearchProblem& p) { p.limits.overlap_ratio = 1.0; }), "overlap_ratio");
   EXPECT_EQ(killed([](SearchProblem& p) { p.limits.sliding = 0.1; }), "sliding");
   EXPECT_EQ(killed([](SearchProblem& p) { p.limits.tip_clearance = 0.3; }), "tip_clearance");
-  // At Σ = −0.5 the tips of 66 teeth reach below the flanks of 16.
+  // With Σ = −0.5, the tips of the 66-tooth gear reach below the flanks of the 16-tooth gear.
   for (const bool avoid : {false, true}) {
     const auto set = [&](SearchProblem& p) {
       p.center_distance = {{40.5, 40.5}};
@@ -229,7 +231,7 @@ TEST(ShiftGraph, TheFirstLimitThatLeavesNothingIsNamed) {
     };
     EXPECT_EQ(killed(set, 16, 66), avoid ? "interference" : "nothing");
   }
-  // If two limits leave no design, the earlier one counts.
+  // If two limits leave no design, the earlier one is reported.
   EXPECT_EQ(killed([](SearchProblem& p) {
               p.limits.tip_clearance = 0.3;
               p.limits.sliding = 0.1;
@@ -249,9 +251,9 @@ TEST(ShiftGraph, OverlapIsThatOfTheFaceWidth) {
   EXPECT_EQ(graph(p, trial(p, 20, 40, 2.0)).what_kills(), Limit::overlap_ratio);
 }
 
-// One flank starts above its base circle, the other is undercut below its own: the path runs from
-// the start of the first flank to the base tangent point of the second gear. No other part of it is
-// too short.
+// The flank of gear 1 starts above its base circle. That of gear 2 is undercut below its base
+// circle. The path then runs from the start of flank 1 to the base tangent point of gear 2. No
+// other part of the path is too short.
 TEST(ShiftGraph, PathsEndAtOneStartAndOneBaseTangentPoint) {
   SearchProblem p;
   p.limits.undercut_margin = -1.5;
@@ -264,15 +266,15 @@ TEST(ShiftGraph, PathsEndAtOneStartAndOneBaseTangentPoint) {
     EXPECT_LT(row.contact_ratio_true, 0.6);
     EXPECT_LT(g.margin(x[0], x[1]), 0.0);
     EXPECT_LT(margin_by_numbers(g, x[0], x[1]), 0.0);
-    p.limits.contact_ratio = 0.55;  // of both
+    p.limits.contact_ratio = 0.55;  // for the path between the tips and the clipped path
     EXPECT_GT(graph(p, g.trial()).margin(x[0], x[1]), 0.0);
     p.limits.contact_ratio = 1.0;
   }
 }
 
-// 60:60 without a lower limit has sums at which extended centres are below the sum of the base
-// radii. There each shift is within its limits and the centre distance within the band, but Eq. 10
-// has no value.
+// 60:60 teeth without a lower limit: for some sums, the extended centre distance is below the sum
+// of the base radii. Each shift is within its limits and the centre distance within the band, but
+// Eq. 10 has no value.
 TEST(ShiftGraph, NoWorkingAngleIsNoContact) {
   SearchProblem p;
   p.center_distance = {{55.0, 55.5}};

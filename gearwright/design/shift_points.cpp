@@ -28,7 +28,8 @@ CandidateConstants constants_of(const ShiftGraph& graph) {
 
 enum class Verdict { inside, outside, ask };
 
-// Compares one candidate with all limits. A value of NaN is undecided, so that the graph decides.
+// Compares one candidate with all limits. If a value is NaN, the candidate is undecided and the
+// graph decides.
 Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i) {
   bool ask = false;
   bool out = false;
@@ -64,7 +65,7 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
       ask = true;
     }
   }
-  // A candidate that one limit rejects is outside, even if another limit is undecided.
+  // If one limit rejects a candidate, it is outside, even if another limit is undecided.
   return out ? Verdict::outside : ask ? Verdict::ask : Verdict::inside;
 }
 
@@ -105,8 +106,8 @@ PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, 
       const double x1 = batch.in[CandidateBatch::x1][i];
       const double x2 = batch.in[CandidateBatch::x2][i];
       Verdict verdict = p.crossed() ? Verdict::ask : judge(p.limits, batch, i);
-      // The region excludes tips inside their own reference circle (section 9.3), so the graph decides
-      // about such points.
+      // The region excludes tips inside their own reference circle (section 9.3). The graph
+      // therefore decides about such points.
       const double low = std::min(g[0].addendum + x1, g[1].addendum + x2) + graph.place(x1 + x2).k;
       if (p.limits.avoid_interference && low < 0.0 && verdict == Verdict::inside)
         verdict = Verdict::ask;

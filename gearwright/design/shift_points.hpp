@@ -1,11 +1,11 @@
 // The feasible points of a grid of shifts, as a table.
 //
 //   h           step of the grid; x1 = i h, x2 = j h
-//   candidate   a grid point within the rectangle of the shift limits and within the range of Σ
+//   candidate   a grid point within the shift limits of both gears and within the range of Σ
 //
-// Vector code (design/candidate.hpp) compares the candidates with all limits. Within kSieveDoubt of a
-// limit, and on crossed axes, the graph decides. The values in the table are computed with the scalar
-// formulas of the pair, so the table is the same on every machine.
+// Vector code (design/candidate.hpp) compares the candidates with all limits. Within kSieveDoubt of
+// a limit, and for crossed axes, the graph decides. The scalar formulas of the pair give the values
+// in the table, so the table is the same on every machine.
 #pragma once
 
 #include <array>
@@ -34,9 +34,9 @@ struct PointCounts {
   std::int64_t tested = 0, feasible = 0;
   std::int64_t asked = 0;  ///< number of points decided by the graph
 };
-/// Appends the feasible points of a trial, by ascending x1 and then ascending x2.
+/// Appends the feasible points of a trial in ascending order of x1, and then of x2.
 ///
-/// Domain    step > 0; region of the graph (contract)
+/// Domain    step > 0; the region belongs to the graph (contract)
 PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, double step,
                             std::vector<ShiftPoint>& points);
 

@@ -13,7 +13,7 @@ namespace {
 
 Vec2 point(double sum, double x1) { return {x1, sum - x1}; }
 
-// True if the edge is a straight line in the plane of x1 and x2.
+// True if the edge is a straight line in the x1–x2 plane.
 bool is_straight(ShiftEdge edge, const SearchProblem& problem) {
   switch (edge) {
     case ShiftEdge::eps:
@@ -27,18 +27,18 @@ bool is_straight(ShiftEdge edge, const SearchProblem& problem) {
   }
 }
 
-// One side of the region over Σ.
+// One side of the region as a function of Σ.
 using Side = LineSide;
 ShiftEdge edge_of(const ShiftSlice& s, Side side) {
   return side == Side::lo ? s.lo_edge : s.hi_edge;
 }
 double value_of(const ShiftSlice& s, Side side) { return side == Side::lo ? s.lo : s.hi; }
 
-// A function of Σ that is zero where the edges a and b give the same bound of x1.
+// A function of Σ that is zero at sums for which the edges a and b impose the same bound on x1.
 double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, double sum) {
   const ShiftBounds bounds = graph.bounds_before_path(sum);
-  // An edge that gives no bound has an infinite value, which is replaced by a large one for the root
-  // finder.
+  // If an edge imposes no bound, its value is infinite. The root finder needs a finite value, so a
+  // large one replaces it.
   constexpr double kFar = 1e3;
   const auto at = [&](ShiftEdge e) {
     const auto& all = side == Side::lo ? bounds.lo : bounds.hi;
@@ -52,21 +52,23 @@ double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, 
   return at(a) - at(b);
 }
 
-// Greatest number of corners of a side. It is exceeded only if two bounds are equal within rounding.
+// Greatest number of corners of a side. It is exceeded only if two bounds are equal except for
+// rounding.
 constexpr std::size_t kMaxChanges = 40;
-// Relative difference of sums between which there are no doubles.
+// Relative difference of two sums that have no double between them.
 constexpr double kSameSum = 4e-16;
-// The distance from a corner at which the edges are evaluated, relative to the interval and in modules.
-// The distance in modules exceeds kOneBound, within which rounding decides the name of an edge.
+// Distance from a corner at which the edges are evaluated, relative to the interval and in modules.
+// In modules it must exceed kOneBound, because rounding decides the name of an edge within
+// kOneBound.
 constexpr double kBeside = 1e-9;
 constexpr double kMinBeside = 1e-10;
-// The ends of a piece are corners. At this fraction of its width from an end, the edge has a unique
-// name.
+// The ends of a piece are corners. At this fraction of the piece's width from an end, the name of
+// the edge is unique.
 constexpr double kInset = 1e-7;
-// Tolerance, modules, within which an end of a piece is an end of the whole range. The two ends are
-// solved separately.
+// Tolerance, modules, within which an end of a piece counts as an end of the whole range. Both are
+// computed separately.
 constexpr double kSameEnd = 1e-9;
-// Adds the sums between l and r at which the edge that bounds the side changes. The edges at l and r are
+// Adds those sums between l and r at which the edge of the side changes. The edges at l and r are
 // known.
 void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, double r,
                   ShiftEdge at_r, std::vector<double>& found) {
@@ -86,14 +88,14 @@ void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, 
       return;
     }
   }
-  // There is another edge between l and r.
+  // Another edge lies between those at l and r.
   const double middle = (l + r) / 2.0;
   const ShiftEdge at_middle = edge_of(graph.slice(middle), side);
   find_changes(graph, side, l, at_l, middle, at_middle, found);
   find_changes(graph, side, middle, at_middle, r, at_r, found);
 }
 
-// A part of one side that is bounded by a single edge.
+// A part of one side that belongs to a single edge.
 struct Stretch {
   double from, to;
   ShiftEdge edge;
@@ -128,18 +130,19 @@ std::vector<Stretch> stretches(const ShiftGraph& graph, Side side, const Interva
   return found;
 }
 
-// Σ between `from` and `to` as a function of an angle. Where two roots of the path length meet, x1 varies
-// as the square root of the distance from the end, and is a smooth function of this angle.
+// Maps an angle to a sum between `from` and `to`. If two roots of the path length coincide at an
+// end, x1 varies as the square root of the distance from this end. As a function of the angle, x1
+// is smooth.
 double sum_at(double from, double to, double theta) {
   return from + (to - from) * (1.0 - std::cos(theta)) / 2.0;
 }
 
-// Greatest number of bisections in the integral of the area. Seven additional digits take three of them
-// near an end at which x1 varies as a square root.
+// Greatest number of bisections for the integral of the area. Near an end at which x1 varies as a
+// square root, seven more digits need three bisections.
 constexpr unsigned kBisections = 10;
-constexpr double kAreaTolerance = 1e-12;  // of the area under the stretch, modules²
-// Rounding error of a bound of x1, which is a difference of radii, relative to the radii. The tolerance
-// of the integral is not smaller, because rounding would otherwise cause repeated bisection.
+constexpr double kAreaTolerance = 1e-12;  // modules², for the area under the stretch
+// Relative rounding error of a bound of x1, which is a difference of radii. The tolerance of the
+// integral must not be smaller; otherwise rounding would cause repeated bisections.
 constexpr double kAreaRounding = 1e-13;
 
 double area_under(const ShiftGraph& graph, Side side, const Stretch& s, bool straight) {
@@ -166,12 +169,12 @@ double area_of(const ShiftGraph& graph, const SearchProblem& problem, const Inte
   return area;
 }
 
-// Greatest width of a slice, modules, that counts as a point if both ends are roots of the same limit.
-// The error of coinciding roots is the square root of the rounding error of Σ.
+// If both ends of a slice are roots of the same limit, the slice counts as a point up to this
+// width, modules. The error of coinciding roots is the square root of the rounding error of Σ.
 constexpr double kPinch = 2e-6;
-// A slice at an end of a piece. If both ends are roots of the path length, the slice is one point, the
-// place of the longest path. This place is exact to rounding, whereas the error of the roots is the
-// square root of the rounding error.
+// A slice at an end of a piece. If both ends are roots of the path length, the slice is a point,
+// namely that of the longest path. This point is exact except for rounding, whereas the error of
+// the roots is the square root of the rounding error.
 ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   ShiftSlice s = graph.slice(sum);
   if (s.lo_edge == ShiftEdge::eps && s.hi_edge == ShiftEdge::eps) {
@@ -183,7 +186,7 @@ ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   return s;
 }
 
-// The distance of a point from the limits, if Σ is within the range of a piece.
+// The distance of a point from the limits, if its Σ lies within the range of a piece.
 double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   const double sum = p[0] + p[1];
   const SumPlace at = graph.place(sum);
@@ -192,7 +195,7 @@ double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   return std::min({p[0] - s.lo, s.hi - p[0], path});
 }
 
-// Adds an edge to a loop. If the last part has the same edge, both parts are joined.
+// Appends an edge to a loop. If the last edge of the loop has the same name, the two are joined.
 void append(std::vector<RegionEdge>& loop, RegionEdge next) {
   if (!loop.empty() && loop.back().edge == next.edge) {
     auto& points = loop.back().points;

@@ -1,13 +1,13 @@
-// The feasible region of the s1–s2 graph: its ends, its area, its boundary, and the part of the line of
-// Eq. 11 inside it.
+// The feasible region of the s1–s2 graph: its ends, its area, its boundary, and the part of the
+// line of Eq. 11 that it contains.
 //
-//   lo, hi   middles of the slices at the least and the greatest Σ
+//   lo, hi   middles of the slices with the least and with the greatest Σ
 //   Eq. 11   x1 = (λ z2 + (Σ − λ) z1)/(z1 + z2), with which the strengths of both gears are balanced;
 //            x1 = Σ for an internal pair
 //                                              theory: docs/theory/09-design-search.md, 9.4
 //
-// Points are (x1, x2). Area, corners and roots are solved, not sampled. Only curved edges are sampled,
-// for drawing.
+// Points are (x1, x2). Area, corners and roots are solved, not sampled. Curved edges are sampled
+// only for drawing.
 #pragma once
 
 #include <optional>
@@ -18,59 +18,60 @@
 
 namespace gearwright {
 
-/// One part of the boundary, with the name of its limit.
+/// One part of the boundary and the limit that defines it.
 struct RegionEdge {
   ShiftEdge edge;
   std::vector<Vec2>
-      points;  ///< the two ends of a straight edge, or points of a curve with its ends
+      points;  ///< both ends of a straight edge, or points on a curve including its ends
 };
-/// The extent of the computation: a point in the region, or also its area.
+/// The extent of the computation: only a point of the region, or its area as well.
 enum class RegionDetail { point, whole };
-/// `sought` if point_off_walls() shall be computed; `none` if it is known not to exist.
+/// `sought` if point_off_walls() is to be computed; `none` if the point is known not to exist.
 enum class OffWalls { sought, none };
 
 struct ShiftRegion {
   RegionDetail detail = RegionDetail::whole;
-  std::vector<Interval> sums;            ///< ranges of Σ; several if the region is in pieces
-  std::array<Vec2, 2> lo_edge, hi_edge;  ///< the whole slices at the ends
+  std::vector<Interval> sums;            ///< ranges of Σ; more than one if the region consists of
+                                         ///< several pieces
+  std::array<Vec2, 2> lo_edge, hi_edge;  ///< the complete slices at the ends
   Vec2 lo, hi;
-  double area = 0.0;                    ///< only with RegionDetail::whole
-  std::vector<Interval> balanced_sums;  ///< Σ of the feasible points of the line of Eq. 11
+  double area = 0.0;                    ///< computed only with RegionDetail::whole
+  std::vector<Interval> balanced_sums;  ///< Σ of the feasible points on the line of Eq. 11
   std::optional<Vec2> balanced;         ///< the feasible point of this line with Σ nearest 0
   std::optional<Vec2> off_walls;        ///< point_off_walls()
 };
-/// The region of a graph; none if no point is feasible.
+/// The region of a graph; absent if no point is feasible.
 ///
-/// Accuracy  ends and corners to rounding, area to 1e-12
+/// Accuracy  ends and corners except for rounding; area to 1e-12
 std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
                                         RegionDetail detail = RegionDetail::whole,
                                         OffWalls off_walls = OffWalls::sought);
 
-/// The least distance of a design from the borders of its region, modules, because limits are only just
-/// met at a border. If the line of Eq. 11 does not reach this distance, half of the greatest distance on
-/// the line is used. The band of centre distances does not count as a border.
+/// The desired distance of a design from the borders of its region, modules. At a border, limits
+/// are only just met. If the line of Eq. 11 does not reach this distance, half of the greatest
+/// distance on the line is used. The band of centre distances does not count as a border.
 inline constexpr double kWallDistance = 0.05;
-/// The point of the line of Eq. 11 with Σ nearest 0 that keeps a distance from the borders; none if the
-/// line has no such point. If interference is not excluded, the point need not keep the distance; if it
-/// lies at a border, the result is none, and ShiftRegion::balanced contains the point. If Σ = 0 is
-/// feasible, all limits are usually evaluated only once.
+/// Among the points of the line of Eq. 11 that keep a distance from the borders, the one with Σ
+/// nearest 0. Absent if there is no such point. If interference is permitted, the point need not
+/// keep the distance; if it lies at a border, the result is absent and ShiftRegion::balanced
+/// contains the point. If Σ = 0 is feasible, all limits are usually evaluated only once.
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
-/// True if the line of Eq. 11 between the sums a and b lies outside a limit that is a straight line in
-/// the plane, so that no point of it needs to be evaluated.
+/// True if the line of Eq. 11 between the sums a and b violates a limit that is a straight line in
+/// the plane. No point of it then needs to be evaluated.
 bool line_is_outside(const ShiftGraph& graph, double a, double b);
-/// The boundary of each piece, counter-clockwise. If only one centre distance is possible, the boundary
-/// is a segment in both directions.
+/// The boundary of each piece, counter-clockwise. If only one centre distance is possible, the
+/// boundary is a segment that is traversed in both directions.
 std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
                                                      const ShiftRegion& region);
 
-/// The point of a design: `off_walls` if it exists, otherwise `balanced` if it exists, otherwise
-/// middle_point().
+/// The point of a design: the first that exists of `off_walls`, `balanced` and middle_point().
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region);
-/// The middle between lo and hi. If the region is in pieces, or if that middle is too close to a border,
-/// the result is the middle of the slice at the middle Σ of the longest piece.
+/// The middle between lo and hi. If the region consists of several pieces, or if this middle is too
+/// close to a border, the result is another point: the middle of that slice of the longest piece
+/// whose Σ is in the middle of the piece.
 Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region);
 
-/// The point of the line of Eq. 11 with the sum Σ.
+/// The point on the line of Eq. 11 with the given sum Σ.
 Vec2 balanced_point(int z1, int z2, double sum, double lambda);
 
 }  // namespace gearwright

@@ -1,5 +1,5 @@
-// Internal pairs of a search without a centre distance. Interference excludes a range of sums of
-// shifts about 0 that is narrower than the step of the nodes, so the region consists of two pieces.
+// Internal pairs of a search without a centre distance. Interference excludes a range of sums
+// around 0 that is narrower than the distance of the nodes, so the region consists of two pieces.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,12 +62,12 @@ TEST(ShiftRegionInternal, HasTheAreaOfItsBoundaryAtEverySize) {
           around += signed_area(loop);
           for (const RegionEdge& edge : loop)
             for (const Vec2& x : edge.points) {
-              // Where the working angle vanishes, N grows as the square root of Σ, so rounding of Σ
-              // is visible.
+              // Near the sum at which the working angle vanishes, N grows as the square root of Σ,
+              // so rounding of Σ is visible.
               const SumPlace place = g.place(x[0] + x[1]);
               if (std::abs(place.N) < 1e-4 * std::abs(place.a)) continue;
-              // Where both ends of a slice meet, the error of x1 is the square root of the rounding
-              // of Σ.
+              // If both ends of a slice coincide, the error of x1 is the square root of the
+              // rounding error of Σ.
               const ShiftSlice slice = g.slice(x[0] + x[1]);
               EXPECT_NEAR(g.wall_distance(x[0], x[1]), 0.0,
                           slice.hi - slice.lo < 2e-6 ? 1e-6 : 1e-9)

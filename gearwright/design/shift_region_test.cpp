@@ -1,7 +1,7 @@
-// Regions are compared with the five of the reference, to its printed digits. Laws for every kind
-// of mounting: (1) the boundary runs once around, counter-clockwise, and each edge is on the limit
-// of its name; (2) the area is that of a slow grid of points at which the pair is feasible; (3) the
-// balanced point is on the line of Eq. 11 and inside.
+// Regions are compared with the five regions of the reference, to its printed digits. Laws for
+// every kind of mounting: (1) the boundary is traversed once, counter-clockwise, and each edge lies
+// on the limit that it names; (2) the area equals that of a fine grid of points at which the pair
+// is feasible; (3) the balanced point lies inside, on the line of Eq. 11.
 #include "gearwright/design/shift_region.hpp"
 
 #include <gtest/gtest.h>
@@ -50,8 +50,8 @@ double eq_10(int z1, int z2, const Vec2& x) {
          (std::numbers::pi * c);
 }
 
-// Calls f(problem, graph, region of the reference) for the regions that exist, or for those that do
-// not.
+// Calls f(problem, graph, region of the reference), either for all regions that exist or for all
+// that do not.
 template <class F>
 void each_region(bool feasible, const F& f) {
   int regions = 0;
@@ -107,7 +107,7 @@ TEST(ShiftRegion, TheLineOfEq11OfTheReference) {
   });
 }
 
-// Corners with the two edges that meet there, and every point of the curved edge.
+// Tests the corners with the two edges that meet there, and all points of the curved edges.
 TEST(ShiftRegion, CornersAndCurvesOfTheReference) {
   each_region(true, [](const SearchProblem& p, const ShiftGraph& g, const json& expected) {
     const auto region = shift_region(g);
@@ -157,7 +157,8 @@ TEST(ShiftRegion, WhatTheReferenceFindsEmptyIsEmpty) {
   });
 }
 
-// For a band of one distance, the boundary is a segment in both directions.
+// If the band consists of one distance, the boundary is a segment that is traversed in both
+// directions.
 TEST(ShiftRegion, AnExactDistanceIsASegment) {
   SearchProblem p;
   p.center_distance = {{75.0, 75.0}};
@@ -184,12 +185,13 @@ TEST(ShiftRegion, AnExactDistanceIsASegment) {
   }
 }
 
-// Module 2, 31:64, 99 … 101: Σ = 2 is both the least of the band and the corner of the ceiling.
+// Module 2, 31:64 teeth, 99 … 101 mm: Σ = 2 is the least sum of the band, and also the corner of
+// the upper limits.
 TEST(ShiftRegion, ABandThatTouchesTheCornerLeavesAPoint) {
   SearchProblem p;
   p.limits.min_shift = -0.6;
   p.limits.max_shift = 1.0;
-  for (const double m : {1.0, 1.25, 2.0, 0.3, 1.1}) {  // in some modules the quotient is rounded
+  for (const double m : {1.0, 1.25, 2.0, 0.3, 1.1}) {  // for some modules the quotient is rounded
     p.center_distance = {{49.5 * m, 50.5 * m}};
     const ShiftGraph g = graph(p, trial(p, 31, 64, m));
     const auto region = shift_region(g);
@@ -237,8 +239,8 @@ TEST_P(ShiftRegionOfKind, BoundariesRunAroundOnTheirLimits) {  // (1)
         EXPECT_LT((end - next).norm(), 1e-9) << t << " " << name(loop[i].edge);
         seen.insert(std::string(name(loop[i].edge)));
         for (const Vec2& x : loop[i].points) {
-          // Where the working angle vanishes, N grows as the square root of Σ, so rounding of Σ is
-          // visible.
+          // Near the sum at which the working angle vanishes, N grows as the square root of Σ, so
+          // rounding of Σ is visible.
           if (std::abs(g.place(x[0] + x[1]).N) < 1e-3) continue;
           EXPECT_NEAR(g.margin(x[0], x[1]), 0.0, 1e-9) << t << " " << name(loop[i].edge);
         }
@@ -246,7 +248,8 @@ TEST_P(ShiftRegionOfKind, BoundariesRunAroundOnTheirLimits) {  // (1)
     }
     if (region->area < 1e-6) continue;
     ++regions;
-    // Chords of 25 points on each curve: h²/6 of half an ellipse, h = π/24, and there are two.
+    // Each curve has 25 points. The relative error of their chords is h²/6 for half an ellipse with
+    // h = π/24, and there are two curves.
     EXPECT_NEAR(around, region->area, 6e-3 * region->area + 1e-9) << t;
   }
   EXPECT_GT(regions, slow ? 5 : 15);
@@ -305,7 +308,7 @@ TEST_P(ShiftRegionOfKind, BalancedPointsAreInsideOnTheLine) {  // (3)
     const double on_line =
         z2 < 0.0 ? x[0] + x[1] : (lambda * z2 + (x[0] + x[1] - lambda) * z1) / (z1 + z2);
     EXPECT_NEAR(x[0], on_line, 1e-13);
-    // No other feasible point of the line has a sum nearer to 0.
+    // No other feasible point on the line has a sum nearer to 0.
     const double sum = (*region->balanced)[0] + (*region->balanced)[1];
     for (int i = 0; i < 20; ++i) {
       const double nearer = sum * random.uniform(-0.999, 0.999);

@@ -1,4 +1,4 @@
-// Computes the sums of shifts that meet the limits, and the first limit that no sum meets.
+// Computes the sums of shifts that meet all limits, and the first limit that no sum meets.
 //                                              theory: docs/theory/09-design-search.md, 9.4
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,8 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
     range.lo = range.hi = (range.lo + range.hi) / 2.0;
   const auto width = [&](double sum) { return width_before_path(place(sum), sum, limits); };
   const auto excess = [&](double sum) { return excess_of_path(place(sum), sum, limits); };
-  // The interference limit of an internal pair may leave ranges on both sides of Σ = 0 [T9.9], with a
-  // gap narrower than the step of the nodes.
+  // For an internal pair, the interference limit may leave ranges on both sides of Σ = 0 [T9.9].
+  // The gap between them may be narrower than the distance of the nodes.
   const bool gap_at_zero = internal_ && problem_->limits.avoid_interference &&
                            limits > static_cast<int>(Limit::interference);
   const Hump hump{.bend = kMostBend};
@@ -49,8 +49,8 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
     if (!pieces.empty()) return pieces;
     return beside_zero([&](double sum) { return f(sum) + kTouching; });
   };
-  // `wide` is the range in which an interval of x1 exists without the limit of the path length. Within
-  // it, the longest path must be long enough.
+  // `wide` contains the sums for which an interval of x1 exists without the limit of the path
+  // length. For these sums, the longest path must be long enough.
   const auto wide = exactly_or_touching(width, range.lo, range.hi);
   if (limits <= static_cast<int>(Limit::contact_ratio)) return wide;
   std::vector<Interval> found;
@@ -114,7 +114,7 @@ bool ShiftGraph::overlap_ratio_is_enough() const {
   return overlap >= *problem_->limits.overlap_ratio - kTouching;
 }
 
-// The clearance of an external pair is at most that of the racks, because a − R − Σ ≤ 0. [T9.5]
+// For an external pair, the clearance is at most that of the racks, because a − R − Σ ≤ 0. [T9.5]
 bool ShiftGraph::tip_clearance_can_be_enough() const {
   if (internal_ || !problem_->limits.tip_clearance) return true;
   const double most =

@@ -1,5 +1,5 @@
-// The sieve. Laws: (1) lanes have the verdicts of the scalar instance, unless one of them is
-// undecided; (2) a verdict is that of the graph.
+// The filter. Laws: (1) vector and scalar results give the same verdicts, unless one of them is
+// undecided; (2) a verdict agrees with the graph.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class SieveOfMode : public ::testing::TestWithParam<Mode> {};
 INSTANTIATE_TEST_SUITE_P(Modes, SieveOfMode, ::testing::ValuesIn(kModes),
                          [](const auto& mode) { return std::string(mode.param.name); });
 
-// One problem for many pairs, and the input of the sieve for it.
+// One problem for many pairs, and the corresponding input of the filter.
 struct SieveCase {
   SearchProblem problem;
   SieveConstants constants;
@@ -72,7 +72,7 @@ SieveCase sieve_case(Random& random, const Mode& mode, std::size_t n) {
   l.contact_ratio = random.uniform(1.0, 1.9);
   if (mode.ring || random.chance(0.6)) l.min_shift = random.uniform(-0.9, 0.1);
   if (mode.ring || random.chance(0.6)) l.max_shift = random.uniform(0.2, 1.2);
-  // One band of centre distances for pairs of about the same size.
+  // One band of centre distances, for pairs of similar size.
   const int z1 = random.whole(8, 70);
   const int z2 = mode.ring ? -(z1 + random.whole(8, 60)) : z1 + random.whole(0, 60);
   const double R = std::abs(z1 + z2) / (2.0 * std::cos(p.helix[0].rad()));
@@ -125,8 +125,8 @@ void expect_verdicts_of_the_graph(const Mode& mode, unsigned seed, int cases, in
       const auto limit = graph(s.problem, s.trials[i]).what_kills();
       const double by_graph =
           limit ? std::min(static_cast<double>(*limit), kSievePass) : kSievePass;
-      // The start of the flanks is unknown to the sieve, so the graph may reject trials that pass
-      // the sieve.
+      // The filter does not know the start of the flanks, so the graph may reject trials that pass
+      // the filter.
       const bool clipped = verdict == kSievePass && by_graph == kSieveContactRatio;
       if (clipped) ++clipped_later;
       ASSERT_TRUE(verdict == by_graph || clipped)
@@ -168,8 +168,8 @@ TEST_P(SieveOfMode, PartialVectorsAreWhole) {
   }
 }
 
-// Arbitrary rectangles of shifts that no rack has, including those where the path first grows with
-// Σ because a tip is below its pitch circle.
+// Random rectangles of shifts that no rack produces. In some of them, the path first grows with Σ,
+// because a tip lies below its pitch circle.
 TEST(Sieve, VerdictsOfAnyRectangleAreThoseOfTheGraph) {
   Random random(38);
   std::array<int, 5> seen{};
@@ -205,8 +205,9 @@ TEST(Sieve, VerdictsOfAnyRectangleAreThoseOfTheGraph) {
   for (const int n : seen) EXPECT_GT(n, 50);
 }
 
-// 60:60 without a lower limit, at centres below the sum of the base radii. The shifts are within
-// the limits of each gear and the sums within the band, but there is no working angle.
+// 60:60 teeth without a lower limit, at centre distances below the sum of the base radii. The
+// shifts are within the limits of each gear and the sums within the band, but there is no working
+// angle.
 TEST(Sieve, NoWorkingAngleIsNoContact) {
   SieveCase s;
   s.problem.ratio = {1.0, 1.0};
@@ -219,9 +220,9 @@ TEST(Sieve, NoWorkingAngleIsNoContact) {
   EXPECT_EQ(graph(s.problem, s.trials[0]).what_kills(), Limit::contact_ratio);
 }
 
-// Tight centres are never nearer than the base radii. With a band about that distance, and lower
-// limits whose sum is beyond the last one with a working angle, no centre distance of the band is
-// possible.
+// Tight centre distances are never below the sum of the base radii. If the band is close to that
+// sum, and if the lower limits add up to more than the last sum with a working angle, no centre
+// distance of the band is possible.
 TEST(Sieve, BandsAboutTheBaseRadiiHaveOneVerdict) {
   SieveCase s;
   SearchProblem& p = s.problem;
@@ -241,7 +242,7 @@ TEST(Sieve, BandsAboutTheBaseRadiiHaveOneVerdict) {
   EXPECT_EQ(graph(p, s.trials[0]).what_kills(), Limit::center_distance);
 }
 
-// The undecided trials of a band: those that remain, and few of those that do not.
+// The undecided trials of a band are those that have a design, and only few of the others.
 TEST(Sieve, ItAsksForFewGraphs) {
   const auto& first = testing::search::reference().at("searches")[0];
   const Search search(testing::search::problem_of_search(first.at("input")));

@@ -11,7 +11,7 @@ namespace gearwright::detail {
 
 namespace {
 
-// The face width as a number to change: the greatest width of a band, or the given width.
+// A knob for the face width: the greatest width of a band, or the given width.
 Knob wider_face(const char* field, std::optional<std::array<double, 2>> SearchProblem::*member,
                 const std::array<double, 2>& band, double far) {
   const bool one = band[0] == band[1];
@@ -31,7 +31,8 @@ Knob wider_face(const char* field, std::optional<std::array<double, 2>> SearchPr
 void add_strength_knobs(const SearchProblem& p, std::vector<Knob>& k) {
   GW_EXPECTS(p.rating.has_value());
   constexpr auto kLimit = Knob::Kind::limit;
-  constexpr double kLightest = 1e-3;  // of the load; a change to a smaller load would be of no use
+  constexpr double kLightest = 1e-3;  // fraction of the load; a change to a smaller load would not
+                                      // be useful
   const auto plain = [](double v) { return shown(v); };
   for (const auto member : {&SearchLimits::safety_flank, &SearchLimits::safety_root}) {
     const auto& wanted = p.limits.*member;

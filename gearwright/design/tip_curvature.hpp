@@ -1,5 +1,5 @@
-// Conversions between a tip radius and the curvature radius of the flank at the tip, and functions that
-// tighten a bound. Internal to design/.
+// Converts between a tip radius and the curvature radius of the flank at the tip. Also contains
+// functions that tighten a bound. Internal to design/.
 //
 //   u, b   tip and base radius
 //   q      √(u² − b²), curvature radius of the flank at its tip
@@ -13,8 +13,8 @@
 
 namespace gearwright::detail {
 
-/// q for the tip radius u, or 0 if the tip lies inside the base circle. The signs of u and b do not
-/// matter.
+/// q for the tip radius u. It is 0 if the tip lies inside the base circle. The signs of u and b
+/// have no effect.
 inline double curvature(double u, double b) { return leaf::curvature_at(std::abs(u), std::abs(b)); }
 /// |u| for the curvature radius q.
 inline double radius_of(double q, double b) { return std::sqrt(b * b + q * q); }

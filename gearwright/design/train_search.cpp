@@ -1,4 +1,4 @@
-// Searches the trains of a search for drives. A train is a series of pairs of gears.
+// Searches for trains. A train is a series of pairs of gears.
 #include <cmath>
 #include <numbers>
 
@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-// Tries all numbers of teeth, except that the band of the last wheel follows from the ratio.
+// Tries all numbers of teeth. Those of the last wheel follow from the ratio.
 class TrainSearch {
  public:
   TrainSearch(const DriveSearchProblem& problem, DriveSearchResult& result)
@@ -39,7 +39,7 @@ class TrainSearch {
     const double per_tooth = -before / z1;
     double lo = problem_.ratio[0] / per_tooth, hi = problem_.ratio[1] / per_tooth;
     if (lo > hi) std::swap(lo, hi);
-    // The values are limited before their conversion, because they may exceed the range of an int.
+    // The values are limited before the conversion, because they may exceed the range of int.
     const double least = std::max<double>(problem_.wheel[0], std::floor(lo));
     const double most = std::min<double>(problem_.wheel[1], std::ceil(hi));
     const int band = problem_.wheel[1] - problem_.wheel[0] + 1;
@@ -53,8 +53,8 @@ class TrainSearch {
     result_.rejected[static_cast<std::size_t>(DriveLimit::ratio)] += band - kept;
   }
 
-  // Adds the train if it meets the limits, and returns 1 in this case. The ratio is computed exactly, as
-  // one fraction.
+  // Adds the train and returns 1 if it meets all limits. The ratio is computed exactly, as one
+  // fraction.
   int keep() {
     double p = 1.0, q = 1.0, size = 0.0;
     const auto& helix = problem_.base.helix_deg.all;

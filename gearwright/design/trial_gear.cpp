@@ -26,24 +26,26 @@ double tip_thickness(const TrialGear& gear, double x, double k) {
 
 namespace {
 
-// The shift at which the tip is on the base circle. It is the least shift of an external gear and the
-// greatest shift of an internal gear.
+// The shift at which the tip lies on the base circle. It is the smallest possible shift of an
+// external gear and the greatest one of an internal gear.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
-  // The result is moved to the safe side of rounding, because the thickness is evaluated there.
+  // The thickness is evaluated at this shift. It is therefore moved by the rounding error to the
+  // side on which the tip is outside the base circle.
   const double ulp = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(g.r) + 2.0);
   return g.teeth > 0 ? x + ulp : x - ulp;
 }
 
 struct Shifts {
   double min, max;
-  bool as_a_rule = false;  // true if the tip is thick enough at x = 0 and too thin at great x
+  bool as_a_rule = false;  // true in the usual case: the tip is thick enough at x = 0 and too thin
+                           // at a great x
 };
-// The interval of greatest shifts in which the tip is thick enough.
+// The interval of the greatest shifts for which the tip is thick enough.
 Shifts thick_enough(const TrialGear& g, double k) {
   const double edge = shift_of_base_circle(g, k);
-  // The range of the search. Beyond x = |z| all tips of external gears are pointed. For an internal gear
-  // the lower limit of x is arbitrary.
+  // The range of the search. Beyond x = |z|, all tips of external gears are pointed. For an
+  // internal gear, the lower limit of x is arbitrary.
   const double far = std::abs(static_cast<double>(g.teeth)) + 5.0;
   const double lo = g.teeth > 0 ? edge : -far;
   const double hi = g.teeth > 0 ? edge + far : edge;
@@ -52,7 +54,7 @@ Shifts thick_enough(const TrialGear& g, double k) {
   if (g.teeth > 0) {
     const double start = std::max(edge, 0.0);
     as_a_rule = margin(start) >= 0.0 && margin(hi) < 0.0;
-    // From about a hundred teeth on, the tip may also be too thin at the base circle.
+    // From about a hundred teeth on, the tip may be too thin even on the base circle.
     if (as_a_rule && margin(edge) >= 0.0) return {edge, find_root(margin, start, hi).x, true};
   }
   const auto pieces = where_not_negative(margin, lo, hi, 64);
@@ -60,7 +62,8 @@ Shifts thick_enough(const TrialGear& g, double k) {
   return {pieces.back().lo, pieces.back().hi, as_a_rule};
 }
 
-// s_an and its slope over x, at a tip outside the base circle of an external gear. [T9.3]
+// s_an and its derivative with respect to x. The tip must lie outside the base circle of an
+// external gear. [T9.3]
 Slope<double> tip_thickness_and_slope(const TrialGear& g, double x, double k) {
   const double u = leaf::tip_radius(g.r, g.addendum, x, k);
   const double roll = leaf::curvature_at(u, g.r_b) / g.r_b;  // tan α_a
@@ -74,8 +77,8 @@ Slope<double> tip_thickness_and_slope(const TrialGear& g, double x, double k) {
   return {thickness, slope};
 }
 
-// The upper end of thick_enough() for k < 0. At x = thick_until − k the tip has the same radius as at
-// thick_until, but the tooth is thicker, so the root lies slightly above.
+// The upper end of thick_enough() for k < 0. At x = thick_until − k, the tip has the same radius as
+// at thick_until, but the tooth is thicker. The root therefore lies slightly above this x.
 double thick_until_with(const TrialGear& g, double k) {
   const auto margin = [&](double x) {
     Slope<double> s = tip_thickness_and_slope(g, x, k);

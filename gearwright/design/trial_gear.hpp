@@ -1,5 +1,5 @@
-// One gear of a trial, in normal modules: the values that follow from tooth number, helix angle and
-// rack, before the profile shift is chosen, and the limits of the shift.
+// One gear of a trial, in normal modules: the values that follow from number of teeth, helix angle
+// and rack without the profile shift, and the limits of the shift.
 //
 //   r, r_b    reference and base radius, negative for an internal gear (ISO 21771 signs), so that
 //             |r_a| = |r + h_a + x + k| and the other formulas hold for external and internal gears
@@ -22,40 +22,42 @@ struct TrialGear {
   double addendum = 0.0;           ///< h_a
   double dedendum = 0.0;           ///< h_f
   double edge_depth = 0.0;         ///< h_F
-  double flank_depth = 0.0;        ///< depth of the rack's own straight edge, even if h_F is given
+  double flank_depth = 0.0;        ///< depth at which the rack itself has a straight edge, even if
+                                   ///< h_F is given
   double sin_transverse = 0.0;     ///< sin α_t
   double cos_base_helix = 1.0;     ///< cos β_b
   double tan_base_helix = 0.0;     ///< tan β_b, unsigned
-  double min_tip_thickness = 0.0;  ///< the limit of s_an
-  double reference_half_angle = 0.0;  ///< s_t/d at x = 0, plus (internal gear: minus) inv α_t
+  double min_tip_thickness = 0.0;  ///< lower limit of s_an
+  double reference_half_angle = 0.0;  ///< s_t/d at x = 0, plus inv α_t (internal gear: minus inv
+                                      ///< α_t)
   double half_angle_per_shift = 0.0;  ///< 2 tan α_n/|z|
   double x_min = 0.0,
-         x_max = 0.0;  ///< the limits of x at k = 0; x_min > x_max if no x is possible
-  /// The greatest x at which the tip is thick enough, at k = 0. It is present in the usual case that
-  /// the tip becomes thinner as x increases from 0, and absent otherwise and for internal gears.
+         x_max = 0.0;  ///< the limits of x for k = 0; if x_min > x_max, no x is possible
+  /// The greatest x at which the tip is thick enough, for k = 0. It is present only in the usual
+  /// case that the tip becomes thinner as x increases from 0. It is absent for internal gears.
   std::optional<double> thick_until{};
 };
 
-/// The gear with the limits of its shift: undercut (not for an internal gear), tip thickness, lower and
-/// upper limit of the problem, and a tip that does not lie inside the base circle.
+/// The gear and the limits of its shift: undercut (external gears only), tip thickness, the lower
+/// and upper limit of the problem, and the base circle, which the tip must not enter.
 ///
 /// Units     modules
 TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int rack, int which);
 
-/// Normal tip tooth thickness s_an at the shift x and the tip alteration k, modules; negative if
-/// the flanks cross below the tip. [T9.3]
+/// Normal tip tooth thickness s_an for the shift x and the tip alteration k, modules. It is
+/// negative if the flanks intersect below the tip. [T9.3]
 ///
 /// Domain    |r + h_a + x + k| ≥ |r_b| (contract)
 double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 
-/// The greatest x within the limits for the tip alteration k. It exceeds x_max if k < 0, because the
-/// shortened tip is thicker. Less than `x_min` if no x is possible.
+/// The greatest x within the limits for the tip alteration k. For k < 0 it exceeds x_max, because a
+/// shortened tip is thicker. It is less than `x_min` if no x is possible.
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
-/// A lower bound of max_shift(), which is computed without solving an equation.
+/// A lower bound of max_shift() that is computed without solving an equation.
 double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 
-/// The gears of all tooth numbers for one helix angle and rack. They are stored, because trials use them
-/// repeatedly.
+/// The gears for all numbers of teeth with one helix angle and rack. They are stored because many
+/// trials use them.
 class TrialGears {
  public:
   TrialGears(const SearchProblem& problem, int least, int greatest, Angle helix, int rack,

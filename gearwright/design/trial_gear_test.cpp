@@ -1,6 +1,6 @@
-// Limits of a shift are compared with 40-digit values, the thickness with that of the room gear.
-// Laws: (1) at an end of the range one limit is reached exactly; (2) hand and place in a table have
-// no effect.
+// The limits of a shift are compared with 40-digit values, and the tip thickness with that of the
+// room gear. Laws: (1) at an end of the range, one limit is reached exactly; (2) the hand of the
+// helix and the index in a table have no effect.
 #include "gearwright/design/trial_gear.hpp"
 
 #include <gtest/gtest.h>
@@ -34,8 +34,8 @@ double tip_radius(const TrialGear& g, double x, double k = 0.0) {
   return std::abs(g.r + g.addendum + x + k);
 }
 
-// The lower limit of the reference is that of undercut only. Tips inside the base circle and tips
-// that are too thin raise it.
+// The lower limit of the reference includes undercut only. Tips inside the base circle and tips
+// that are too thin raise it here.
 TEST(TrialGear, LimitsAreThoseOfTheReference) {
   int empty = 0;
   int raised = 0;
@@ -67,8 +67,8 @@ TEST(TrialGear, LimitsAreThoseOfTheReference) {
   EXPECT_GT(raised, 0);
 }
 
-// s_an = s_at cos β_a from the gear's own reference geometry at the shift x, which trial_gear
-// computes from a half angle and its slope instead.
+// s_an = s_at cos β_a follows from the reference geometry of the gear with the shift x. trial_gear
+// computes it from a half angle and its derivative instead.
 TEST(TrialGear, ThicknessIsThatOfTheGear) {
   Random random(1);
   for (int i = 0; i < 3000; ++i) {
@@ -87,12 +87,13 @@ TEST(TrialGear, ThicknessIsThatOfTheGear) {
     const double s_at =
         tooth_thickness_transverse(z, gear.base_diameter, gear.base_tooth_thickness, d_a);
     const double beta_a = std::atan(std::tan(beta) * d_a / gear.reference_diameter);
-    // Radii up to 120 modules round by 1.4e-14, the thickness by the slope of the flanks more.
+    // Radii up to 120 modules have rounding errors of 1.4e-14. The slope of the flanks increases
+    // the error of the thickness.
     EXPECT_NEAR(tip_thickness(g, x, k), s_at * std::cos(beta_a), 2e-13) << z << " " << beta;
   }
 }
 
-// Values of a helical pair and an internal gear, in mm there.
+// Values of a helical pair and an internal gear. The reference gives them in mm.
 TEST(TrialGear, ThicknessIsThatOfTheReference) {
   for (const auto& pair : reference().at("mounted")) {
     const auto& in = pair.at("input");
@@ -108,7 +109,8 @@ TEST(TrialGear, ThicknessIsThatOfTheReference) {
   }
 }
 
-// (1) The tip has the least allowed thickness or is on the base circle, or undercut ends the range.
+// (1) At an end of the range, the tip has the least permissible thickness or lies on the base
+//     circle, or undercut is the limit.
 TEST(TrialGear, AtTheEndsALimitIsMet) {
   Random random(2);
   int at_base = 0;
@@ -129,8 +131,8 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
     const auto on_base = [&](double x) {
       return std::abs(tip_radius(g, x) - std::abs(g.r_b)) < 1e-12 * (1.0 + std::abs(g.r_b));
     };
-    // At radii of 100 modules the error of a thickness is 1e-13. Near the base circle its slope is
-    // finite, because inv α_a grows as the 3/2 power of the distance.
+    // At radii of 100 modules, the thickness has an error of 1e-13. Near the base circle its slope
+    // is finite, because inv α_a grows as the 3/2 power of the distance.
     const auto thickness_met = [&](double x) {
       return std::abs(tip_thickness(g, x) - thin) < 1e-12;
     };
@@ -158,22 +160,22 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
   EXPECT_GT(at_base, 3);
 }
 
-// If the tip is thick enough on the base circle and at x = 0, and its flanks have crossed far out,
-// the upper limit is the only root between, to the last bit. A search of 64 places of the range
-// differs in the last bit, and takes five times as long.
+// If the tip is thick enough on the base circle and at x = 0, and the flanks intersect at great x,
+// the upper limit is the only root in between, to the last bit. A search of 64 points of the range
+// gives a different last bit and takes five times as long.
 TEST(TrialGear, TheUpperLimitIsTheOneRoot) {
   const SearchProblem p = problem_with(0.2);
   int seen = 0;
   for (int z = 12; z <= 160; ++z) {
     const TrialGear g = trial_gear(p, z, Angle::radians(z % 2 == 0 ? 0.0 : 0.3), 0, 0);
     const auto margin = [&](double x) { return tip_thickness(g, x) - g.min_tip_thickness; };
-    // Slightly beyond the base circle, and beyond x = z, where all tips are pointed.
+    // Slightly beyond the base circle, and at an x beyond z, for which all tips are pointed.
     const double edge =
         g.r_b - g.r - g.addendum + 4.0 * std::numeric_limits<double>::epsilon() * (g.r + 2.0);
     const double hi = edge + (z + 5.0);
     ASSERT_LT(margin(hi), 0.0) << z;
     ASSERT_GT(margin(std::max(edge, 0.0)), 0.0) << z;
-    if (margin(edge) < 0.0) continue;  // a tip on the base circle of a large gear has no rule
+    if (margin(edge) < 0.0) continue;  // the tip of a large gear may be too thin on its base circle
     ++seen;
     EXPECT_EQ(g.x_max, find_root(margin, std::max(edge, 0.0), hi).x) << z;
   }
@@ -202,8 +204,8 @@ TEST(TrialGear, MarginsRaiseTheUndercutLimit) {
   EXPECT_NEAR(trial_gear(p, 17, Angle::radians(0.3), 0, 0).x_min, bare + 0.1, 1e-15);
 }
 
-// A tip that is shortened by −k is thicker, so the greatest shift grows until the tip has the same
-// thickness again.
+// A tip that is shortened by −k is thicker. The greatest shift therefore grows until the tip has
+// the same thickness again.
 TEST(TrialGear, ShorterTipsMayShiftFarther) {
   SearchProblem p = problem_with(0.3);
   for (const double beta : {0.0, 0.4}) {

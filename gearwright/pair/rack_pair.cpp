@@ -20,8 +20,8 @@ constexpr double kRoundedFillet = 1e-4;
 double alpha_t(const Gear& g) { return g.reference().transverse_pressure_angle; }
 double alpha_n(const Gear& g) { return g.spec.normal_pressure_angle.rad(); }
 
-// The fillet radius of the basic rack, or the greatest radius that fits into the space of the rack if
-// that is smaller. [T2.45]
+// The fillet radius of the basic rack or, if it does not fit, the greatest radius that fits into
+// the space of the rack. [T2.45]
 double fillet_that_fits(const Gear& pinion, const RackGeometry& r) {
   const double space = (r.normal_pitch - r.thickness) / 2 - r.dedendum * std::tan(alpha_n(pinion));
   const double full = space * std::cos(alpha_n(pinion)) / (1 - std::sin(alpha_n(pinion)));

@@ -42,7 +42,7 @@ struct RackGeometry {
   double thickness;             ///< s_n  mm, normal, at the datum line
   double fillet_radius;         ///< ρ_f  mm, in the normal section; at most the full radius
   std::optional<double> length() const;  ///< n p_t  mm, with half a space at both ends
-  /// The depth below the datum line at which the straight flank ends above its fillet, mm. [T2.39]
+  /// The depth below the datum line at which the straight flank joins its fillet, mm. [T2.39]
   double form_depth() const;
 };
 

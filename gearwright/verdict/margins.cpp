@@ -15,7 +15,7 @@ namespace {
 
 struct Margin {
   WarningCode code;
-  const char* what;  // "The form clearance at the root of gear {}"
+  const char* what;  // example: "The form clearance at the root of gear {}"
   double modules;
 };
 
@@ -23,20 +23,21 @@ constexpr Margin kForm{WarningCode::form_margin, "The form clearance at the root
                        kMarginForm};
 constexpr Margin kFillet{
     WarningCode::fillet_margin,
-    "The clearance of the tip corner of the mating gear to the root fillet of gear {}",
+    "The clearance between the root fillet of gear {} and the tip corner of the mating gear",
     kMarginFillet};
 constexpr Margin kTip{WarningCode::tip_margin,
-                      "The clearance of the tip of gear {} to the root of the mating gear",
+                      "The clearance between the tip of gear {} and the root of the mating gear",
                       kMarginTip};
 
-// "0.1500 mm". A length below a micrometre is written as "0.021 µm", because 0.0000 mm has no digits.
+// Example: "0.1500 mm". A length below 1 µm is written as "0.021 µm", because it would otherwise
+// read 0.0000 mm.
 std::string millimetres(double mm) {
   return mm < kMmPerUm ? fmt::format("{:.2g} µm", kUmPerMm * mm) : fmt::format("{:.4f} mm", mm);
 }
 
 void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
            const std::optional<double>& clearance, double module) {
-  if (!clearance || *clearance < 0.0) return;  // a clearance below 0 has a warning of its own
+  if (!clearance || *clearance < 0.0) return;  // a negative clearance has its own warning
   const double threshold = margin.modules * module;
   if (*clearance >= threshold) return;
   findings.push_back({margin.code,
@@ -68,7 +69,7 @@ std::vector<Finding> margin_findings(const Pair& pair) {
       judge(findings, kTip, which, pair.mounted().tip_clearance[i], m);
     const InvolutePair* p = pair.involute();
     if (p == nullptr) continue;
-    // There is no flank beyond an undercut, which the warnings `undercut` and `contact_lost` report.
+    // Beyond an undercut there is no flank. The warnings `undercut` and `contact_lost` report this.
     if (!p->gears[i].undercut) judge(findings, kForm, which, p->form_clearance[i], m);
     if (const ParallelPair* parallel = pair.parallel())
       judge(findings, kFillet, which, parallel->fillet_clearance[i], m);
@@ -80,7 +81,7 @@ std::vector<Finding> contact_findings(const ContactResult& contact,
                                       const std::array<double, 2>& face_widths) {
   std::vector<Finding> findings;
   std::size_t touching = 0, edges = 0, points = 0;
-  std::array<double, 2> places{};  // on each face, as a share of half its width
+  std::array<double, 2> places{};  // position on each face, relative to half its width
   for (const ContactPoint& p : contact.positions) {
     if (p.kind == TouchKind::none) continue;
     ++touching;
@@ -103,7 +104,8 @@ std::vector<Finding> contact_findings(const ContactResult& contact,
          {{"share", share, false}}});
   }
   if (points > 0) {
-    // Of two faces of different width, the contact is nearer to an end of the narrower one.
+    // If the faces have different widths, the contact is relatively closer to an end of the
+    // narrower one.
     const double place = (std::abs(places[1]) > std::abs(places[0]) ? places[1] : places[0]) /
                          static_cast<double>(points);
     if (std::abs(place) > kCentralPlace && edges < touching) {

@@ -1,4 +1,4 @@
-// Findings that are not warnings: clearances that are too small, and the position of the contact.
+// Findings other than warnings: clearances that are too small, and the position of the contact.
 // Internal to verdict/.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace gearwright::detail {
 /// Findings for clearances that are not negative but below their margins.
 std::vector<Finding> margin_findings(const Pair& pair);
 
-/// Findings for contact at edges and for a contact pattern that is not in the middle of the face.
+/// Findings for contact at edges, and for a contact pattern away from the middle of the face.
 std::vector<Finding> contact_findings(const ContactResult& contact,
                                       const std::array<double, 2>& face_widths);
 

@@ -32,11 +32,11 @@ std::string rating_remedy(const JudgedRating& rating) {
   if (steel) text += (text.empty() ? "" : ", or ") + *steel;
   if (!text.empty()) return text + " would be sufficient.";
   text = fmt::format(
-      "Neither a face width of up to {:g} modules alone nor another steel of the list alone would "
-      "be sufficient.",
+      "No face width of up to {:g} modules and no other steel in the list would be sufficient "
+      "on its own.",
       kMostFaceModules);
   const auto torque = torque_of_safety(pair, *rating.input, rating.wanted);
-  // The value is rounded down, so that the printed torque is permissible.
+  // Rounding down ensures that the printed torque is permissible.
   if (torque)
     text += fmt::format(" The greatest permissible torque on gear 1 is {:g} N m.",
                         rounded_down(*torque));
@@ -51,20 +51,21 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
     if (safety >= wanted) return;
     const std::string less =
         safety < 1.0 ? "less than 1" : fmt::format("less than the required {:g}", wanted);
-    findings.push_back({code,
-                        safety < 1.0 ? Level::red : Level::amber,
-                        gear,
-                        fmt::format("The safety of gear {} against {} is {:.2f}, which is {}.",
-                                    gear, what, safety, less),
-                        "",
-                        {{"safety", safety, false}, {"wanted", wanted, false}}});
+    findings.push_back(
+        {code,
+         safety < 1.0 ? Level::red : Level::amber,
+         gear,
+         fmt::format("The safety factor of gear {} against {} is {:.2f}, which is {}.", gear, what,
+                     safety, less),
+         "",
+         {{"safety", safety, false}, {"wanted", wanted, false}}});
   };
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);
     judge(WarningCode::root_safety, "root breakage", which, r.S_F[i].value, rating.wanted.root);
     judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);
   }
-  // Within a level, the least safety comes first.
+  // Within a level, the lowest safety factor comes first.
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     return a.values.front().value / a.values.back().value <
            b.values.front().value / b.values.back().value;

@@ -1,4 +1,4 @@
-// Insufficient safety factors of a strength rating, and changes that would be sufficient.
+// Findings for safety factors that are too low, and changes that would raise them sufficiently.
 //
 // Internal to verdict/.
 #pragma once
@@ -10,10 +10,11 @@
 
 namespace gearwright::detail {
 
-/// "6 mm more face width, or 17CrNiMo6 would hold.": changes that were rated and are sufficient.
+/// Changes that the rating confirms as sufficient: "6 mm more face width, or 17CrNiMo6 would be
+/// sufficient."
 std::string rating_remedy(const JudgedRating& rating);
 
-/// A finding for each insufficient safety: red if it is below 1, amber if it is below the required safety.
+/// One finding for each safety factor below its requirement: red if it is below 1, otherwise amber.
 std::vector<Finding> rating_findings(const JudgedRating& rating);
 
 }  // namespace gearwright::detail

@@ -14,7 +14,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// The severity of a state: red findings count before amber ones.
+// The severity of a state. Two states are compared first by their red findings, then by their amber
+// ones.
 struct Score {
   int red = 0, amber = 0;
   auto operator<=>(const Score&) const = default;
@@ -37,7 +38,7 @@ Level level_in(const std::vector<Finding>& findings, const Finding& like) {
   return level;
 }
 
-// Tries changes of one spec against one list of findings, each change once.
+// Tries changes of one spec against one list of findings. Each change is evaluated only once.
 class Trials {
  public:
   Trials(const std::vector<Finding>& before, const TryChange& attempt)
@@ -52,7 +53,8 @@ class Trials {
 
   /// The score after a change, if the change removes the finding and makes no other finding worse.
   std::optional<Score> score(const Finding& finding, const SpecChange& change, TryDepth depth) {
-    // The computation as drawn rejects most changes and costs least, so it is done first.
+    // The computation without tolerances and contact is the cheapest and rejects most changes, so
+    // it is done first.
     if (depth != TryDepth::as_drawn && !score(finding, change, TryDepth::as_drawn))
       return std::nullopt;
     const std::optional<ChangedState>& state = of(change, depth);
@@ -74,8 +76,8 @@ struct Found {
   SpecChange change;
   Score score;
 };
-// The smallest change of one number that has the best score. Values are multiples of the step, so that the printed
-// value is the value that was tried.
+// The smallest change of one number that reaches the best score. Values are multiples of the step,
+// so the printed value is exactly the value that was tried.
 std::optional<Found> least_change(Trials& trials, const Finding& finding, const Lever& lever,
                                   TryDepth depth) {
   const double step = lever.step();
@@ -152,7 +154,8 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
     for (const Lever& lever : levers(*cure, finding, judged)) {
       const auto found = least_change(trials, finding, lever, depth);
       if (found && (!best || found->score < best->score)) best = found;
-      // For a finding of a contact analysis, the first change that helps is used, because a trial takes milliseconds.
+      // For a finding of a contact analysis, the search stops at the first change that helps,
+      // because each trial takes milliseconds.
       if (best && (best->score == Score{} || cure->needs_contact)) break;
     }
     if (!best) continue;

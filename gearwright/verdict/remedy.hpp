@@ -1,9 +1,9 @@
 // Remedies of findings. Each remedy is tried before it is printed.
 //
-// A table lists, for each code, the numbers of the spec that can help and their direction. For
-// each number, the smallest change is computed that removes the finding and adds or worsens no other
-// finding. If several changes succeed, the one with the fewest remaining findings is used. The
-// remedy states the number that was tried, with all its digits. A finding that no single change
+// For each finding code, a table lists the numbers of the spec that can help and the direction in
+// which to change them. For each of these numbers, the smallest change is computed that removes the
+// finding and neither adds nor worsens another one. If several changes succeed, the one with the
+// fewest remaining findings is used. The
 // removes has no remedy with a number.
 #pragma once
 

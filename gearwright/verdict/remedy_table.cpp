@@ -120,8 +120,8 @@ int gear_of(Whose whose, int own) {
   return 0;
 }
 
-// The least profile shift without undercut. The limit applies to the position of the cutter, so the
-// effect of the thickness allowance is subtracted.
+// The smallest profile shift without undercut. Undercut depends on the position of the cutter,
+// which also includes the thickness allowance, so the effect of the allowance is subtracted.
 std::optional<double> shift_without_undercut(const Gear& gear) {
   const InvoluteTeeth* involute = gear.involute();
   if (!gear.undercut || involute == nullptr || !involute->undercut_free_profile_shift)
@@ -131,7 +131,7 @@ std::optional<double> shift_without_undercut(const Gear& gear) {
          s.thickness_allowance / (2 * s.normal_module * std::tan(s.normal_pressure_angle.rad()));
 }
 
-// The number of decimals of a length in mm at which the last decimal is about 10^-more of this module.
+// The number of decimals for a length in mm whose last decimal is about 10^-more modules.
 int digits_for(double module, int more) {
   return std::clamp(more - static_cast<int>(std::round(std::log10(module))), 0, 9);
 }
@@ -198,7 +198,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
     case A::lead_crowning:
     case A::lead_slope:
       if (gear(which).internal()) return std::nullopt;
-      lever.span = 80;  // µm; Gear does not contain the present value, so the change starts at 0
+      lever.span = 80;  // µm; Gear does not store the present value, so the change starts at 0
       lever.digits = 0;
       return lever;
     case A::center_distance:
@@ -238,7 +238,7 @@ double Lever::step() const { return std::pow(10.0, -digits); }
 
 double Lever::in_steps(double steps) const {
   const double value = steps / std::pow(10.0, digits);
-  return value == 0.0 ? 0.0 : value;  // no minus before a zero
+  return value == 0.0 ? 0.0 : value;  // avoids a minus sign before zero
 }
 
 const Cure* cure_of(const Finding& finding) {

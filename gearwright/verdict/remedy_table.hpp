@@ -1,8 +1,9 @@
 // The numbers of a spec that can remove each finding, with their ranges.
 //
-// A cure is a row with the code of a finding, the means in the order in which they are tried, and
-// a clause that is true after the finding is removed. For a given spec, each of the means becomes a
-// lever: a number of the spec with its present value, direction, range and printed step.
+// A cure is a row of the table. It contains the code of a finding, the changes in the order in
+// which they are tried, and a clause that is true once the finding is removed. For a given spec,
+// each change becomes a lever: a number of the spec with its present value, direction, range and
+// step.
 #pragma once
 
 #include <optional>
@@ -13,7 +14,8 @@
 
 namespace gearwright::detail {
 
-/// The owner of the number that is changed: the gear of the finding, its mating gear, gear 1, gear 2 or the pair.
+/// The part of the spec whose number is changed: the gear of the finding, its mating gear, gear 1,
+/// gear 2 or the pair.
 enum class Whose { own, mate, first, second, pair };
 
 struct Means {
@@ -25,9 +27,10 @@ struct Means {
 
 struct Cure {
   WarningCode code;
-  const char* then;  ///< "gear {} is not undercut"; {} is a gear, a contact ratio or a backlash
+  const char* then;  ///< example: "gear {} is not undercut"; {} stands for a gear, a contact ratio
+                     ///< or a backlash
   std::vector<Means> means{};
-  bool needs_contact = false;  ///< true for a finding of a contact analysis
+  bool needs_contact = false;  ///< true if the finding comes from a contact analysis
 };
 
 /// One number of this spec that may be changed.
@@ -36,22 +39,22 @@ struct Lever {
   int gear;
   double now;                     ///< present value, in the unit of SpecChange
   int direction;                  ///< +1 or −1, the sign of the change of the value
-  double span;                    ///< greatest change
-  int digits;                     ///< decimals of the values that are tried
-  std::optional<double> hint{};   ///< a value from a closed form
-  std::optional<double> exact{};  ///< the only value to try
+  double span;                    ///< greatest permitted change
+  int digits;                     ///< number of decimals of the values that are tried
+  std::optional<double> hint{};   ///< start value from a closed formula
+  std::optional<double> exact{};  ///< if set, the only value that is tried
 
   double step() const;
-  /// The given number of steps as a value, rounded to the double of its decimal form.
+  /// Converts a number of steps to a value and rounds it to its decimal form.
   double in_steps(double steps) const;
 };
 
-/// Null if no number is known to help.
+/// Returns null if the table has no cure for the finding.
 const Cure* cure_of(const Finding& finding);
 
 std::vector<Lever> levers(const Cure& cure, const Finding& finding, const Judged& judged);
 
-/// "With a profile shift of 0.54 on gear 1 (now 0), the contact ratio is 1.286."
+/// Example: "With a profile shift of 0.54 on gear 1 (now 0), the contact ratio is 1.286."
 std::string remedy_words(const Cure& cure, const SpecChange& change, const Finding& finding,
                          const Judged& judged, const ChangedState& trial);
 

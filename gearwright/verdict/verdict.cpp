@@ -30,8 +30,8 @@ double recommended_backlash(double center_distance, double normal_module) {
 
 namespace {
 
-// The reasons of the findings of one level, beginning with finding number `first`. They keep the
-// order of the findings, and each reason occurs only once.
+// The distinct reasons of the findings of one level, in the order of the findings. The list starts
+// at finding number `first`.
 std::vector<std::string> reasons(const std::vector<Finding>& findings, Level level,
                                  std::size_t first = 0) {
   std::vector<std::string> list;
@@ -53,8 +53,8 @@ std::string joined(const std::vector<std::string>& list) {
   return text;
 }
 
-// A backlash that would be printed as 0.0000 mm is stated as no backlash, with the recommended
-// value for running gears.
+// A backlash that would be printed as 0.0000 mm is called "no backlash", and the recommended value
+// for running gears is added.
 std::string backlash_words(double j, double center_distance, double normal_module) {
   if (std::abs(j) >= 0.5e-4) return fmt::format("a backlash of {:.4f} mm", j);
   return fmt::format("no backlash (ISO/TR 10064-2 recommends at least {:.2f} mm)",
@@ -117,7 +117,7 @@ std::string gears_alone(const Judged& judged) {
   return fmt::format("{} can be cut as specified.", who);
 }
 
-// The sentence that says how the gears run. It is used if no finding is red.
+// The sentence about how the gears run. It is used only if no finding is red.
 std::string standing(const Judged& judged) {
   if (!judged.pair) return gears_alone(judged);
   const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); }) +
@@ -149,7 +149,7 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
   return worst.remedy.empty() ? text : text + " " + worst.remedy;
 }
 
-// The other amber findings, in addition to the finding in the headline.
+// The amber findings other than the one in the headline.
 std::string besides(const Verdict& verdict) {
   std::vector<std::string> list = reasons(verdict.findings, Level::amber, 1);
   const std::string named = meaning_of(verdict.findings[0].code).reason;
@@ -176,7 +176,7 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
   return fmt::format("{} Check: {}{}{}", standing(judged), where, worst.whole(), besides(verdict));
 }
 
-// The number of a warning, if the pair or the gear contains it.
+// The number to which a warning refers, if the pair or the gear contains it.
 std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
   if ((w.code == WarningCode::thin_tip || w.code == WarningCode::pointed) && w.gear > 0) {
     const auto& s_an =
@@ -225,7 +225,7 @@ std::string safety_words(const std::vector<const Rating*>& ratings) {
     root = std::min({root, r->S_F[0].value, r->S_F[1].value});
   }
   return fmt::format(
-      " The least safety against pitting is {:.2f}, and that against root breakage is {:.2f}.",
+      " The lowest safety factor is {:.2f} against pitting and {:.2f} against root breakage.",
       flank, root);
 }
 
@@ -257,7 +257,8 @@ std::vector<Finding> findings_of(const Judged& judged) {
 
 namespace {
 
-// The order of findings: the worst come first. Safety factors keep their order, with the least first.
+// Sorts findings by severity, the worst first. Findings about safety factors keep their order,
+// lowest factor first.
 bool before(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
   if (a.level == Level::green) return false;

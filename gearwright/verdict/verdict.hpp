@@ -5,9 +5,9 @@
 // comes first, and the headline states it in words. The command line, JSON, Python and the page
 // print the same verdict.
 //
-// Findings are computed for the nominal values, or for all ends of the tolerances. In the second
-// case they are merged, and the worst of each finding is kept. verdict_of adds tried remedies
-// (remedy.hpp) and the headline.
+// Findings are computed for the nominal values, or for every combination of tolerance ends. In the
+// second case, findings of the same kind are merged and the worst one is kept. verdict_of adds
+// remedies that were tried (remedy.hpp) and the headline.
 #pragma once
 
 #include <functional>
@@ -32,7 +32,8 @@ const char* to_string(Level level);
 /// A problem is red, a caution is amber, and a note is green.
 Level level_of(Severity severity);
 
-/// The least normal backlash of iron or steel gears in an iron or steel housing, for speeds below 15 m/s.
+/// The smallest recommended normal backlash for iron or steel gears in an iron or steel housing, at
+/// speeds below 15 m/s.
 ///
 /// Formula   2/3 (0.06 + 0.0005 a + 0.03 m_n); ISO/TR 10064-2:1996, annex A
 /// Units     mm
@@ -63,39 +64,41 @@ struct SpecChange {
   Adjustable what;
   int gear;  ///< 1, 2; 0 for the pair or both gears
   double value;
-  std::string path{};  ///< for a drive, the key in its spec; otherwise empty
+  std::string path{};  ///< key of the changed number in the spec of a drive; otherwise empty
 };
 
 struct Finding {
-  WarningCode code;  ///< code of a warning or of a margin: form_margin, fillet_margin, tip_margin,
-                     ///< edge_contact, contact_place, root_safety, flank_safety
+  WarningCode code;  ///< code of a warning or of a margin (form_margin, fillet_margin, tip_margin,
+                     ///< edge_contact, contact_place, root_safety, flank_safety)
   Level level;       ///< green if the finding is for information only
   int gear;          ///< 1, 2, or 0 for the pair
   std::string message, remedy{};       ///< one sentence each; the remedy may be empty
-  std::vector<FindingValue> values{};  ///< the first is the number that is too small
+  std::vector<FindingValue> values{};  ///< the first one is the value that is too small
   std::string at{};  ///< tolerance ends at which the finding occurs; empty for the nominal values
-  std::optional<SpecChange> change{};  ///< the change that the remedy states and that was tried
+  std::optional<SpecChange> change{};  ///< the change in the remedy, if one was tried successfully
 
-  /// The message, with the tolerance ends at which it occurs, and the remedy.
+  /// The message, followed by the tolerance ends at which the finding occurs and by the remedy.
   std::string whole() const;
 };
 
 struct Verdict {
   Level level = Level::green;
-  std::string headline;                 ///< plain words, not escaped
+  std::string headline;                 ///< plain text, without escapes
   std::vector<Finding> findings;        ///< worst first
-  std::vector<std::string> not_judged;  ///< results not computed although the spec has data:
-                                        ///< pair, contact, load, rating
+  std::vector<std::string> not_judged;  ///< results that were not computed although the spec
+                                        ///< contains data for them: pair, contact, load, rating
 };
 
-/// Margins in normal modules. A clearance below its margin is a finding. A tip corner that has left the
-/// flank passes close to the fillet even in good pairs: the clearance of 20:40 without shift is
-/// 0.0009 modules. Few pairs exceed 0.01, so a margin of that size would not be informative.
+/// Margins in normal modules. A clearance below its margin produces a finding. In good pairs too,
+/// the tip corner passes close to the fillet after it has left the flank. A 20:40 pair without
+/// profile shift has a clearance of only 0.0009 modules there, and few pairs exceed 0.01, so a
+/// margin as large as 0.01 would flag almost every pair.
 constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
-/// Greatest distance of a central pattern from the middle of either face, as a share of half its width.
+/// Greatest distance of the pattern from the middle of a face, relative to half its width, at which
+/// the pattern still counts as central.
 constexpr double kCentralPlace = 0.7;
 
-/// A rating and its inputs, which are needed because remedies are also rated.
+/// A rating together with its inputs. The inputs are needed to rate the remedies.
 struct JudgedRating {
   const RatedPair* pair = nullptr;
   const RatingInput* input = nullptr;
@@ -105,21 +108,25 @@ struct JudgedRating {
 
 /// The data to be judged. All pointers must stay valid during the call.
 struct Judged {
-  std::vector<const Gear*> gears;  ///< one or two gears; if there is a pair, the gears of the pair
+  std::vector<const Gear*> gears;  ///< one or two gears; if `pair` is set, its gears
   const Pair* pair = nullptr;      ///< null if the gears are not mounted
   const RackPair* rack = nullptr;  ///< the rack, if gear 2 is one
-  const std::vector<Warning>* warnings = nullptr;  ///< of all results
-  const ContactResult* contact = nullptr;          ///< of the working flanks; null if not computed
+  const std::vector<Warning>* warnings = nullptr;  ///< warnings from all results
+  const ContactResult* contact = nullptr;          ///< contact of the working flanks; null if not
+                                                   ///< computed
   bool errors = false;                             ///< true if `contact` was computed under errors
-  bool shifts_follow = false;  ///< true if a given centre distance determines an absent shift
-  /// True if no centre distance is given, and a given centre distance would determine an absent shift.
+  bool shifts_follow = false;  ///< true if a profile shift that is not given follows from a given
+                               ///< centre distance
+  /// True if a profile shift that is not given would follow from a centre distance, but none is
+  /// given.
   bool distance_sets_shifts = false;
-  bool tolerances = false;               ///< true if findings are also judged at the tolerance ends
+  bool tolerances = false;               ///< true if findings are also computed at the tolerance
+                                         ///< ends
   std::optional<JudgedRating> rating{};  ///< none if not computed
 };
 
-/// " The least safety against pitting is 1.03, against root breakage 1.65.", over both gears of all
-/// ratings; empty without ratings.
+/// Example: " The lowest safety factor is 1.03 against pitting and 1.65 against root breakage." The
+/// minimum is taken over both gears and all ratings. Empty if there is no rating.
 std::string safety_words(const std::vector<const Rating*>& ratings);
 
 /// The results of a changed spec.
@@ -128,23 +135,25 @@ struct ChangedState {
   double contact_ratio = 0.0;  ///< 0 without a pair
   double backlash = 0.0;       ///< j_n  mm
 };
-/// The extent of the computation of a changed spec. as_drawn computes the gears and the pair as drawn,
-/// at_tolerances also at the ends of the tolerances, and with_contact also the contact under the errors.
+/// How much is computed for a changed spec. as_drawn covers the gears and the pair as drawn.
+/// at_tolerances adds all tolerance ends. with_contact adds the contact under the errors.
 enum class TryDepth { as_drawn, at_tolerances, with_contact };
-/// Solves a spec with one change. Nothing is returned if such gears cannot be made or mounted.
+/// Computes the results of a spec with one change. Returns nothing if these gears cannot be made or
+/// mounted.
 using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, TryDepth)>;
 
 /// All findings of one state of the gears, without remedies, in no particular order.
 ///
-/// Domain    one or two gears, warnings (contract)
+/// Domain    one or two gears; `warnings` is set (contract)
 std::vector<Finding> findings_of(const Judged& judged);
 
-/// True if `a` is worse than `b`, by level and then by the first value. Both have the same code and gear.
+/// True if `a` is worse than `b`. Levels are compared first, then the first values. Both findings
+/// must have the same code and gear.
 bool worse(const Finding& a, const Finding& b);
 
 /// The verdict with these findings for the judged data.
 ///
-/// `attempt`  tries changes; if it is empty, remedies contain no numbers
+/// `attempt`  tries a change; if it is empty, remedies contain no numbers
 Verdict verdict_of(const Judged& judged, std::vector<Finding> findings,
                    const TryChange& attempt = {});
 inline Verdict verdict_of(const Judged& judged) { return verdict_of(judged, findings_of(judged)); }

@@ -31,7 +31,7 @@ TEST(Verdict, FollowsTheFacts) {
 }
 
 TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
-  // ε_α = 0.6858, so that (1 − ε_α) p_bt/tan β_b = 3.4548 mm: rounded up.
+  // ε_α = 0.6858, so (1 − ε_α) p_bt/tan β_b = 3.4548 mm, which is rounded up.
   const ParallelPair wide = testing::two_and_sixty();
   EXPECT_EQ(face_width_needed(wide), 3.46);
   const std::string words = report_input(wide).verdict.headline;
@@ -45,7 +45,7 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
       << words;
   EXPECT_EQ(severity_of({WarningCode::transverse_contact_ratio, "", 0}), Severity::note);
 
-  // Contact is continuous at this width, but not at a width smaller by 0.01 mm.
+  // Contact is continuous at this width but no longer if the width is 0.01 mm smaller.
   EXPECT_GE(testing::two_and_sixty(3.46).contact_ratio_true(), 1.0);
   const ParallelPair narrow = testing::two_and_sixty(3.45);
   ASSERT_LT(narrow.contact_ratio_true(), 1.0);
@@ -57,7 +57,7 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
       << too_narrow;
 
   EXPECT_FALSE(face_width_needed(helical_pair()));
-  EXPECT_FALSE(face_width_needed(undercut_pair()));  // on a spur pair no width helps
+  EXPECT_FALSE(face_width_needed(undercut_pair()));  // a spur pair is not helped by any width
 }
 
 TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
@@ -68,8 +68,8 @@ TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
     ADD_FAILURE() << "no warning " << to_string(code);
     return Severity::note;
   };
-  // Gear 1 is undercut and loses contact there; an internal gear's tip below the pinion's base is
-  // in the way.
+  // Gear 1 is undercut and loses contact there. The tip of the internal gear extends below the base
+  // circle of the pinion and causes interference.
   EXPECT_EQ(severity(undercut_pair(), WarningCode::contact_lost_to_undercut), Severity::caution);
   const ParallelPair internal =
       sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.1), 41.8);
@@ -98,7 +98,7 @@ TEST(Verdict, level_is_that_of_the_worst_finding) {
   const Verdict red = judged(tight);
   EXPECT_EQ(red.level, Level::red);
   EXPECT_EQ(red.findings.front().code, WarningCode::negative_backlash);
-  EXPECT_TRUE(red.findings.front().remedy.empty());  // nothing to try a change with
+  EXPECT_TRUE(red.findings.front().remedy.empty());  // no function was given to try changes
   for (std::size_t i = 1; i < red.findings.size(); ++i)
     EXPECT_LE(red.findings[i].level, red.findings[i - 1].level);
 }
@@ -173,7 +173,7 @@ TEST(Verdict, edges_and_places_under_errors) {
     p.height[0] = -0.8 * involutes.gears[0].spec.face_width / 2;
   }
   EXPECT_TRUE(finds(judged_with(none), WarningCode::contact_place, Level::amber));
-  // The same place relative to the narrower face of gear 2.
+  // The same position, relative to the narrower face of gear 2.
   for (ContactPoint& p : contact.positions) {
     p.height[0] = -0.6 * involutes.gears[0].spec.face_width / 2;
     p.height[1] = 0.8 * involutes.gears[1].spec.face_width / 2;

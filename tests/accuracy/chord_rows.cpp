@@ -9,9 +9,9 @@
 
 namespace gearwright::ledger {
 
-// Chord and height by the same formulas in double and in 50 digits, for teeth of every size up to
-// θ_t = 1.2. A tooth of half the circumference (π/2) at ψ = 45° is a triple root, at which Δh is
-// arbitrarily ill-conditioned and no calliper fits.
+// Chord and height from the same formulas in double and in 50 digits, for teeth of every size up to
+// θ_t = 1.2. Greater teeth are omitted: at θ_t = π/2 and ψ = 45°, the solution is a triple root, so
+// Δh is arbitrarily ill-conditioned, and no calliper fits such a tooth.
 std::vector<Row> chord_rows() {
   constexpr int kInputs = 4000;
   const std::string where = fmt::format("ψ 0…80°, θ_t 1e-4…1.2, {} inputs", kInputs);

@@ -45,7 +45,8 @@ struct ExactDrive {
 
   Exact racks_apart(const Exact& theta) const { return (rho_f - rho_p) * sin(theta) - (b_f - b_p); }
 
-  // (C0 + w)² + (w cot θ sin λ)² = (C0 + ΔC)², by Newton on w(θ) from a double's answer. [T7.16]
+  // Solves (C0 + w)² + (w cot θ sin λ)² = (C0 + ΔC)² for θ by Newton's method, starting from a
+  // result in double. [T7.16]
   Exact angle(double guess, const Exact& delta) const {
     const Exact c0 = r1 + r2;
     const auto f = [&](const Exact& theta) {
@@ -59,7 +60,8 @@ struct ExactDrive {
     return theta;
   }
 
-  // Transmission error of a change of centre distance alone, from the meshing of both racks.
+  // Transmission error due to a changed centre distance alone, computed from the meshing of both
+  // racks.
   Exact te(const Exact& theta) const {
     const Exact w = racks_apart(theta);
     const Exact mu = atan2(w / tan(theta) * sin(lambda), r1 + r2 + w);
@@ -68,7 +70,8 @@ struct ExactDrive {
     return mu * (r1 / r2 + 1) + along / (r2 * tan(lambda));
   }
 
-  // K_2 − K_1 without displacement. Trace and determinant give the principal values. [T7.14]
+  // K_2 − K_1 at contact without errors. The principal values follow from trace and determinant.
+  // [T7.14]
   std::array<Exact, 2> gap_curvature(const Exact& psi) const {
     const Exact sl = sin(lambda), cl = cos(lambda), sp = sin(psi);
     std::array<Exact, 3> gap{0, 0, 0};
@@ -92,7 +95,7 @@ struct ExactDrive {
 
 }  // namespace
 
-// The search for the greatest gap, which uses only the outline of circular arcs, is compared with
+// The search for the greatest gap uses only the outline. For circular arcs, it is compared with
 // their closed forms.
 std::vector<Row> contact_rows() {
   constexpr int kInputs = 300;
@@ -119,13 +122,14 @@ std::vector<Row> contact_rows() {
     d.f.center_a = d.f.arc_radius * std::cos(psi) - 0.79;
     d.f.center_b = d.f.arc_radius * std::sin(psi) - uniform(0.4, 0.5);
     d.p = default_arc_rack(ArcRack::Cutter::P);
-    d.f.root_fillet_radius = d.p.root_fillet_radius = 0.2;  // fits into every cutter here
+    d.f.root_fillet_radius = d.p.root_fillet_radius = 0.2;  // this radius fits into every cutter
+                                                            // here
     d.p.arc_radius = d.f.arc_radius + more;
     d.p.center_a = d.f.center_a + more * std::cos(psi);
     d.p.center_b = d.f.center_b + more * std::sin(psi);
     const auto g1 = cut(d.z1, d.module, d.helix_deg, d.f);
     const auto g2 = cut(d.z2, d.module, -d.helix_deg, d.p);
-    if (!g1 || !g2) continue;  // a rack that does not close
+    if (!g1 || !g2) continue;  // the rack does not form a closed outline
     ++drives;
     ContactMount place;
     place.center_distance = (g1->reference_diameter + g2->reference_diameter) / 2;

@@ -23,7 +23,8 @@ BasePair<Exact> exact(const BasePair<double>& g) {
   return e;
 }
 
-// Two gears of one normal base pitch, crossing at abs(β_b1 + β_b2) between the limits.
+// Two gears with the same normal base pitch whose axes cross. abs(β_b1 + β_b2) lies between the
+// limits.
 BasePair<double> crossed_gears(Draw& draw, double lo_deg, double hi_deg) {
   BasePair<double> g;
   for (;;) {
@@ -36,7 +37,8 @@ BasePair<double> crossed_gears(Draw& draw, double lo_deg, double hi_deg) {
       g[i].teeth = draw.whole(1, 120);
       g[i].helix_angle = b[i];
       g[i].radius = p_bn * g[i].teeth / (2 * std::numbers::pi * std::cos(b[i]));
-      // Half a pitch at the reference cylinder of a 20° rack, and a shift.
+      // Tooth thickness: half a pitch at the reference cylinder for a 20° rack, changed by a
+      // profile shift.
       const double alpha = 0.35;
       const double u =
           std::sqrt(std::max(0.05, std::pow(std::cos(alpha), 2) - std::pow(std::sin(b[i]), 2)));
@@ -54,7 +56,7 @@ std::string words(const BasePair<double>& g) {
                      g[1].radius);
 }
 
-// Errors of lengths that are differences are relative to a.
+// If a length is a difference of lengths, its error is relative to a.
 double of_distance(double got, const Exact& e, double a) {
   return std::abs(static_cast<double>((Exact(got) - e) / Exact(a)));
 }
@@ -63,8 +65,8 @@ struct CrossedRows {
   Row alpha, helix, a, radius, X, z_L, backlash, contact, face, min_a, min_angle, two;
 };
 
-// `more` is the factor by which nearly parallel axes increase the errors, due to the division by
-// sin Σ.
+// `more` is the factor by which nearly parallel axes increase the errors. It is due to the division
+// by sin Σ.
 CrossedRows rows_of(const std::string& prefix, const std::string& where, double more) {
   const auto row = [&](const char* name, const char* unit, double claim) {
     return Row{prefix + name, where, unit, claim, 0.0, ""};
@@ -97,7 +99,7 @@ void see_mesh(CrossedRows& rows, const BasePair<double>& g, Draw& draw) {
   }
   const double a = conjugate_center_distance(g, rack);
   const Exact a_e = conjugate_center_distance(e, rack_e);
-  if (!(a > 0.1 * (g[0].radius + g[1].radius))) return;  // no mesh: X cancels the radii
+  if (!(a > 0.1 * (g[0].radius + g[1].radius))) return;  // the gears cannot mesh here
   rows.a.see(relative_error(a, a_e), w);
   MeshInput<double> in;
   in.gears = g;
@@ -136,8 +138,8 @@ void see_min(CrossedRows& rows, const BasePair<double>& g, Draw& draw) {
   const double a = detail::distance_and_line(g, *alpha).a.value;
   rows.min_a.see(relative_error(a, detail::distance_and_line(e, alpha_e).a.value), w);
   rows.min_angle.see(relative_error(rack.shaft_angle, rack_e.shaft_angle), w);
-  // The two positions of a greater distance. At the least distance their condition number is
-  // unbounded.
+  // The two positions for a centre distance above the minimum. At the minimum itself, their
+  // condition number is unbounded.
   const double more = a * (1 + draw.uniform(1e-3, 0.05));
   const auto two = transverse_angles_at_distance(g, more);
   const auto two_e = transverse_angles_at_distance(e, Exact(more));

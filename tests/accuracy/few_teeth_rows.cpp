@@ -18,9 +18,9 @@ struct Circle {
   Exact radius, distance;
 };
 
-// The circle that is centred on the ray of polar angle γ and touches the involute at ξ, by
-// coordinates. The normal of the flank at its point is intersected with the ray. No angle of a
-// triangle is used.
+// The circle that touches the involute at ξ and whose centre lies on the ray with the polar angle
+// γ. It is computed in coordinates: the normal of the flank at ξ is intersected with the ray. No
+// triangle is solved.
 Circle circle_on_ray(double r_b, double psi_b, double xi, const Exact& gamma) {
   const Exact delta = Exact(psi_b) - Exact(xi);
   const Exact c = cos(delta), s = sin(delta);
@@ -34,8 +34,8 @@ Circle circle_on_ray(double r_b, double psi_b, double xi, const Exact& gamma) {
 
 }  // namespace
 
-// Circular fillets against circles found in coordinates, and points of pinion envelopes against the
-// same construction in 50 digits.
+// Circular fillets are compared with circles computed in coordinates, and points of pinion
+// envelopes with the same construction in 50 digits.
 std::vector<Row> few_teeth_rows() {
   constexpr int kInputs = 4000;
   const std::string where =

@@ -28,7 +28,7 @@ std::vector<Row> involute_rows() {
            0.0,
            ""};
   Row inverse{"inverse_involute", "1e-15 ≤ y ≤ 50", "relative", 2e-15, 0.0, ""};
-  Row inverses{"inverse_involutes", "in lanes; 1e-15 ≤ y ≤ 50", "relative", 1e-15, 0.0, ""};
+  Row inverses{"inverse_involutes", "vector code; 1e-15 ≤ y ≤ 50", "relative", 1e-15, 0.0, ""};
   std::mt19937_64 random(20250101);
   const auto log_uniform = [&](double lo, double hi) {
     const double u = static_cast<double>(random() >> 11) * 0x1p-53;
@@ -41,8 +41,8 @@ std::vector<Row> involute_rows() {
     roll.see(relative_error(involute_of_roll(xi), involute_of_roll(Exact(xi))),
              fmt::format("ξ = {}", xi));
     const double y = log_uniform(1e-15, 50.0);
-    // The inverse is judged by its own function value. Newton's step from it in 50 digits is the
-    // error.
+    // The inverse is evaluated by its own function value. One Newton step from it in 50 digits
+    // gives the error.
     const auto judge = [&](Row& row, double a) {
       const Exact t = tan(Exact(a));
       const Exact step = (t - Exact(a) - Exact(y)) / (t * t);

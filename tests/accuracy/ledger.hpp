@@ -1,11 +1,11 @@
 // The accuracy ledger compares every closed form of production with the same template in 50 digits.
 //
 // A row contains a quantity, the domain of the measurement, the claimed accuracy and the measured
-// one. Errors are relative. For differences that cancel (backlash near zero, curvature radii near a
-// base tangent point) they are in normal modules. For teeth under load, which have no closed form,
-// they are in percent against finite elements or finer divisions. The worst input of each row is
-// kept as text. docs/accuracy.md is made from these rows: GW_WRITE_LEDGER=docs/accuracy.md
-// build/release/tests/accuracy_tests
+// accuracy. Errors are usually relative. If a difference cancels (backlash near zero, curvature
+// radii near a base tangent point), they are in normal modules. Teeth under load have no closed
+// form; their errors are in percent of results from finite elements or finer divisions. The worst
+// input of each row is kept as text. docs/accuracy.md is made from these rows:
+// GW_WRITE_LEDGER=docs/accuracy.md build/release/tests/accuracy_tests
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

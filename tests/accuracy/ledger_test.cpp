@@ -13,19 +13,18 @@ namespace gearwright::ledger {
 std::string markdown(const std::vector<Row>& rows) {
   std::string out =
       "# Accuracy ledger\n\n"
-      "Every closed form as the program computes it in double, against the same formula in 50 "
-      "digits. Made by the\n"
-      "accuracy tests, which fail when an error is greater than claimed. *relative*: "
-      "|error|/|value|. *modules*:\n"
-      "|error|/m_n, for differences that cancel (a backlash near zero, a curvature radius near the "
-      "base tangent\n"
-      "point); shifts are in modules themselves. *of a*: |error|/a, for such differences of "
-      "crossed "
-      "axes. *of D*, *of r_g*: over a fillet's centre distance, a gear's centrode. *%*: teeth "
-      "under "
-      "load, which are no closed form, against what the row names. Inputs are seeded and the same "
-      "everywhere; the "
-      "worst one is named.\n\n"
+      "Each row compares a closed form, as the program computes it in double, with the same "
+      "formula in 50 digits. The\n"
+      "accuracy tests make this file and fail if an error exceeds the claimed one. Units: "
+      "*relative* is |error|/|value|.\n"
+      "*modules* is |error|/m_n, for differences that cancel (a backlash near zero, a "
+      "curvature radius near the base tangent\n"
+      "point) and for shifts. *of a* is |error|/a, for such differences on crossed axes. *of "
+      "D* and *of r_g* are relative to\n"
+      "the centre distance of a fillet and to the centrode of a gear. *%* is for teeth under "
+      "load, which have no closed form;\n"
+      "the row names the reference. Inputs are seeded and the same on every machine. The last "
+      "column is the worst input.\n\n"
       "| quantity | unit | claimed | measured | where | worst input |\n|---|---|---|---|---|---|\n";
   for (const Row& r : rows) {
     out += fmt::format("| `{}` | {} | {:.0e} | {:.1e} | {} | {} |\n", r.name, r.unit, r.claimed,
@@ -54,8 +53,8 @@ std::vector<std::string> claims(const std::string& table) {
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("| `", 0) != 0) continue;
-    // Quantity, unit and claimed accuracy must agree. The measured column may differ in its last
-    // digit between math libraries.
+    // Quantity, unit and claimed accuracy must agree exactly. The last digit of the measured column
+    // may depend on the math library.
     std::size_t at = 0;
     for (int bar = 0; bar < 4; ++bar) at = line.find('|', at) + 1;
     list.push_back(line.substr(0, at));
@@ -84,7 +83,7 @@ TEST(Ledger, ErrorsAreWithinTheirClaims) {
                         << (section == std::string::npos ? "" : old.substr(section));
   }
   EXPECT_EQ(claims(ledger_text()), claims(markdown(rows)))
-      << "docs/accuracy.md is not of these rows: write it anew with "
+      << "docs/accuracy.md does not match these rows; regenerate it with "
          "GW_WRITE_LEDGER=docs/accuracy.md";
 }
 

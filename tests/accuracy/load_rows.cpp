@@ -1,9 +1,9 @@
-// Teeth under load, in percent, against other finite elements and against finer divisions of the
-// same method.
+// Errors of teeth under load, in percent, relative to independent finite elements and to finer
+// divisions in the same method.
 //
-// Other elements: gmsh triangles with up to 68 000 unknowns, CalculiX C3D20 with 105 840, two gears
-// of triangles in nodewise contact; 25 teeth, x = 0, rack 1.25/0.38, bore radius 6 m, ν = 0.3. Rings
-// against the triangles of tests/oracle/plane_teeth.
+// The independent elements are gmsh triangles with up to 68 000 unknowns, CalculiX C3D20 with 105
+// 840, and two gears of triangles in node-to-node contact; 25 teeth, x = 0, rack 1.25/0.38, bore
+// radius 6 m, ν = 0.3. Internal gears are compared with the triangles of tests/oracle/plane_teeth.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -68,8 +68,8 @@ Row ring_section() {
   return row;
 }
 
-// Compared away from the load, where the bricks have no Hertz strip, relative to the greatest value
-// of the bricks.
+// The comparison excludes the loaded region, because the bricks have no Hertz strip there. Errors
+// are relative to the greatest value of the bricks.
 Row along_face() {
   Row row{"load.along_face",
           "spur, b = 10 m, loads at the end and in the middle; bricks",
@@ -100,7 +100,7 @@ Row along_face() {
   return row;
 }
 
-// PAIR2D-25, plane strain: a face of 120 modules.
+// PAIR2D-25, plane strain, computed with a face width of 120 modules.
 Row approach() {
   Row row{"load.approach",
           "pair 25/25, 100 N/mm, seven phases; two gears of triangles",
@@ -121,8 +121,7 @@ Row approach() {
   request.torques = {100 * face * rb};
   const double phases[] = {0.05, 0.15, 0.3, 0.5, 0.75, 0.8, 0.95};
   const double want[] = {5.0349, 4.9662, 4.9286, 4.9852, 7.3650, 7.3547, 7.4242};  // µm
-  // The position of contact at rotation 0 gives the rotation at which the flanks touch in each
-  // phase.
+  // The contact position at rotation 0 gives the rotation at which the flanks touch in each phase.
   request.rotations = {Angle()};
   const auto compliance = pair_compliance(gear, gear, request);
   const LoadedContact start = loaded_contact(pair, gear, gear, *compliance, request);

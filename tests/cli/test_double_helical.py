@@ -73,7 +73,7 @@ class TwoHalves(unittest.TestCase):
         answer = json.loads(run.out)
         self.assertEqual(answer["verdict"]["level"], "green", answer["verdict"])
         flank, root = (min(answer["rating"][key]) for key in ("S_H", "S_F"))
-        self.assertIn(f"The least safety against pitting is {flank:.2f}, and that against root breakage is {root:.2f}.",
+        self.assertIn(f"The lowest safety factor is {flank:.2f} against pitting and {root:.2f} against root breakage.",
                       answer["verdict"]["headline"])
 
     def test_a_mounting_of_one_helix_is_an_error(self):

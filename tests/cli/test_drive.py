@@ -126,7 +126,7 @@ class Files(unittest.TestCase):
         self.assertEqual(answer["verdict"]["level"], "green", answer["verdict"])
         ratings = [mesh["rating"] for mesh in answer["drive"]["meshes"].values()]
         flank, root = (min(s for r in ratings for s in r[key]) for key in ("S_H", "S_F"))
-        self.assertIn(f"The least safety against pitting is {flank:.2f}, and that against root breakage is {root:.2f}.",
+        self.assertIn(f"The lowest safety factor is {flank:.2f} against pitting and {root:.2f} against root breakage.",
                       answer["verdict"]["headline"])
 
     def test_two_torques_that_differ(self):

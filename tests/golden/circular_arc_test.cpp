@@ -2,9 +2,9 @@
 // with this project (tests/oracle/circular_arc.json, its conventions in
 // tests/oracle/five_equation.hpp).
 //
-// In that computation, x points from axis 1 to axis 2, θ is our τ, and the flanks are those on the
-// side y < 0 of gear 1's tooth, which are mirror images of those of the outline. Lengths in both
-// units are used as mm here.
+// In that computation, x points from axis 1 to axis 2, and θ is our τ. Its flanks are on the side y
+// < 0 of gear 1's tooth, so they are mirror images of the flanks of the outline. Lengths in both of
+// its units are used as mm here.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,8 +37,8 @@ const Json& cases() {
   return all;
 }
 
-// The rack of the drawing without tip rounding, because a changed centre would leave no room for
-// it.
+// The rack of the drawing without tip rounding. A changed centre would leave no space for the
+// rounding.
 ArcRack rack_of(const Json& numbers, ArcRack::Cutter cutter, double m) {
   ArcRack rack = default_arc_rack(cutter);
   rack.arc_radius = numbers["rho"].get<double>() / m;
@@ -73,7 +73,7 @@ TEST(CircularArc, racks) {
     for (const bool fillet : {true, false}) {
       const Json& want = racks[std::string(name) + (fillet ? "f" : "")];
       const auto& got = std::get<EdgeCircle>(edge->arcs[fillet ? 0 : 1].shape);
-      // F is drawn from the middle of the tooth and away from the axis, and P in the opposite
+      // F is drawn from the middle of the tooth and away from the axis. P is drawn in the opposite
       // direction.
       const double rho = want["rho"], a = want["a"], b = want["b"];
       EXPECT_NEAR(got.q, is_F ? rho : -rho, 1e-15);
@@ -82,7 +82,7 @@ TEST(CircularArc, racks) {
       const double joint = racks[is_F ? "F" : "Pf"]["th_lo_deg"];
       EXPECT_NEAR((fillet ? got.end_tau : got.begin_tau).rad(), joint * kDegree, 1e-13);
     }
-    // The flank continues beyond the tip, where the source ends it.
+    // The source ends the flank at the tip. Here the flank continues beyond it.
     const auto& flank = std::get<EdgeCircle>(edge->arcs[1].shape);
     const double tip = racks[name][is_F ? "th_hi_deg" : "th_lo_deg"].get<double>() * kDegree;
     EXPECT_NEAR(flank.center.x() + flank.q * std::sin(tip), (is_F ? 0.9 : 0.0) * m, 1e-13);
@@ -104,8 +104,8 @@ TEST(CircularArc, undercut_limits) {
     const double limit = c["theta_limit_deg"];
     EXPECT_NEAR(gear->arcs()->undercut_limit->deg(), limit, 1e-10);
     EXPECT_FALSE(gear->undercut);
-    // With this dedendum, the flank begins at the limit. Slightly less is sound, slightly more is
-    // undercut.
+    // With this dedendum, the flank begins exactly at the undercut limit. A slightly smaller
+    // dedendum causes no undercut, and a slightly greater one does.
     const double at_limit = rack.center_b + rack.root_fillet_radius -
                             (rack.arc_radius + rack.root_fillet_radius) * std::sin(limit * kDegree);
     for (const double more : {-1e-8, 1e-8}) {
@@ -140,15 +140,16 @@ TEST(CircularArc, surfaces) {
     const auto& p = s["position"];
     const double p_z = p[2];
     const double twist = (first ? 1 : -1) / (r * std::tan(lambda));
-    // Mirrored to y < 0. Gear 2 has the space on its −x axis, so the tooth is half a pitch further.
+    // The point is mirrored to y < 0. Gear 2 has a space on its −x axis, so the tooth is half a
+    // pitch further.
     const Complex turn =
         (first ? Complex(1.0) : -std::polar(1.0, kPi / z)) * std::polar(1.0, twist * p_z);
     const Complex point = turn * Complex(w.x(), -w.y());
     EXPECT_NEAR(point.real(), p[0].get<double>(), 2e-14 * r);
     EXPECT_NEAR(point.imag(), p[1].get<double>(), 2e-14 * r);
-    // The normal out of gear 1 points out of the tooth of the outline; on gear 2 it points into it.
-    // Seen in the direction of increasing radius, the tooth is on the right for y > 0 and on the
-    // left in the mirror image.
+    // The normal points out of gear 1, and therefore out of the tooth of the outline on gear 1 and
+    // into it on gear 2. If the outline is followed towards increasing radius, the tooth is on the
+    // right for y > 0 and on the left in the mirror image.
     const double forward = (curve.point(theta + 1e-6).norm() > w.norm()) ? 0.0 : kPi;
     const Complex tangent = std::polar(1.0, -(at.tangent_angle + forward));
     const Complex n = turn * tangent * Complex(0.0, first ? -1.0 : 1.0);
@@ -165,7 +166,7 @@ TEST(CircularArc, surfaces) {
   EXPECT_EQ(gears_seen, 12);
 }
 
-// Pairs with a changed centre distance and no other error are compared with the closed form of the
+// Pairs with no error except a changed centre distance are compared with the closed form of the
 // contact.
 TEST(CircularArc, contacts_at_other_centre_distances) {
   int seen = 0;
@@ -215,7 +216,7 @@ TEST(CircularArc, contacts_at_other_centre_distances) {
   EXPECT_EQ(seen, 8);
 }
 
-// The same comparison with gears and their mounting, whose radii have the same module and lead.
+// The same comparison for mounted gears. The radii of both gears have the same module and lead.
 TEST(CircularArc, mounted_pairs) {
   int seen = 0;
   for (const Json& c : cases()["cases"]) {
@@ -234,7 +235,7 @@ TEST(CircularArc, mounted_pairs) {
     const Json& t = c["tca"][0];
     EXPECT_NEAR(contact.at.theta.rad() / kDegree, t["thF_deg"].get<double>(), 1e-9) << name;
     EXPECT_NEAR((*pair->backlash_rotation)[1].rad(), -2 * t["te_rad"].get<double>(), 1e-11) << name;
-    // Touching points of one section lie on both outlines.
+    // Touching points in one section lie on both outlines.
     for (const std::size_t i : {0, 1}) {
       const double radius = i == 0 ? contact.at.radius_convex : contact.at.radius_concave;
       EXPECT_GT(radius, *pair->gears[i].root_form_radius()) << name;

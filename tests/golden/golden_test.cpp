@@ -1,5 +1,5 @@
-// Golden cases are published and recomputed numbers with their source. They are run through the
-// same interface as that of users.
+// Golden cases are published or recomputed numbers with their source. They are run through the
+// interface that users have.
 //
 // `gearwright verify tests/golden/*.json` runs the same files. Our own output is never golden.
 // Every value comes from a publication or from a computation that shares no code with this project.

@@ -1,18 +1,19 @@
-// Contact of two gears computed only from points of their flanks. It supports external and internal
-// pairs, either flank driving, and modified flanks. A search over dense points of flank 1 computes
-// for each when the mating flank passes it. It shares no formula with the contact room except the
-// definition of an error and of a modification, and it uses no derivative.
+// Contact of two gears, computed only from points of their flanks. External and internal pairs,
+// either gear driving, and modified flanks are supported. For each of a dense set of points on
+// flank 1, the search computes the rotation at which the mating flank passes the point. It shares
+// only the definitions of errors and modifications with the contact room, and it uses no
+// derivative.
 //
 //   ρ, z     radius and height of a point of a flank, mm, in the frame of its gear
 //   θ(ρ)     azimuth of the flank in the section z = 0 of the tooth whose centre line is the x axis
 //   τ        turn per mm of height      k(ρ)   turn per mm removed along the normal, rad/mm
 //   C(ρ, z)  removed, mm                c      +1 the side y > 0 of the tooth, −1 the other
 //
-// Section z of the flank is at θ + τ z − c k C. Gear 1 turns clockwise by φ_1, gear 2 as it is
-// driven: counter-clockwise, or clockwise for an internal gear. A point of flank 1 lies on flank 2
-// at one rotation φ_2* of gear 2. Gear 2 is at the greatest of these rotations if gear 1 drives,
-// and at the least if gear 2 drives. The further a point is outside the radii or face of the mating
-// gear, the further below the others it counts.
+// The section z of the flank has the azimuth θ + τ z − c k C. Gear 1 turns clockwise by φ_1. Gear 2
+// turns as it is driven: counter-clockwise, or clockwise for an internal gear. A point of flank 1
+// lies on flank 2 at one rotation φ_2* of gear 2. The position of gear 2 is the greatest of these
+// rotations if gear 1 drives, and the least if gear 2 drives. A point outside the radii or the face
+// of the mating gear is ranked below all others, by its distance.
 #pragma once
 
 #include <array>
@@ -64,10 +65,10 @@ class BruteContact {
 
   struct Seen {
     double te;       ///< φ_2* − φ_1 N_1/N_2
-    double outside;  ///< 0 inside both flanks; mm
+    double outside;  ///< mm; 0 if the point is inside both flanks
   };
 
-  /// A point of flank 1, of tooth pair k.
+  /// A point of flank 1 that belongs to tooth pair k.
   Seen look(double rotation_1, int k, double rho, double z) const {
     const double pi = std::numbers::pi, mesh = p_.internal ? pi : 0.0;
     const double n1 = p_.one.teeth, n2 = p_.two.teeth;
@@ -80,8 +81,8 @@ class BruteContact {
                   z - p_.one.z_high, p_.two.rho_low - rho_2, rho_2 - p_.two.rho_high,
                   p_.two.z_low - q.z(), q.z() - p_.two.z_high});
     const double sense = p_.internal ? -1.0 : 1.0;
-    // The tooth of gear 2 on the side of space 0 on which tooth 0 of gear 1 drives it or is driven
-    // by it.
+    // The tooth of gear 2 that is next to space 0 and that tooth 0 of gear 1 drives or is driven
+    // by.
     const double tooth = p_.gear2_drives ? -pi : pi;
     const double rest = pi + sense * (tooth - 2 * pi * k) / n2;
     const double inside_rho = std::clamp(rho_2, p_.two.rho_low, p_.two.rho_high);
@@ -90,7 +91,7 @@ class BruteContact {
     return {te, broken};
   }
 
-  /// The point of pair k that touches first. None if no point lies inside both flanks.
+  /// The first point of pair k that touches. Absent if no point lies inside both flanks.
   std::optional<BrutePlace> touch_of_pair(double rotation_1, int k, int sections = 60,
                                           int radii = 40) const {
     const double sign = p_.gear2_drives ? -1.0 : 1.0;
@@ -127,7 +128,7 @@ class BruteContact {
   const BrutePair& pair() const { return p_; }
 
  private:
-  // Equal steps, then golden section about the best of them.
+  // Equal steps, followed by golden section around the best of them.
   template <class F>
   static double max_over(F f, double lo, double hi, int steps, double& where) {
     int at = 0;
@@ -161,8 +162,8 @@ class BruteContact {
   Eigen::Vector3d shift_;
 };
 
-/// An involute flank given by its data. The tooth of an internal gear becomes thicker outwards. A
-/// helix error κ turns the sections together with their modifications.
+/// An involute flank defined by its data. The tooth of an internal gear becomes thicker outwards. A
+/// helix error κ turns the sections, including their modifications.
 inline BruteGear brute_involute(int teeth, bool ring, double base_radius, double half_angle,
                                 double twist, double kappa, double side) {
   BruteGear g;

@@ -1,7 +1,7 @@
-// The pairs of circular_arc.json as input of the five equations. The file comes from a 30-digit
-// computation of the pairs in the paper of Litvin and Tsay on circular-arc gears and of similar
-// ones, checked by minimising the gap. Lengths are in inch (names ex…) or mm, and the numbers are
-// rounded to double.
+// The pairs of circular_arc.json as input for the five equations. The file comes from a 30-digit
+// computation that was checked by minimising the gap. It contains the pairs in the paper of Litvin
+// and Tsay on circular-arc gears, and similar ones. Lengths are in inch (names ex…) or mm, and the
+// numbers are rounded to double.
 #pragma once
 
 #include <fstream>
@@ -54,8 +54,8 @@ inline ArcPair arc_pair(const nlohmann::json& of) {
   return p;
 }
 
-/// The pair of `composite_te`: consistent geometry of Example 1, face 8 in on gear 1, crossing
-/// 0.1°, working arcs of the racks as cut.
+/// The pair of `composite_te`: the consistent geometry of Example 1, a face of 8 in on gear 1, a
+/// crossing error of 0.1°, and the working arcs of the racks as cut.
 inline ArcPair composite_pair(const nlohmann::json& of) {
   const nlohmann::json& racks = circular_arc_file().at("racks_Pn2_lam75");
   const auto arc = [&racks](const char* key) {

@@ -1,4 +1,5 @@
-// The outlines used by the point cloud of point_cloud.hpp: θ(ρ) of an arc and of an involute.
+// The outlines that the point cloud (point_cloud.hpp) uses: θ(ρ) of a circular arc and of an
+// involute.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

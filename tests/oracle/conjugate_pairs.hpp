@@ -1,15 +1,16 @@
-// Pairs of involute gears at the shaft angles and centre distances where they have no backlash.
-// Source: the closed formulas of M. Mägi's paper on the conjugate action of involute gears, print
-// errors corrected, computed with 40 digits and rounded to doubles. `magi_tab1` is its Table 1.
+// Pairs of involute gears at shaft angles and centre distances for which they have no backlash.
+// Source: the closed formulas of M. Mägi's paper on the conjugate action of involute gears, with
+// printing errors corrected, computed with 40 digits and rounded to doubles. `magi_tab1` is its
+// Table 1.
 //
 //   gears     z, d_b, s_bt, β_b in degrees, d_a
 //   meshes    Σ in degrees, a, ψ_1 in degrees, A, B. The contact of the leading flanks runs along a
 //             straight line, from A at the tip of gear 2 to B at the tip of gear 1.
-//   plays     Σ in degrees, another a, and the angle in degrees by which gear 2 can turn there
+//   plays     Σ in degrees, another a, and the angle in degrees by which gear 2 can then turn
 //
-// A and B are given in a frame with y towards gear 2 and axis 1 along (sin ψ_1, 0, cos ψ_1), which
-// `housing` transforms. The line of the trailing flanks is the same line turned by half a turn
-// about the centre line.
+// A and B are given in a frame whose y axis points towards gear 2 and in which axis 1 has the
+// direction (sin ψ_1, 0, cos ψ_1). `housing` transforms them. If this line is turned by half a turn
+// about the centre line, it becomes the contact line of the trailing flanks.
 #pragma once
 
 #include <Eigen/Core>
@@ -241,14 +242,14 @@ inline double pitch_1(const ScrewPair& p) { return 2 * std::numbers::pi / p.firs
 inline ScrewPair mounted(const ConjugatePair& pair, const ConjugateMesh& mesh) {
   ScrewPair p{pair.first, pair.second, mesh.center_distance,
               mesh.shaft_angle_deg * (std::numbers::pi / 180)};
-  // On nearly parallel axes, teeth touch up to 133 mm from the centre line. Using the shorter gear
-  // avoids hundreds of teeth beyond that.
+  // On nearly parallel axes, teeth touch up to 133 mm from the centre line. Only the shorter gear
+  // is used, to avoid hundreds of teeth beyond that distance.
   if (std::abs(mesh.shaft_angle_deg) < 2 && mesh.shaft_angle_deg != 0) p.half_face = 150;
   return p;
 }
 
-/// A pair whose gear 2 reaches below the base circle of gear 1, where a contact would not be on the
-/// involute.
+/// A pair whose gear 2 reaches below the base circle of gear 1. A contact at such a point would not
+/// be on the involute.
 inline ScrewPair interfering_pair() {
   return {{7, 13.562943458385615 / 2, 2.984587637124939, 14.076095421662489 * kDegree,
            17.693866525741164 / 2},

@@ -1,6 +1,6 @@
-// Compares the contact room with independent computations: the case file and the five equations
-// where flanks touch inside, and the point cloud where an edge touches. Both are in long double and
-// share no code with the room.
+// Compares the contact room with independent computations. If the flanks touch inside, these are
+// the case file and the five equations. If an edge touches, it is the point cloud. All are in long
+// double and share no code with the room.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,9 +37,9 @@ tca::ArcPair with_ends(tca::ArcPair pair, tca::Real low, tca::Real high, tca::Re
   return pair;
 }
 
-// Every printed number of the file is compared: rotations to 1e-12 rad, positions, curvatures and
-// ellipses to 1e-10 of their size. The file has one tooth pair, so a face of one pitch excludes the
-// others.
+// Every printed number of the file is compared: rotations to 1e-12 rad; positions, curvatures and
+// ellipses to a relative error of 1e-10. The file describes one tooth pair. The face width is
+// therefore one pitch, so that no other pair touches.
 TEST(ContactEngine, case_file) {
   int positions = 0;
   for (const json& c : tca::circular_arc_file().at("cases")) {
@@ -91,7 +91,7 @@ TEST(ContactEngine, case_file) {
   EXPECT_GE(positions, 50);
 }
 
-// A lead angle changed afterwards is equivalent to a gear cut with that lead angle.
+// Changing the lead angle afterwards is equivalent to cutting the gear with the changed lead angle.
 TEST(ContactEngine, cutter_lead_is_another_rack) {
   int changed = 0;
   for (const json& c : tca::circular_arc_file().at("cases")) {
@@ -116,8 +116,8 @@ TEST(ContactEngine, cutter_lead_is_another_rack) {
   EXPECT_GE(changed, 1);
 }
 
-// The curves of the file with edges, to 1e-6 of their height. The border of the file, 0.012 in
-// above the pitch circle, ends flank 1 here as in the file.
+// The curves of the file that contain edges, to 1e-6 of their height. As in the file, flank 1 ends
+// 0.012 in above the pitch circle.
 TEST(ContactEngine, composite_curves_with_edges) {
   for (const json& composite : tca::circular_arc_file().at("composite_te")) {
     tca::ArcPair pair = tca::composite_pair(composite);
@@ -172,8 +172,8 @@ void report(const char* what, const ContactTally& t) {
 }
 
 // No point of the cloud touches before `p`, and `p` is a point of both flanks. The cloud itself may
-// find less, because it misses features smaller than its steps and stops before a face that crosses
-// flank 1.
+// find a later contact, because it misses features smaller than its steps and ends before a face
+// that crosses flank 1.
 void against_cloud(const tca::CloudPair& cloud, const BrutePair& brute, const ContactPoint& p) {
   const auto t = tca::cloud_touch(cloud, p.rotation1.rad());
   if (p.kind == TouchKind::none) {
@@ -189,9 +189,9 @@ void against_cloud(const tca::CloudPair& cloud, const BrutePair& brute, const Co
   EXPECT_LT(static_cast<double>(t->rotation_2 - ratio * p.rotation1.rad()), p.te.rad() + 1e-12);
 }
 
-// Circular arcs with every error at once. If the room finds `interior`, the five equations must
-// have the same contact, from their own closed form. Otherwise no contact of theirs may be greater,
-// and the cloud must have the same edge.
+// Circular arcs with all errors at once. If the room returns `interior`, the five equations must
+// give the same contact from their own closed form. Otherwise no contact from the five equations
+// may be greater, and the cloud must have the same edge.
 ContactTally arcs(std::uint64_t seed, int pairs, int clouds) {
   ContactTally tally;
   Random random(seed);
@@ -217,7 +217,7 @@ ContactTally arcs(std::uint64_t seed, int pairs, int clouds) {
             std::abs(p.te.rad() - static_cast<double>(five->touch.transmission_error));
         EXPECT_LT(off, 1e-12);
         tally.worst_rotation = std::max(tally.worst_rotation, off);
-        if (five->pair != p.pair) continue;  // two pairs that touch at the same time
+        if (five->pair != p.pair) continue;  // two pairs touch at the same rotation
         const double place = (p.point - five->touch.point_f.cast<double>()).norm() / size;
         const double axes_ratio = std::sqrt(static_cast<double>(five->touch.k_2 / five->touch.k_1));
         EXPECT_LT(place, 1e-11 * axes_ratio * axes_ratio);
@@ -255,8 +255,9 @@ TEST(LongContactEngine, arcs_against_five_equations) {
   EXPECT_GT(t.inside, 400);
 }
 
-// Arcs with modified flanks, which the five equations do not support. No point of a dense grid of
-// the flanks touches before the contact of the room, and that contact is a point of both flanks.
+// Arcs with modified flanks, which the five equations do not support. No point of a dense grid on
+// the flanks may touch before the contact of the room, and this contact must be a point of both
+// flanks.
 TEST(ContactEngine, modified_arcs_against_dense_places) {
   Random random(3);
   for (int i = 0; i < 6; ++i) {
@@ -318,8 +319,8 @@ ContactTally screws(std::uint64_t seed, ScrewKind kind, int pairs, int clouds) {
         EXPECT_LT(off, 1e-12);
         tally.worst_rotation = std::max(tally.worst_rotation, off);
         const double place = (p.point - five.point_f.cast<double>()).norm();
-        // In a direction of low curvature, the position has the rounding error of the slope: κ ε L
-        // divided by the curvature.
+        // In a direction of low curvature, the error of the position is the rounding error of the
+        // slope, κ ε L, divided by the curvature.
         const double soft = static_cast<double>(five.k_1) * s.size;
         EXPECT_LT(place, (1e-11 + 1e-14 / soft) * s.size);
         tally.worst_place = std::max(tally.worst_place, place / s.size);

@@ -1,5 +1,5 @@
-// Converts gears of the oracles to those of the contact room, and vice versa: gears made by hand
-// with the flanks of an ArcPair, and brute flanks of an involute gear of the engine.
+// Converts between gears of the oracles and gears of the contact room: gears with the flanks of an
+// ArcPair, and brute flanks of an involute gear of the engine.
 #pragma once
 
 #include <algorithm>
@@ -87,7 +87,7 @@ struct ContactSet {
   }
 };
 
-/// Domain    both arcs have ends, and both faces; no crowning
+/// Domain    both arcs and both faces have ends; no crowning
 inline ContactSet contact_set(const tca::ArcPair& pair) {
   ContactSet s{{arc_gear(pair, 1, 2 * static_cast<double>(pair.half_face_1)),
                 arc_gear(pair, 2, 2 * static_cast<double>(pair.half_face_2))},
@@ -116,7 +116,7 @@ inline BruteGear brute_flank(const Gear& g, double side, double helix_error) {
   return b;
 }
 
-/// The caller adds modifications of the set: BruteGear::removed.
+/// The caller adds the modifications of the set by BruteGear::removed.
 inline BrutePair brute_pair(const ContactSet& s) {
   const bool internal = s.gears[1].internal(), second = s.mount.gear2_drives;
   const auto& e = s.mount.errors;

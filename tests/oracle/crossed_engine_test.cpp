@@ -1,6 +1,6 @@
-// Compares crossed and parallel pairs of the engine with solids of unwound strings that are turned
-// until they touch: backlash, ratio, line of action and its ends. The oracle shares no code with
-// the engine.
+// Compares crossed and parallel pairs of the engine with solids made of unwound strings, which are
+// turned until they touch. Backlash, ratio, the line of action and its ends are compared. The
+// oracle shares no code with the engine.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,8 @@ void compare(const InvolutePair& p, double rotation_1) {
   const double r_b2 = p.input.gears[1].radius;
   const double play = trailing->rotation_2 - leading->rotation_2;
   EXPECT_NEAR(play * r_b2, p.mesh.backlash.rotation[1] * r_b2, 1e-9);
-  // Half the backlash is on either side of the ratio, so the poses are those of the pair.
+  // Half the backlash is on each side of the rotation given by the ratio, so the poses are those of
+  // the pair.
   const double ratio = p.input.gears[0].teeth / static_cast<double>(p.input.gears[1].teeth);
   const double middle = 0.5 * (leading->rotation_2 + trailing->rotation_2);
   EXPECT_NEAR((middle - ratio * rotation_1) * r_b2, 0.0, 1e-9);
@@ -62,7 +63,7 @@ void compare(const InvolutePair& p, double rotation_1) {
   EXPECT_LT(distance_to_line(trailing->point, p.on_trailing_line(p.mesh.rho1_A).r,
                              p.on_trailing_line(p.mesh.rho1_E).r),
             tolerance);
-  // The point is the one given by ρ_1, the free string of flank 1.
+  // The point is the one with the curvature radius ρ_1, the free string of flank 1.
   EXPECT_LT((p.on_line_of_action(leading->string_1).r - leading->point).norm(), tolerance);
   EXPECT_NEAR(p.mesh.rho2(leading->string_1), leading->string_2, tolerance);
   const auto place = axial_place(p.mesh, leading->string_1);
@@ -90,8 +91,8 @@ TEST(CrossedEngine, touches_as_the_solids_do) {
   EXPECT_EQ(pairs, 40);
 }
 
-// A flank leaves contact at E and enters it at A. Beyond them, tooth 0 touches with an edge or not
-// at all.
+// A flank leaves contact at E and enters it at A. Beyond these points, tooth 0 either touches with
+// an edge or does not touch.
 TEST(CrossedEngine, the_line_of_action_ends_where_the_solids_say) {
   Random random(302);
   int pairs = 0;

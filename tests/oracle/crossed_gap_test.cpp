@@ -1,9 +1,9 @@
-// Compares the clearance of tips and roots on crossed axes with the sections of both solids, which
-// share no code with the gap. Every point of a tip edge, over a whole pitch, is tested against the
-// section of the mating gear.
+// Compares the clearance of tips and roots on crossed axes with sections of both solids. The oracle
+// shares no code with the computation of the gap. Every point of a tip edge is tested over a whole
+// pitch against the section of the mating gear.
 //
 //   free     at both ends of the backlash, no point of an edge lies in the material
-//   tight    at a reported collision, both solids have a point
+//   tight    at a reported collision, both solids have a point in common
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class Screwed {
         place_(which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry()),
         section_(std::abs(gear_.spec.teeth), curves_of(gear_.tooth->outline)) {}
 
-  // Distance in the section of a point of the housing from the gear turned by `turn`; > 0 outside.
+  // Distance from a point of the housing to the section of the gear turned by `turn`; > 0 outside.
   double distance(const Vec3& housing, double turn) const {
     const Vec3 p = place_.inverse() * housing;
     if (std::abs(p.z()) > gear_.spec.face_width / 2) return 1.0;
@@ -40,7 +40,7 @@ class Screwed {
     const double c = std::cos(back), s = std::sin(back);
     return gear_.side() * section_.distance({c * p.x() - s * p.y(), s * p.x() + c * p.y()});
   }
-  // A point of the edge in which the flank of tooth 0 ends.
+  // A point on the edge at which the flank of tooth 0 ends.
   Vec3 edge(double z, double turn, double side) const {
     const Vec2 end = gear_.tooth->outline.find(ArcName::flank)->end_point;
     const double angle = side * std::atan2(end.y(), end.x()) + turn +
@@ -56,12 +56,13 @@ class Screwed {
   ToothedOutline section_;
 };
 
-// The deepest point of the edges of `one` in `two`. Gear 2 is `away` from the middle.
+// The greatest depth of the edges of `one` in `two`. Gear 2 is turned by `away` from its middle
+// position.
 double deepest(const Screwed& one, const Screwed& two, bool first_moves, double away) {
   constexpr int kTurns = 60, kHeights = 81;
   double least = 1.0;
   const double reach = std::min(one.half_face(), 12.0 * 2 * kPi / std::abs(one.teeth()));
-  // In an internal gear, tips also come near each other away from the mesh.
+  // In an internal gear, tips can also come close to each other away from the mesh.
   const int around = one.teeth() * two.teeth() < 0 ? std::abs(one.teeth()) / 2 : 2;
   for (int i = 0; i < kTurns; ++i) {
     const double turn = 2 * kPi / one.teeth() * (i - kTurns / 2) / kTurns;
@@ -99,7 +100,7 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight
     if (!pair || !pair->overlap || !pair->free_play || !(pair->mesh.path_ratio > 1.0)) continue;
     if (pair->gears[0].pointed() || pair->gears[1].pointed()) continue;
     if (std::min(pair->tip_clearance[0], pair->tip_clearance[1]) < 0.0) continue;
-    // For pairs without collision, a dozen are sufficient.
+    // For pairs without a collision, testing a dozen is sufficient.
     if (pair->overlap->empty() && pair->beyond_flank.empty() && pairs >= 12) continue;
     SCOPED_TRACE(describe(specs));
     ++pairs;
@@ -129,9 +130,9 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight
   RecordProperty("strikes", strikes);
 }
 
-// Internal pairs of few teeth more on the internal gear, whose tips collide away from the mesh. If no
-// overlap is reported, no edge lies in the material in the middle of the play, which is greater than
-// the saddle of the flanks.
+// Internal pairs with a small difference of the numbers of teeth, whose tips collide away from the
+// mesh. If no overlap is reported, no edge lies in the material in the middle of the play. The play
+// is greater than the depth of the saddle of the flanks.
 TEST(CrossedGapOracle, tips_inside_an_internal_gear_collide_where_the_solids_do) {
   property::Random random(4034);
   int free = 0, strikes = 0;

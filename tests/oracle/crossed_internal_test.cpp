@@ -1,5 +1,5 @@
-// Compares internal pairs on crossed axes with a search over dense points of their flanks, which
-// uses no rack, no line of action and no curvature (brute_flanks.hpp).
+// Compares internal pairs on crossed axes with a search over a dense set of points on their flanks
+// (brute_flanks.hpp), which uses no rack, no line of action and no curvature.
 //
 //   ρ_1    curvature radius of flank 1 in its transverse section, a place on the line of action
 //   T      turn of gear 2 from the expected rotation until its flank passes a point of flank 1
@@ -45,7 +45,7 @@ ContactSet set_of(const CrossedPair& p, bool gear2_drives) {
   return s;
 }
 
-// Crowns the lead of a gear by C, mm, in the engine and in the search.
+// Applies a lead crowning of C, mm, to a gear, in the engine and in the search.
 void crown(ContactSet& s, BrutePair& brute, int i, double C) {
   if (C == 0.0) return;
   FlankModifications m;
@@ -86,9 +86,9 @@ Differences differences(const BruteContact& brute, const OnLine& at, double step
           ss * zz - sz * sz};
 }
 
-// Both flanks pass every point of the line of action at the expected rotation, tangent to each
-// other, so their ratio is constant; the path ends where a point leaves a flank. The gap is a
-// saddle, and it becomes a minimum where the crowning exceeds the needed one.
+// Both flanks pass every point of the line of action at the expected rotation and are tangent to
+// each other, so their ratio is constant. The path ends where a point leaves a flank. The gap is a
+// saddle. If the crowning exceeds the needed one, it becomes a minimum.
 TEST(CrossedInternal, flanks_are_tangent_on_the_line_and_overlap_beside_it) {
   Random random(5101);
   int pairs = 0, crowned = 0;
@@ -97,7 +97,7 @@ TEST(CrossedInternal, flanks_are_tangent_on_the_line_and_overlap_beside_it) {
     CrossedSpecs specs;
     const auto p = drawn(random, i % 2 ? 0.0 : 0.05, specs);
     if (!p || !(p->mesh.true_ratio > 0.3)) continue;
-    // At a base circle the surface ends, and there are no differences.
+    // At a base circle the surface ends, so differences cannot be computed.
     if (!(p->mesh.rho1_true_begin > 0.2 * specs.first.normal_module)) continue;
     SCOPED_TRACE(property::describe(specs));
     ++pairs;
@@ -121,8 +121,8 @@ TEST(CrossedInternal, flanks_are_tangent_on_the_line_and_overlap_beside_it) {
         EXPECT_NEAR(d.by_rho * size, 0.0, 1e-5);
         EXPECT_NEAR(d.by_z * size, 0.0, 1e-5);
         EXPECT_LT(d.determinant, 0.0);
-        // Crowned in the middle of the face, where the contact stays: about the tangent point the
-        // second derivatives are those of the crowned flanks.
+        // The crowning is centred on the middle of the face, where the contact remains. Near the
+        // tangent point, the second derivatives are therefore those of the crowned flanks.
         for (const int gear : {0, 1}) {
           const auto& needed = p->needed_crowning[static_cast<std::size_t>(gear)];
           if (!needed || part != (gear == 0 ? kFirst : kLast)) continue;
@@ -147,7 +147,7 @@ TEST(CrossedInternal, flanks_are_tangent_on_the_line_and_overlap_beside_it) {
   std::printf("crossed internal: %d pairs, T on the line %.1e rad\n", pairs, worst);
 }
 
-// The path has the length of the rotation between its ends: AE/p_bn pitches of gear 1.
+// The length of the path equals the rotation between its ends: AE/p_bn pitches of gear 1.
 TEST(CrossedInternal, contact_ratio_is_the_rotation_between_the_ends) {
   Random random(5102);
   int pairs = 0;
@@ -168,8 +168,9 @@ TEST(CrossedInternal, contact_ratio_is_the_rotation_between_the_ends) {
   EXPECT_EQ(pairs, 40);
 }
 
-// Under errors of every kind, with crowned and plain leads, for both drivers: no point of the
-// flanks touches before the contact of the engine, which is a point of both flanks.
+// Under errors of every kind, with crowned and plain leads, for both driving directions: no point
+// of the flanks touches before the contact of the engine, and this contact is a point of both
+// flanks.
 struct Tally {
   int pairs = 0, edges = 0, inside = 0;
   double below = 0.0;
@@ -241,8 +242,8 @@ TEST(LongCrossedInternal, contact_under_errors_against_dense_places) {
   EXPECT_EQ(t.pairs, 200);
 }
 
-// Without errors and crowning, gear 2 runs ahead of its place on the line of action, by no more than
-// the depth that is attributed to the saddle.
+// If there are no errors and no crowning, gear 2 is ahead of its position on the line of action by
+// at most the depth that is attributed to the saddle.
 TEST(CrossedInternal, edges_lead_by_no_more_than_the_saddle) {
   Random random(5107);
   int pairs = 0;
@@ -279,8 +280,8 @@ TEST(CrossedInternal, edges_lead_by_no_more_than_the_saddle) {
   std::printf("crossed internal: edges lead by at most %.2f of the depth\n", most);
 }
 
-// A spur pinion touches its helical mate in one section at all positions. Crowned about that
-// section by more than needed, it keeps the exact ratio.
+// A spur pinion touches its helical mating gear in one section at all positions. If it is crowned
+// around this section by more than needed, the ratio remains exact.
 TEST(CrossedInternal, a_crowned_spur_gear_keeps_the_ratio) {
   Random random(5105);
   int pairs = 0;
@@ -291,7 +292,7 @@ TEST(CrossedInternal, a_crowned_spur_gear_keeps_the_ratio) {
     const int spur = specs.first.helix_angle.rad() == 0.0 ? 0 : 1;
     const auto k = static_cast<std::size_t>(spur);
     if ((spur == 1 && specs.second.helix_angle.rad() != 0.0) || !p->needed_crowning[k]) continue;
-    // Near its base circle, a flank is not a quadratic surface.
+    // Near its base circle, a flank is not well approximated by a quadratic surface.
     if (!(p->mesh.rho1_A > 0.5 * specs.first.normal_module)) continue;
     // The section of the contact is the middle of the face only at X = 0.
     const auto at_least =
@@ -300,7 +301,9 @@ TEST(CrossedInternal, a_crowned_spur_gear_keeps_the_ratio) {
     ASSERT_TRUE(at_least);
     if (!(at_least->mesh.true_ratio > 1.02)) continue;
     const double crowning = 3.0 * at_least->needed_crowning[k].value_or(1.0);
-    if (crowning > 0.05 * specs.first.normal_module) continue;  // more is no modification
+    if (crowning > 0.05 * specs.first.normal_module)
+      continue;  // a greater crowning is not a
+                 // modification
     SCOPED_TRACE(property::describe(specs));
     ++pairs;
     ContactSet set = set_of(*at_least, i % 2 == 0);
@@ -319,7 +322,7 @@ TEST(CrossedInternal, a_crowned_spur_gear_keeps_the_ratio) {
   EXPECT_EQ(pairs, 20);
 }
 
-// The tip cylinders, sampled within both faces, reach as far as the clearances say.
+// The tip cylinders are sampled within both faces. They reach as far as the clearances state.
 TEST(CrossedInternal, tips_come_closest_at_the_ends_of_the_faces) {
   Random random(5106);
   int pairs = 0;

@@ -93,11 +93,11 @@ bool CrossingPolygons::cross(double phi, double turn) const {
   const double pitch_1 = 2 * kPi / one_.teeth;
   const double pitch_2 = 2 * kPi / two_.teeth;
   const double ratio = static_cast<double>(one_.teeth) / two_.teeth;
-  // Gear 2 has a space on the x axis. That of an external gear is at half a turn.
+  // Gear 2 has a space on the x axis. For an external gear, this is half a turn away.
   const double rest = kPi / two_.teeth + (two_.ring ? 0.0 : kPi);
   const double turned_2 = rest + (two_.ring ? ratio : -ratio) * phi + turn;
   const double middle_2 = two_.ring ? 0.0 : kPi;  // direction of the mesh from axis 2
-  // The teeth whose middles lie within reach, or half a pitch beyond.
+  // The teeth whose middles lie within reach, or at most half a pitch beyond it.
   const auto first = [](double turned, double middle, double reach, double pitch) {
     return static_cast<int>(std::ceil((middle - reach - turned) / pitch - 0.5 - 1e-9));
   };

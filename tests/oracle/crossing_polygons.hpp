@@ -1,16 +1,16 @@
-// Tests whether the edges of two toothed polygons that turn against each other cross anywhere.
+// Tests whether the edges of two toothed polygons cross when the polygons turn against each other.
 //
-// The frames and the mesh are those of tests/oracle/turned_polygons.hpp, which measures the common
-// area and takes a hundred times longer. Polygons whose edges do not cross have no common area,
-// because gear 1 contains its own axis, which lies outside gear 2.
+// Frames and mesh are the same as in tests/oracle/turned_polygons.hpp, which measures the common
+// area and takes a hundred times longer. If the edges do not cross, the polygons have no common
+// area, because gear 1 contains its own axis, which lies outside gear 2.
 //
-//   chord    from one point of the polygon to a later one
-//   sag      greatest distance of the points between from it
+//   chord    line from one point of the polygon to a later one
+//   sag      greatest distance from the chord to the points between its ends
 //
-// The edges of a pitch form a tree of chords, halved down to single edges. If two chords are
-// farther apart than their sags, there is no crossing below them. Near a contact of two flanks, few
-// pairs remain on each level, because the sag of a chord decreases with the square of its length,
-// as does the gap of the flanks.
+// The edges of a pitch form a tree of chords, which are halved down to single edges. If the
+// distance of two chords exceeds the sum of their sags, no edges below them cross. Near a contact
+// of two flanks, few pairs remain on each level, because the sag of a chord decreases with the
+// square of its length, and so does the gap of the flanks.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,7 +27,7 @@ class CrossingPolygons {
   CrossingPolygons(const ToothedPolygon& gear_1, const ToothedPolygon& gear_2, double a);
 
   bool in_reach() const { return reach_[0] > 0.0; }
-  /// With gear 1 turned counter-clockwise by φ, gear 2 as it rolls, and gear 2 additionally by
+  /// Gear 1 is turned counter-clockwise by φ. Gear 2 rolls with it and is turned additionally by
   /// `turn`.
   bool cross(double phi, double turn) const;
 
@@ -35,13 +35,14 @@ class CrossingPolygons {
   struct Chord {
     std::size_t first, last;  ///< points of the pitch
     double sag;
-    int left, right;  ///< halves; −1: one edge
+    int left, right;  ///< halves; −1 for a single edge
   };
   struct Gear {
     int teeth;
     bool ring;
     double tip;
-    std::vector<Eigen::Vector2d> points;  ///< from the middle of a space to that of the next
+    std::vector<Eigen::Vector2d> points;  ///< from the middle of a space to the middle of the next
+                                          ///< one
     std::vector<Chord> chords;
   };
   /// The tooth of gear 2 as seen from the tooth of gear 1.

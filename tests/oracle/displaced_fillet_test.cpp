@@ -1,11 +1,12 @@
-// Compares tips and root fillets under mounting errors with the sections of both solids, which
-// share no code with the contact. Every point of a tip edge is tested against the section of the
-// mating gear.
+// Compares tips and root fillets under mounting errors with sections of both solids. The oracle
+// shares no code with the contact room. Every point of a tip edge is tested against the section of
+// the mating gear.
 //
 //   free     with gear 2 in the position given by the whole outlines, no point of an edge lies in
 //            the material
-//   tight    at a reported contact of a fillet, both solids have a point
-//   said     if the flanks alone would let an edge into the material, a fillet is reported
+//   tight    at a reported contact of a fillet, both solids have a point in common
+//   said     if an edge would enter the material with contact of the flanks alone, a fillet is
+//            reported
 //
 // The cases are involutes with every feature that shapes a tooth, arcs of both kinds, and racks
 // with another lead.
@@ -70,7 +71,7 @@ double twist_of(const Gear& gear, double delta) {
   return std::copysign(1.0 / (r * std::tan(lead_angle(gear, delta))), gear.twist());
 }
 
-// The result of cutting with the gear's own rack.
+// The gear that results from cutting with its own rack.
 Outline outline_of(const Gear& gear, double delta) {
   if (delta == 0.0) return gear.tooth->outline;
   const CylindricalSpec& spec = gear.spec;
@@ -104,7 +105,8 @@ class Solid {
   }
   double distance(const Vec3& housing, double turn) const {
     const Vec3 p = place_.inverse() * housing;
-    constexpr double kFace = 1e-9;  // mm; a contact this close to a face is at the face
+    constexpr double kFace = 1e-9;  // mm; a contact this close to an end of the face counts as
+                                    // being at the end
     if (std::abs(p.z()) > half_face() + kFace) return 1.0;
     const double back = -turn - rest_ - twist_ * p.z();
     const double c = std::cos(back), s = std::sin(back);
@@ -128,7 +130,7 @@ class Solid {
   ToothedOutline section_;
 };
 
-// The deepest point of an edge of one gear in the other.
+// The greatest depth of an edge of one gear in the other.
 double deepest(const Solid& one, const Solid& two, const ContactPoint& at) {
   constexpr int kHeights = 17, kTeeth = 3;
   double least = 1.0;
@@ -159,7 +161,7 @@ ContactErrors random_errors(Random& random, double m) {
 
 bool has_round_tip(const Gear& gear) { return gear.tooth->outline.find(ArcName::tip_fillet); }
 
-// The same pair for contact, either only with its flanks or with its whole outlines.
+// The same pair, once with its flanks only and once with its whole outlines.
 ContactPair seen(const DisplacedPair& pair, bool gear2_drives, bool fillets) {
   return {{&pair.gears[0], {}},
           {&pair.gears[1], {}},
@@ -290,7 +292,7 @@ TEST_P(DisplacedFilletOracle, tips_are_free_of_fillets_where_the_whole_outlines_
       EXPECT_GE(deepest(first, second, whole[i]), -kFilletShared) << text;
       by_flanks_alone = std::min(by_flanks_alone, deepest(first, second, by_flanks.positions[i]));
     }
-    // Tips without rounding touch only fillets first.
+    // Tips without rounding can touch only fillets first.
     if (!has_round_tip(pair->gears[0]) && !has_round_tip(pair->gears[1])) {
       ++explained;
       EXPECT_TRUE(touch || by_flanks_alone >= -2 * kFilletShared) << text << " " << by_flanks_alone;

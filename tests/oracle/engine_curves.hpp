@@ -1,4 +1,5 @@
-// The arcs of the engine's half tooth as plain curves, to which the oracles measure distances.
+// The arcs of the engine's half tooth as plain curves. The oracles measure distances to these
+// curves.
 #pragma once
 
 #include <vector>
@@ -8,7 +9,7 @@
 
 namespace gearwright::oracle {
 
-/// Refers to the arcs of `outline`, which must live as long.
+/// Refers to the arcs of `outline`, which must outlive this object.
 inline std::vector<ToothedOutline::Curve> curves_of(const Outline& outline) {
   std::vector<ToothedOutline::Curve> curves;
   for (const Arc& arc : outline.arcs)

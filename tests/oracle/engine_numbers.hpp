@@ -1,5 +1,5 @@
-// The data of an engine's gear as input of the swept rack, and the finished half tooth as a list of
-// points. This is all that oracle and engine share.
+// The data of an engine's gear as input for the swept rack, and the finished half tooth as a list
+// of points. The oracle and the engine share nothing else.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace gearwright::oracle {
 
-/// The cutter and the blank of a gear with z > 0. Two decisions of the engine are shared: x_E of
+/// The cutter and the blank of a gear with z > 0. Two results of the engine are used: x_E including
 /// the thickness allowance, and the full radius of a named rack.
 inline RackNumbers numbers_of(const Gear& gear) {
   const CylindricalSpec& spec = gear.spec;
@@ -38,7 +38,8 @@ inline RackNumbers numbers_of(const Gear& gear) {
   return n;
 }
 
-/// n points of every arc from the root to the tip, without the tip land if the blank made it.
+/// n points on every arc from the root to the tip. The tip land is omitted if it is a part of the
+/// blank.
 inline std::vector<Vec2> cut_points(const GeneratedTooth& tooth, int n) {
   std::vector<Vec2> points;
   for (const Arc& arc : tooth.outline.arcs) {
@@ -60,10 +61,10 @@ inline Vec2 point_near_end(const Arc& arc, bool at_begin, double distance) {
   return arc.point(far);
 }
 
-/// A step of `dense_points` turns by no more than this.
+/// Between two neighbouring `dense_points`, the tangent turns by at most this angle.
 inline constexpr double kMaxTurn = 0.4;  // rad
-/// Distance from every joint at which `edged_points` places a point: twenty times the nudge of the
-/// comparison.
+/// Distance from every joint at which `edged_points` places a point. It is twenty times the nudge
+/// of the comparison.
 inline constexpr double kBeside = 2e-5;  // mm
 
 namespace numbers_detail {
@@ -82,8 +83,8 @@ inline void fill(const Arc& arc, double u, const Vec2& p, double v, const Vec2& 
 
 }  // namespace numbers_detail
 
-/// n points of an arc, and more if two are further apart than `longest` (mm) or the arc turns much
-/// between them. If a step stays longer, the arc has a gap.
+/// n points on an arc. More points are added if two are more than `longest` (mm) apart or if the
+/// arc turns much between them. If a step remains longer, the arc has a gap.
 inline std::vector<Vec2> dense_points(const Arc& arc, int n, double longest) {
   constexpr int kDepth = 30;
   std::vector<Vec2> points{arc.begin_point};
@@ -96,12 +97,13 @@ inline std::vector<Vec2> dense_points(const Arc& arc, int n, double longest) {
   return points;
 }
 
-/// Points of an arc, its ends, and a point at 2e-5 mm from either end. At a joint, the chord of the
-/// two neighbours is then perpendicular to the bisector of the corner, however unequal the steps of
-/// the arcs are.
+/// Points on an arc, its ends, and a point at 2e-5 mm from each end. At a joint, the chord of the
+/// two neighbouring points is then perpendicular to the bisector of the corner, even if the arcs
+/// have very different steps.
 inline void append_edged(const Arc& arc, const std::vector<Vec2>& all, std::vector<Vec2>& points) {
   points.push_back(all.front());
-  // A shorter arc has only its ends, and a slightly longer one no points between.
+  // An arc shorter than this has only its end points, and a slightly longer one has no points in
+  // between.
   if ((all.back() - all.front()).norm() > 3 * kBeside) {
     points.push_back(point_near_end(arc, true, kBeside));
     for (std::size_t i = 1; i + 1 < all.size(); ++i) {

@@ -1,5 +1,5 @@
-// Compares the engine's outlines with the swept rack, over every kind of cutter and the whole range
-// of shifts, from the cutter through the axis to the pointed tooth.
+// Compares the engine's outlines with the swept rack for every kind of cutter. The shifts cover the
+// whole range, from a cutter through the axis to a pointed tooth.
 //
 //   worst |clearance| of an outline point       at most 1e-9 mm
 //   nudges of 1e-6 mm                           material inwards, none outwards
@@ -84,9 +84,9 @@ CylindricalSpec spec_of(const Cutter& cutter, int teeth, double beta_deg, double
   return spec;
 }
 
-// The shifts range from slightly below the one at which the cutter reaches the axis or severs the
-// tooth to slightly above the one at which the tooth is pointed. Three modules below the undercut
-// limit, every tooth is lost.
+// The shifts begin slightly below the one at which the cutter reaches the axis or severs the tooth,
+// and end slightly above the one at which the tooth becomes pointed. Three modules below the
+// undercut limit, no tooth remains.
 std::vector<double> shifts(const Cutter& cutter, int teeth, double beta_deg, int n) {
   const Gear middle = made(spec_of(cutter, teeth, beta_deg, 0.0));
   const double r = middle.reference_diameter / 4;  // in modules
@@ -104,7 +104,7 @@ std::vector<double> shifts(const Cutter& cutter, int teeth, double beta_deg, int
       (pointed(x) ? above : below) = x;
     }
   } else {
-    above = lo + 4.0;  // topped or with many teeth, so never pointed
+    above = lo + 4.0;  // topped or with many teeth, and therefore never pointed
   }
   std::vector<double> all;
   for (int i = 0; i < n; ++i) all.push_back(lo + (above + 0.1 - lo) * i / (n - 1));
@@ -136,7 +136,7 @@ void check_outline(const Cutter& cutter, const CylindricalSpec& spec, int points
   tally.pointed += tooth.pointed;
   tally.undercut += gear->undercut;
   const SweptRack rack(numbers_of(*gear));
-  // If the bottom of the cutter is as high as the blank, it also tops the tooth.
+  // If the bottom of the cutter is as high as the blank, it cuts the tip of the tooth as well.
   const bool land =
       tooth.tip_cut_by_rack || std::abs(rack.clearance({tooth.tip_radius, 0.0})) <= kOnSurface;
   const OutlineAgainstSweep result = outline_against_sweep(edged_points(tooth, points, land), rack);
@@ -168,13 +168,14 @@ TEST(EngineOutline, is_what_the_rack_leaves) {
   const OutlineTally tally =
       check_grid({3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 17, 21, 25, 32, 40, 60, 80, 130, 200},
                  {0, 8, -15, 22, -30, 45}, 13, 8);
-  // The grid covers the intended cases.
+  // Checks that the grid contains all intended cases.
   EXPECT_GT(tally.teeth, 15000);
   EXPECT_GT(tally.pointed, 500);
   EXPECT_GT(tally.severed, 300);
   EXPECT_GT(tally.through_axis, 100);
   EXPECT_GT(tally.undercut, 1000);
-  EXPECT_LE(tally.worst, 1e-11);  // rounding of doubles at 250 mm, a hundredth of the requirement
+  EXPECT_LE(tally.worst, 1e-11);  // rounding error of doubles at 250 mm, a hundredth of the
+                                  // tolerance
 }
 
 TEST(LongEngineOutline, is_what_the_rack_leaves) {
@@ -186,7 +187,7 @@ TEST(LongEngineOutline, is_what_the_rack_leaves) {
   EXPECT_LE(tally.worst, 1e-11);
 }
 
-// With the mirrored hand, the transverse outline is the same to the last bit.
+// With the opposite hand, the transverse outline is exactly the same.
 TEST(EngineOutline, does_not_know_the_hand) {
   for (const Cutter& cutter : cutters()) {
     for (const double beta : {15.0, 45.0}) {
@@ -198,7 +199,8 @@ TEST(EngineOutline, does_not_know_the_hand) {
   }
 }
 
-// Flags: the oracle walks up the centre line and finds it either cut or whole up to the point.
+// Flags: the oracle moves up the centre line. It finds the line either cut, or uncut up to the
+// point.
 TEST(EngineFlags, are_what_the_sweep_finds) {
   int severed_teeth = 0, pointed_teeth = 0, whole = 0;
   for (const Cutter& cutter : cutters()) {
@@ -228,8 +230,8 @@ TEST(EngineFlags, are_what_the_sweep_finds) {
           }
           ++pointed_teeth;
           ASSERT_TRUE(point) << name_of(cutter, spec);
-          // The 1e-12 mm of the oracle, divided by the sine of half the angle of the point, at
-          // least 0.2.
+          // The tolerance is the 1e-12 mm of the oracle, divided by the sine of half the angle of
+          // the point, but at least 0.2.
           EXPECT_NEAR(*point, tooth.tip_radius, 1e-10) << name_of(cutter, spec);
         }
       }
@@ -240,10 +242,10 @@ TEST(EngineFlags, are_what_the_sweep_finds) {
   EXPECT_GT(whole, 400);
 }
 
-// The start of the usable flank. From there to its end, the surface is the involute of the main
-// flank, and 1e-5 mm lower it is not. The search of the oracle does not use this start and finds
-// the same point. Next to the base circle it extrapolates over a distance in which that is accurate
-// to 5e-5 mm only.
+// The start of the usable flank. From this radius to the end of the flank, the surface is the
+// involute of the main flank. At a radius smaller by 1e-5 mm it is not. The search of the oracle
+// does not know this start and must find it. Near the base circle, it extrapolates over a distance
+// in which its accuracy is only 5e-5 mm.
 TEST(EngineFormRadius, is_where_the_sweep_leaves_the_involute) {
   int compared = 0, left = 0;
   double worst_search = 0.0;
@@ -268,7 +270,8 @@ TEST(EngineFormRadius, is_where_the_sweep_leaves_the_involute) {
             ++left;
             EXPECT_GT(std::abs(gap(form - 1e-5)), 1e-11) << name_of(cutter, spec);
           }
-          // The oracle evaluates 400 radii, so it may miss a flank shorter than a few of its steps.
+          // The oracle evaluates 400 radii. It may therefore miss a flank that is shorter than a
+          // few of its steps.
           if (end - form < 0.02 * (gear.tooth->tip_radius - gear.base_radius())) continue;
           const auto found = form_radius(rack);
           ASSERT_TRUE(found) << name_of(cutter, spec);

@@ -1,12 +1,13 @@
-// Rack-cut gears with few teeth: source docs/theory/03, few-tooth cases (computed with 40 digits
-// and confirmed there by sweeping the rack). Numbers in mm and rad, cut off after 18 digits.
+// Rack-cut gears with few teeth. Source: the few-tooth cases of docs/theory/03, computed with 40
+// digits and confirmed in the source by sweeping the rack. Numbers are in mm and rad, truncated
+// after 18 digits.
 //
 //   Convention of the source: the cutter's rounding begins at the depth a_0, so the cutter reaches
 //   h_F* = a_0/m + ρ_0* (1 − sin α); its flank ends at a_1 above the datum line.
 //   `points` lie on the finished surface, side y > 0: x, y, and the x and y of the spatial unit
-//   normal that points out of the material. `neck_half_angle` is the half angle at `neck_radius`, a
-//   place near the narrowest one: the source took the least of a grid of fillet points, up to 7e-7
-//   rad above the true minimum.
+//   normal that points out of the material. `neck_half_angle` is the half angle at `neck_radius`,
+//   which is close to the narrowest point. The source used the least value on a grid of fillet
+//   points, which is up to 7e-7 rad above the true minimum.
 #pragma once
 
 #include <cmath>

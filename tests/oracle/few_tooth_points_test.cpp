@@ -3,8 +3,8 @@
 // fillets, and gears cut by these pinions.
 //
 //   foot   the point on an arc from which the vector to the given point is perpendicular to the
-//          tangent. Unlike the point of equal radius, it is well defined if an arc runs along a
-//          circle about the axis.
+//          tangent. It is well defined even if the arc is a circle about the axis, which is not
+//          true of the point with equal radius.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,14 +50,14 @@ struct Match {
   double turn = std::numeric_limits<double>::infinity();      ///< rad, between the normals
 };
 
-/// The nearest point of the outline. Of several equal ones it is the one with the best normal,
-/// because at a joint with a corner the source gives one of the two.
+/// The nearest point of the outline. If several points are equally near, the one with the best
+/// normal is used, because at a corner the source gives only one of the two normals.
 Match match(const Outline& outline, const Vec2& p, const Vec2& normal) {
   Match best;
   for (const Arc& arc : outline.arcs) {
     const CurvePoint c = arc.at(foot(arc, p));
     const double distance = (c.point - p).norm();
-    // Run from root to tip on the side y > 0, the outline has the material on its right.
+    // Followed from root to tip on the side y > 0, the outline has the material on its right.
     const Vec2 out = unit(c.tangent_angle + kPi / 2);
     const double turn =
         std::abs(std::atan2(out.x() * normal.y() - out.y() * normal.x(), out.dot(normal)));
@@ -73,7 +73,7 @@ CylindricalSpec spec_of(const RackNumbers& n) {
   s.normal_pressure_angle = Angle::radians(n.normal_pressure_angle);
   s.helix_angle = Angle::radians(n.helix_angle);
   s.straight_rack().addendum =
-      1.5;  // a blank so large that the rack ends every tooth that is not pointed
+      1.5;  // a blank so large that the rack forms the end of every tooth that is not pointed
   s.straight_rack().dedendum = n.dedendum;
   s.straight_rack().root_fillet_radius = n.root_fillet_radius;
   s.straight_rack().tip_fillet_radius = n.tip_fillet_radius;
@@ -111,7 +111,8 @@ TEST(FewToothPoints, of_rack_cut_gears) {
   EXPECT_EQ(points, 51);
 }
 
-// A point next to the outline and a normal that is not that of the outline are detected.
+// A point next to the outline, and a normal that differs from that of the outline, must be
+// detected.
 TEST(FewToothPoints, a_wrong_point_would_be_seen) {
   for (const FewToothCase& c : few_tooth_cases()) {
     const Gear gear = made(spec_of(c.rack));
@@ -119,8 +120,8 @@ TEST(FewToothPoints, a_wrong_point_would_be_seen) {
       const Vec2 n = Vec2(p.n_x, p.n_y).normalized();
       for (const double step : {-1e-6, 1e-6}) {
         const Vec2 beside = Vec2(p.x, p.y) + step * n;
-        // Next to a corner, the other arc may be nearer, but by no more than the sharpness of the
-        // corner permits.
+        // Next to a corner, the other arc may be nearer, but only by an amount that depends on the
+        // sharpness of the corner.
         EXPECT_GT(match(gear.tooth->outline, beside, n).distance, 1e-7) << c.name;
       }
       const Vec2 tilted = turned(n, 1e-6);

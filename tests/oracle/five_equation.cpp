@@ -45,9 +45,9 @@ std::pair<Vector3, Vector3> tangents(const FlankPlace& p) {
   return {t, p.n.cross(t)};
 }
 
-/// The five equations with t, t′ of this position. Since n_2·t = 0, they are also (n_1 − n_2)·t,
-/// and t may be held constant in the derivative. The omitted term is the turn of t times n_1 − n_2,
-/// which is zero at the solution.
+/// The five equations with the t, t′ of this position. Since n_2·t = 0, they are equivalent to (n_1
+/// − n_2)·t, and t may be held constant in the derivative. The omitted term is the rotation of t
+/// times n_1 − n_2, which is zero at the solution.
 Vector5 equations(const FlankPair& pair, const Posture& p) {
   const auto [t, t_other] = tangents(p.f_2);
   Vector5 f;
@@ -106,8 +106,8 @@ FiveEquationTouch solve(const FlankPair& pair, Real rotation_1, const Unknowns& 
   out.at = start;
   Posture here = posture(pair, rotation_1, out.at);
   Vector5 f = equations(pair, here);
-  // The iteration ends when no part of the next step reduces the residual, which happens at the
-  // last point or at a minimum that is no solution. kSteps only limits slow convergence.
+  // The iteration ends if no fraction of the next step reduces the residual. This happens at the
+  // last point or at a minimum that is not a solution. kSteps only limits slow convergence.
   constexpr int kSteps = 100, kHalvings = 20;
   for (bool better = true; better && out.iterations < kSteps; ++out.iterations) {
     const Vector5 d = jacobian(pair, here).fullPivLu().solve(-f);
@@ -187,8 +187,8 @@ FlankPair flank_pair(const ArcPair& p, Real theta, Real part) {
 
 FiveEquationTouch arc_touch(const ArcPair& p, Real rotation_1) {
   const Real theta = nominal_theta(p);
-  // Part 0: both flanks touch the racks at the same θ and height, and no gear is turned relative to
-  // its rack.
+  // For part 0, both flanks touch the racks at the same θ and height, and neither gear is turned
+  // relative to its rack.
   ArcFlank one = flank_1(p);
   one.b = p.f.rho * std::sin(theta) - (p.p.rho * std::sin(theta) - p.p.b);
   one.lead_angle = p.lead_angle_p;
@@ -202,7 +202,7 @@ std::optional<CarryingPair> carrying_arc_touch(const ArcPair& p, Real rotation_1
   for (int k = -reach; k <= reach; ++k) {
     CarryingPair one{k, arc_touch(p, rotation_1 - 2 * kLongPi * k / p.teeth_1)};
     if (!one.touch.holds()) continue;
-    // The transmission error is that of the earlier position. φ_2 is k pitches further.
+    // The transmission error belongs to the earlier position. φ_2 is k pitches further.
     one.touch.at.rotation_2 += 2 * kLongPi * k / p.teeth_2;
     if (!best || one.touch.at.rotation_2 > best->touch.at.rotation_2) best = one;
   }

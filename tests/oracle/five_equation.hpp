@@ -1,6 +1,6 @@
-// Tooth contact by the textbook's five equations, in long double: two flanks share a point and a
-// normal. This is the slow independent method. It uses no angular gap, no maximum and no edge. The
-// notation of a flank is in flank_surface.hpp, housing and errors are in mounting.hpp.
+// Tooth contact by the five equations of textbooks, in long double: two flanks share a point and a
+// normal. This is a slow, independent method, which uses no angular gap, no maximum and no edge.
+// The notation of a flank is in flank_surface.hpp, and that of housing and errors in mounting.hpp.
 //
 //   r_1f(s_1, z_1; φ_1) = r_2f(s_2, z_2; φ_2)       three, over the length scale L
 //   n_1f · t = n_1f · t′ = 0                        two, t and t′ span the tangent plane of flank 2
@@ -65,24 +65,25 @@ struct FiveEquationTouch {
   bool holds() const { return solved && opens && within_outlines && within_faces; }
 };
 
-/// Residual below which a solution counts: a thousand units in the last place of numbers of size 1.
+/// Residual below which a solution is accepted: a thousand units in the last place for numbers of
+/// size 1.
 inline constexpr Real kSolved = 1000 * std::numeric_limits<Real>::epsilon();
 
-/// Newton's method from a start value, for the pair itself.
+/// Newton's method for the pair itself, from a start value.
 FiveEquationTouch solve(const FlankPair& pair, Real rotation_1, const Unknowns& start);
 
-/// Solves the pair that `deviates` makes for part = 1, starting from its part = 0, for which
-/// `start` is a solution.
+/// Solves the pair that `deviates` returns for part = 1. The solution starts at part = 0, which
+/// `start` solves.
 FiveEquationTouch follow(const std::function<FlankPair(Real part)>& deviates, Real rotation_1,
                          const Unknowns& start, int steps = 8);
 
-/// An arc of a rack's normal section, with the part of it that makes the flank.
+/// An arc in the normal section of a rack, and the part of this arc that makes the flank.
 struct RackArc {
   Real rho = 0, a = 0, b = 0;
   Real theta_low = 0, theta_high = std::numeric_limits<Real>::infinity();
 };
 
-/// A circular-arc pair: gear 1 right hand, cut by F; gear 2 left hand, cut by P.
+/// A circular-arc pair. Gear 1 is right-hand and cut by F; gear 2 is left-hand and cut by P.
 struct ArcPair {
   int teeth_1 = 0, teeth_2 = 0;  ///< N_1, N_2
   RackArc f, p;
@@ -96,19 +97,19 @@ struct ArcPair {
 ArcFlank flank_1(const ArcPair& pair);
 ArcFlank flank_2(const ArcPair& pair);
 
-/// Part 1: the pair itself. Part 0: without errors, Σ = 0, λ_F = λ_P, and b_F such that θ = `theta`
-/// is the common rack angle.
+/// Part 1 is the pair itself. Part 0 has no errors, Σ = 0, λ_F = λ_P, and a b_F for which θ =
+/// `theta` is the common rack angle.
 FlankPair flank_pair(const ArcPair& pair, Real theta, Real part = 1);
 
-/// θ at which flanks without errors touch, sin θ = (b_P − b_F)/(ρ_P − ρ_F). If that has no solution
-/// between 5° and 60°, it is 30° and the difference counts as an error.
+/// The θ at which flanks without errors touch, sin θ = (b_P − b_F)/(ρ_P − ρ_F). If there is no
+/// solution between 5° and 60°, 30° is used and the difference counts as an error.
 Real nominal_theta(const ArcPair& pair);
 
 /// The contact of one tooth pair at φ_1, from the closed form of part 0.
 FiveEquationTouch arc_touch(const ArcPair& pair, Real rotation_1);
 
 /// The tooth pair with |k| ≤ reach that carries the load. Only valid contacts count. φ_2 and the
-/// rotation errors are those of the gears, the position is that of tooth pair k.
+/// rotation errors refer to the gears, the position refers to tooth pair k.
 struct CarryingPair {
   int pair = 0;  ///< k
   FiveEquationTouch touch;

@@ -1,18 +1,19 @@
-// The five equations of tooth contact for circular-arc pairs in a fast form: in double, with a
-// Jacobian by hand, without allocation, started from the last position. The times of the contact
-// room are compared with it, and it is another independent way to the same numbers.
+// The five equations of tooth contact for circular-arc pairs in a fast form: in double, with an
+// analytic Jacobian, without memory allocation, starting from the last position. Benchmarks compare
+// it with the contact room. It also serves as a second independent method.
 //
 //   unknowns   θ_1, φ_1, θ_2, φ_2 (arc angle and rack rotation of either flank), φ_2′ (gear 2)
 //   given      φ_1′ (gear 1)
 //   frame      axis 2 with its tilt but not its turn, so that φ_2′ turns flank 2 about z
 //
-// With ω = φ + κ z − φ′ on gear 1 and ω = −φ + κ z + φ′ on gear 2 a flank is its rack's section
-// turned by ω (flank_surface.hpp, (1)), its normal (sin θ, −cos θ sin λ, cos θ cos λ − κ g) turned
-// too, where g = (e_z × r)·n = B sin θ − A cos θ sin λ. Four sines and cosines a step.
+// A flank is the section of its rack turned by ω (flank_surface.hpp, (1)), with ω = φ + κ z − φ′ on
+// gear 1 and ω = −φ + κ z + φ′ on gear 2. Its normal (sin θ, −cos θ sin λ, cos θ cos λ − κ g) is
+// turned in the same way, where g = (e_z × r)·n = B sin θ − A cos θ sin λ. Each step needs four
+// sines and cosines.
 //
-// The two equations of the normals: (n_1 × n_2)·t = 0 for t = (−n_2y, n_2x, 0) and t′ = n_2 × t,
-// these held while differentiating: their own change is multiplied by n_1 × n_2, zero at the
-// solution.
+// The two equations for the normals are (n_1 × n_2)·t = 0 with t = (−n_2y, n_2x, 0), and the same
+// with t′ = n_2 × t. Both vectors are held constant in the derivative, because their changes are
+// multiplied by n_1 × n_2, which is zero at the solution.
 #pragma once
 
 #include <array>
@@ -33,7 +34,7 @@ class FastArcTouch {
     bool converged = false;  ///< step < kLastStep
   };
 
-  /// Quadratic convergence: after a step of this size the error is a rounding.
+  /// Convergence is quadratic: after a step of this size, only the rounding error remains.
   static constexpr double kLastStep = 1e-9;  // rad
 
   /// Lead errors are only twists. Crownings of the pair are ignored.
@@ -50,7 +51,7 @@ class FastArcTouch {
     }
   }
 
-  /// Newton at φ_1′ = `rotation_1` from `start`: whole steps, at most 20.
+  /// Newton's method at φ_1′ = `rotation_1` from `start`, with at most 20 full steps.
   Position solve(double rotation_1, const Position& start) const noexcept {
     Position x = start;
     x.converged = false;
@@ -75,8 +76,9 @@ class FastArcTouch {
     return {one_.height(x.theta_1, x.rack_1), two_.height(x.theta_2, x.rack_2)};
   }
 
-  /// The contact point in the housing, from flank 1. This requires a transformation out of the
-  /// frame of axis 2 with the mounting of `pair`, so it is for reports, not for loops.
+  /// The contact point in the housing, from flank 1. Computing it requires a transformation from
+  /// the frame of axis 2 with the mounting of `pair`, so this function is meant for reports, not
+  /// for loops.
   static Vector3 point_f(const ArcPair& pair, Real rotation_1, const Position& x) {
     const Surface flank = turned(arc_surface(flank_1(pair)), {pair.lead_1.twist, 0});
     const Frame frame = frame_1(pair.mounting, rotation_1);
@@ -84,7 +86,7 @@ class FastArcTouch {
     return frame.turn * flank(x.theta_1, z).r + frame.shift;
   }
 
-  /// The same place in these unknowns.
+  /// Converts a contact found by the slow method to these unknowns.
   static Position from(const ArcPair& pair, const FiveEquationTouch& touch) {
     Position x;
     x.theta_1 = static_cast<double>(touch.at.s_1);
@@ -95,7 +97,7 @@ class FastArcTouch {
     return x;
   }
 
-  /// Linear extrapolation: the start one step beyond `last` if the steps are equal.
+  /// Linear extrapolation: the start value for the next step if the steps are equal.
   static Position beyond(const Position& before, const Position& last) noexcept {
     Position x = last;
     x.theta_1 += last.theta_1 - before.theta_1, x.rack_1 += last.rack_1 - before.rack_1;

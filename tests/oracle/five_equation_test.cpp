@@ -114,7 +114,8 @@ TEST_P(ArcCases, FastFormStaysWithThem) {
   }
 }
 
-// With every error, and with a shaft angle that the crossing must compensate so that the arcs fit.
+// With all errors, and with a shaft angle for which the crossing must compensate so that the arcs
+// fit.
 TEST(FiveEquationFast, CrossedAxes) {
   ArcPair pair = case_named("m10_30_150_all");
   pair.mounting.shaft_angle = 0.2L, pair.mounting.crossing += 0.2L + 1e-4L;
@@ -126,8 +127,8 @@ TEST(FiveEquationFast, CrossedAxes) {
   EXPECT_CLOSE(slow.at.s_1, x.theta_1, 1e-12);
 }
 
-// The crossing of axis 1 and the shaft angle are both turns about x. If they are equal, they turn
-// the whole.
+// The crossing of axis 1 and the shaft angle are both rotations about x. If they are equal, they
+// turn the whole arrangement.
 TEST(FiveEquations, ShaftAngleUndoesCrossing) {
   ArcPair pair = case_named("m5_20_60_dC");
   const FiveEquationTouch plain = arc_touch(pair, 0.1L);
@@ -140,8 +141,8 @@ TEST(FiveEquations, ShaftAngleUndoesCrossing) {
   EXPECT_CLOSE(turned_over.k_1 / plain.k_1, 1, 1e-13);
 }
 
-// Positions, normals and curvatures of single flanks and fillets, K in the rack's basis: along the
-// profile and along the tooth.
+// Positions, normals and curvatures of single flanks and fillets. K is given in the basis of the
+// rack: along the profile and along the tooth.
 TEST(FlankSurface, AgreesWithTheFile) {
   ASSERT_EQ(circular_arc_file().at("surfaces").size(), 12u);
   for (const json& s : circular_arc_file().at("surfaces")) {
@@ -199,7 +200,7 @@ std::vector<NamedSurface> surfaces() {
   return all;
 }
 
-// (1) n is a unit vector across r_s and r_z    (2) derivatives are what differences give
+// (1) n is a unit vector perpendicular to r_s and r_z    (2) derivatives agree with differences
 // (3) K is symmetric                           (4) z is the third coordinate
 TEST(FlankSurface, NormalsAndDerivatives) {
   constexpr Real kStep = 1e-5L;
@@ -224,7 +225,8 @@ TEST(FlankSurface, NormalsAndDerivatives) {
 }
 
 // The normal of the leading flank of gear 1 points out of its tooth. The next point of the outline,
-// nearer to the centre of the tooth, lies behind it. The opposite holds for the flank of gear 2.
+// nearer to the centre of the tooth, lies behind the surface. For the flank of gear 2, the opposite
+// is true.
 TEST(FlankSurface, NormalsPointFromGear1ToGear2) {
   const FlankPlace one = involute_surface({1, 23, 0.1L, 0, 0.013L, -1})(0.4L, 0);
   EXPECT_LT(one.r.y(), 0);  // the clockwise flank of a tooth at +x
@@ -252,7 +254,7 @@ TEST(FiveEquations, CompositeInteriorOfTheFile) {
   EXPECT_EQ(rows, 50);
 }
 
-// ρ_F + e, ρ_P + e leaves φ_2 and moves the point by e n.
+// Changing ρ_F and ρ_P by e leaves φ_2 unchanged and moves the point by e n.
 TEST(FiveEquations, ParallelFlanks) {
   for (const char* name : {"m5_20_60_dC", "m5_20_60_crossing", "m4_16_48_bF0"}) {
     const ArcPair pair = case_named(name);
@@ -265,7 +267,8 @@ TEST(FiveEquations, ParallelFlanks) {
   }
 }
 
-// a_F + d, a_P + d is φ_1′ − d/(r_1 sin λ) for gear 1 and φ_2′ − d/(r_2 sin λ) for gear 2.
+// Changing a_F and a_P by d corresponds to φ_1′ − d/(r_1 sin λ) for gear 1 and φ_2′ − d/(r_2 sin λ)
+// for gear 2.
 TEST(FiveEquations, RackMovedAlongThePitchLine) {
   const ArcPair pair = case_named("m5_20_60_crossing");
   ArcPair moved = pair;
@@ -276,7 +279,8 @@ TEST(FiveEquations, RackMovedAlongThePitchLine) {
   EXPECT_CLOSE(there, arc_touch(pair, 0.1L - by_1).at.rotation_2 + by_2, 1e-17);
 }
 
-// Centre distance alone: (C_0 + w)² + (w cot θ sin λ)² = C², w = (ρ_F − ρ_P) sin θ − (b_F − b_P).
+// For a changed centre distance alone: (C_0 + w)² + (w cot θ sin λ)² = C², w = (ρ_F − ρ_P) sin θ −
+// (b_F − b_P).
 TEST(FiveEquations, CentreDistanceInOneEquation) {
   const ArcPair pair = case_named("m5_20_60_dC");
   const FiveEquationTouch t = arc_touch(pair, 0.2L);
@@ -287,8 +291,8 @@ TEST(FiveEquations, CentreDistanceInOneEquation) {
   EXPECT_CLOSE(std::hypot(m.center_distance + w, across), m.center_distance + m.d_center, 1e-16);
 }
 
-// With the opposite hands, the pair is the mirror image z → −z. Crossing, tilt, axial shift and
-// twists change their sign, and nothing else changes.
+// With opposite hands, the pair is the mirror image z → −z. The signs of crossing, tilt, axial
+// shift and twists change, and nothing else changes.
 TEST(FiveEquations, MirrorImage) {
   const ArcPair pair = case_named("m10_30_150_all");
   const FiveEquationTouch a = arc_touch(pair, 0.1L);

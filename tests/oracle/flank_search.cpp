@@ -32,7 +32,8 @@ double Flank::value(double u, double z) const {
   const double r_b = pair_.second.base_radius;
   const double square = (q.x() * q.x() + q.y() * q.y()) / (r_b * r_b) - 1;
   if (square < 0 || square > tip_2_ * tip_2_) return kNone;
-  // Azimuths are counted from −x. No point is behind axis 2, because its tip radius is less than a.
+  // Azimuths are measured from −x. No point lies behind axis 2, because its tip radius is less than
+  // a.
   const double point = std::atan2(-q.y(), -q.x());
   const double flank = start_2_ - sigma_ * fallen_back(std::sqrt(square)) + k_2_ * q.z();
   return -sigma_ * (point - flank);
@@ -83,8 +84,8 @@ Peak best_in_section(const Flank& flank, double z) {
   for (int i = 0; i <= kSteps; ++i) v[i] = value(node(i));
   const int best = static_cast<int>(std::max_element(v.begin(), v.end()) - v.begin());
   if (v[best] == kNone) return {};
-  // The bracket extends to the neighbours, or to the last point in their direction that lies
-  // between the cylinders of gear 2.
+  // The bracket extends to the neighbouring points. If a neighbour is outside the cylinders of gear
+  // 2, it extends to the last point in that direction that is inside.
   const auto end = [&](int neighbour) {
     if (neighbour < 0 || neighbour > kSteps) return node(best);
     if (v[neighbour] != kNone) return node(neighbour);

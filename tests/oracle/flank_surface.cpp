@@ -15,7 +15,8 @@ const Vector3 kAxis(0, 0, 1);
 /// e_z × v
 Vector3 across(const Vector3& v) { return {-v.y(), v.x(), 0}; }
 
-/// A point whose section is turned by an angle with given derivatives by s and z.
+/// A point whose section is turned by an angle. The derivatives of the angle with respect to s and
+/// z are given.
 FlankPlace in_turned_section(const FlankPlace& p, Real angle, Real by_s, Real by_z) {
   const Matrix3 turn = turn_about_z(angle);
   FlankPlace out;

@@ -1,8 +1,9 @@
-// Seeded involute pairs with every possible error and choice: errors of mounting and lead,
+// Seeded involute pairs with all possible errors and options: errors of mounting and lead,
 // modifications of either flank, external and internal pairs, either gear driving.
 //
-// The removal of a modification is implemented here a second time, from the definitions of
-// gear/modifications.hpp. A topography is a polynomial, which the spline of the engine reproduces.
+// The removal of a modification is implemented here a second time from the definitions in
+// gear/modifications.hpp. A topography is a polynomial, so the spline of the engine reproduces it
+// exactly.
 #pragma once
 
 #include <cmath>
@@ -57,12 +58,12 @@ struct ModifiedPair {
 struct Wanted {
   bool internal = false;
   bool errors = true, modifications = true;
-  bool hollow = false;  ///< includes crownings with most removal in the middle, and topographies
-                        ///< with several bends
+  bool hollow = false;  ///< true if crownings with most removal in the middle, and topographies
+                        ///< with several inflections, are included
 };
 
-/// Gears whose involutes touch along the whole common flank. Nothing if the draw gives no such
-/// pair.
+/// Gears whose involutes touch along the whole common flank. Returns nothing if the draw does not
+/// give such a pair.
 inline std::optional<ModifiedPair> random_modified(property::Random& random, const Wanted& want) {
   property::SpecPair specs = property::random_pair(random, want.internal);
   specs.first.normal_pressure_angle = specs.second.normal_pressure_angle = Angle::degrees(20);
@@ -135,7 +136,7 @@ inline std::optional<ModifiedPair> random_modified(property::Random& random, con
     std::function<double(double, double)> polynomial;
     if (random.chance(0.2)) {
       const double c = amount(), middle = e.rho_root_form + e.rho_tip_form, b = e.face_width;
-      const double most = want.hollow ? 1.0 : 0.25;  // below a third it is convex
+      const double most = want.hollow ? 1.0 : 0.25;  // below a third, the polynomial is convex
       const double p = random.uniform(-most, most), q = random.uniform(-most, most);
       const double s = random.uniform(-most, most);
       polynomial = [=](double rho, double z) {

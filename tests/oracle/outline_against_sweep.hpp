@@ -1,5 +1,4 @@
-// Compares a finished half-tooth outline with the swept cutter, rack or pinion, that should have
-// cut it.
+// Compares a finished half-tooth outline with the sweep of the cutter, rack or pinion, that cut it.
 //
 //   outline   points (x, y) from the middle of the space to the tooth's end, side y ≥ 0, without
 //             the tip land on the blank (the blank is turned, not cut)
@@ -7,10 +6,11 @@
 //             clockwise, or counter-clockwise for an internal gear, whose outline approaches the
 //             axis
 //
-// There are two checks. First, every point must be on the surface, so |clearance| must be small.
-// Second, it must be a boundary, with material on one side only: clearance > 0 for a nudge inwards
-// and < 0 for a nudge outwards. A loop of a trochoid that another position has cut away fails the
-// first check, and a point in the middle of a slot fails the second.
+// Two conditions are checked. First, every point must lie on the surface, so |clearance| must be
+// small. Second, the surface must be a boundary with material on one side only: a nudge inwards
+// must give clearance > 0, and a nudge outwards clearance < 0. If another position of the cutter
+// has cut away a loop of a trochoid, the first condition fails on it. A point in the middle of a
+// slot violates the second condition.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,8 @@
 
 namespace gearwright::oracle {
 
-/// The nudge, mm: a thousand times the permitted `worst`, a thousandth of machining accuracy.
+/// The nudge, mm. It is a thousand times the permitted `worst` and a thousandth of machining
+/// accuracy.
 inline constexpr double kNudge = 1e-6;
 
 struct OutlineAgainstSweep {
@@ -37,14 +38,15 @@ struct OutlineAgainstSweep {
   std::size_t max_outward_index = 0;
   double longest_step = 0.0;  ///< mm between neighbours; detects a gap in the outline
 
-  /// On the surface to `tolerance` mm, with material inside and none outside at every point.
+  /// True if every point is on the surface to `tolerance` mm, with material inside and none
+  /// outside.
   bool holds(double tolerance) const {
     return worst <= tolerance && min_inward > 0.0 && max_outward < 0.0;
   }
 };
 
-/// The side on which the material lies on the walk from root to tip: right, or left for an internal
-/// gear.
+/// The side on which the material lies if the outline is followed from root to tip: the right side,
+/// or the left side for an internal gear.
 enum class Tooth { external, ring };
 
 namespace outline_detail {
@@ -67,9 +69,9 @@ inline PlanePoint mirrored(PlanePoint p, PlanePoint axis) {
   return {along * axis.x - p.x, along * axis.y - p.y};
 }
 
-/// Unit normal into the material at point i. Neighbours nearer than a nudge (the doubled points at
-/// the joints of arcs) do not determine the direction and are skipped. Beyond the middle of the
-/// space, and beyond a tooth that ends in a point on its centre line, the mirror image is used.
+/// Unit normal into the material at point i. Neighbours closer than a nudge (the doubled points at
+/// the joints of arcs) do not determine a direction and are skipped. Beyond the middle of the
+/// space, and beyond the point of a pointed tooth, the mirror image is used.
 inline PlanePoint inward_normal(const std::vector<PlanePoint>& points, std::size_t i, Tooth tooth) {
   std::size_t before = i, after = i;
   while (before > 0 && distance(points[before], points[i]) < kNudge) --before;
@@ -92,10 +94,10 @@ double clearance(const Sweep& sweep, PlanePoint p) {
 
 }  // namespace outline_detail
 
-/// Domain    at least two points, further apart than kNudge; `Points` a range of {x, y} or of types
-///           with x() and y(), in mm; `Sweep` has clearance(point), the point a PlanePoint or a
-///           Vector2d
-/// Cost      three clearances a point
+/// Domain    at least two points, more than kNudge apart; `Points` is a range of {x, y} or of types
+///           with x() and y(), in mm; `Sweep` has clearance(point), where the point is a PlanePoint
+///           or a Vector2d
+/// Cost      three clearances per point
 template <class Points, class Sweep>
 OutlineAgainstSweep outline_against_sweep(const Points& outline, const Sweep& sweep,
                                           Tooth tooth = Tooth::external) {

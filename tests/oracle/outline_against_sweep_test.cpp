@@ -1,4 +1,5 @@
-// Tests the comparison itself: a correct outline passes, and every kind of fault is detected.
+// Tests the comparison itself: a correct outline must pass, and every kind of fault must be
+// detected.
 #include "tests/oracle/outline_against_sweep.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ RackNumbers gear() {
           .root_fillet_radius = 0.3};
 }
 
-/// Root land, fillet, flank, 20 points each, joints doubled as in an outline of arcs.
+/// Root land, fillet and flank with 20 points each. Joints are doubled, as in an outline of arcs.
 std::vector<PlanePoint> outline(const RackNumbers& n) {
   std::vector<PlanePoint> points;
   const double a = n.normal_pressure_angle;
@@ -46,8 +47,8 @@ std::vector<PlanePoint> outline(const RackNumbers& n) {
 TEST(OutlineAgainstSweep, a_right_outline_holds) {
   const OutlineAgainstSweep result = outline_against_sweep(outline(gear()), SweptRack(gear()));
   EXPECT_TRUE(result.holds(1e-12)) << result.worst << " at " << result.worst_index;
-  // A nudge is measured as itself or, in the metric of the normal section, as its product with cos
-  // β.
+  // The measured clearance of a nudge is the nudge itself or, in the metric of the normal section,
+  // the nudge times cos β.
   EXPECT_GT(result.min_inward, 0.9 * kNudge * std::cos(kPi / 10));
   EXPECT_LT(result.max_outward, -0.9 * kNudge * std::cos(kPi / 10));
   EXPECT_LT(result.longest_step, 0.5);
@@ -63,7 +64,7 @@ TEST(OutlineAgainstSweep, a_point_off_by_a_nanometre_is_named) {
   }
 }
 
-// The outline of a gear with one changed value is not accepted for this gear.
+// If one value is changed, the outline must not be accepted for the original gear.
 TEST(OutlineAgainstSweep, another_gear_is_refused) {
   const SweptRack rack(gear());
   RackNumbers shifted = gear(), rounder = gear(), deeper = gear();
@@ -86,8 +87,8 @@ TEST(OutlineAgainstSweep, a_swallowed_loop_is_refused) {
   EXPECT_FALSE(result.holds(1e-4));
 }
 
-// If the outline is run from tip to root, inside and outside are exchanged. The nudges detect it
-// although every point is right.
+// If the outline is followed from tip to root, inside and outside are exchanged. The nudges must
+// detect this, although every point is on the surface.
 TEST(OutlineAgainstSweep, the_wrong_side_is_refused) {
   std::vector<PlanePoint> points = outline(gear());
   std::reverse(points.begin(), points.end());
@@ -113,7 +114,7 @@ TEST(OutlineAgainstSweep, pointed_tooth_of_another_point_type) {
   const RackNumbers n = gear();
   const SweptRack rack(n);
   double lo = 2.0,
-         hi = 8.0;  // heights of the flank between which the involute meets the centre line
+         hi = 8.0;  // heights between which the involute meets the centre line
   for (int i = 0; i < 100; ++i) {
     const double mid = 0.5 * (lo + hi);
     (rolled(n, on_flank(n, mid)).y > 0 ? lo : hi) = mid;

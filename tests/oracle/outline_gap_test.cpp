@@ -1,10 +1,10 @@
-// Compares the gap of two outlines with polygons of both gears, which share no code with it, over
-// random mounted pairs with every feature that shapes a tooth.
+// Compares the gap of two outlines with polygons of both gears, over random mounted pairs with
+// every feature that shapes a tooth. The polygons share no code with the gap.
 //
-//   free     turned to the ends of the true backlash, and in its middle, polygons at 64 positions
-//            of a pitch do not cross, or have no common area
-//   tight    at a reported contact, both outlines have a point within a nanometre; if turned
-//            slightly more, they overlap
+//   free     at both ends of the true backlash, and in its middle, the polygons do not cross at 64
+//            positions over a pitch, or they have no common area
+//   tight    at a reported contact, both outlines have points within a nanometre of each other;
+//            with a slightly greater rotation, they overlap
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@
 namespace gearwright::oracle {
 namespace {
 
-constexpr double kChord = 2e-7;  // mm, from the outline to the polygon
+constexpr double kChord = 2e-7;  // mm, greatest distance from the outline to the polygon
 // mm², the area of the chords over a tooth's height, with a margin
 constexpr double kShared = 1e-6;
 constexpr double kTight = 1e-9;  // mm
@@ -39,8 +39,8 @@ struct Corner {
   Eigen::Vector2d point, inwards{0.0, 0.0};
 };
 
-// The outline as a polygon of points on it. Where the mating gear comes, with radii on one side of
-// `nearest`, the chords are sufficiently short. Elsewhere there are few points.
+// The outline as a polygon of points on it. Within reach of the mating gear, which means for radii
+// on one side of `nearest`, the chords are short enough. Elsewhere there are few points.
 class PolygonMaker {
  public:
   PolygonMaker(const Outline& outline, double nearest)
@@ -49,7 +49,7 @@ class PolygonMaker {
   }
   ToothedPolygon polygon() const {
     ToothedPolygon polygon{teeth_, {}};
-    // Twice the sag at the middle exceeds that at any other point of a short curve.
+    // On a short curve, twice the sag at the middle exceeds the sag at any other point.
     for (const Corner& c : corners_) polygon.half_tooth.push_back(c.point + 2.0 * c.inwards);
     return polygon;
   }
@@ -68,7 +68,8 @@ class PolygonMaker {
       const double left = d.x() * sag.y() - d.y() * sag.x();
       Corner& before = corners_.back();
       Corner here{q};
-      // Run along the outline, material is on the right, or on the left for an internal gear.
+      // If the outline is followed, the material is on the right, or on the left for an internal
+      // gear.
       if (teeth_ < 0 ? left > 0.0 : left < 0.0) {
         here.inwards = sag;
         if (sag.norm() > before.inwards.norm()) before.inwards = sag;
@@ -126,7 +127,8 @@ void expect_tight(const InvolutePair& pair, const OutlineGap& gap, const std::st
     for (const auto& row : gap.touches) {
       for (const auto& touch : row) {
         if (!touch) continue;
-        // At rest as in [T1.5]; counter-clockwise by −rotation_1, gear 2 as it rolls and by turn_2.
+        // At rest, the position is that of [T1.5]. Gear 1 turns counter-clockwise by −rotation_1,
+        // and gear 2 rolls with it and is turned additionally by turn_2.
         const double phi = -touch->rotation_1;
         const Vec2 q_1 = turned(ring ? Vec2(-touch->point) : touch->point, -phi);
         const double rest = kPi - kPi / std::abs(two.teeth);
@@ -151,7 +153,7 @@ void expect_free(const InvolutePair& pair, double turn, const std::string& text,
   double most = 0.0;
   for (const double t : {0.0, turn}) {
     for (int i = 0; i < kPositions; ++i) {
-      // In the mirror image, the other end of the backlash looks the same.
+      // In the mirror image, the other end of the backlash takes the place of this one.
       const double phi = 2 * kPi / one.teeth * (i + 0.37) / kPositions;
       if (!edges.cross(phi, t)) continue;
       ++run.areas;
@@ -194,7 +196,7 @@ void report(const Count& run) {
   ::testing::Test::RecordProperty("overlap", run.overlap);
   ::testing::Test::RecordProperty("within_play", run.within_play);
   ::testing::Test::RecordProperty("areas", run.areas);
-  // The sample must contain both kinds, and the oracle must accept nearly all.
+  // Checks that the sample contains both kinds, and that the oracle supports nearly all pairs.
   EXPECT_GT(run.overlap, run.pairs / 20);
   EXPECT_GT(run.within_play, run.overlap);
   EXPECT_LT(run.rough, run.pairs / 20 + 1);
@@ -217,9 +219,10 @@ TEST_P(OutlineGapOracle, pairs_are_free_within_their_true_play_and_tight_at_its_
   EXPECT_GE(run.pairs, kLeastPairs);
 }
 
-// An envelope that ends where the normal no longer passes the pitch point, and before that returns
-// to a radius that it has already left. The reported contact used to be 4 and 7 µm off the other
-// gear. Also a flank that begins at the base circle, where its curvature is infinite.
+// Two former faults. An envelope ends where the normal no longer passes the pitch point, and before
+// its end it returns to a radius that it has already left; the reported contact was 4 and 7 µm away
+// from the other gear. In the second case, a flank begins at the base circle, where its curvature
+// is infinite.
 TEST(OutlineGapOracle, pairs_found_wrong_before) {
   for (const std::uint64_t seed : {118034, 190350, 236345})
     EXPECT_EQ(check(seed, seed + 1).pairs, 1);

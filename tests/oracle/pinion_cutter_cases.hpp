@@ -1,21 +1,23 @@
-// Gears cut by a finished pinion with circular root and tip fillets: source Chen and Tsay, "Tooth
-// profile design for the manufacture of helical gear sets with small numbers of teeth", the sets S
-// computed anew with 40 digits and confirmed by sweeping the cutter. mm and rad, cut off after 18
-// digits. And the pinion itself, transverse section z = 0, by formulas of its own:
+// Gears cut by a finished pinion with circular root and tip fillets. Source: the sets S of Chen and
+// Tsay, "Tooth profile design for the manufacture of helical gear sets with small numbers of
+// teeth", recomputed with 40 digits and confirmed by sweeping the cutter. Numbers are in mm and
+// rad, truncated after 18 digits. The pinion itself is computed here in the transverse section z =
+// 0:
 //
 //   α, α_t    pressure angle, normal and transverse      r, r_b   reference and base radius
-//   l         place along the straight flank of the rack that cut the pinion, from its lower end
+//   l         position along the straight flank of the rack that cut the pinion, from its lower end
 //             m (1 − x) below the pitch line; x_a = l cos α − m (1 − x) its height above that line
-//   t         roll angle of the involute; the place x_a of the rack cuts
-//             t = tan α_t + 2 x_a/(r sin 2α_t)
+//   t         roll angle of the involute; the point of the rack at the height x_a cuts the point
+//             with t = tan α_t + 2 x_a/(r sin 2α_t)
 //   σ         half angle of the tooth on the base circle
 //   e(a)      unit vector of polar angle a; the flank y > 0 of tooth 0 is the end of the string
 //             that leaves the base circle at e(σ − t), and the string is its normal
-//   C, J      ends of the involute, at l_C and l_J. Below C an arc about A, where the string of C
-//             meets the middle of the space; above J one about O, where that of J meets the x axis
+//   C, J      ends of the involute, at l_C and l_J. Below C, there is an arc about A, the point at
+//             which the string of C meets the middle of the space. Above J, there is an arc about
+//             O, the point at which the string of J meets the x axis
 //
-// The source's gear has space 0 on the negative x axis; `points` lie on its side y > 0, each with
-// the unit normal out of the material. The blank plays no part.
+// The gear of the source has space 0 on the negative x axis. `points` lie on its side y > 0, each
+// with the unit normal that points out of the material. The blank has no effect.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,7 +30,7 @@
 
 namespace gearwright::oracle {
 
-/// Involute of the base circle r_b, half angle σ there, side y > 0 of tooth 0.
+/// Involute of the base circle r_b with the half angle σ on it, side y > 0 of tooth 0.
 inline Eigen::Vector2d involute_point(double r_b, double sigma, double t) {
   const double s = std::sin(sigma - t), c = std::cos(sigma - t);
   return r_b * Eigen::Vector2d(c - t * s, s + t * c);
@@ -46,7 +48,7 @@ inline ToothedOutline::Curve circle_arc(Eigen::Vector2d centre, double radius, d
   };
 }
 
-/// The cutter, and the gear it is to cut.
+/// The cutter, and the gear that it cuts.
 struct FilletedPinion {
   int teeth, gear_teeth;
   double normal_module, normal_pressure_angle_deg, helix_angle_deg, profile_shift;

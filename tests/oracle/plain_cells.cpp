@@ -9,7 +9,7 @@ namespace {
 using Real = long double;
 
 constexpr Real kFree = PlainMargins::kFree;
-constexpr Real kSumRounding = 1e-15L;  // of a sum of shifts
+constexpr Real kSumRounding = 1e-15L;  // rounding error of a sum of shifts
 
 }  // namespace
 
@@ -29,7 +29,7 @@ Real upper_bound(const Pair& pair, const Box& box, const Cell& cell) {
   const PlainProblem& p = pair.problem;
   const Interval s = cell.s, x1 = cell.x1;
   Interval x2{std::max(box.x2.low, s.low - x1.high), std::min(box.x2.high, s.high - x1.low)};
-  // The cell lies completely outside the polygon.
+  // The whole cell lies outside the polygon.
   if (x2.low > x2.high + kSumRounding) return -kFree;
   if (x2.low > x2.high) std::swap(x2.low, x2.high);
 

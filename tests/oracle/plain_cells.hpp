@@ -1,14 +1,14 @@
-// Cells of the shift graph, and upper bounds of the margins in a cell. Each margin consists of
-// terms that only increase or only decrease with S, x_1 or x_2:
+// Upper bounds of the margins in a cell, which is a rectangle of S and x_1 in the shift graph. Each
+// margin consists of terms that are monotone in S, x_1 or x_2:
 //
-//   C, N      with S: rising, ring falling          ρ_1E, ρ_F1   rising with x_1
-//   ρ_2A      with x_2: rising, ring falling        ρ_F2         rising with x_2
-//   clearance h_f − h_a + σ(C − C_0) − S, C_0 the centres without shifts: of S alone; its slope is
-//             sin α_t/sin α_wt − 1 on tight centres, 0 on extended ones, so it is least or greatest
-//             at S = 0 and at the ends of an interval
+//   C, N       increase with S, decrease for an internal gear      ρ_1E, ρ_F1   increase with x_1
+//   ρ_2A       increases with x_2, decreases for an internal gear  ρ_F2         increases with x_2
+//   clearance  h_f − h_a + σ(C − C_0) − S depends on S alone; C_0 is the centre distance without
+//              shifts. Its slope is sin α_t/sin α_wt − 1 at tight centres and 0 at extended ones,
+//              so its extrema are at S = 0 and at the ends of an interval
 //
-// so a cell of (S, x_1) has an upper bound at the ends of its intervals, and this bound converges
-// to the margin as the cell shrinks.
+// The terms at the ends of the intervals therefore give an upper bound for the whole cell. This
+// bound converges to the margin as the cell shrinks.
 #pragma once
 
 #include "tests/oracle/plain_pair.hpp"

@@ -1,11 +1,12 @@
-// Two facts about the tip thickness carry `shifts_of`. With g the tooth's half angle at the tip,
+// `shifts_of` relies on two facts about the tip thickness. Let g be the half angle at the tip.
 //
 //   external  s_at = 2 r_a g,  g′ = (sin α_t − sin α_a)/r_b,  g″ < 0        ring  g″ > 0, r_a′ = −1
 //   s_at″ ∝ 2 sin α_t − sin α_a − 1/sin α_a < 0                             ring  > 0
 //
-// by tan α_n/(z/2) = sin α_t/r_b. So the shifts that hold it are one interval of an external gear,
-// whose tooth only thins from r_a > r on, and may be two of a ring. The helix factor cos β_a keeps
-// that for the external gear. The scan does not rely on it: it takes every extremum for a node.
+// because tan α_n/(z/2) = sin α_t/r_b. The shifts with a given tip thickness are therefore one
+// interval for an external gear, whose tooth only becomes thinner as soon as r_a > r. For an
+// internal gear they may be two intervals. For the external gear, the helix factor cos β_a does not
+// change this. The scan does not depend on these facts, because it uses every extremum as a node.
 #include "tests/oracle/plain_pair.hpp"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ constexpr Real kClose = 1e-9L;
 
 Real involute(Real alpha) { return std::tan(alpha) - alpha; }
 
-/// α of inv α = y ≥ 0. Started from above, where tan α = y + α < y + π/2, Newton's steps only
-/// decrease.
+/// The α for which inv α = y ≥ 0. If Newton's method starts from above, where tan α = y + α < y +
+/// π/2, its steps only decrease.
 Real angle_of_involute(Real y) {
   if (y == 0) return 0;
   for (Real alpha = std::atan(y + kLongPi / 2);;) {
@@ -38,7 +39,7 @@ Real angle_of_involute(Real y) {
   }
 }
 
-/// √(c² − b²), NaN if c < b by more than rounding.
+/// √(c² − b²), or NaN if c is less than b by more than a rounding error.
 Real leg(Real c, Real b) {
   if (!(c >= b * (1 - kRounding))) return kNan;
   return std::sqrt(std::max((c - b) * (c + b), 0.0L));
@@ -136,14 +137,14 @@ PlainPoint look(const Pair& pair, Real x1, Real x2) {
   o.rho_1E = pair.tip_curvature(1, x1);
   o.rho_2E = n - sigma * o.rho_1E;
   o.eps = (o.rho_1E - o.rho_1A) / pair.base_pitch;
-  // Between the base tangent points, ρ_1 ≥ 0 and ρ_2 ≥ 0. The latter is no limit for an internal
-  // gear.
+  // Between the base tangent points, ρ_1 ≥ 0 and ρ_2 ≥ 0. For an internal gear, the latter is
+  // always true.
   Real start = std::max(o.rho_1A, 0.0L), end = sigma > 0 ? std::min(o.rho_1E, n) : o.rho_1E;
   o.eps_true = (end - start) / pair.base_pitch;
   start = std::max(start, pair.form_curvature(1, x1));
   if (sigma > 0) end = std::min(end, n - pair.form_curvature(2, x2));
   o.eps_usable = (end - start) / pair.base_pitch;
-  if (std::isnan(o.eps)) o.eps_true = o.eps_usable = kNan;  // max and min may have dropped the NaN
+  if (std::isnan(o.eps)) o.eps_true = o.eps_usable = kNan;  // max and min may have lost the NaN
 
   const auto sliding = [&](Real rho_1, Real rho_2) -> std::array<Real, 2> {
     if (!(rho_1 > 0 && rho_2 > 0)) return {kNan, kNan};
@@ -213,7 +214,7 @@ std::vector<Interval> where_not_negative(const std::function<Real(Real)>& f,
 
 namespace {
 
-/// The part of low … high in which the tip is thick enough.
+/// The parts of low … high in which the tip is thick enough.
 Pieces thick_enough(const Pair& pair, int gear, Real low, Real high) {
   if (low > high) return {{}, low - high <= kClose};
   const auto spare = [&](Real x) {
@@ -248,7 +249,7 @@ Pieces thick_enough(const Pair& pair, int gear, Real low, Real high) {
 Pieces external_shifts(const Pair& pair, int gear) {
   const Real at_base = pair.r_b[gear - 1] - pair.r[gear - 1] - pair.problem.ha;
   const Real low = std::max(pair.min_shift(gear), at_base);
-  Real high = 0;  // r_a > r, so from here on the tooth only becomes thinner
+  Real high = 0;  // if r_a > r, the tooth only becomes thinner as the shift increases
   while (pair.tip_thickness(gear, high) >= 0) ++high;
   return thick_enough(pair, gear, low, std::min(high, pair.problem.ceil.value_or(kInfinity)));
 }

@@ -1,5 +1,6 @@
-// The parts of the plain search that depend on the geometry of a gear: radii, thickness, centre
-// distance, and the shifts that a gear's own limits permit. The notation is in plain_search.hpp.
+// The parts of the plain search that depend on the geometry of a gear: radii, tooth thickness,
+// centre distance, and the shifts within the limits of a single gear. The notation is explained in
+// plain_search.hpp.
 #pragma once
 
 #include <functional>
@@ -18,10 +19,10 @@ struct Interval {
   long double at(long double t) const { return t == 1 ? high : low + t * (high - low); }
 };
 
-/// A problem and two tooth numbers, and derived values that do not depend on shifts. `gear` is 1 or
-/// 2.
+/// A problem with two numbers of teeth, and derived values that do not depend on the shifts. `gear`
+/// is 1 or 2.
 struct Pair {
-  /// Throws    std::invalid_argument with the reason why this is no problem or no pair
+  /// Throws    std::invalid_argument with the reason if the problem or the pair is invalid
   Pair(const PlainProblem& problem, int z1, int z2);
 
   PlainProblem problem;
@@ -39,21 +40,21 @@ struct Pair {
   long double root_radius(int gear, long double x) const;
   /// ρ of the flank at the tip. NaN if the tip is below the base circle.
   long double tip_curvature(int gear, long double x) const;
-  /// ρ_F at the end of the flank of the cutter's straight edge; < 0: undercut. Not defined for an
-  /// internal gear.
+  /// ρ_F at the end of the flank that the straight edge of the cutter generates. It is < 0 if the
+  /// gear is undercut, and not defined for an internal gear.
   long double form_curvature(int gear, long double x) const;
   /// s_an. NaN if the tip is below the base circle.
   long double tip_thickness(int gear, long double x) const;
-  /// The lower limit of the shift, by undercut and floor; −∞: none.
+  /// The lower limit of the shift, from undercut and `floor`; −∞ if there is none.
   long double min_shift(int gear) const;
 
-  /// C of S, extended or tight; NaN: none.
+  /// C as a function of S, extended or tight; NaN if there is none.
   long double centre_distance(long double sum) const;
   /// N; NaN below the sum of the base radii.
   long double tangent_length(long double sum) const;
-  /// The S of a range of centre distances. Nothing if no S has them.
+  /// The values of S that give a range of centre distances. Absent if there are none.
   std::optional<Interval> shift_sums(Interval centres) const;
-  /// The S whose centre distance is not below the sum of the base radii.
+  /// The values of S for which the centre distance is not below the sum of the base radii.
   Interval shift_sum_domain() const;
 };
 
@@ -64,14 +65,14 @@ PlainPoint look(const Pair& pair, long double x1, long double x2);
 std::vector<Interval> where_not_negative(const std::function<long double(long double)>& f,
                                          const std::vector<long double>& nodes);
 
-/// The shifts that undercut, tip thickness, lower and upper limit permit for a gear.
+/// The shifts of a gear within the limits of undercut, tip thickness, `floor` and `ceil`.
 struct Pieces {
-  std::vector<Interval> held;  ///< in growing order
+  std::vector<Interval> held;  ///< in ascending order
   bool close_call = false;     ///< true if moving a limit by 1e-9 changes the number of intervals
 };
 
 Pieces shifts_1(const Pair& pair);
-/// An internal gear may have no limits of its own, so only the window is searched.
+/// An internal gear may have no limits of its own. Then only the window is searched.
 Pieces shifts_2(const Pair& pair, long double window_low, long double window_high);
 
 }  // namespace gearwright::oracle::plain

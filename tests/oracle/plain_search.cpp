@@ -1,7 +1,8 @@
-// The loops of the search. For one trial, the limits of the shifts and of the centre distance leave
-// intervals of x_1, x_2 and S. It remains to find whether the least of the other margins is ≥ 0
-// anywhere in them. The cell of (S, x_1) with the greatest bound, plain_cells.hpp, is halved until
-// a point in it satisfies all limits or the greatest bound is negative.
+// The loops of the search. For each trial, the limits of the shifts and of the centre distance
+// leave intervals of x_1, x_2 and S. It remains to be found whether the smallest of the other
+// margins is ≥ 0 anywhere in these intervals. The cell of (S, x_1) with the greatest bound
+// (plain_cells.hpp) is halved repeatedly, until a point in it satisfies all limits or the greatest
+// bound is negative.
 #include "tests/oracle/plain_search.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ using plain::Interval;
 using plain::Pair;
 using Real = long double;
 
-constexpr Real kSure = 1e-9L;  // modules or ratio; values closer to zero than this are undecided
+constexpr Real kSure = 1e-9L;  // modules or ratio; a value closer to zero is undecided
 constexpr int kMaxCells = 200000;
 constexpr Real kNothing = -PlainMargins::kFree;
 
@@ -34,7 +35,7 @@ struct Found {
   Real x1 = std::nanl(""), x2 = std::nanl("");
 };
 
-/// The maximum of the least margin in the box, as far as its sign is needed.
+/// The maximum of the smallest margin in the box, with the accuracy that its sign requires.
 Found search_box(const Pair& pair, const Box& box) {
   Found best;
   const auto try_point = [&](Real sum, Real x1) {
@@ -73,8 +74,8 @@ Found search_box(const Pair& pair, const Box& box) {
 
 struct Boxes {
   std::vector<Box> boxes;
-  std::string killed_by;  // if there is none
-  // The limits of a shift alone overlap or are separated by less than kSure.
+  std::string killed_by;  // the limit, if there is no point
+  // The limits of the shift of a single gear overlap, or are separated by less than kSure.
   bool close_call = false;
 };
 
@@ -146,10 +147,10 @@ PlainAnswer region_not_empty(const PlainProblem& problem, Real m, int z1, int z2
 
 namespace {
 
-/// The x_1 of one S that satisfy all margins, in one box.
+/// In one box, the x_1 for a given S that satisfy all margins.
 struct Slice {
   Real length = 0;
-  std::optional<Interval> ends;  // nothing: empty
+  std::optional<Interval> ends;  // absent if empty
 };
 
 Slice slice_at(const Pair& pair, const Box& box, Real sum) {
@@ -158,7 +159,8 @@ Slice slice_at(const Pair& pair, const Box& box, Real sum) {
   const auto margin = [&](Real x1) { return contact_margin(pair, x1, sum - x1); };
   std::vector<Real> nodes;
   for (int i = 0; i <= kSamples; ++i) nodes.push_back(range.at(i / Real(kSamples)));
-  // The best point is also a node, because the interval around it may be narrower than the samples.
+  // The best point is added as a node, because the interval around it may be narrower than the
+  // distance of the samples.
   Real best = range.low, most = margin(best);
   for (Real width = range.length(); width > 1e-17L; width /= 8) {
     const Real centre = width == range.length() ? range.middle() : best;

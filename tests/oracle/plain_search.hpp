@@ -1,14 +1,15 @@
-// Finds the spur or helical pairs for a ratio and a centre distance by plain loops in long double,
-// over modules, tooth numbers, and for each of them every profile shift.
+// Finds spur or helical pairs for a ratio and a centre distance by plain loops in long double, over
+// modules, numbers of teeth and, for each pair of gears, all profile shifts.
 //
 //   lengths in normal modules m = 1, angles in rad; shifts x as in ISO 21771
-//   z_2 < 0    a ring; its diameters and centre distances are positive here     σ = +1, ring −1
+//   z_2 < 0    an internal gear; its diameters and centre distances are positive here
+//   σ          +1 external, −1 internal
 //   S          x_1 + x_2
 //   ρ_1, ρ_2   radii of curvature of the flanks in contact; A: tip of gear 2, E: tip of gear 1
 //   N          distance of the base tangent points T_1, T_2;  ρ_2 = N − σρ_1
 //
-// Everything is nominal. Tips are not shortened, there are no allowances, and path and contact
-// ratio are those of the transverse section.
+// All values are nominal. Tips are not shortened, and there are no allowances. Path and contact
+// ratio refer to the transverse section.
 #pragma once
 
 #include <array>
@@ -22,16 +23,16 @@
 
 namespace gearwright::oracle {
 
-/// The part of the path of contact that the clipped ratio counts.
+/// The part of the path of contact for which the clipped contact ratio is computed.
 enum class PlainClip {
-  none,            ///< the whole path: Eq. 10 alone is limited
+  none,            ///< the whole path: only Eq. 10 is limited
   tangent_points,  ///< the part between T_1 and T_2
-  usable_flanks  ///< the same, but not below ρ_F1, ρ_F2, where the flanks of the cutter's straight
-                 ///< edge begin
+  usable_flanks  ///< the same, but not below ρ_F1, ρ_F2, the starts of the flanks that the straight
+                 ///< edge of the cutter generates
 };
 
-/// Limits that every pair must satisfy. A limit that is absent does not apply. All limits are
-/// closed.
+/// Limits that every pair must satisfy. If a limit is absent, it does not apply. Values equal to a
+/// limit are permitted.
 struct PlainProblem {
   long double alpha_n = std::numbers::pi_v<long double> / 9;
   long double beta = 0;             ///< |β|
@@ -40,23 +41,25 @@ struct PlainProblem {
   long double undercut_margin = 0;  ///< least distance of a shift from the undercut limit
   std::optional<long double> floor = {}, ceil = {};  ///< of either shift
   long double tip_thickness_min = 0.2L;              ///< s_an ≥, must be ≥ 0
-  long double contact_ratio_min = 1.2L;              ///< binds Eq. 10 and the clipped ratio both
+  long double contact_ratio_min = 1.2L;              ///< limit for Eq. 10 and for the clipped
+                                                     ///< contact ratio
   PlainClip clip = PlainClip::tangent_points;
   bool tight = false;  ///< backlash-free centre distances; otherwise extended ones
   std::optional<long double> sliding_max = {}, clearance_min = {};
   bool avoid_interference = false;  ///< ρ_1A ≥ ρ_F1, ρ_2E ≥ ρ_F2; not for an internal gear
 };
 
-/// The margins to the limits; ≥ 0 is inside. +∞: no such limit. −∞: the limited quantity does not
-/// exist.
+/// The margins to the limits; a value ≥ 0 is inside. It is +∞ if there is no such limit, and −∞ if
+/// the limited quantity does not exist.
 struct PlainMargins {
   static constexpr long double kFree = std::numeric_limits<long double>::infinity();
 
   long double s1min = kFree, s2min = kFree;  ///< x − (undercut limit + margin, or floor)
-  long double s1max = kFree, s2max = kFree;  ///< ceil − x, or s_an − tip_thickness_min: the less
+  long double s1max = kFree, s2max = kFree;  ///< ceil − x or s_an − tip_thickness_min, whichever is
+                                             ///< smaller
   long double eps = kFree, eps_true = kFree;
   long double sliding = kFree;    ///< sliding_max − the greatest of |ζ_1|, |ζ_2| at A and E
-  long double clearance = kFree;  ///< the lesser one
+  long double clearance = kFree;  ///< the smaller one
   long double interference1 = kFree, interference2 = kFree;  ///< ρ_1A − ρ_F1, ρ_2E − ρ_F2
 
   std::map<std::string, long double> by_name() const;
@@ -77,32 +80,33 @@ struct PlainPoint {
 };
 
 /// Domain    z1 ≥ 1; z2 ≥ 1, or z2 < −z1
-/// Throws    std::invalid_argument with the reason why this is no problem or no pair
+/// Throws    std::invalid_argument with the reason if the problem or the pair is invalid
 PlainPoint look(const PlainProblem& problem, int z1, int z2, long double x1, long double x2);
 
 enum class PlainVerdict { empty, not_empty, ambiguous };
 
 struct PlainAnswer {
   PlainVerdict verdict;
-  std::string killed_by;   ///< empty: the first that leaves nothing of `shift_limits`,
-                           ///< `center_distance`, `contact_ratio`, `other`
-  long double min_margin;  ///< of contact and clearance limits, at the best point seen; −∞: none
-  long double x1, x2;      ///< that point; NaN: none
+  std::string killed_by;   ///< the first of `shift_limits`, `center_distance`, `contact_ratio`,
+                           ///< `other` that leaves no design; empty if there is a design
+  long double min_margin;  ///< smallest margin of the contact and clearance limits at the best
+                           ///< point found; −∞ if there is none
+  long double x1, x2;      ///< the best point; NaN if there is none
 };
 
 /// Searches for a pair of shifts that satisfies all limits, at a centre distance in the range.
 ///
-/// `not_empty` includes such a point. All its margins except those of the shifts are > 1e-9, or the
-/// shifts are restricted to one point by limits that meet exactly. `empty` is proven: no cell of
-/// the shifts can contain such a point (plain_cells.hpp). `ambiguous` means that the result is
-/// within 1e-9 of the other answer, or that 200 000 cells were not sufficient.
+/// `not_empty` means that such a point was found. All its margins except those of the shifts exceed
+/// 1e-9, or limits that meet exactly restrict the shifts to one point. `empty` is proven: no cell
+/// of the shifts can contain such a point (plain_cells.hpp). `ambiguous` means that the result is
+/// within 1e-9 of the opposite one, or that 200 000 cells were not sufficient.
 ///
-/// Units     m, c_min, c_max in mm, c_min ≤ c_max; equal ones are met exactly
+/// Units     m, c_min, c_max in mm, c_min ≤ c_max; if they are equal, the distance must be exact
 /// Throws    std::invalid_argument as `look`
 PlainAnswer region_not_empty(const PlainProblem& problem, long double m, int z1, int z2,
                              long double c_min, long double c_max);
 
-/// Measures of the region of the shifts, from its slices S = constant.
+/// Measures of the region of the shifts, computed from its slices S = constant.
 struct PlainRegion {
   long double area = 0;                                            ///< ∫ dx_1 dx_2
   long double s_lo = 0, s_hi = 0;                                  ///< least and greatest S
@@ -118,7 +122,7 @@ std::optional<PlainRegion> measure_region(const PlainProblem& problem, long doub
                                           int z2, long double c_min, long double c_max,
                                           int slices = 600);
 
-/// Both ends included.
+/// Both ends are included.
 struct PlainBand {
   long double low, high;
 };
@@ -128,11 +132,12 @@ struct PlainSearch {
   std::vector<Design> designs;                  ///< in the order of the loops
   std::vector<Design> ambiguous;                ///< not among `designs`
   long tested = 0;
-  std::map<std::string, long> rejected;  ///< by `killed_by`
+  std::map<std::string, long> rejected;  ///< counted by `killed_by`
 };
 
-/// Loops over modules, z_1 and z_2 ≥ z_1 with z_2/z_1 in the band, widened by 1e-12. A band of
-/// negative ratios means rings, −z_2 > z_1. `coprime`: pairs with a common factor are not tried.
+/// Loops over modules, z_1 and z_2 ≥ z_1 for which z_2/z_1 lies in the band, widened by 1e-12. A
+/// band of negative ratios means internal gears, −z_2 > z_1. If `coprime` is true, pairs with a
+/// common factor are omitted.
 ///
 /// Units     modules and centre distances in mm
 /// Throws    std::invalid_argument as `look`; a ratio band that contains 0

@@ -1,5 +1,5 @@
-// Tests laws of the plain search: its results against grids of points, regions that are a segment
-// or a point, limits that just meet, and cases without a result.
+// Tests laws of the plain search: its results agree with grids of points; regions that are a
+// segment or a point; limits that just meet; and cases without a result.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,7 +69,8 @@ struct RandomTrial {
   }
 };
 
-// One limit at a time, so that its own bound is tested. The bound must converge to the margin.
+// One limit is set at a time, so that its own bound is tested. The bound must converge to the
+// margin.
 TEST(PlainSearchLaws, bounds_of_cells_hold) {
   std::mt19937 bits(3);
   const auto uniform = [&](Real low, Real high) {
@@ -116,7 +117,8 @@ TEST(PlainSearchLaws, bounds_of_cells_hold) {
   for (const int n : bound) EXPECT_GT(n, 300);
 }
 
-/// `not_empty` gives a point that satisfies all limits. `empty` is compared with a grid of points.
+/// `not_empty` must provide a point that satisfies all limits. `empty` is compared with a grid of
+/// points.
 void expect_true_verdicts(unsigned seed, int trials, int grid, int min_of_each) {
   std::mt19937 bits(seed);
   int with = 0, without = 0;
@@ -158,8 +160,9 @@ TEST(PlainSearchLaws, LongVerdictsStandAgainstFineGrids) {
   expect_true_verdicts(2, 1000, 200, 200);
 }
 
-// Almost without undercut and tip limits, 12:18 at the backlash-free centre distance of Σx = 0.9
-// has its specific sliding balanced at x1 = 0.54239 (five digits of the source).
+// 12:18 teeth at the backlash-free centre distance of Σx = 0.9, with hardly any limits of undercut
+// and tip thickness. The specific sliding is balanced at x1 = 0.54239 (the source prints five
+// digits).
 TEST(PlainSearchLaws, balanced_sliding_is_the_least) {
   PlainProblem p;
   p.tight = true;
@@ -223,7 +226,7 @@ TEST(PlainSearchLaws, limits_that_nearly_meet_are_ambiguous) {
   EXPECT_NEAR(none.min_margin, -1e-8, 1e-10);
 }
 
-// Extended centres keep the clearance h_f − h_a for every shift.
+// At extended centres, the clearance is h_f − h_a for every shift.
 TEST(PlainSearchLaws, clearance_of_extended_centres_is_the_same_everywhere) {
   PlainProblem p;
   p.clearance_min = 0.25L;
@@ -233,7 +236,7 @@ TEST(PlainSearchLaws, clearance_of_extended_centres_is_the_same_everywhere) {
   p.clearance_min = 0.25L + 1e-8L;
   EXPECT_EQ(region_not_empty(p, 1, 20, 40, 30, 31).verdict, empty);
   EXPECT_EQ(region_not_empty(p, 1, 20, 40, 30, 31).killed_by, "other");
-  p.tight = true;  // smaller, but not at Σx = 0
+  p.tight = true;  // the clearance is smaller, except at Σx = 0
   p.clearance_min = 0.25L - 1e-4L;
   EXPECT_EQ(region_not_empty(p, 1, 20, 40, 29.9L, 30.1L).verdict, not_empty);
   EXPECT_EQ(region_not_empty(p, 1, 20, 40, 30.5L, 31).verdict, empty);
@@ -247,8 +250,8 @@ TEST(PlainSearchLaws, shift_limits_kill_first) {
   EXPECT_EQ(region_not_empty(p, 1, 12, 18, 50, 51).killed_by, "shift_limits");
 }
 
-// A thick tip can also limit the shift from below. Far below the reference circle teeth are thick,
-// but tips there end where the space is narrow.
+// A tip thickness limit can also limit the shift from below. Far below the reference circle the
+// teeth are thick, but tips there end where the space is narrow.
 TEST(PlainSearchLaws, thick_tips_bound_shifts_on_both_sides) {
   PlainProblem p;
   p.undercut_depth = -1;

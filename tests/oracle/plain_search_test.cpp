@@ -1,5 +1,5 @@
-// The plain search against a source computed with 40 digits, spur_searches.json: pairs, shift
-// limits, regions of the shift graph, three complete searches.
+// Compares the plain search with spur_searches.json, which was computed with 40 digits: pairs,
+// shift limits, regions of the shift graph, and three complete searches.
 #include "tests/oracle/plain_search.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(PlainSearch, pairs_of_the_source) {
     expect_near(o.centre_distance, number(pair, "C_extended"), name + "C");
     expect_near(o.alpha_wt / kLongDegree, number(pair, "alpha_operating_deg"), name + "alpha_wt");
     expect_near(o.eps, number(pair, "contact_ratio"), name + "eps");
-    // The source clips at the beginnings of the flanks. An undercut flank has none above the base
+    // The source clips at the starts of the flanks. An undercut flank has no start above the base
     // circle.
     expect_near(o.eps_usable, number(pair, "contact_ratio_clipped"), name + "clipped");
     if (o.margins.s1min < 0 && o.margins.s2min > 0)
@@ -107,8 +107,8 @@ TEST(PlainSearch, contact_ratios_of_the_source) {
                 number(e, "eps"), e.dump());
 }
 
-// The lower limit of the source is only that of undercut. With many teeth it is so low that tips
-// are below the base circle, or thin because the tooth has moved away from them.
+// The lower limit in the source includes only undercut. With many teeth it is so low that tips lie
+// below the base circle, or are thin because the tooth is far below them.
 TEST(PlainSearch, shift_limits_of_the_source) {
   int crossed = 0, above = 0;
   for (const json& row : source().at("shift_limits"))
@@ -141,7 +141,8 @@ TEST(PlainSearch, shift_limits_of_the_source) {
   EXPECT_GT(above, 0);
 }
 
-// Backlash-free helical pairs, and an internal pair, in mm in the source and in modules here.
+// Backlash-free helical pairs, and an internal pair. The source gives mm, and modules are used
+// here.
 TEST(PlainSearch, mounted_pairs_of_the_source) {
   for (const json& pair : source().at("mounted")) {
     const json& in = pair.at("input");
@@ -153,7 +154,7 @@ TEST(PlainSearch, mounted_pairs_of_the_source) {
     p.tight = true;
     p.sliding_max = 10;
     p.avoid_interference = true;
-    // The beginning of the rounding of the ISO 53 rack: 0.38 in profile A, 0.30 in B.
+    // The depth at which the rounding of the ISO 53 rack begins: 0.38 in profile A, 0.30 in B.
     const Real rounding = in.at("profile") == "A" ? 0.38L : 0.30L;
     p.undercut_depth = p.hf - rounding * (1 - std::sin(p.alpha_n));
     const PlainPoint o = look(p, z1, z2, x1, x2);
@@ -232,7 +233,8 @@ TEST(PlainSearch, regions_of_the_source_by_slices) {
     expect_near(measured->area, number(region, "area"), "area", 1e-4L * number(region, "area"));
     expect_near(measured->s_lo, number(region, "S_lo"), "S_lo");
     expect_near(measured->s_hi, number(region, "S_hi"), "S_hi");
-    // A slice that is only a point appears 1e-9 wide, the root of the error of bisecting S.
+    // A slice that is a single point appears to be 1e-9 wide, the square root of the error of the
+    // bisection of S.
     for (int i : {0, 1}) {
       expect_near(measured->lo[i], number(region.at("lo")[i]), "lo", 1e-8L);
       expect_near(measured->hi[i], number(region.at("hi")[i]), "hi", 1e-8L);

@@ -10,13 +10,14 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Relative to the half width of a load: the shortest element there.
+// The shortest element at a load, relative to the half width of the load.
 constexpr double kLength = 0.25;
-constexpr double kGrowth = 0.22;  // growth of an element per length away from a load
-// Of half a tooth's height: elements of the root of a loaded tooth, the body's first one, all others.
+constexpr double kGrowth = 0.22;  // growth of the element size per length, away from a load
+// Element sizes relative to half the tooth height: at the root of a loaded tooth, the first of the
+// body, and all others.
 constexpr double kRoot = 0.035, kCrown = 0.08, kLong = 0.3;
 
-// The outline by its length from the middle of the space.
+// The outline as a function of its length from the middle of the space.
 class Outline {
  public:
   explicit Outline(const PlaneGear& g) : points_(g.outline), to_{0.0} {
@@ -41,9 +42,10 @@ class Outline {
     }
     return lo;
   }
-  // The normal into the tooth, whose centre line is y = 0.
+  // The normal that points into the tooth. The centre line of the tooth is y = 0.
   Complex inward(double l) const {
-    constexpr double kStep = 0.004;  // of the length, far above the distance of the points
+    constexpr double kStep = 0.004;  // relative to the length; much greater than the distance of
+                                     // the points
     const Complex d = at(l + kStep * length()) - at(l - kStep * length());
     const Complex normal = d / std::abs(d) * Complex(0, 1);
     return normal.imag() > 0.0 ? -normal : normal;
@@ -105,7 +107,7 @@ class Builder {
   Outline outline_;
   const std::vector<PlaneLoad>& loads_;
   double fineness_;
-  std::vector<double> depth_;  // of a ray's nodes, 0 … 1
+  std::vector<double> depth_;  // depths of the nodes on a ray, 0 … 1
   PlaneMesh mesh_;
 };
 
@@ -127,7 +129,7 @@ void Builder::cut(const std::vector<std::vector<int>>& g) {
   }
 }
 
-// The nodes below a point of the top row, down to the circle at which the body is held.
+// The nodes below a point of the top row, down to the circle at which the body is fixed.
 std::vector<int> Builder::build_ray(const Complex& top) {
   const Complex foot = std::polar(gear_.held, std::arg(top));
   std::vector<int> ray;
@@ -136,7 +138,7 @@ std::vector<int> Builder::build_ray(const Complex& top) {
   return ray;
 }
 
-// Tooth k and the body below it, starting at the existing ray `first`. Returns its last ray.
+// Makes tooth k and the body below it, starting at the existing ray `first`. Returns the last ray.
 std::vector<int> Builder::build_tooth(int k, const std::vector<int>& first) {
   const double unit = half_height();
   double at = -1.0;

@@ -1,4 +1,4 @@
-// The triangles of tests/oracle/plane_teeth.hpp.
+// The triangles that tests/oracle/plane_teeth.hpp uses.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,12 @@
 namespace gearwright::oracle {
 
 struct PlaneTooth {
-  std::vector<double> place;    ///< along the outline: ends and middles of sides of triangles
-  std::vector<int> node;        ///< there, on the side y > 0
+  std::vector<double> place;    ///< positions along the outline: ends and middles of the sides of
+                                ///< triangles
+  std::vector<int> node;        ///< nodes at these positions, on the side y > 0
   std::size_t root_nodes = 0;   ///< number of these nodes that are not on the flank
-  double loaded = -1.0;         ///< place of the load; < 0: none
-  std::complex<double> normal;  ///< into the tooth there
+  double loaded = -1.0;         ///< position of the load; < 0 if there is none
+  std::complex<double> normal;  ///< normal into the tooth at the load
 
   int middle() const { return node[std::find(place.begin(), place.end(), loaded) - place.begin()]; }
 };
@@ -26,7 +27,7 @@ struct PlaneMesh {
   /// Corners counter-clockwise, the middles of the sides after them from the first side on.
   std::vector<std::array<int, 6>> triangles;
   std::vector<int> held;
-  std::map<int, PlaneTooth> teeth;  ///< the real ones
+  std::map<int, PlaneTooth> teeth;  ///< the teeth with their outline
 };
 
 PlaneMesh plane_mesh(const PlaneGear& gear, const std::vector<PlaneLoad>& loads, double fineness);

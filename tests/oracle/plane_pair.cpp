@@ -7,16 +7,17 @@
 namespace gearwright::oracle {
 
 PlaneShare plane_share(const PlanePair& pair, double rho, double load, double fineness) {
-  constexpr double kWidth = 0.05;  // modules, of the strips that plane_teeth presses with
+  constexpr double kWidth = 0.05;  // modules, width of the strips through which plane_teeth applies
+                                   // loads
   constexpr int kSteps = 30;
   const double pi = std::numbers::pi;
   const double pitch = 2 * pi * pair.base_1 / pair.one.teeth;
   const double soft = 1 / pair.modulus[0] + 1 / pair.modulus[1];
   const double plane = (1 - pair.one.poisson * pair.one.poisson) * soft;
   std::array<std::vector<PlaneLoad>, 2> loads;
-  std::vector<double> radius;  // of relative curvature
-  // Gear 1 drives with its side y > 0 and turns counter-clockwise, so a tooth that entered earlier
-  // is ahead. Gear 2, driven on that side, turns clockwise.
+  std::vector<double> radius;  // radii of relative curvature
+  // Gear 1 drives with its side y > 0 and turns counter-clockwise. A tooth that entered contact
+  // earlier is therefore ahead. Gear 2 is driven on the same side and turns clockwise.
   for (int k = 0; rho + k * pitch <= pair.last; ++k) {
     const double rho_1 = rho + k * pitch;
     const double rho_2 = pair.two.ring ? pair.line + rho_1 : pair.line - rho_1;

@@ -3,8 +3,8 @@
 //   ρ   distance from the base circle along the line of action      external pair   ρ2 = T − ρ1
 //   T   a sin α_w                                                    internal pair   ρ2 = T + ρ1
 //
-// The deflection of both gears comes from plane_teeth, the width of each contact from Hertz. A
-// wider strip deflects less, by 2(1 − ν²)/(πE) times the logarithm of its width. Lengths are in
+// plane_teeth provides the deflection of both gears, and Hertz's formula the width of each contact.
+// A wider strip deflects less, by 2(1 − ν²)/(πE) times the logarithm of the width. Lengths are in
 // modules.
 #pragma once
 
@@ -18,17 +18,18 @@ struct PlanePair {
   PlaneGear one, two;
   double base_1 = 0.0, base_2 = 0.0;        ///< base radii
   double line = 0.0;                        ///< T
-  double first = 0.0, last = 0.0;           ///< ρ1 where the path begins and ends
+  double first = 0.0, last = 0.0;           ///< ρ1 at the start and at the end of the path
   std::array<double, 2> modulus{1.0, 1.0};  ///< Young's moduli of both gears, relative to E
 };
 
 struct PlaneShare {
   double approach = 0.0;         ///< E·u/F′, along the line of action
-  std::vector<double> share;     ///< of the tooth pairs, the nearest to its exit last
+  std::vector<double> share;     ///< shares of the tooth pairs; the pair nearest to its exit is the
+                                 ///< last
   std::array<double, 2> root{};  ///< greatest principal stress at the roots, σ·m/F′
 };
 
-/// `rho`: ρ1 of the pair that entered last; `load`: F′/(E m).
+/// `rho` is ρ1 of the pair that entered last; `load` is F′/(E m).
 PlaneShare plane_share(const PlanePair& pair, double rho, double load, double fineness);
 
 }  // namespace gearwright::oracle

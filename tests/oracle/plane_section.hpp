@@ -1,5 +1,5 @@
-// Converts a gear of the engine to the input of tests/oracle/plane_teeth.hpp: its outline in
-// points.
+// Converts a gear of the engine to the input of tests/oracle/plane_teeth.hpp, in which the outline
+// is a list of points.
 #pragma once
 
 #include <cmath>

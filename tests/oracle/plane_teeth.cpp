@@ -70,7 +70,7 @@ Eigen::Matrix3d Section::law() const {
   return d / ((1 + nu) * (1 - 2 * nu));
 }
 
-// Of a unit force, with Hertz' distribution x = a sin φ.
+// The displacement due to a unit force that is distributed by Hertz's law, x = a sin φ.
 VectorXd Section::force(std::size_t load) const {
   constexpr int kSteps = 400;
   VectorXd f = VectorXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));

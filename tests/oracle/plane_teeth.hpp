@@ -1,5 +1,5 @@
-// Teeth in plane strain by triangles with six nodes: an independent method for deflection and
-// strain of a gear's section, which shares only the given outline with the engine.
+// Teeth in plane strain, computed with six-node triangles. This is an independent method for the
+// deflection and strain of a gear's section. It shares only the given outline with the engine.
 //
 //   Each tooth is covered by rungs from flank to flank, parabolas that bend down to the centre line;
 //   squares between them and the body's rays are cut into two triangles. The rungs crowd at a load.
@@ -15,38 +15,42 @@
 namespace gearwright::oracle {
 
 struct PlaneGear {
-  int teeth = 0;      ///< |z|
+  int teeth = 0;      ///< number of teeth |z|
   bool ring = false;  ///< teeth point inwards
-  double held = 0.0;  ///< radius of the bore, of a ring of its outside
+  double held = 0.0;  ///< radius at which the body is fixed: that of the bore, or for an internal
+                      ///< gear that of the outside
   double poisson = 0.3;
-  int real_teeth = 1;  ///< to either side of tooth 0
-  /// Points from the middle of the space to the end of the side at the tip, y > 0, the tooth's
-  /// centre line on the x axis; and how many of them are no flank yet.
+  int real_teeth = 1;  ///< number of teeth with their outline on each side of tooth 0
+  /// Points on one side from the middle of the space to the end of this side at the tip, y > 0,
+  /// with the centre line of the tooth on the x axis; and the number of points that precede the
+  /// flank.
   std::vector<std::complex<double>> outline;
   std::size_t root_points = 0;
 };
 
-/// The Hertz pressure of a unit line force on the side y > 0 of a tooth, `tooth` pitches
-/// counter-clockwise of tooth 0, along the normal at its middle. A tooth carries at most one of
-/// them.
+/// The Hertz pressure of a unit line force on the side y > 0 of a tooth, along the normal at the
+/// middle of the pressure. The tooth lies `tooth` pitches counter-clockwise of tooth 0. A tooth
+/// carries at most one load.
 struct PlaneLoad {
   int tooth = 0;
   double radius = 0.0, half_width = 0.0;
 };
 
 struct PlaneAnswer {
-  /// (i, j): displacement along the normal in the middle of load i under load j.
+  /// (i, j): displacement along the normal in the middle of load i, under load j.
   Eigen::MatrixXd yield;
-  /// [load i]: along the root of its tooth on the loaded side, three rows xx, yy, xy per node, a
-  /// column for each load.
+  /// [load i]: strain along the root of its tooth on the loaded side. Each node has three rows xx,
+  /// yy, xy, and each load has a column.
   std::vector<Eigen::MatrixXd> root;
   int unknowns = 0;
 
-  /// The greatest principal stress along the root of the tooth of load i under all loads.
+  /// The greatest principal stress along the root of the tooth that carries load i, under all
+  /// loads.
   double root_stress(std::size_t i, const Eigen::VectorXd& forces) const;
 };
 
-/// `fineness`: elements per length. 1 gives an error of less than 0.3 % of a deflection.
+/// `fineness`: number of elements per length. 1 gives an error of less than 0.3 % of the
+/// deflection.
 PlaneAnswer plane_teeth(const PlaneGear& gear, const std::vector<PlaneLoad>& loads,
                         double fineness = 1.0);
 

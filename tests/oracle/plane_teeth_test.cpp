@@ -33,16 +33,16 @@ TEST(PlaneTeeth, YieldAndRootStressAreThoseOfOthers) {
   }
 }
 
-// The deflection of one tooth under a load on another is symmetric, except for the width of the
-// strips.
+// The deflection of one tooth under a load on another tooth is symmetric, except for the effect of
+// the strip widths.
 TEST(PlaneTeeth, AreSymmetric) {
   const PlaneAnswer a =
       plane_teeth(plane_section(gear_of(25), 12, 2), {{0, 13.0, 0.05}, {1, 12.1, 0.05}});
   EXPECT_NEAR(a.yield(0, 1), a.yield(1, 0), 1e-3 * a.yield(0, 1));
 }
 
-// PAIR2D-25: two gears of triangles in nodewise contact, no formula of Hertz, E = 206 000, m = 3,
-// 100 N/mm; µm along the line of action.
+// PAIR2D-25: two gears of triangles in node-to-node contact, without a formula of Hertz; E = 206
+// 000, m = 3, 100 N/mm; µm along the line of action.
 TEST(PlaneTeeth, PairsShareAsOthersDo) {
   const double base = 12.5 * std::cos(20 * M_PI / 180);
   const double pitch = 2 * M_PI * base / 25;

@@ -1,4 +1,4 @@
-// A point or direction of a plane, turned about the origin.
+// A point or direction in the plane, turned about the origin.
 #pragma once
 
 #include <Eigen/Core>

@@ -16,11 +16,11 @@ namespace {
 constexpr Real kNothing = -std::numeric_limits<Real>::infinity();
 constexpr Real kInverseGolden = 0.618033988749894848204586834365638118L;
 
-// If a maximum is nearer to a bound than this part of the flank, it lies on the bound. Bounds are
-// met to 1e-15, and a smooth peak is found to 1e-9 of its curvature's size.
+// Relative to the flank: a maximum nearer to a bound than this lies on the bound. Bounds are met to
+// 1e-15, and a smooth peak is located to 1e-9 of its radius of curvature.
 constexpr Real kOnBound = 1e-7L;
-// If values of neighbouring sections are closer than this, they are no peak: a hundred rounding
-// errors of a turn.
+// If the values of neighbouring sections differ by less than this, they do not form a peak. It is a
+// hundred rounding errors of an angle of one turn.
 constexpr Real kFlat = 1e-16L;
 
 /// A point of flank 1 and its distance to each bound.
@@ -28,7 +28,8 @@ struct Look {
   Real rho_1 = 0, z_1 = 0;
   Vector3 point_f;
   Real x_2 = 0, y_2 = 0, rho_2 = 0, z_2 = 0;
-  Real slack = kNothing;  ///< length to the nearest bound but those of flank 1; < 0: not admitted
+  Real slack = kNothing;  ///< distance to the nearest bound, not counting those of flank 1; < 0 if
+                          ///< the point is not admitted
 };
 
 /// One tooth pair at one rotation.
@@ -52,7 +53,7 @@ class Cloud {
     Real value = kNothing, at = 0;
   };
 
-  /// The greatest φ_2* of one section.
+  /// The greatest φ_2* in one section.
   Best in_section(Real z) const {
     Best best;
     const auto take = [&best](Real rho, Real value) {
@@ -75,7 +76,7 @@ class Cloud {
     return best;
   }
 
-  /// The greatest of all sections, as its z and its place there.
+  /// The z of the greatest φ_2* of all sections, and its position in that section.
   std::optional<std::pair<Real, Best>> in_all() const {
     const auto range = admitted_sections();
     if (!range) return std::nullopt;
@@ -112,7 +113,7 @@ class Cloud {
     return expected_ + std::atan2(p.y_2 * c - p.x_2 * s, p.x_2 * c + p.y_2 * s);
   }
 
-  /// Which bounds the place lies on.
+  /// The bounds on which the position lies.
   CloudKind kind(const Look& p) const {
     const CloudFlank &one = pair_.flank_1, &two = pair_.flank_2;
     const Real height = kOnBound * (one.rho_high - one.rho_low);
@@ -162,7 +163,7 @@ class Cloud {
     return p;
   }
 
-  /// The end of the admitted part between an admitted radius and one that is not.
+  /// The end of the admitted part, between a radius that is admitted and one that is not.
   Real end_between(Real inside, Real outside, Real z) const {
     const auto slack = [&](Real rho) { return look(rho, z).slack; };
     const Real slack_in = slack(inside), slack_out = slack(outside);
@@ -175,7 +176,7 @@ class Cloud {
     return grows ? a : b;
   }
 
-  /// The admitted intervals of a section, each given by its ends and the radii between them.
+  /// The admitted intervals of a section. Each is given by its ends and by the radii in between.
   std::vector<std::vector<Real>> admitted(Real z) const {
     std::vector<Real> slack;
     for (const Radius& r : radii_) slack.push_back(look(r.rho, r.azimuth, z).slack);
@@ -193,7 +194,8 @@ class Cloud {
     }
     if (!found.empty()) return found;
 
-    // There may be a part smaller than a step, about the radius that is nearest to being admitted.
+    // An admitted part may be smaller than a step. It is searched for around the radius that is
+    // nearest to being admitted.
     const auto nearest = std::max_element(slack.begin(), slack.end()) - slack.begin();
     const Real low = radii_[std::max<std::ptrdiff_t>(nearest - 1, 0)].rho;
     const Real high = radii_[std::min<std::size_t>(nearest + 1, radii_.size() - 1)].rho;
@@ -207,7 +209,7 @@ class Cloud {
              look(high, z).slack < 0 ? end_between(rho, high, z) : high}};
   }
 
-  /// The sections with an admitted point, a step more on either side.
+  /// The sections with an admitted point, and one more step on each side.
   std::optional<std::pair<Real, Real>> admitted_sections() const {
     const CloudFlank& f = pair_.flank_1;
     const int steps = 2 * sections_;
@@ -222,8 +224,8 @@ class Cloud {
     return std::pair{section(std::max(first - 1, 0)), section(std::min(last + 1, steps))};
   }
 
-  /// Golden section about a peak at `middle`. If both probes find nothing, it continues towards the
-  /// best point so far.
+  /// Golden section around a peak at `middle`. If neither probe finds a point, the search continues
+  /// towards the best point so far.
   void climb(Real low, Real middle, Real high, Best& best, Real& z_best) const {
     Real top = in_section(middle).value, z_top = middle;
     const auto probe = [&](Real z) {
@@ -278,7 +280,7 @@ std::optional<CloudTouch> cloud_touch_of_pair(const CloudPair& pair, Real rotati
 
 std::vector<CloudTouch> cloud_touches(const CloudPair& pair, Real rotation_1, CloudSteps steps) {
   const CloudFlank& f = pair.flank_1;
-  // A point admitted is nearer to axis 2 than ρ_high of flank 2, so x_f ≥ C − ρ_2; before the
+  // An admitted point is nearer to axis 2 than ρ_high of flank 2, so x_f ≥ C − ρ_2. Before the
   // errors tilt and shift it, x is ρ cos ψ.
   const Mounting& m = pair.mounting;
   const Real tilt =

@@ -1,6 +1,6 @@
-// Tooth contact by computing for every point of flank 1 how far it pushes gear 2. This slowest
-// method uses no normal and no curvature, and finds edges, corners and several tooth pairs without
-// special treatment.
+// Tooth contact, computed from the rotation to which each point of flank 1 pushes gear 2. This is
+// the slowest method. It uses no normal and no curvature. Edges, corners and several tooth pairs
+// need no special treatment.
 //
 //   ρ, ψ, z    cylindrical coordinates about a gear's axis
 //   θ(ρ)       azimuth of a flank at z = 0
@@ -12,10 +12,10 @@
 //
 //   φ_2* = ψ_2 − θ_2(ρ_2) − t_2(z_2)    (next to the expected rotation φ_1 N_1/N_2, modulo a turn)
 //
-// and gear 2 stands at the greatest φ_2* over all points that lie within the radii and faces of
-// both flanks and less than half a turn about axis 1 from the centre line. The edges of gear 2 are
-// where its bounds run across flank 1; ends of the admitted part of a section are solved for, not
-// sampled.
+// and the position of gear 2 is the greatest φ_2* over all points that lie within the radii and
+// faces of both flanks and less than half a turn about axis 1 from the centre line. The edges of
+// gear 2 are the curves on flank 1 at which the bounds of gear 2 lie. The ends of the admitted part
+// of a section are solved for, not sampled.
 //
 // The search evaluates sections z_1 at equal steps, and in each the admitted intervals of ρ_1 at
 // equal steps. Every peak is refined (Brent in ρ, golden section in z). Golden section also
@@ -31,7 +31,7 @@
 
 namespace gearwright::oracle::tca {
 
-/// One flank in its gear's frame. n is not used.
+/// One flank in the frame of its gear. n is not used.
 struct CloudFlank {
   std::function<Real(Real rho)> azimuth;  ///< θ(ρ)  continuous; next to 0 on gear 1
   std::function<Real(Real z)> turn;       ///< t(z)
@@ -45,8 +45,8 @@ struct CloudPair {
   Mounting mounting;
 };
 
-/// The location of the maximum: inside both flanks, on a bound of one, or where two bounds meet.
-/// Coinciding faces of parallel axes count as face_1. `half_turn` is the bound of the search
+/// The position of the maximum: inside both flanks, on a bound of one flank, or where two bounds
+/// meet. Coinciding faces on parallel axes count as face_1. `half_turn` is the bound of the search
 /// itself.
 enum class CloudKind { interior, root_1, tip_1, face_1, root_2, tip_2, face_2, half_turn, corner };
 
@@ -59,24 +59,24 @@ struct CloudTouch {
   Vector3 point_f;
 };
 
-/// The resolution of the search. It misses an admitted part of a face or of a section that is
+/// The resolution of the search. An admitted part of a face or of a section is missed if it is
 /// smaller than a step.
 struct CloudSteps {
   int sections = 100, radii = 48;
 };
 
-/// Tooth pair k alone, its φ_2 that of the gears; none if no point of flank 1 is admitted.
+/// Tooth pair k alone. φ_2 is that of the gears. Absent if no point of flank 1 is admitted.
 /// Accuracy  φ_2 1e-15 rad. The position is accurate to 1e-9 of the flank on a smooth peak of
 ///           curvature 1, and on a flat one as far as φ_2 is constant. The bound of an edge is met
 ///           to 1e-15
 std::optional<CloudTouch> cloud_touch_of_pair(const CloudPair& pair, Real rotation_1, int k,
                                               CloudSteps steps = {});
 
-/// The pairs whose teeth come near the centre line, those with an admitted point.
+/// The pairs with an admitted point, among those whose teeth come near the centre line.
 std::vector<CloudTouch> cloud_touches(const CloudPair& pair, Real rotation_1,
                                       CloudSteps steps = {});
 
-/// The pair among them that carries the load.
+/// The pair that carries the load.
 std::optional<CloudTouch> cloud_touch(const CloudPair& pair, Real rotation_1,
                                       CloudSteps steps = {});
 
@@ -99,10 +99,11 @@ class ArcOutline {
   Node node(Real theta) const;
 
   ArcFlank flank_;
-  std::vector<Node> nodes_;  // by growing ρ
+  std::vector<Node> nodes_;  // in ascending order of ρ
 };
 
-/// A circular arc's flank with the lead errors, its radii those of the whole arc, |z| ≤ half_face.
+/// The flank of a circular arc with the lead errors. Its radii are those of the whole arc, |z| ≤
+/// half_face.
 CloudFlank cloud_flank(const ArcFlank& flank, Real theta_low, Real theta_high, LeadTurn lead,
                        Real half_face);
 

@@ -1,5 +1,5 @@
 // Compares the point cloud with the case file, the five equations, the touching screws and closed
-// forms. These methods share only the flanks with it.
+// formulas. These methods share only the flanks with it.
 #include "tests/oracle/point_cloud.hpp"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ using nlohmann::json;
 #define EXPECT_CLOSE(value, wanted, tolerance) \
   EXPECT_NEAR(static_cast<double>((value) - (wanted)), 0.0, tolerance)
 
-/// The composite's flanks as the case file cut them: gear 1 by its face and to 0.012 ≤ ρ − r_1 ≤
-/// 0.45 in, gear 2 by its arc alone.
+/// The flanks of `composite_te` with the limits of the case file: on gear 1 the face width and
+/// 0.012 ≤ ρ − r_1 ≤ 0.45 in, on gear 2 only the ends of the arc.
 CloudPair composite_cloud(const ArcPair& p) {
   constexpr Real kNoFace = 100;  // in
   CloudPair out;
@@ -56,7 +56,8 @@ void composite_rows(int every) {
       EXPECT_CLOSE(t->z_1, number(row, "z1_contact"), 3e-6);
       if (row.at("kind") == "face edge") {
         ++edges;
-        // The edge ends where ρ is the lower border of the file, in a corner of face and border.
+        // At the edge's end, ρ is the lower border of the file, and the edge ends in a corner of
+        // face and border.
         const bool corner = t->rho_1 - pair.pitch_radius_1 < 0.0121L;
         EXPECT_EQ(t->kind, corner ? CloudKind::corner : CloudKind::face_1);
       } else {
@@ -77,7 +78,8 @@ void composite_rows(int every) {
 TEST(PointCloud, CompositeOfTheFile) { composite_rows(5); }
 TEST(LongPointCloud, CompositeOfTheFileWhole) { composite_rows(1); }
 
-// Errors of every kind, leads among them, and crowned leads: the five equations and the cloud.
+// Compares the five equations and the cloud under errors of every kind, including lead errors and
+// crowned leads.
 TEST(PointCloud, ArcsUnderEveryError) {
   for (const json& c : circular_arc_file().at("cases")) {
     const std::string name = c.at("name");
@@ -147,7 +149,8 @@ Real roll(const InvoluteFlank& f, Real rho) {
   return std::sqrt((rho - f.base_radius) * (rho + f.base_radius)) / f.base_radius;
 }
 
-/// The five equations of tooth pair 0 with the lead errors given, started from the cloud's place.
+/// The five equations of tooth pair 0 with the given lead errors, started from the position that
+/// the cloud found.
 FiveEquationTouch five_equations(const Screws& s, std::array<LeadTurn, 2> lead, const Mounting& m,
                                  Real rotation_1, const CloudTouch& near) {
   FlankPair p;
@@ -183,11 +186,11 @@ TEST(PointCloud, CrossedInvolutesTransmitExactly) {
       const Real error = t->rotation_2 - rotation_1 * 14 / 23;
       EXPECT_CLOSE(error, five.transmission_error, 1e-17);
       if (inside++ == 0) constant = error;
-      EXPECT_CLOSE(error, constant, 1e-16);  // the base pitches are those of doubles
+      EXPECT_CLOSE(error, constant, 1e-16);  // the base pitches have the rounding errors of doubles
     }
     EXPECT_GE(inside, 5);
-    // Gears without backlash have no error. Their data are doubles, and the flanks have the
-    // resulting thickness.
+    // Gears without backlash have no transmission error. Their data are doubles, and the flanks
+    // have the resulting thickness.
     EXPECT_CLOSE(constant, 0, wider == 0 ? 1e-15 : 1.0);
     EXPECT_EQ(constant<-1e-4L, wider> 0);
   }
@@ -222,7 +225,7 @@ TEST(PointCloud, CrossedInvolutesUnderErrors) {
   }
 }
 
-// Parallel helical gears with crowned leads have a point, too, and the tilt moves it.
+// Parallel helical gears with crowned leads touch in a point, too, and the tilt moves this point.
 TEST(PointCloud, CrownedParallelInvolutes) {
   const Screws s = screws(17, 29, 0.3, -0.3, 15);
   const std::array<LeadTurn, 2> lead = {{{0, 5e-6L}, {}}};
@@ -242,8 +245,8 @@ TEST(PointCloud, CrownedParallelInvolutes) {
   }
 }
 
-// The touching screws, which find tips and faces by another method, give the same rotation, tooth
-// and kind. On narrow gears, faces carry over a part of the pitch.
+// The touching screws find tips and faces by another method. They must give the same rotation,
+// tooth and kind of contact. On narrow gears, edges at the faces carry over a part of the pitch.
 TEST(PointCloud, EdgesOfTouchingScrews) {
   int tips = 0, faces = 0, insides = 0;
   for (const double half_face : {1.0, 20.0}) {
@@ -260,7 +263,7 @@ TEST(PointCloud, EdgesOfTouchingScrews) {
         EXPECT_CLOSE(t->rotation_2, wanted->rotation_2, 1e-13);
         if (wanted->margin < 1e-5 && wanted->where == Where::flanks) continue;
         const auto is = [&](Where where, CloudKind kind, int& count) {
-          // A corner of two edges has one name there.
+          // A corner of two edges has only one name in that method.
           if (wanted->where != where) return;
           EXPECT_TRUE(t->kind == kind || t->kind == CloudKind::corner) << where;
           count += t->kind == kind;
@@ -327,7 +330,7 @@ TEST(ArcOutline, IsTheSurfacesSection) {
     }
     EXPECT_THROW(outline.theta(outline.rho_high() + 0.1L), std::invalid_argument);
   }
-  // Past its undercut limit, 7.08° here, the outline turns back.
+  // Beyond the undercut limit, 7.08° here, the outline turns back.
   const ArcFlank undercut{
       1,    0.7L, 0.21121778264910707L, 0.12194664367009782L, 75 * kLongDegree, 3.1058285412302493L,
       false};

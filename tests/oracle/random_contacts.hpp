@@ -1,5 +1,6 @@
-// Seeded pairs for the contact room and the five equations at once: circular arcs with every error,
-// involute screws on crossed and parallel axes, worms among them, with and without crowned leads.
+// Seeded pairs both for the contact room and for the five equations: circular arcs with all errors,
+// and involute screws, including worms, on crossed and parallel axes, with and without crowned
+// leads.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@
 
 namespace gearwright::oracle {
 
-/// Arcs that touch near θ = 20° … 40° of flanks from 12° to 52°, errors from nothing to large.
+/// Arcs that touch near θ = 20° … 40°, with flanks from 12° to 52° and errors from zero to large.
 inline tca::ArcPair random_arcs(property::Random& random) {
   const auto sign = [&random] { return random.chance(0.5) ? 1.0 : -1.0; };
   const double m = random.pick({0.5, 2.0, 4.0, 10.0});
@@ -48,14 +49,14 @@ inline tca::ArcPair random_arcs(property::Random& random) {
   if (random.chance(0.8)) p.mounting.axial = m * size * sign() * random.unit();
   if (random.chance(0.5)) p.lead_1.twist = 5e-4 * size / (m * p.teeth_1) * sign() * random.unit();
   if (random.chance(0.5)) p.lead_2.twist = 5e-4 * size / (m * p.teeth_2) * sign() * random.unit();
-  // A pitch of the axial section and up to half of one more.
+  // The width is one pitch of the axial section plus up to half a pitch.
   const tca::Real axial = std::numbers::pi_v<tca::Real> * m / std::cos(p.lead_angle_p);
   p.half_face_1 = axial * random.uniform(0.5, 0.8);
   p.half_face_2 = axial * random.uniform(0.5, 0.8);
   return p;
 }
 
-/// The same flanks by their azimuths.
+/// The same flanks, described by their azimuths.
 inline BrutePair brute_arcs(const tca::ArcPair& pair) {
   BrutePair b;
   for (int i : {0, 1}) {
@@ -165,7 +166,7 @@ inline ScrewContact random_screws(property::Random& random, ScrewKind kind) {
   return s;
 }
 
-/// The same flanks by their azimuths.
+/// The same flanks, described by their azimuths.
 inline BrutePair brute_screws(const ScrewContact& s) {
   BrutePair b = brute_pair(s.set);
   for (int i : {0, 1}) {
@@ -179,7 +180,8 @@ inline BrutePair brute_screws(const ScrewContact& s) {
   return b;
 }
 
-/// The five equations of the tooth pair that carries at `p`, started slightly beside it.
+/// The five equations of the tooth pair that carries the load at `p`, started slightly away from
+/// `p`.
 inline tca::FiveEquationTouch five_equations(const ScrewContact& s, const ContactPoint& p) {
   tca::FlankPair pair;
   pair.flank_1 = turned(involute_surface(s.flanks[0]), s.lead[0]);

@@ -1,6 +1,6 @@
 // Seeded pairs of finished gears on parallel axes with every feature that shapes a tooth: racks
 // with protuberance, chamfer and fillets, circular fillets, allowances, tip diameters, few teeth,
-// pinion cutters and internal gears. Most of them could be real drawings; many overlap.
+// pinion cutters and internal gears. Most of them could be real designs. Many of them overlap.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace gearwright::oracle {
 
 struct MountedPair {
   InvolutePair pair;
-  std::string text;  ///< description from which it can be made again
+  std::string text;  ///< description from which the pair can be made again
 };
 
 namespace mounted_pair {
@@ -98,7 +98,7 @@ inline std::optional<Made> by_rack(Random& random, const Common& common, int tee
 
 inline std::optional<Made> by_pinion(Random& random, const Common& common, int teeth,
                                      const Gear& mate) {
-  // The cutter is sometimes the mating gear itself, whose hand is right for the gear that it cuts.
+  // The cutter is sometimes the mating gear itself. Its hand is correct for the gear that it cuts.
   const bool by_mate = random.chance(0.15);
   const int most = teeth < 0 ? std::min(-teeth - 3, 40) : 40;
   if (most < 4) return std::nullopt;
@@ -153,7 +153,7 @@ inline std::optional<MountedPair> random_mounted_pair(Random& random) {
                                       : by_rack(random, common, z_2, ring ? sign : -sign);
   if (!two || !two->gear.tooth) return std::nullopt;
   const double m = common.module;
-  // The distance without backlash, as mounting would compute it, without mounting twice.
+  // The backlash-free distance as mounting would compute it. It avoids mounting twice.
   const BasePair<double> bases = mesh_input(one->gear, two->gear, {}).gears;
   const auto free = transverse_angle_at_min_distance(bases);
   if (!free) return std::nullopt;

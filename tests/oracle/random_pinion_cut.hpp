@@ -1,9 +1,9 @@
-// Seeded pinion cutters, both realistic and unrealistic ones, and gears to be cut with them.
+// Seeded pinion cutters, both realistic and unrealistic, and the gears that they cut.
 //
 //   z_0, x_0   of the cutter          E   generating centre distance, mm
 //
-// The shift of the gear is drawn, and E follows from it. In other cases E is drawn independently,
-// so that it is not only the position without backlash, but any position at which the two roll.
+// The shift of the gear is drawn, and E follows from it. In other cases, E is drawn independently,
+// so that positions other than the backlash-free one are included.
 #pragma once
 
 #include <algorithm>
@@ -69,9 +69,9 @@ inline CylindricalSpec random_cutter(Random& random) {
   return spec;
 }
 
-/// Returns true if the swept pinion accepts this cutter. Two kinds have points whose rounding error
-/// exceeds its tolerance for smoothness: a root fillet that is almost straight, so its radius is
-/// inaccurate, and the involute of a ramp that is almost perpendicular to the teeth, whose base
+/// Returns true if the swept pinion supports this cutter. Two kinds have points whose rounding
+/// error exceeds the tolerance for smoothness: a root fillet that is almost straight, whose radius
+/// is inaccurate, and the involute of a ramp that is almost perpendicular to the teeth, whose base
 /// circle is very small.
 inline bool smooth_to_the_oracle(const Gear& cutter) {
   constexpr double kMaxRadius = 50.0;  // mm

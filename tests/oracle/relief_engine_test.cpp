@@ -1,12 +1,12 @@
-// Compares tip relief, linear and parabolic, with a flank of sampled points. Every point of an
-// involute is moved along its true normal by the removal of the relief, and for each the rotation
-// of gear 2 is computed at which the mating involute passes it. No field, no derivative and no turn
-// in place of a removal are used.
+// Compares linear and parabolic tip relief with a flank of sampled points. Every point of an
+// involute is moved along its true normal by the removal of the relief. For each point, the
+// rotation of gear 2 is computed at which the mating involute passes it. The test uses no field and
+// no derivative, and it does not replace a removal by a rotation.
 //
 //   spur pair, gear 1 drives clockwise        a  centre distance      r_b  base radius
 //   L  roll length of the sample              C  removed, mm: C_a q or C_a q², q from the start on
 //
-// The engine turns the flank by C over its moment arm [T8.7]: of an involute that is exact.
+// The engine turns the flank by C divided by its moment arm [T8.7]. For an involute, this is exact.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ using C = std::complex<double>;
 
 double involute_of(double alpha) { return std::tan(alpha) - alpha; }
 
-// Half the angle of a tooth on the base circle, x = 0, without allowance.
+// Half of the angle of a tooth on the base circle, for x = 0 without allowance.
 double base_half_angle(int teeth) {
   const double alpha = std::numbers::pi / 9;
   return std::numbers::pi / (2 * teeth) + involute_of(alpha);
@@ -41,7 +41,7 @@ struct SampledPair {
   Relief relief;
   int samples = 20001;
 
-  // Greatest φ2 − φ1 z1/z2 over the samples of all teeth that may touch.
+  // Greatest φ2 − φ1 z1/z2 over the samples on all teeth that may touch.
   Sampled touch(double phi1) const {
     const double alpha = std::numbers::pi / 9;
     const double rb1 = z1 * m / 2 * std::cos(alpha);
@@ -59,9 +59,9 @@ struct SampledPair {
             i == samples ? start : roll(form_1) + (end - roll(form_1)) * i / (samples - 1);
         const double q = std::max(0.0, (length - start) / (end - start));
         const double taken = relief.amount * (relief.shape == ReliefShape::linear ? q : q * q);
-        // The end of a taut string. Its direction is the normal of the flank, and the material lies
-        // on the side from which the string comes. C is evaluated on the finished flank, where the
-        // string is shorter by C than on the original flank.
+        // The sample is the end of a taut string. The direction of the string is the normal of the
+        // flank, and the material lies on the side from which the string comes. C is evaluated on
+        // the finished flank, where the string is shorter by C than on the original flank.
         const C string = C(0, 1) * std::polar(1.0, base_half_angle(z1) - (length + taken) / rb1);
         C w = -C(0, 1) * string * rb1 + string * length;
         w = std::conj(w) * std::polar(1.0, turn);  // the right flank, turned
@@ -70,8 +70,8 @@ struct SampledPair {
         if (rho > tip_2 || rho < form_2) continue;
         const double xi2 = std::sqrt(rho * rho / (rb2 * rb2) - 1);
         const double flank = base_half_angle(z2) - (xi2 - std::atan(xi2));
-        // Space 0 is at the mesh. The tooth ahead of it is half a pitch further, and its flank is
-        // before it.
+        // Space 0 is at the mesh. The tooth ahead of the space is half a pitch further, and its
+        // flank lies before it.
         const double rest =
             std::numbers::pi + (std::numbers::pi - 2 * std::numbers::pi * k) / z2 - flank;
         const double phi2 = std::arg(seen * std::polar(1.0, -rest - phi1 * z1 / z2));
@@ -89,8 +89,8 @@ TEST(ReliefEngine, sampled_flanks) {
     testing::SamplePair p = testing::involutes(20, 41, 0);
     const Gear& g1 = p.gears[0];
     const Gear& g2 = p.gears[1];
-    // The relief is so long that between the unrelieved parts of the pairs, only reliefs carry for
-    // a while.
+    // The relief is so long that between the unrelieved parts of successive pairs, only relieved
+    // parts carry the load.
     FlankModifications m;
     m.tip_relief = {0.05, 2 * (0.8 * *g1.root_form_radius() + 0.2 * g1.tip_form_radius()), shape};
     p.modify(1, m);
@@ -108,8 +108,8 @@ TEST(ReliefEngine, sampled_flanks) {
       const Sampled s = sampled.touch(c.rotation1.rad());
       SCOPED_TRACE(::testing::Message() << (shape == ReliefShape::linear ? "linear " : "parabolic ")
                                         << c.rotation1.deg() << " " << to_string(c.kind));
-      // A peak between two samples, 0.3 µm apart on flanks of some mm radius: less than 1e-8 mm.
-      // The tip of gear 2 slopes away from its own flank.
+      // A peak may lie between two samples, which are 0.3 µm apart on flanks with radii of some mm.
+      // The resulting error is less than 1e-8 mm. The tip of gear 2 slopes away from its own flank.
       EXPECT_LT(s.te, c.te.rad() + 1e-12);
       EXPECT_GT(s.te, c.te.rad() - (c.kind == TouchKind::tip2 ? 3e-7 : 1e-9));
       const double start = *m.tip_relief.reach;

@@ -1,5 +1,6 @@
-// Compares internal gears under load with triangles of six nodes, which share only the outlines
-// with the engine: the deflection of the section, and a spur pair from the approach to the roots.
+// Compares internal gears under load with six-node triangles, which share only the outlines with
+// the engine: the deflection of the section, and all results of a spur pair from the approach to
+// the root stress.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,7 +36,7 @@ double rim_of(const Gear& ring, double modules) {
   return ring.root_diameter + 2 * modules * kModule;
 }
 
-// At a fifth, a half and nine tenths of the flank, seen from the root.
+// At a fifth, a half and nine tenths of the flank, measured from the root.
 void expect_yields(int teeth, double shift, double rim, double fineness, double tolerance) {
   const Gear ring = ring_of(spec_of(teeth, shift, 30));
   const double held = rim_of(ring, rim);
@@ -61,8 +62,8 @@ TEST(RingUnderLoad, LongYieldsAsFinerTrianglesDo) {
   expect_yields(-60, -0.4, 2.5, 3, 0.007);
 }
 
-// A pair whose internal gear has such a short tip that its corner does not reach the root of the
-// pinion.
+// In this pair, the tip of the internal gear is so short that its corner does not reach the root of
+// the pinion.
 struct Drive {
   Gear one, two;
   double held_1, held_2;
@@ -89,9 +90,10 @@ PlanePair plane_pair(const Drive& d) {
   return p;
 }
 
-// 100 N/mm and plane strain require a face of 120 modules, whose ends make it softer by 0.1 %. In
-// the chosen phases, 0.69 to 0.83 and 0.92 to 1.05, no pair carries load beyond its path. The teeth
-// of an internal pair separate slowly, so when they bend, a tip stays in contact for a while.
+// 100 N/mm in plane strain requires a face width of 120 modules, whose ends reduce the stiffness by
+// 0.1 %. In the chosen phases, 0.69 to 0.83 and 0.92 to 1.05, no pair carries load beyond its path.
+// The teeth of an internal pair separate slowly, so a tip of deflected teeth stays in contact for a
+// while.
 void expect_pair(const std::vector<double>& phases, double fineness,
                  const std::array<double, 2>& modulus = {1.0, 1.0}) {
   const double face = 120 * kModule;
@@ -129,9 +131,9 @@ void expect_pair(const std::vector<double>& phases, double fineness,
     ASSERT_EQ(got.pairs.size(), want.share.size()) << phase;
     EXPECT_NEAR(got.pairs.front().share, want.share.front(), 0.003) << phase;
     for (int g = 0; g < 2; ++g) {
-      // In the middle only, because the strain is different towards the ends of a face. With a
-      // rigid gear, the load low on the tooth is greater, and its bump spreads it to the root: 4.1
-      // %.
+      // Only the middle of the face is compared, because the strain is different towards the ends.
+      // If one gear is rigid, the load low on the tooth is greater. The engine spreads this load
+      // over the width of a bump, which reaches the root and causes an error of 4.1 %.
       if (modulus[0] != modulus[1]) break;
       const double root = want.root[g] * line_load / kModule;
       const double middle = answer.torques[0].root_stress[g].col(kSlices / 2).maxCoeff();
@@ -142,8 +144,7 @@ void expect_pair(const std::vector<double>& phases, double fineness,
 
 TEST(RingUnderLoad, PairsShareAsTrianglesDo) { expect_pair({0.1, 0.5, 0.85}, 1.5); }
 
-// If one gear is rigid, the effect of a tooth on its neighbours cannot cancel between the two
-// gears.
+// If one gear is rigid, the influence of a tooth on its neighbours cannot cancel between the gears.
 TEST(RingUnderLoad, PairsOfARigidGearShareAsTrianglesDo) {
   expect_pair({0.3}, 1.5, {1.0, 1e4});
   expect_pair({0.3}, 1.5, {1e4, 1.0});

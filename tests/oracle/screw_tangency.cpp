@@ -56,7 +56,8 @@ Vector3d flank_normal(const Screw& gear, int sigma, double u, double z) {
          (std::cos(gear.base_helix) * string - std::sin(gear.base_helix) * Vector3d::UnitZ());
 }
 
-// The Gauss-Newton method. Each step is the smallest one that solves the linear equations best.
+// The Gauss-Newton method. Each step is the smallest least-squares solution of the linear
+// equations.
 Tangency tangency(const ScrewPair& p, double rotation_1, int sigma, int tooth, Tangency s) {
   const Matrix3d tilt = tilt_2(p), turn_1 = about_z(azimuth_1(p, rotation_1, tooth));
   const Vector3d axis = tilt.col(2), center(p.center_distance, 0, 0);
@@ -82,7 +83,7 @@ Tangency tangency(const ScrewPair& p, double rotation_1, int sigma, int tooth, T
     f << r_1 - r_2, length * n_1.cross(n_2);
     s.residual = f.norm(), s.point = r_1, s.normal = n_1;
     if (s.residual < best.residual) best = s;
-    if (i > 3 && s.residual > best.residual) break;  // the limit of rounding is reached
+    if (i > 3 && s.residual > best.residual) break;  // the limit due to rounding is reached
     if (s.residual < least) break;
 
     const Vector3d e_z = Vector3d::UnitZ(), turned_1 = e_z.cross(n_1), turned_2 = axis.cross(n_2);

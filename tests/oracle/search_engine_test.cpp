@@ -1,5 +1,5 @@
-// Compares the engine's search with the plain one. Whole searches must give the same designs, and
-// every other trial must be rejected by the same limit.
+// Compares the engine's search with the plain search. Complete searches must give the same designs,
+// and every other trial must be rejected by the same limit.
 //
 // The plain search supports spur and helical pairs, external and internal, extended and
 // backlash-free centre distances, without shortened tips. It distinguishes `shift_limits`,
@@ -37,8 +37,8 @@ struct Compared {
   std::map<std::string, int> rejected;
 };
 
-/// The plain search, trial by trial over the engine's space, together with the engine's own whole
-/// search.
+/// Runs the plain search on every trial of the engine's space, together with the complete search of
+/// the engine.
 Compared expect_same_search(Twin twin) {
   share_doubles(twin);
   const Search search(engine_problem(twin));
@@ -112,7 +112,8 @@ TEST(SearchEngine, SearchesOfTheSource) {
     twin.center_distance = in.at("C");
     const Compared c = expect_same_search(twin);
     EXPECT_EQ(c.designs + c.ambiguous, search.at("feasible_count"));
-    EXPECT_LE(c.ambiguous, 2);  // ranges of centre distances that touch the corner of the rectangle
+    EXPECT_LE(c.ambiguous, 2);  // bands of centre distances that just touch the corner of the
+                                // rectangle of shifts
   }
 }
 

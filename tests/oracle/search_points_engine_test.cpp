@@ -1,5 +1,5 @@
-// Compares the engine's graph of shifts with the plain pair. The same points of it must satisfy all
-// limits.
+// Compares the engine's shift graph with the plain pair. The same points must satisfy all limits in
+// both.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,8 @@ void expect_same_points(TwinKind kind, unsigned seed, int points) {
       const double sum = random.uniform(from, to);
       double lo = g_1.x_min - 0.05;
       double hi = g_1.x_max + 0.05;
-      // Half of the points are where they may be inside, the other half anywhere.
+      // Half of the points are drawn near the region, where they may be inside. The other half is
+      // drawn anywhere.
       if (i % 2 == 0 && !sums.empty()) {
         const double middle = std::clamp(sum, sums.front().lo, sums.back().hi);
         const ShiftSlice s = graph.slice(middle);

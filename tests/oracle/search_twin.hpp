@@ -1,4 +1,4 @@
-// One search as input of the engine and of the plain search, and random ones of every kind that
+// A search as input for both the engine and the plain search, and random searches of all kinds that
 // both support.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace gearwright::oracle {
 
 using Real = long double;
 
-/// One search in both forms. Lengths are in mm.
+/// A search in both forms. Lengths are in mm.
 struct Twin {
   PlainProblem plain;
   std::vector<double> modules{2.0};
@@ -60,7 +60,7 @@ inline SearchProblem engine_problem(const Twin& twin) {
   return p;
 }
 
-/// Passes the engine's doubles to the plain search, so that the two problems are identical.
+/// Passes the doubles of the engine to the plain search, so that both problems are identical.
 inline void share_doubles(Twin& twin) {
   twin.plain.clip = PlainClip::usable_flanks;
   PlainProblem& p = twin.plain;

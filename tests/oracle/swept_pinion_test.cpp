@@ -1,6 +1,6 @@
-// Compares SweptPinion with gears of the source, computed with 40 digits, with an internal and an
-// external gear cut by a sharp-edged involute cutter with known flanks and trochoids, and with a
-// plain scan.
+// Compares SweptPinion with gears of the source, computed with 40 digits; with an internal and an
+// external gear cut by a sharp-edged involute cutter, whose flanks and trochoids are known; and
+// with a plain scan.
 #include "tests/oracle/swept_pinion.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ SweptPinion swept(const PinionCutterCase& c) {
                      filleted_half_tooth(c.pinion).curves);
 }
 
-/// A point of the source's gear, whose space 0 is on −x, moved by `step` along its normal.
+/// A point of the source's gear, whose space 0 is at −x, moved by `step` along its normal.
 Vector2d place(const PinionCutterCase& c, const CutGearPoint& p, double step = 0.0) {
   return turned({p.x + step * p.n_x, p.y + step * p.n_y}, kPi / c.pinion.gear_teeth - kPi);
 }
@@ -48,9 +48,8 @@ TEST(SweptPinion, cutters_have_the_radii_of_the_source) {
   }
 }
 
-// In S07, the end C of the involute cuts a loop that the root arc removes. All other points are on
-// the surface, and a step away from it is measured in full: the clearance is the distance from the
-// surface.
+// In S07, the end C of the involute cuts a loop that the root arc removes. All other points lie on
+// the surface. After a step away from the surface, the clearance must equal the step.
 TEST(SweptPinion, points_of_the_source_lie_on_the_surface) {
   int on_surface = 0;
   for (const PinionCutterCase& c : pinion_cutter_cases()) {
@@ -63,7 +62,8 @@ TEST(SweptPinion, points_of_the_source_lie_on_the_surface) {
       }
       ++on_surface;
       EXPECT_NEAR(sweep.clearance(place(c, p)), 0.0, kRest) << c.name << " " << p.x << " " << p.y;
-      // To the side, the edges of cutter and gear curve away from each other by step²/mm.
+      // Perpendicular to the step, the edges of cutter and gear curve away from each other, by
+      // step²/mm.
       for (const double step : {1e-5, 1e-8}) {
         EXPECT_NEAR(sweep.clearance(place(c, p, -step)), step, kRest + step * step)
             << c.name << " " << p.x << " " << p.y;
@@ -85,8 +85,8 @@ Vector2d flank_of_S07(double radius) {
                kPi / 24 - half_space + involute_of_tan(std::tan(alpha)) - involute_of_tan(t));
 }
 
-// At the cusp, the involute is the surface up to the radius that the source computed from the
-// intersection of the two branches, and is cut away above it.
+// Near the cusp, the involute is the surface up to a radius that the source computed by
+// intersecting the two branches. Above this radius it is cut away.
 TEST(SweptPinion, cusp_ends_the_flank_where_the_source_says) {
   const SweptPinion sweep = swept(pinion_cutter_cases().back());
   constexpr double kTrim = 37.5358651600508473, kConjugateOfC = 37.578;
@@ -127,7 +127,7 @@ struct SharpCutter {
   }
 };
 
-/// The path in the gear of the cutter's sharp edge on the side of the gear's tooth 0, which is a
+/// The path of the cutter's sharp edge in the gear, on the side of the gear's tooth 0. It is a
 /// trochoid in closed form.
 Vector2d edge_path(const SharpCutter& c, int gear_teeth, double a, double roll) {
   const double teeth = std::abs(gear_teeth), s = gear_teeth > 0 ? 1 : -1;
@@ -137,8 +137,8 @@ Vector2d edge_path(const SharpCutter& c, int gear_teeth, double a, double roll) 
 }
 
 /// The involute flank of the gear next to space 0, side y > 0 of tooth 0, at the operating pressure
-/// angle of `a`. The space of an internal gear is bounded like a tooth of its base circle, and that
-/// of an external gear is the gap between its teeth.
+/// angle that belongs to `a`. The space of an internal gear has the shape of a tooth on the same
+/// base circle. The space of an external gear is the gap between its teeth.
 Vector2d gear_flank(const SharpCutter& c, int gear_teeth, double a, double radius) {
   const double teeth = std::abs(gear_teeth), s = gear_teeth > 0 ? 1 : -1;
   const double u = teeth / c.teeth, r_b2 = c.r_b * u, pitch_radius = a / (u + s) * u;
@@ -148,8 +148,8 @@ Vector2d gear_flank(const SharpCutter& c, int gear_teeth, double a, double radiu
   return polar(radius, kPi / teeth - half_space - s * (involute_of_tan(t) - involute_of_tan(t_w)));
 }
 
-/// The flank from the point conjugate to the cutter's base circle to that conjugate to its edge,
-/// then the trochoid of the edge, then the root circle. The gear must not be undercut.
+/// The flank from the point conjugate to the cutter's base circle to the point conjugate to its
+/// edge, then the trochoid of the edge, then the root circle. The gear must not be undercut.
 void check_sharp(const SharpCutter& c, int gear_teeth, double a) {
   const SweptPinion sweep({c.teeth, gear_teeth, a}, c.curves());
   const double teeth = std::abs(gear_teeth), s = gear_teeth > 0 ? 1 : -1;
@@ -171,7 +171,8 @@ void check_sharp(const SharpCutter& c, int gear_teeth, double a) {
   EXPECT_NEAR(sweep.clearance(p + 1e-5 * out), -1e-5, 1e-9);
   EXPECT_NEAR(sweep.clearance(p - 1e-5 * out), 1e-5, 1e-9);
 
-  // From the line of centres, where the edge is deepest, to the conjugate point of the flank.
+  // The range is from the line of centres, where the edge is deepest, to the conjugate point of the
+  // flank.
   const double deepest = -s * c.tip_angle;
   const double cosine = (end * end - a * a - c.r_a * c.r_a) / (2 * a * c.r_a);
   const double spread = std::acos(s > 0 ? -cosine : cosine);
@@ -188,7 +189,7 @@ void check_sharp(const SharpCutter& c, int gear_teeth, double a) {
     const Vector2d way = (edge_path(c, gear_teeth, a, roll + s * 1e-6) - edge).normalized();
     const Vector2d into = s * Vector2d(way.y(), -way.x());
     EXPECT_NEAR(sweep.clearance(edge + 1e-5 * into), 1e-5, 1e-8) << i;
-    // Inside the wedge of the sharp edge, the depth is positive but at most the step.
+    // Inside the wedge of the sharp edge, the depth is positive but not greater than the step.
     const double cut = sweep.clearance(edge - 1e-5 * into);
     EXPECT_GE(cut, -1e-5 - kRest) << i;
     EXPECT_LT(cut, -1e-6) << i;
@@ -240,7 +241,7 @@ double plain_scan(const SweptPinion& sweep, const Vector2d& p) {
   std::vector<double> gap(static_cast<std::size_t>(positions));
   for (int k = 0; k < positions; ++k) gap[k] = sweep.gap_at(p, k * step);
   double best = *std::min_element(gap.begin(), gap.end());
-  const double limit = best + 0.3;  // other minima that a step may have missed
+  const double limit = best + 0.3;  // includes other minima that a step may have missed
   for (int k = 0; k < positions; ++k) {
     const double before = gap[(k + positions - 1) % positions], after = gap[(k + 1) % positions];
     if (gap[k] > before || gap[k] > after || gap[k] > limit) continue;
@@ -263,8 +264,9 @@ TEST(SweptPinion, agrees_with_a_plain_scan_of_all_positions) {
       const Vector2d p = somewhere(sweep, random);
       const double fast = sweep.clearance(p), scan = plain_scan(sweep, p);
       ++(scan >= 0 ? standing : cut);
-      // The plain scan measures the roll from an arbitrary origin, so a hundred radians give an
-      // error of 1e-14 rad. Golden section stops within the root of rounding at the tip of a kink.
+      // The plain scan measures the roll from an arbitrary origin. At a hundred radians, the
+      // rounding error is 1e-14 rad. At the tip of a kink, golden section stops within the square
+      // root of the rounding error.
       EXPECT_NEAR(fast, scan, 3e-12) << sweep.numbers().gear_teeth << " " << p.transpose();
     }
     EXPECT_GT(standing, 4) << sweep.numbers().gear_teeth;
@@ -272,9 +274,9 @@ TEST(SweptPinion, agrees_with_a_plain_scan_of_all_positions) {
   }
 }
 
-// (1) many points at once give the same results    (2) all teeth, and both halves, are equal
-// (3) the clearance changes by no more than the length of a movement
-// (4) it is the gap at the roll that is returned
+// (1) many points at once give the same results    (2) all teeth, and both halves, give the same
+// (3) if a point moves, the clearance changes by no more than the length of the movement
+// (4) the clearance is the gap at the roll that is returned
 TEST(SweptPinion, laws) {
   std::mt19937_64 random(5);
   for (const SweptPinion& sweep : sweeps()) {

@@ -1,4 +1,4 @@
-// Explains how the minimum over the roll angle is found, and why none is missed.
+// Explains how the minimum over the roll angle is found, and why no minimum is missed.
 //
 //   q(ψ) = (w, h)   path of the point past the cutter,   q′ = (cos β (ρ cos ψ − r), −ρ sin ψ)
 //
@@ -26,8 +26,8 @@
 namespace gearwright::oracle {
 namespace {
 
-// A width that should be zero (full rounding) may be negative by rounding. 1e-9 m is a thousand
-// times that, and a thousandth of machining accuracy.
+// With full rounding, a width is zero and may become negative by rounding. 1e-9 m is a thousand
+// times the rounding error and a thousandth of machining accuracy.
 constexpr double kRoundingWidth = 1e-9;
 
 }  // namespace
@@ -58,14 +58,15 @@ SweptRack::SweptRack(const RackNumbers& n) : numbers_(n) {
   double centre_u = flank_u(centre_h) + (proud - rho) / cos_a;
   require(centre_u > -kRoundingWidth * m, "root_fillet_radius: larger than the full rounding");
   centre_u = std::max(centre_u, 0.0);
-  // With an acute tip, a point could be cut away between two positions that both miss it; see (2).
+  // With an acute tip, two neighbouring positions could both miss a point that is cut away between
+  // them; see (2).
   require(rho > 0 || centre_u > 0, "dedendum: a sharp cutter needs a tip land");
   double last_normal = alpha;  // normal angle at which the rounding ends
   if (proud > 0) {
     require(n.protuberance_angle >= 0 && n.protuberance_angle < alpha,
             "protuberance_angle: must lie between 0 and the pressure angle");
-    // If the protuberance is small, it consists only of the rounding: the arc meets the flank
-    // before it reaches α_pr.
+    // If the protuberance is small, it consists only of the rounding, because the arc meets the
+    // flank before it reaches α_pr.
     const double slack = rho > 0 ? 1 - proud / rho : -1.0;
     const double meets = slack > -1 ? alpha - std::acos(slack) : -kInfinity;
     last_normal = std::max(n.protuberance_angle, meets);
@@ -128,7 +129,7 @@ SweptRack::SweptRack(const RackNumbers& n) : numbers_(n) {
   segments_.push_back({u_bottom_, flank_end_h + rho1 * (1 - sin_a), 1, 0, half_pitch_ - u_bottom_});
 }
 
-// The cutter is the region above its edge h(u), which never falls as u grows.
+// The cutter is the region above its edge h(u). h never decreases as u increases.
 double SweptRack::edge_height(double u) const {
   const RackNumbers& n = numbers_;
   if (u <= u_land_) return segments_[0].h;
@@ -179,7 +180,7 @@ double SweptRack::gap_at(PlanePoint p, double roll) const {
 struct SweptRack::Search {
   const SweptRack& rack;
   double rho, theta;
-  double finest = 0.0;  ///< half width of ψ below which the circles are evaluated
+  double finest = 0.0;  ///< half width of the intervals of ψ at which the circles are evaluated
   double best = kInfinity, best_psi = 0.0;
 
   struct Place {
@@ -204,7 +205,7 @@ struct SweptRack::Search {
   }
   void consider(double psi) { consider(psi, gap(psi)); }
 
-  /// The positions at which the path runs along a straight part.
+  /// The positions at which the path is parallel to a straight part.
   void straight_parts() {
     for (const double tau : rack.line_angles_) {
       const double a = std::cos(tau) * rack.cos_beta_ * rho, b = std::sin(tau) * rho;
@@ -215,7 +216,7 @@ struct SweptRack::Search {
     }
   }
 
-  /// All ψ within half of mid where the distance from (w_c, h_c) is stationary.
+  /// All ψ within `half` of `mid` at which the distance from (w_c, h_c) is stationary.
   void circle(double w_c, double h_c, double mid, double half) {
     const Place q = place(mid);
     const double x = q.w - w_c, y = q.h - h_c;
@@ -225,7 +226,7 @@ struct SweptRack::Search {
     if (std::abs(f) > (v * v + reach * rho) * half) return;
     const double df = q.dw * q.dw + q.dh * q.dh + x * q.ddw + y * q.ddh;
     if (std::abs(df) > (3 * v + reach) * rho * half) {
-      // F is monotone, so there is one root or none. Newton's method is kept within the bracket.
+      // F is monotone, so there is at most one root. Newton's method is kept within the bracket.
       const auto value = [&](double psi) {
         const Place p = place(psi);
         return (p.w - w_c) * p.dw + (p.h - h_c) * p.dh;
@@ -248,7 +249,7 @@ struct SweptRack::Search {
       }
       return consider(psi);
     }
-    // A double root to within 1e-10 rad: the distance there is flat to 1e-20 mm.
+    // This is a double root to within 1e-10 rad, and the distance there is constant to 1e-20 mm.
     if (half < 1e-10) return consider(mid);
     circle(w_c, h_c, mid - half / 2, half / 2);
     circle(w_c, h_c, mid + half / 2, half / 2);
@@ -275,7 +276,8 @@ struct SweptRack::Search {
     }
   }
 
-  /// Golden section about the deepest position: inside the cutter the minimum may be a kink.
+  /// Golden section around the deepest position, because the minimum inside the cutter may be a
+  /// kink.
   void deepen() {
     constexpr double kGolden = 0.6180339887498949;
     double lo = best_psi - 2 * finest, hi = best_psi + 2 * finest;
@@ -297,8 +299,8 @@ double SweptRack::clearance(PlanePoint p) const {
   Search search{*this, std::hypot(p.x, p.y), std::atan2(p.y, p.x)};
   search.consider(0.0);
   if (search.rho > 0) search.straight_parts();
-  // Points below the tip of the cutter by more than `best` cannot be nearer: h ≥ −h_F m − best,
-  // that is ρ cos ψ ≥ r_f − best.
+  // A point that is lower than the tip of the cutter by more than `best` cannot be nearer. The
+  // condition is h ≥ −h_F m − best, which means ρ cos ψ ≥ r_f − best.
   const double floor = r_f_ - std::max(search.best, 0.0);
   if (floor > search.rho) return search.best;
   const double window = floor <= -search.rho ? kPi : std::acos(floor / search.rho);

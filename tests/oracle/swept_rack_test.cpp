@@ -50,7 +50,7 @@ RackNumbers fully_rounded() {
   n.helix_angle = 0;
   n.profile_shift = 0.5;
   const double a = n.normal_pressure_angle;
-  // The rounding about the middle of the cutter's tooth: its centre at u = 0.
+  // The rounding is centred on the middle of the cutter's tooth, u = 0.
   n.root_fillet_radius = (kPi / 4 - n.dedendum * std::tan(a)) * std::cos(a) / (1 - std::sin(a));
   n.tip_fillet_radius = 0.2;  // bottom land at the addendum, tool_addendum absent
   return n;
@@ -81,8 +81,9 @@ TEST(SweptRack, known_points_lie_on_the_surface) {
 // A point moved by δ along the transverse normal moves by δ |n_t| along the spatial one, and the
 // clearance is the spatial distance. The rest is δ²/2 times a curvature: δ² = 1e-10 mm², and no
 // curvature radius of these surfaces is below 2 µm at the points of the table.
-// Outside a fillet cut by a sharp corner the point dips into the corner's wedge of 90° + α; the
-// depth under its two sides, on their bisector, is between sin(45° + α/2) and 1 of the dip.
+// Outside a fillet that a sharp corner cuts, the point enters the wedge of the corner, whose angle
+// is 90° + α. On the bisector, the depth below the two sides is between sin(45° + α/2) and 1 times
+// the step.
 TEST(SweptRack, sees_a_point_that_is_1e_5_mm_off) {
   constexpr double kOff = 1e-5, kRest = 2.5e-8;
   for (const FewToothCase& c : few_tooth_cases()) {
@@ -115,7 +116,7 @@ TEST(SweptRack, rolled_edges_lie_on_the_surface) {
     const double h = start + (1.8 - start) * i / 40;
     EXPECT_NEAR(rack.clearance(rolled(n, on_flank(n, h))), 0.0, 1e-12) << h;
   }
-  // Root land, and the inside of the root circle: the tip land is the nearest.
+  // For the root land and inside the root circle, the tip land of the cutter is nearest.
   const double middle = kPi / n.teeth, r_f = rack.deepest_radius();
   for (const double depth : {0.0, 1e-9, 0.1, 3.0, r_f}) {
     EXPECT_NEAR(
@@ -141,8 +142,8 @@ TEST(SweptRack, protuberance_cuts_proud_of_the_flank) {
     const EdgePoint e{start.h + rise, start.u + rise * std::tan(first), first};
     EXPECT_NEAR(large.clearance(rolled(many, e)), 0.0, 1e-12) << rise;
   }
-  // With 31 teeth the 10° line is removed (free of undercut only from 2/sin²10° = 66 teeth on, at a
-  // depth of one module), together with the rounding below 15°.
+  // With 31 teeth, undercut removes the 10° line, together with the rounding below 15°. At a depth
+  // of one module, this line is free of undercut only from 2/sin²10° = 66 teeth on.
   const RackNumbers n = with_protuberance();
   const SweptRack rack(n);
   for (int i = 0; i <= 30; ++i) {
@@ -150,8 +151,8 @@ TEST(SweptRack, protuberance_cuts_proud_of_the_flank) {
     EXPECT_NEAR(rack.clearance(rolled(n, on_tip_rounding(n, tau))), 0.0, 1e-12) << tau / kDegree;
   }
   EXPECT_LT(rack.clearance(rolled(n, on_tip_rounding(n, first))), -0.1);
-  // The involute of the main flank, raised by pr at the angle α. Where only the protuberance
-  // reaches, it is cut away by less than pr and by more than pr/2. Higher up, the flank is
+  // The involute of the main flank is raised by pr at the angle α. Where only the protuberance
+  // cuts, the involute is cut away by less than pr and by more than pr/2. Higher up, the flank is
   // unchanged.
   RackNumbers plain = n;
   plain.protuberance = 0;
@@ -163,9 +164,9 @@ TEST(SweptRack, protuberance_cuts_proud_of_the_flank) {
   EXPECT_NEAR(rack.clearance(rolled(n, on_flank(n, 1.0))), 0.0, 1e-12);
 }
 
-// The involute of the ramp, base radius r cos α_st,t, is the surface where it is the narrower one.
-// Below that it lies outside the flank and is cut away. Above it, the involute of the flank is
-// gone.
+// The involute of the ramp has the base radius r cos α_st,t. It is the surface wherever it makes
+// the tooth narrower than the flank. Below this part, it lies outside the flank and is cut away. In
+// this part, the involute of the flank is cut away.
 TEST(SweptRack, semi_topping_ramp_cuts_a_chamfer) {
   const RackNumbers n = semi_topping();
   const SweptRack rack(n);
@@ -198,7 +199,7 @@ double plain_scan(const SweptRack& rack, PlanePoint p) {
   std::vector<double> gap(kPositions);
   for (int k = 0; k < kPositions; ++k) gap[k] = rack.gap_at(p, -kPi + k * kStep);
   double best = *std::min_element(gap.begin(), gap.end());
-  const double limit = best + 0.05;  // other minima that a step may have missed
+  const double limit = best + 0.05;  // includes other minima that a step may have missed
   for (int k = 0; k < kPositions; ++k) {
     const double before = gap[(k + kPositions - 1) % kPositions], after = gap[(k + 1) % kPositions];
     if (gap[k] > before || gap[k] > after || gap[k] > limit) continue;
@@ -227,8 +228,9 @@ TEST(SweptRack, agrees_with_a_plain_scan_of_all_positions) {
       const PlanePoint p{rho * std::cos(angle), rho * std::sin(angle)};
       const double fast = rack.clearance(p), scan = plain_scan(rack, p);
       if (scan >= 0) {
-        // Golden section at a smooth minimum stops within sqrt(ulp), so its value is accurate to
-        // 1e-13. The scan may only be higher, if a minimum lies between its steps.
+        // At a smooth minimum, golden section stops within sqrt(ulp), so the value is accurate to
+        // 1e-13. The value of the scan may only be higher, which happens if a minimum lies between
+        // its steps.
         EXPECT_NEAR(fast, scan, 1e-11) << n.teeth << " " << p.x << " " << p.y;
         ++standing;
       } else {
@@ -284,7 +286,7 @@ TEST(SweptRack, cutter_distance_is_that_from_its_drawn_edge) {
       for (const PlanePoint& e : edge) drawn = std::min(drawn, std::hypot(e.x - u, e.y - height));
       const double d = rack.distance_to_cutter(height, p - u);
       EXPECT_NEAR(std::abs(d), drawn, 1.1e-4 * m) << u << " " << height;
-      // Mirror images at the middles of tooth and space, and the next pitch.
+      // Mirror images about the middles of tooth and space, and the next pitch.
       for (const double w : {u - p, p + u, 3 * p - u, -3 * p + u}) {
         EXPECT_NEAR(rack.distance_to_cutter(height, w), d, 1e-14 * p * 4) << w;
       }

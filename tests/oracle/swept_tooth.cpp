@@ -11,10 +11,9 @@ PlanePoint at(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// Returns the first zero of `value` in [begin, end], where value(t) ≥ 0 permits a safe step
-/// value(t)/rate. Steps have this size until the value is below `near`. From there, steps are
-/// doubled until the value is negative, and bisection follows: 60 halvings end at neighbouring
-/// doubles.
+/// Returns the first zero of `value` in [begin, end]. If value(t) ≥ 0, a step of value(t)/rate is
+/// safe. Such steps are used until the value is below `near`. From there on, the step is doubled
+/// until the value is negative. Bisection follows, whose 60 halvings end at neighbouring doubles.
 template <class F>
 std::optional<double> first_zero(F value, double begin, double end, double rate, double near) {
   double t = begin, v = value(t);
@@ -41,8 +40,8 @@ std::optional<double> first_zero(F value, double begin, double end, double rate,
   return 0.5 * (lo + hi);
 }
 
-/// Distance at which the walk starts to search for the crossing: 1e-4 m, small compared with every
-/// feature of a cutter.
+/// Distance at which the walk begins to search for the crossing. 1e-4 m is small compared with
+/// every feature of a cutter.
 double near_of(const SweptRack& rack) { return 1e-4 * rack.numbers().normal_module; }
 
 double outermost(const SweptRack& rack) {
@@ -96,7 +95,7 @@ double involute_half_angle(const SweptRack& rack, double radius) {
 }
 
 std::optional<double> form_radius(const SweptRack& rack) {
-  // A hundred times the rounding error of `clearance`. Its effect is stated under Accuracy.
+  // A hundred times the rounding error of `clearance`. The section "Accuracy" describes its effect.
   constexpr double kOnSurface = 1e-11;
   const auto gap = [&](double rho) {
     return rack.clearance(at(rho, involute_half_angle(rack, rho)));
@@ -141,8 +140,8 @@ std::optional<Neck> neck(const SweptRack& rack) {
   const double high = form_radius(rack).value_or(rack.reference_radius());
   const double low = std::max(root_radius(rack), 0.0);
   const auto half_angle = [&](double rho) { return material_half_angle(rack, rho); };
-  // The half angle decreases from the root land and increases again towards the flank, or decreases
-  // all the way. The least of 64 radii is refined by golden section.
+  // From the root land on, the half angle first decreases and then increases towards the flank, or
+  // it decreases throughout. The least value at 64 radii is refined by golden section.
   constexpr int kRadii = 64;
   double best = high, best_angle = half_angle(high);
   for (int i = 1; i < kRadii; ++i) {

@@ -1,4 +1,5 @@
-// Compares root, neck, form and pointed radius of the swept tooth with the few-tooth cases.
+// Compares root radius, neck, form radius and pointed radius of the swept tooth with the few-tooth
+// cases.
 #include "tests/oracle/swept_tooth.hpp"
 
 #include <gtest/gtest.h>
@@ -20,23 +21,24 @@ TEST(SweptTooth, few_tooth_cases) {
     EXPECT_NEAR(root_radius(rack), c.root_radius, 1e-12);
     EXPECT_NEAR(material_half_angle(rack, c.neck_radius), c.neck_half_angle, 1e-10);
 
-    // Undercut: 1e-11 mm over the sine of the crossing angle, 0.1 or more here. Else the quadratic
-    // departure of the fillet, extrapolated; R19, 8 µm from its base circle, without that.
+    // If the tooth is undercut, the tolerance is 1e-11 mm divided by the sine of the crossing
+    // angle, which is at least 0.1 here. Otherwise the quadratic departure of the fillet is
+    // extrapolated, except for R19, which begins 8 µm from its base circle.
     const auto form = form_radius(rack);
     ASSERT_TRUE(form.has_value());
     const double m = c.rack.normal_module;
     const bool extrapolated = c.form_radius - rack.base_radius() > 1e-3 * m;
     EXPECT_NEAR(*form, c.form_radius, c.undercut ? 1e-10 : extrapolated ? 1e-7 * m : 1e-6);
 
-    // The tip is a point, or the land cut by the bottom of the cutter. There is no material just
-    // outside.
+    // The tip is either a point, or a land cut by the bottom of the cutter. There is no material
+    // just outside the tip.
     if (c.tip_half_angle == 0.0) {
       const auto pointed = pointed_radius(rack);
       ASSERT_TRUE(pointed.has_value());
       EXPECT_NEAR(*pointed, c.tip_radius, 1e-11);
     } else {
-      // δ below the land the arc is longer by δ times the flank's slope (below 10), or, where a tip
-      // fillet leaves the land along the tangent, by sqrt(2 δ R), R < 2 mm.
+      // At δ below the land, the arc is longer by δ times the slope of the flank (less than 10). If
+      // a tip fillet leaves the land along its tangent, it is longer by sqrt(2 δ R), R < 2 mm.
       constexpr double kBelow = 1e-9;
       const double longer =
           c.rack.tip_fillet_radius > 0 ? std::sqrt(2 * kBelow * 2.0) : 10 * kBelow;
@@ -50,7 +52,7 @@ TEST(SweptTooth, few_tooth_cases) {
   }
 }
 
-// The neck in the table is the least value of a grid, and the true one is at most 7e-7 rad below.
+// The neck in the table is the least value on a grid. The true value is at most 7e-7 rad smaller.
 // R14 was solved to 30 digits from dθ/dτ = 0 on the rolled rounding.
 TEST(SweptTooth, neck_is_the_true_minimum) {
   for (const FewToothCase& c : few_tooth_cases()) {
@@ -104,7 +106,7 @@ TEST(SweptTooth, blank_ends_the_tooth) {
   EXPECT_TRUE(pointed_radius(SweptRack(n)).has_value());
 }
 
-// On the flank the half angle is that of the involute; at the reference circle half the arc is
+// On the flank, the half angle is that of the involute. On the reference circle, half of the arc is
 // π m/4 + x m tan α.
 TEST(SweptTooth, half_angle_on_the_flank_is_the_involute) {
   const RackNumbers n{.teeth = 23,

@@ -1,9 +1,9 @@
-// The pieces of an outline and the feet on them.
+// The pieces of an outline, and the foot points on them.
 //
-// A foot is a root of F(t) = (c(t) − q)·c′(t) at which F changes from − to +. If q is nearer than
-// the least radius of curvature, F increases along a piece with a small turn, so there is one root
-// or none. Further away on the concave side, there may be more roots. Then eighths of the piece are
-// examined.
+// A foot point is a root of F(t) = (c(t) − q)·c′(t) at which F changes from − to +. If q is nearer
+// than the least radius of curvature, F increases along a piece with a small turn, so there is at
+// most one root. Further away on the concave side, there may be more roots. Then eighths of the
+// piece are examined.
 #include "tests/oracle/toothed_outline.hpp"
 
 #include <Eigen/LU>
@@ -20,22 +20,22 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Tolerance within which curves meet and lie on the two rays. A gap changes no distance by more
-// than this.
+// Tolerance for the joints of curves and for the distance of the ends from the two rays. A gap
+// changes a distance by at most this length.
 constexpr double kGap = 1e-9;  // mm
-// A piece this short deviates from any smooth curve by less than its square divided by the radius
-// of curvature: 1e-12 mm for 1 mm. This is needed if the speed is singular, such as √u at a base
-// circle.
+// A piece as short as this deviates from any smooth curve by less than the square of its length
+// divided by the radius of curvature, which is 1e-12 mm for 1 mm. This limit is needed if the speed
+// is singular, as with √u at a base circle.
 constexpr double kShort = 1e-6;  // mm
 constexpr double kTurn = 0.3;    // rad
 constexpr std::size_t kMaxPieces = 4096;
-// Tangents at the ends are evaluated slightly inside, because at a base circle the speed itself may
-// be zero.
+// Tangents at the ends are evaluated slightly inside the curve, because the speed may be zero at a
+// base circle.
 constexpr double kInside = 1 - 1e-5;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// The direction to the left is outside, because the chain runs clockwise about the centre.
+/// The left side is outside, because the chain runs clockwise about the centre.
 Vector2d left(const Vector2d& v) { return {-v.y(), v.x()}; }
 
 double turn_between(const Vector2d& a, const Vector2d& b) {
@@ -59,7 +59,7 @@ ToothedOutline::ToothedOutline(int teeth, const std::vector<Curve>& half_tooth) 
 
 void ToothedOutline::append(const Curve& curve, double from, double to) {
   constexpr int kNodes = kDegree + 1;
-  // Chebyshev nodes including the ends, so that neighbouring pieces share a point.
+  // Chebyshev nodes including the ends, so that neighbouring pieces have a common point.
   static const std::array<double, kNodes> nodes = [] {
     std::array<double, kNodes> t{};
     for (int i = 0; i < kNodes; ++i) t[i] = -std::cos(kPi * i / kDegree);
@@ -183,8 +183,8 @@ ToothedOutline::Place ToothedOutline::end_place(const Piece& p, int end, const V
   return {squared, std::copysign(std::sqrt(squared), d.dot(p.outside[end]))};
 }
 
-/// The root of F between lo and hi, at which F changes from − to +, by Newton's method within the
-/// bracket.
+/// The root of F between lo and hi at which F changes from − to +. Newton's method is kept within
+/// the bracket.
 ToothedOutline::Place ToothedOutline::root_place(const Piece& p, double lo, double hi,
                                                  const Vector2d& q) {
   const Vector2d chord = p.c.col(1);
@@ -198,12 +198,14 @@ ToothedOutline::Place ToothedOutline::root_place(const Piece& p, double lo, doub
     if (!(next >= lo && next <= hi)) next = 0.5 * (lo + hi);
     const double step = std::abs(next - t);
     t = next;
-    if (step < 1e-10) break;  // the next step, its square, is below rounding
+    if (step < 1e-10)
+      break;  // the next step would be the square of this one, which is below
+              // rounding
   }
   const Jet j = jet(p, t);
   const Vector2d d = q - j.value;
-  // Measured perpendicular to the tangent, an error e of the foot along the curve has the effect
-  // e². With |d| the effect would be e.
+  // The distance is measured perpendicular to the tangent. An error e of the foot point along the
+  // curve then changes it by only e², whereas |d| would change by e.
   const double across = cross(j.slope, d) / j.slope.norm();
   const double squared = d.squaredNorm();
   const double length = std::sqrt(squared);

@@ -31,10 +31,10 @@ ToothedOutline::Curve line(Vector2d from, Vector2d to) {
   return [=](double u) -> Vector2d { return from + u * (to - from); };
 }
 
-/// The cutters are those of the source, smooth everywhere; a sharp-edged one whose involute starts
-/// at its base circle, where the speed is zero, on a radial line; the same with parameter √u; a
-/// necked tooth, whose polar angle decreases, increases and decreases again; and one that is
-/// pointed at the tip and in the space.
+/// The cutters of the source, which are smooth everywhere; a sharp-edged cutter whose involute
+/// starts at its base circle, where the speed is zero, on a radial line; the same with the
+/// parameter √u; a necked tooth, whose polar angle decreases, increases and decreases again; and a
+/// tooth that is pointed at the tip and in the space.
 std::vector<Drawn> outlines() {
   std::vector<Drawn> all;
   for (const PinionCutterCase& c : pinion_cutter_cases()) {
@@ -118,7 +118,8 @@ TEST(ToothedOutline, distance_is_that_from_the_walked_curves) {
       const double r = 1.3 * outline.outer_radius() * part(random);
       const double angle = 2 * kPi * part(random);
       const Vector2d q(r * std::cos(angle), r * std::sin(angle));
-      // The walk uses only one half tooth, so the point is moved into that half pitch.
+      // The walk uses only one half tooth, so the point is moved into the half pitch of this half
+      // tooth.
       const double pitch = 2 * kPi / d.teeth;
       const double left = angle - pitch * std::floor(angle / pitch);
       const double folded = std::min(left, pitch - left);
@@ -134,8 +135,8 @@ TEST(ToothedOutline, distance_is_that_from_the_walked_curves) {
   }
 }
 
-// Close to the curve, where the sign is most important, a step to either side along the normal is
-// measured as itself. The normal is computed from three points of the curve. At a sharp edge this
+// Close to the curve, the sign is most important. A step to either side along the normal must be
+// measured as itself. The normal is computed from three points of the curve. At a sharp edge, this
 // holds only outwards.
 TEST(ToothedOutline, small_steps_to_either_side_are_seen) {
   for (const Drawn& d : outlines()) {

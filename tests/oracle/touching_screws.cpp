@@ -17,13 +17,13 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Rotations closer than this are equal. It is a thousand times the rounding error of a sum of
-// angles of one turn.
+// Rotations that differ by less than this are equal. The value is a thousand times the rounding
+// error of a sum of angles of one turn.
 constexpr double kSameRotation = 1e-12;  // rad
-// Permitted difference of search and solution: a thousand times the accuracy of either.
+// Permitted difference between search and solution. It is a thousand times the error of either.
 constexpr double kTwoWays = 1e-10;  // rad
-// Tolerance for an edge. Near a base circle, the string is the square root of a difference of two
-// radii.
+// Tolerance for an edge. Near a base circle, the length of the string is the square root of a
+// difference of two radii.
 constexpr double kAtEnd = 1e-7;  // in centre distances
 
 void check(const Screw& g) {
@@ -41,17 +41,18 @@ void check(const ScrewPair& p) {
           "no tip reaches the other axis");
   require(std::abs(p.shaft_angle) < kPi, "the shaft angle is below half a turn");
   require(p.half_face >= 0, "the face width is not negative");
-  // Turns per mm in pitches. Both gears must have the same number; otherwise the teeth lose step.
+  // Turns per mm, counted in pitches. The value must be the same for both gears; otherwise the
+  // teeth would not stay in step.
   const double one = p.first.teeth * turn_per_length(p.first);
   const double two = p.second.teeth * turn_per_length(p.second);
   require(!parallel(p) || std::abs(one + two) <= 1e-9 * std::abs(one),
           "parallel axes: the helices of both gears fit each other");
 }
 
-/// The section z = 0 of parallel axes represents all sections and has no face that ends it.
+/// On parallel axes, the section z = 0 represents all sections. No face limits it.
 bool one_section(const ScrewPair& p) { return parallel(p) && p.half_face == 0.0; }
 
-/// Distance from the nearest end of either flank, and which end that is. mm
+/// The distance from the nearest end of either flank, mm, and which end that is.
 void to_ends(const ScrewPair& p, const Flank& flank, double u_1, double z_1, double u_2,
              Touch& touch) {
   const double r_1 = p.first.base_radius, r_2 = p.second.base_radius;
@@ -69,8 +70,8 @@ void to_ends(const ScrewPair& p, const Flank& flank, double u_1, double z_1, dou
 }
 
 /// Distance from z = 0 within which gear 1 must be searched. Both tip cylinders contain a point
-/// only if it is as near to the plane of axis 1 and x as their sections permit; the same holds for
-/// axis 2.
+/// only if it is near enough to the plane through axis 1 and x. The sections of the cylinders give
+/// this limit, and the same applies to axis 2.
 double axial_reach(const ScrewPair& p) {
   const double a = p.center_distance, a_1 = p.first.tip_radius, a_2 = p.second.tip_radius;
   if (a >= a_1 + a_2) return -1.0;
@@ -79,7 +80,7 @@ double axial_reach(const ScrewPair& p) {
     return std::sqrt((own - nearest) * (own + nearest));
   };
   if (parallel(p)) {
-    // The pattern repeats with every axial pitch, each tooth in the place of the next one.
+    // The pattern repeats with every axial pitch, with each tooth in the position of the next one.
     const double k = turn_per_length(p.first);
     return std::min(p.half_face, k == 0 ? 0.0 : kPi / (p.first.teeth * std::abs(k)));
   }
@@ -104,8 +105,9 @@ std::optional<Touch> touch_of_tooth(const ScrewPair& p, double rotation_1, Side 
   const auto [low, high] = overlap(flank, flank.sections_within(opening_1(p), reach));
   if (low > high) return std::nullopt;
 
-  // Sections at equal steps are followed by a search between the neighbours of each section that is
-  // no lower than both and higher than one of them. This excludes the middle of a flat ridge.
+  // Sections at equal steps are evaluated. Then the search continues between the neighbours of each
+  // section that is not lower than both and higher than at least one of them. This excludes the
+  // middle of a flat ridge.
   const int sections = high > low ? 40 : 0;
   const auto best_at = [&flank](double z) { return best_in_section(flank, z).value; };
   const auto section = [&, low = low, high = high](int i) {
@@ -126,8 +128,8 @@ std::optional<Touch> touch_of_tooth(const ScrewPair& p, double rotation_1, Side 
   for (const Peak& peak : peaks) best = std::max(best, peak.value);
   if (best == kNone) return std::nullopt;
 
-  // For a line of contact: of the equally good sections, the one farthest from the ends of the
-  // flanks.
+  // On a line of contact, several sections are equally good. The one farthest from the ends of the
+  // flanks is used.
   std::optional<Touch> found;
   double z_1 = 0, u_1 = 0;
   for (const Peak& peak : peaks) {
@@ -159,9 +161,9 @@ std::optional<Touch> touch_of_tooth(const ScrewPair& p, double rotation_1, Side 
     return found;
   }
   if (!tangent || !within || ahead < -kTwoWays) {
-    // An edge stops gear 2. The tangency belongs to the extensions of the flanks, or to a point
-    // behind. Just past an end, the flat top of the gap determines the position less accurately
-    // than the tangency does.
+    // An edge stops gear 2. The tangency belongs to extensions of the flanks, or to a point that is
+    // passed later. Just beyond an end, the gap is flat, so it determines the position less
+    // accurately than the tangency does.
     if (tangent && !within && std::abs(ahead) < kTwoWays)
       found->where = inside.where;
     else if (found->margin > kAtEnd * p.center_distance)
@@ -178,13 +180,13 @@ std::optional<Touch> touch(const ScrewPair& p, double rotation_1, Side side) {
   check(p);
   const double reach = axial_reach(p);
   if (reach < 0) return std::nullopt;
-  // Every tooth whose flank comes within the opening somewhere along the reach.
+  // All teeth whose flanks come within the opening at some point of the reach.
   const double half_tooth = p.first.base_thickness / (2 * p.first.base_radius);
   const double width = opening_1(p) + half_tooth + std::abs(turn_per_length(p.first)) * reach;
   const double per_turn = p.first.teeth / (2 * kPi);
   const double first = std::ceil((rotation_1 - width) * per_turn);
   const double last = std::floor((rotation_1 + width) * per_turn);
-  require(last - first < 5000, "axes so near to parallel need a face width");
+  require(last - first < 5000, "a face width is required if the axes are this close to parallel");
 
   const int sigma = static_cast<int>(side);
   std::vector<Touch> all;

@@ -1,7 +1,7 @@
-// Two involute screws that touch: the slow independent method for a pair of gears at any shaft
-// angle. A gear is represented by an involute unwound from its base circle and screwed along its
-// axis. Gear 2 is turned until the two solids touch. No rack, pitch cylinder or line of action is
-// used.
+// Two involute screws that touch. This is a slow, independent method for a pair of gears at any
+// shaft angle. A gear is represented by an involute that is unwound from the base circle and moved
+// along the axis by a screw motion. Gear 2 is turned until the two solids touch. No rack, pitch
+// cylinder or line of action is used.
 //
 //   r_b, β_b   base radius and base helix angle, right hand > 0     s_bt   tooth on the base circle
 //   k          turn per mm of axis, r_b k = tan β_b                 r_a    tip radius
@@ -30,40 +30,44 @@
 
 namespace gearwright::oracle {
 
-/// An external gear given by its flanks; mm and rad.
+/// An external gear described by its flanks; mm and rad.
 struct Screw {
   int teeth = 0;                ///< z ≥ 1
   double base_radius = 0.0;     ///< r_b > 0
   double base_thickness = 0.0;  ///< s_bt > 0, arc of the base circle in the transverse section
   double base_helix = 0.0;      ///< β_b  |β_b| < π/2
-  double tip_radius = 0.0;      ///< r_a > r_b, at most where the flanks of a tooth meet
+  double tip_radius = 0.0;      ///< r_a > r_b, at most the radius at which the flanks of a tooth
+                                ///< meet
 };
 
 struct ScrewPair {
   Screw first, second;
   double center_distance = 0.0;  ///< a  mm, greater than both tip radii
   double shaft_angle = 0.0;      ///< Σ  rad, |Σ| < π, signed
-  /// Gear 1 has only the part |z| ≤ half_face. 0 means that only the section z = 0 is used.
+  /// If half_face > 0, gear 1 exists only for |z| ≤ half_face. If it is 0, only the section z = 0
+  /// is used.
   double half_face = std::numeric_limits<double>::infinity();
 };
 
 enum class Side { leading = -1, trailing = +1 };
 
-/// The parts that touch: both flanks, or the edge where one of them ends. `base_1`, `base_2`: the
-/// involute ends at its base circle, and the curve beyond it is unknown here. `unsettled`: the two
-/// methods contradict each other, so there is no answer.
+/// The parts that touch: both flanks, or the edge at which one of them ends. `base_1`, `base_2`:
+/// the involute ends at its base circle, and the curve beyond it is not known here. `unsettled`:
+/// the two methods contradict each other, so there is no result.
 enum class Where { flanks, tip_1, tip_2, base_1, base_2, face_1, unsettled };
 
 struct Touch {
-  double rotation_2 = 0.0;  ///< φ_2  rad; solved for where = flanks, else searched
+  double rotation_2 = 0.0;  ///< φ_2  rad; solved if `where` is flanks, otherwise found by the
+                            ///<      search
   double searched_2 = 0.0;  ///< φ_2  rad, from the search alone
-  /// Housing, mm; one point of the line when the axes are parallel.
+  /// Housing, mm. On parallel axes, one point of the line of contact.
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, out of gear 1
   int tooth = 0;                                     ///< n
   Where where = Where::flanks;
-  double string_1 = 0.0, string_2 = 0.0;  ///< r_b u of the touching point on either flank, mm
-  double residual = 0.0;  ///< mm, distance of the two solved points and r_b1 |n_1 × n_2|
+  double string_1 = 0.0, string_2 = 0.0;  ///< r_b u of the touching point on each flank, mm
+  double residual = 0.0;  ///< mm, greater of the distance of the two solved points and r_b1 |n_1 ×
+                          ///< n_2|
   double margin = 0.0;    ///< mm, string length (or width) from the nearest end of a flank
 };
 
@@ -74,8 +78,8 @@ Eigen::Vector3d flank_point(const Screw& gear, int sigma, double u, double z);
 /// Unit normal there, out of the material.
 Eigen::Vector3d flank_normal(const Screw& gear, int sigma, double u, double z);
 
-/// The contact of tooth n of gear 1 in space n of gear 2, without the other teeth. None if no part
-/// of that flank lies within the tip cylinder and outside the base cylinder of gear 2.
+/// The contact of tooth n of gear 1 in space n of gear 2, without the other teeth. Absent if no
+/// part of the flank lies within the tip cylinder and outside the base cylinder of gear 2.
 /// Units     mm, rad
 /// Accuracy  rotation 1e-13 rad, at an edge too; point 1e-12 mm over sin² Σ, at an edge 1e-7 of the
 ///           flank. A corner of two tips less than 1/200 of the way of the flank through the other
@@ -84,13 +88,13 @@ Eigen::Vector3d flank_normal(const Screw& gear, int sigma, double u, double z);
 ///           helices do not fit
 std::optional<Touch> touch_of_tooth(const ScrewPair& pair, double rotation_1, Side side, int tooth);
 
-/// The contact of the two solids. Of all teeth that reach into each other, it is that of the tooth
-/// that stops gear 2. Of teeth that touch at once, it is that whose point lies farthest from the
-/// ends of its flanks.
+/// The contact of the two solids. Of all teeth within reach, it is that of the tooth that stops
+/// gear 2. If several teeth touch at once, it is the contact whose point lies farthest from the
+/// ends of the flanks.
 std::optional<Touch> touch(const ScrewPair& pair, double rotation_1, Side side);
 
-/// The angle by which gear 2 can turn with gear 1 held, rad. It is negative if the solids overlap
-/// in every position.
+/// The angle by which gear 2 can turn while gear 1 is fixed, rad. It is negative if the solids
+/// overlap in every position.
 std::optional<double> play(const ScrewPair& pair, double rotation_1);
 
 std::ostream& operator<<(std::ostream& os, Where where);

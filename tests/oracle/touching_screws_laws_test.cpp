@@ -1,7 +1,7 @@
-// The touching screws against themselves: strings, the gears exchanged, laws over seeded pairs,
-// what touches when flanks do not.
+// Tests the touching screws against themselves: strings, exchanged gears, laws over seeded pairs,
+// and the parts that touch when the flanks do not.
 //
-//   T   what gear 2 is ahead of the ratio: φ_2 − (z_1/z_2) φ_1
+//   T   angle by which gear 2 is ahead of the ratio: φ_2 − (z_1/z_2) φ_1
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -20,9 +20,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The flank is the end of the string. The foot of the string is on the base circle, tangent to it,
-// and the string is as long as the arc from which it was unwound. The base tooth is s_bt thick and
-// turns like a screw. The normal is perpendicular to the surface.
+// The flank is the end of the string. The foot of the string lies on the base circle, where the
+// string is tangent. The string is as long as the arc from which it was unwound. The tooth on the
+// base circle has the thickness s_bt and turns like a screw. The normal is perpendicular to the
+// surface.
 TEST(TouchingScrews, flank_is_an_unwound_string) {
   for (const double beta_b : {0.5, 0.0, -0.8}) {
     const Screw g{11, 20.0, 5.0, beta_b, 26.0};
@@ -39,7 +40,7 @@ TEST(TouchingScrews, flank_is_an_unwound_string) {
           const Vector3d string = point - Vector3d(20 * std::cos(foot), 20 * std::sin(foot), z);
           EXPECT_NEAR(string.norm(), 20 * u, 1e-13);
           EXPECT_NEAR(string.dot(Vector3d(std::cos(foot), std::sin(foot), 0)), 0.0, 1e-13);
-          // Away from the start: it was unwound, not wound on.
+          // The string points away from its start, because it was unwound and not wound up.
           EXPECT_LT(sigma * std::atan2(point.y(), point.x()), sigma * azimuth);
 
           const Vector3d n = flank_normal(g, sigma, u, z);
@@ -51,7 +52,7 @@ TEST(TouchingScrews, flank_is_an_unwound_string) {
           EXPECT_NEAR(n.norm(), 1.0, 1e-15);
           EXPECT_NEAR(n.dot(by_u) / (2 * kStep), 0.0, 20 * kStep * kStep);
           EXPECT_NEAR(n.dot(by_z) / (2 * kStep), 0.0, 20 * kStep * kStep);
-          // Out of the material: away from the middle of the tooth.
+          // The normal points out of the material, which means away from the middle of the tooth.
           const double middle = z * std::tan(beta_b) / 20.0;
           EXPECT_GT(sigma * n.dot(Vector3d(-std::sin(middle), std::cos(middle), 0)), 0.0);
         }
@@ -60,13 +61,13 @@ TEST(TouchingScrews, flank_is_an_unwound_string) {
   }
 }
 
-/// The same housing seen from gear 2. Its tooth takes the place of that of gear 1.
+/// The same housing seen from gear 2. The tooth of gear 2 takes the place of the tooth of gear 1.
 ScrewPair exchanged(const ScrewPair& p) {
   return {p.second, p.first, p.center_distance, p.shaft_angle};
 }
 
-/// Two screws of one base pitch, at angles at which they can mesh. The tips of some are too short
-/// for a continuous contact.
+/// Two screws with a common base pitch, at angles at which they can mesh. Some tips are too short
+/// for continuous contact.
 ScrewPair random_screws(std::mt19937_64& random) {
   const auto between = [&random](double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
@@ -95,12 +96,12 @@ ScrewPair random_screws(std::mt19937_64& random) {
   return p;
 }
 
-// Laws over seeded pairs, of any backlash and any mounting error.
-// (1) The gears exchanged touch at the same rotations: now points of gear 2 are asked when a flank
-//     of gear 1 passes them.
+// Laws over seeded pairs with any backlash and any mounting error.
+// (1) If the gears are exchanged, they touch at the same rotations. The search then computes when
+//     a flank of gear 1 passes the points of gear 2.
 // (2) Half a turn about the centre line exchanges the sides: T_trailing(φ_1) = −T_leading(−φ_1).
-// (3) A pitch on, the next tooth does what this one did.
-// (4) While flanks touch within their ends, T is one number.
+// (3) One pitch later, the next tooth has the same contact.
+// (4) While the flanks touch within their ends, T is constant.
 TEST(TouchingScrews, laws_over_seeded_pairs) {
   std::mt19937_64 random(20240611);
   int meshes = 0, at_flanks = 0, at_edges = 0;
@@ -140,7 +141,7 @@ TEST(TouchingScrews, laws_over_seeded_pairs) {
   EXPECT_GT(at_edges, 10);
 }
 
-// The tips are too short for a continuous contact. Between two teeth an edge touches, and gear 2
+// The tips are too short for continuous contact. Between two teeth, an edge touches. Gear 2 then
 // falls behind the ratio, is never ahead of it, and does not jump.
 TEST(TouchingScrews, short_tips_touch_with_their_edges) {
   const ConjugatePair& pair = conjugate_pairs().front();
@@ -163,7 +164,7 @@ TEST(TouchingScrews, short_tips_touch_with_their_edges) {
       EXPECT_TRUE(t->where == Where::tip_1 || t->where == Where::tip_2) << t->where;
       EXPECT_NEAR(t->margin, 0.0, 1e-6);
     }
-    // No jump: T changes by less than half of the rotation of gear 2 in the step.
+    // There is no jump: T changes by less than half of the rotation of gear 2 in the step.
     if (i > 0) {
       EXPECT_LT(std::abs(ahead - before), 0.5 * ratio(p) * pitch_1(p) / kSteps);
     }
@@ -174,8 +175,8 @@ TEST(TouchingScrews, short_tips_touch_with_their_edges) {
 }
 
 // Gear 2 reaches below the base circle of gear 1, where there is no involute. Its flank meets the
-// end of that of gear 1, or its tip edge digs in beside it. Gear 2 is pushed ahead, and the solids
-// overlap on both sides, so this is not accepted as a mesh.
+// end of gear 1's flank, or its tip edge enters the material next to it. Gear 2 is pushed ahead,
+// and the solids overlap on both sides, so the pair is not accepted as a mesh.
 TEST(TouchingScrews, interference_is_told) {
   const ScrewPair p = interfering_pair();
   int base = 0;
@@ -227,7 +228,7 @@ TEST(TouchingScrews, wrong_numbers_are_refused) {
   wrong[0].first.teeth = 0;
   wrong[1].second.base_radius = wrong[1].second.tip_radius;
   wrong[2].first.base_helix = kPi / 2;
-  wrong[3].second.base_thickness = 0.1;  // its flanks meet below the tip
+  wrong[3].second.base_thickness = 0.1;  // the flanks meet below the tip
   wrong[4].center_distance = wrong[4].second.tip_radius;
   wrong[5].shaft_angle = kPi;
   wrong[6].shaft_angle = 0.0;  // two right hands

@@ -1,8 +1,8 @@
-// Compares the touching screws with the closed formulas of conjugate action: zero backlash at the
-// right distance, the ratio z_1/z_2 at every rotation, and contact exactly along the line from A to
+// Compares the touching screws with the closed formulas of conjugate action: no backlash at the
+// correct distance, the ratio z_1/z_2 at every rotation, and contact exactly on the lines from A to
 // B and from A' to B'.
 //
-//   T   what gear 2 is ahead of the ratio: φ_2 − (z_1/z_2) φ_1
+//   T   angle by which gear 2 is ahead of the ratio: φ_2 − (z_1/z_2) φ_1
 //   ε   contact ratio: rotation over which one tooth touches, in pitches
 #include "tests/oracle/touching_screws.hpp"
 
@@ -24,16 +24,16 @@ using Eigen::Vector3d;
 
 constexpr std::array kSides = {Side::leading, Side::trailing};
 
-/// Rounding of 1e-14 mm in the two surfaces moves the contact point along the common tangent that
-/// is softest; there the gap curves by about sin² Σ over a radius. Parallel axes touch along a
-/// line.
+/// Rounding errors of 1e-14 mm in both surfaces move the contact point in the direction of the
+/// tangent plane in which the gap has the lowest curvature. This curvature is about sin² Σ divided
+/// by a radius. Gears on parallel axes touch along a line.
 double point_tolerance(const ScrewPair& p) {
   const double s = p.shaft_angle == 0.0 ? 1.0 : std::sin(p.shaft_angle);
   return 1e-12 / (s * s);
 }
 
-/// The end of the line of contact, A or B, of the side's flanks. Of parallel axes every section has
-/// its own line: they are looked at along the axis.
+/// The end A or B of the line of contact for the flanks of a side. On parallel axes, every section
+/// has its own line, so the lines are viewed along the axis.
 Vector3d end_of_line(const ScrewPair& p, const ConjugateMesh& mesh, Side side,
                      const Vector3d& end) {
   const bool leading = side == Side::leading;
@@ -50,8 +50,8 @@ class ConjugateScrews : public ::testing::TestWithParam<ConjugatePair> {};
 INSTANTIATE_TEST_SUITE_P(Pairs, ConjugateScrews, ::testing::ValuesIn(conjugate_pairs()),
                          [](const auto& info) { return std::string(info.param.name); });
 
-// At this Σ the formulas give no backlash. Both flanks touch, at the ratio, on their lines, and the
-// search agrees with the tangency.
+// At this Σ, the formulas give no backlash. Both flanks touch on their lines at the rotation given
+// by the ratio, and the search agrees with the tangency.
 TEST_P(ConjugateScrews, no_backlash_one_ratio_one_line) {
   for (const ConjugateMesh& mesh : GetParam().meshes) {
     const ScrewPair p = mounted(GetParam(), mesh);
@@ -83,9 +83,9 @@ TEST_P(ConjugateScrews, no_backlash_one_ratio_one_line) {
   }
 }
 
-// One tooth is followed in both directions until an edge takes over: the leading flanks from A, the
-// tip of gear 2, to B, the tip of gear 1; the trailing flanks from B' to A'. The rotation between
-// is ε pitches. For parallel helical gears, the section z = 0 is used.
+// One tooth is followed in both directions until an edge takes over: the leading flanks from A, at
+// the tip of gear 2, to B, at the tip of gear 1; the trailing flanks from B' to A'. The rotation
+// between these points is ε pitches. For parallel helical gears, the section z = 0 is used.
 TEST_P(ConjugateScrews, path_of_one_tooth_ends_at_the_tips) {
   for (const ConjugateMesh& mesh : GetParam().meshes) {
     ScrewPair p = mounted(GetParam(), mesh);
@@ -114,12 +114,12 @@ TEST_P(ConjugateScrews, path_of_one_tooth_ends_at_the_tips) {
         ASSERT_TRUE(edge.has_value());
         EXPECT_EQ(edge->where, at_b ? Where::tip_1 : Where::tip_2);
         const Vector3d end = end_of_line(p, mesh, side, at_b ? mesh.b : mesh.a);
-        // The bisection includes the noise of the point and of the strings of both gears.
+        // The bisection contains the rounding errors of the point and of the strings of both gears.
         EXPECT_NEAR((contact_point(p, *last) - end).norm(), 0.0, 10 * point_tolerance(p));
         ends[way > 0] = in;
       }
-      // On the line of contact gear 1's flank advances by r_b1 cos β_b1 a radian; of parallel axes
-      // by r_b1, in the section.
+      // On the line of contact, the flank of gear 1 advances by r_b1 cos β_b1 per radian. On
+      // parallel axes it advances by r_b1 within the section.
       const double arm =
           p.first.base_radius * (p.shaft_angle == 0.0 ? 1.0 : std::cos(p.first.base_helix));
       const double length =
@@ -129,8 +129,8 @@ TEST_P(ConjugateScrews, path_of_one_tooth_ends_at_the_tips) {
   }
 }
 
-// At other centre distances, the backlash is that of the formulas, negative if the teeth are too
-// thick. Both flanks share it, because a half turn about the centre line exchanges them.
+// At other centre distances, the backlash is that of the formulas; it is negative if the teeth are
+// too thick. It is equal for both flanks, because a half turn about the centre line exchanges them.
 TEST_P(ConjugateScrews, play_at_other_centre_distances) {
   for (const ConjugatePlay& wanted : GetParam().plays) {
     ConjugateMesh mesh{};

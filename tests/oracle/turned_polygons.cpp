@@ -34,13 +34,14 @@ TurnedPolygons::TurnedPolygons(ToothedPolygon gear_1, ToothedPolygon gear_2, dou
       cuts_2_(lines_),
       starts_1_(lines_),
       starts_2_(lines_) {
-  // x from where the tip circles cross (external: where the mating gear's tip is) to tip 1.
+  // x from the intersection of the tip circles (for external gears, from the tip of the mating
+  // gear) to tip 1.
   from_ = two_.ring
               ? std::max(-one_.tip, (two_.tip * two_.tip - a * a - one_.tip * one_.tip) / (2 * a))
               : a - two_.tip;
   step_ = (one_.tip - from_) / lines;
   if (two_.ring) return;
-  // Points nearer to their axis than any line are beside all lines at any rotation.
+  // Points nearer to their axis than all lines remain outside the lines at every rotation.
   for (Gear* gear : {&one_, &two_}) {
     const double least = gear == &one_ ? from_ : a - one_.tip;
     std::vector<Vector2d> kept;
@@ -58,8 +59,8 @@ void TurnedPolygons::cut(const Gear& gear, double turn, double sign, double offs
                          std::vector<char>& starts) const {
   for (auto& c : cuts) c.clear();
   const double pitch = 2 * kPi / gear.teeth;
-  // Teeth about the x axis: as many as lie within the common part of the tip circles, and one more
-  // on either side. All teeth are used if that is a large part of the circle.
+  // The teeth near the x axis: those within the common part of the tip circles, and one more on
+  // each side. If that is a large part of the circle, all teeth are used.
   const double nearest = sign * from_ + offset;
   double widest = kPi;
   if (sign < 0.0 || nearest > 0.0) {
@@ -76,7 +77,7 @@ void TurnedPolygons::cut(const Gear& gear, double turn, double sign, double offs
   const double base = std::remainder(turn, pitch);
   const int begin = all ? 0 : -reach;
   const int end = all ? gear.teeth : reach;
-  // Each line starts below, either far away or on the ray of the first tooth's middle.
+  // Each line starts below, either far away or on the ray through the middle of the first tooth.
   for (std::size_t i = 0; i < lines_; ++i) {
     const double x = sign * line(i) + offset;
     const double rho =
@@ -117,8 +118,8 @@ double TurnedPolygons::half_length(double x) const {
 double TurnedPolygons::shared_area(double phi, double turn) const {
   const double ratio = static_cast<double>(one_.teeth) / two_.teeth;
   cut(one_, phi, 1.0, 0.0, cuts_1_, starts_1_);
-  // Gear 2 has a space on the x axis. An external one is seen from its own side, turned by half a
-  // turn.
+  // Gear 2 has a space on the x axis. An external gear is viewed from its own side, so it is turned
+  // by half a turn.
   const double half = kPi / two_.teeth;
   const double rolled = (two_.ring ? ratio : -ratio) * phi + turn;
   if (two_.ring)
@@ -131,7 +132,7 @@ double TurnedPolygons::shared_area(double phi, double turn) const {
     auto& one = cuts_1_[i];
     seen = cuts_2_[i];
     bool in_2 = starts_2_[i] != 0;
-    if (!two_.ring) {  // y has the opposite direction there
+    if (!two_.ring) {  // y has the opposite direction for an external gear
       if (seen.size() % 2 == 1) in_2 = !in_2;
       std::reverse(seen.begin(), seen.end());
       for (double& y : seen) y = -y;

@@ -1,13 +1,14 @@
-// Computes the common area of two toothed polygons that turn against each other.
+// Computes the common area of two toothed polygons that are turned against each other.
 //
 //   half tooth   points from the middle of the space (polar angle π/z) to the middle of the tooth
 //                (the x axis), on the side y ≥ 0; an internal gear's material lies beyond it
-//   mesh         at +x of axis 1; axis 2 at (a, 0), an internal gear's at (−a, 0); at rest a tooth
-//                of gear 1 stands in the middle of a space of gear 2, both on the x axis
+//   mesh         at +x of axis 1; axis 2 at (a, 0), for an internal gear at (−a, 0); at rest, a
+//                tooth of gear 1 is in the middle of a space of gear 2, both on the x axis
 //
-// Lines x = const, evenly spaced where the tip circles overlap, are cut with both polygons. Along a
-// line, the polar angle about either axis increases with y, so the cuts are obtained in order along
-// the polygon. The area is the length that both materials share, times the spacing.
+// Lines x = const are evenly spaced where the tip circles overlap. They are intersected with both
+// polygons. Along a line, the polar angle about either axis increases with y, so the intersections
+// follow each other in the order of the polygon. The common area is the length within both
+// materials times the spacing.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,12 +24,12 @@ struct ToothedPolygon {
 class TurnedPolygons {
  public:
   /// Units     mm
-  /// Domain    gear 1 external; half teeth that are star-shaped
+  /// Domain    gear 1 is external; the half teeth are star-shaped
   TurnedPolygons(ToothedPolygon gear_1, ToothedPolygon gear_2, double a, int lines);
 
   bool in_reach() const { return step_ > 0.0; }
-  /// The common area when gear 1 has turned counter-clockwise by φ, and gear 2, which rolls with
-  /// it, additionally by `turn`, mm².
+  /// The common area, mm², after gear 1 has turned counter-clockwise by φ. Gear 2 rolls with it and
+  /// is turned additionally by `turn`.
   double shared_area(double phi, double turn) const;
 
  private:
@@ -41,10 +42,10 @@ class TurnedPolygons {
   };
   static Gear gear_of(const ToothedPolygon& polygon);
   double line(std::size_t i) const { return from_ + step_ * (static_cast<double>(i) + 0.5); }
-  /// Half of the part of the line x that lies within the tip circles of external teeth.
+  /// Half the length of the line x within the tip circles of external teeth.
   double half_length(double x) const;
-  /// Cuts of the lines offset + line(i), in the order of y, with the gear turned by `turn`. The
-  /// first stretch is material if `starts[i]`.
+  /// Intersections of the lines offset + line(i), in the order of y, with the gear turned by
+  /// `turn`. If `starts[i]` is true, the first part is material.
   void cut(const Gear& gear, double turn, double sign, double offset, Cuts& cuts,
            std::vector<char>& starts) const;
 

@@ -1,5 +1,5 @@
-// The current case of a test. If a contract is violated, it is printed before the test ends, as a
-// reproducer.
+// The current case of a test. If a contract is violated, the case is printed before the test ends,
+// so that the failure can be reproduced.
 #pragma once
 
 #include <csignal>
@@ -15,7 +15,8 @@ extern "C" inline void print_at_hand(int) {
   std::fprintf(stderr, "at hand: %s\n", at_hand.c_str());
 }
 
-/// Prints the case when a violation passes by or aborts (base/contract.hpp).
+/// Prints the case when a contract is violated, whether the violation throws or aborts
+/// (base/contract.hpp).
 struct PrintsAtHand {
   PrintsAtHand() : old(std::signal(SIGABRT, print_at_hand)) {}
   ~PrintsAtHand() {

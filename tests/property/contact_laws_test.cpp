@@ -1,5 +1,5 @@
-// Tests laws of tooth contact over seeded pairs: invariants, and quantities that change in a known
-// way.
+// Tests laws of tooth contact over seeded pairs: invariants, and quantities that must change in a
+// known way.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,8 +18,8 @@ bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; 
 
 // ---- circular arcs ----
 
-// Racks whose radii are both larger by e cut parallel flanks. The motion does not change, and the
-// point moves along the normal.
+// If the arc radii of both racks increase by e, the racks cut parallel flanks. The motion does not
+// change, and the point of contact moves along the normal.
 TEST(ContactLaws, parallel_flanks) {
   for (const double crossing : {0.0, 2e-4, -3e-4}) {
     tca::ArcPair wider = some_arcs(crossing, 0.02);
@@ -40,7 +40,8 @@ TEST(ContactLaws, parallel_flanks) {
   }
 }
 
-// Both arcs are moved along their pitch lines by d. The motion is the same, d/(r sin λ) earlier.
+// If both arcs are moved along their pitch lines by d, the motion is the same but occurs d/(r sin
+// λ) earlier.
 TEST(ContactLaws, racks_moved_along_the_pitch_line) {
   const double crossing = 2e-4;
   tca::ArcPair moved = some_arcs(crossing);
@@ -60,8 +61,9 @@ TEST(ContactLaws, racks_moved_along_the_pitch_line) {
   }
 }
 
-// Only the centre distance is wrong. The error of motion is constant, and the point moves along a
-// straight line parallel to the axes. Its position follows exactly from one equation of dC.
+// If only the centre distance is wrong, the transmission error is constant, and the point of
+// contact moves along a straight line parallel to the axes. Its position follows exactly from one
+// equation of dC.
 TEST(ContactLaws, centre_distance_alone) {
   for (const double d_center : {-0.05, 0.01, 0.08}) {
     const tca::ArcPair pair = some_arcs(0.0, d_center);
@@ -85,9 +87,10 @@ TEST(ContactLaws, centre_distance_alone) {
 
 // ---- involutes without errors ----
 
-// (1) there is no error of motion at the backlash-free distance, external or internal, either gear
-//     driving
-// (2) the teeth touch along lines everywhere    (3) whose ends lie on the ends of the flanks
+// (1) at the backlash-free distance, there is no transmission error; external and internal pairs,
+//     either gear driving
+// (2) the teeth always touch along lines    (3) the ends of these lines lie on the ends of the
+//     flanks
 TEST(ContactLaws, conjugate_flanks) {
   Random random(11);
   int externals = 0, rings = 0;
@@ -123,8 +126,9 @@ TEST(ContactLaws, conjugate_flanks) {
   EXPECT_GE(rings, 40);
 }
 
-// Crossed axes are conjugate at any distance. Half the backlash is behind the middle, and the point
-// is on the line of action at the position given by its radius.
+// Gears on crossed axes are conjugate at any centre distance. The contact is half the backlash away
+// from the middle of the play. The point of contact lies on the line of action, at the position
+// that follows from its radius.
 TEST(ContactLaws, crossed_involutes_keep_to_the_line_of_action) {
   Random random(12);
   int pairs = 0;
@@ -155,8 +159,8 @@ TEST(ContactLaws, crossed_involutes_keep_to_the_line_of_action) {
   EXPECT_EQ(pairs, 150);
 }
 
-// A pair of teeth that is followed through its range gives the same contact as a search without
-// start value, and the curve does not depend on its number of positions.
+// If a pair of teeth is followed through its range, its contact is the same as from a search
+// without a start value. The curve does not depend on the number of positions.
 TEST(ContactLaws, positions_are_rotations) {
   over_pairs(26, 40, {}, [](const ModifiedPair& p, Random&) {
     const ContactPair pair = p.set.pair();
@@ -173,7 +177,8 @@ TEST(ContactLaws, positions_are_rotations) {
   });
 }
 
-// Errors do not rotate, so every pitch is like the first, with teeth one further.
+// The errors do not rotate with the gears, so every pitch repeats the first one, with the tooth
+// numbers increased by one.
 TEST(ContactLaws, pitches_repeat) {
   over_pairs(27, 30, {}, [](const ModifiedPair& p, Random&) {
     const ContactPair pair = p.set.pair();
@@ -206,8 +211,8 @@ TEST(ContactLaws, twice_is_the_same) {
   });
 }
 
-// The curve jumps nowhere, neither where the next pair nor where an edge takes over, nor between
-// pieces of a modified flank. With twice as many positions, the steps are half as large.
+// The curve has no jumps: neither where the next pair or an edge takes over, nor between pieces of
+// a modified flank. With twice as many positions, the steps are half as large.
 TEST(ContactLaws, the_curve_has_no_jump) {
   over_pairs(29, 15, {}, [](const ModifiedPair& p, Random&) {
     const ContactPair pair = p.set.pair();
@@ -221,7 +226,7 @@ TEST(ContactLaws, the_curve_has_no_jump) {
   });
 }
 
-// Neighbouring pieces of a modified flank meet: the field is the same from both sides.
+// Where two pieces of a modified flank meet, the field has the same value on both sides.
 TEST(ContactLaws, pieces_meet) {
   int seams = 0;
   int ridges = 0;
@@ -234,7 +239,7 @@ TEST(ContactLaws, pieces_meet) {
       double s2 = 0.5 * (mate.s_lo + mate.s_hi);
       return field.at(s, z, s2).t;
     };
-    // A border is a ridge exactly where the slope across it jumps.
+    // A border is a ridge if and only if the slope across it jumps.
     const auto end_for = [&](double slope, double other) {
       const bool jumps = std::abs(slope - other) > 1e-8 * (std::abs(slope) + std::abs(other));
       ridges += jumps;
@@ -267,7 +272,7 @@ TEST(ContactLaws, pieces_meet) {
   EXPECT_GT(ridges, 10);
 }
 
-// Twice the size: the same rotations to the last bit.
+// If all lengths are doubled, the rotations are exactly the same.
 TEST(ContactLaws, scaling_by_two_is_exact) {
   Wanted want;
   want.modifications = false;
@@ -284,7 +289,7 @@ TEST(ContactLaws, scaling_by_two_is_exact) {
     const auto a = over_a_pitch(p.set.pair(), 8), b = over_a_pitch(twice.pair(), 8);
     for (std::size_t i = 0; i < a.positions.size(); ++i) {
       EXPECT_NEAR(a.positions[i].te.rad(), b.positions[i].te.rad(), 1e-15);
-      // A nanometre is relatively half as much on a gear of twice the size.
+      // On a gear of twice the size, a nanometre is half as large in relation to the gear.
       if (a.positions[i].kind == TouchKind::line || b.positions[i].kind == TouchKind::line)
         continue;
       EXPECT_EQ(a.positions[i].kind, b.positions[i].kind);
@@ -304,7 +309,7 @@ ContactSet mirrored_hands(const ContactSet& set) {
   return other;
 }
 
-// The mirror image z → −z.
+// Compares with the mirror image z → −z.
 TEST(ContactLaws, mirroring_both_hands) {
   Wanted want;
   want.modifications = false;
@@ -321,8 +326,8 @@ TEST(ContactLaws, mirroring_both_hands) {
   });
 }
 
-// With the other driver, TE(φ; Δδ, Δz) = −TE(−φ; −Δδ, −Δz) of the other flanks, by the half turn
-// about the centre line.
+// If the other gear drives, the other flanks touch. A half turn about the centre line gives TE(φ;
+// Δδ, Δz) = −TE(−φ; −Δδ, −Δz).
 TEST(ContactLaws, the_other_driver_is_half_a_turn) {
   Wanted want;
   want.modifications = false;
@@ -342,8 +347,8 @@ TEST(ContactLaws, the_other_driver_is_half_a_turn) {
   });
 }
 
-// If gear 2 is taken as gear 1, the same flanks touch, seen from the other axis. The rotation −φ_2
-// − π/z_2 of the new gear 1 corresponds to φ_1, and the error of motion is converted by the ratio.
+// If the gears are exchanged, the same flanks touch, as seen from the other axis. The rotation −φ_2
+// − π/z_2 of the new gear 1 corresponds to φ_1, and the ratio converts the transmission error.
 TEST(ContactLaws, exchanging_the_gears) {
   Wanted want;
   want.modifications = false;
@@ -368,7 +373,7 @@ TEST(ContactLaws, exchanging_the_gears) {
     for (const ContactPoint& q : a.positions)
       seen.push_back(-q.rotation2 - Angle::radians(kPi / z2));
     const auto b = at_rotations(other.pair(), seen);
-    // Pairs of teeth that touch within 1e-13 rad count as one contact.
+    // Contacts of several tooth pairs within 1e-13 rad count as the same.
     for (int i = 0; i < 5; ++i)
       EXPECT_NEAR(b.positions[i].te.rad(), z2 / z1 * a.positions[i].te.rad(),
                   1e-13 * (1 + z2 / z1));
@@ -394,7 +399,7 @@ TEST(ContactLaws, a_map_does_not_depend_on_threads) {
       for (std::size_t k = 0; k < x.size(); ++k)
         EXPECT_TRUE(same_bits(one.value[i][k], other.value[i][k]));
   }
-  // dC alone has no effect, but the other error has.
+  // dC alone has no effect, but the other error does.
   for (std::size_t i = 0; i < y.size(); ++i) {
     EXPECT_LT(one.value[i][3], 1e-13);
     EXPECT_GT(one.value[i][0], 1e-6);

@@ -1,4 +1,4 @@
-// Pairs and functions that the tests of contact share.
+// Pairs and functions that several tests of contact use.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ inline ContactResult at_rotations(const ContactPair& pair, std::vector<Angle> ro
   return analyse_contact(pair, request);
 }
 
-/// m = 4, 16 : 48 teeth, flanks that touch at 30° without errors.
+/// m = 4, 16 : 48 teeth. If there are no errors, the flanks touch at 30°.
 inline tca::ArcPair some_arcs(double crossing = 0.0, double d_center = 0.0) {
   tca::ArcPair p;
   p.teeth_1 = 16, p.teeth_2 = 48;
@@ -51,7 +51,8 @@ inline tca::ArcPair some_arcs(double crossing = 0.0, double d_center = 0.0) {
   return p;
 }
 
-/// Checks the law over seeded pairs, a third of them internal, and reports the pair that breaks it.
+/// Checks the law over seeded pairs, a third of which are internal, and reports the first pair that
+/// violates it.
 template <class Law>
 void over_pairs(std::uint64_t seed, int pairs, Wanted want, Law law) {
   Random random(seed);

@@ -1,5 +1,6 @@
-// Compares contacts of involute pairs with dense points of both flanks: errors, modifications,
-// internal gears, either driver (tests/oracle/brute_flanks.hpp).
+// Compares the contact of involute pairs with a dense set of points on both flanks. The pairs
+// include errors, modifications, internal gears and either gear driving
+// (tests/oracle/brute_flanks.hpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +10,9 @@
 namespace gearwright::property {
 namespace {
 
-// (1) The contact found lies on both flanks, at the rotation found. (2) No other point of them
-//     touches earlier. The first proves the result, the second that nothing was missed.
+// (1) The contact lies on both flanks at the computed rotation. (2) No other point of the flanks
+//     touches earlier. Law (1) shows that the contact is real, and law (2) that no earlier contact
+//     was missed.
 void against_places(const ModifiedPair& p, const ContactResult& r) {
   const BruteContact brute(p.brute);
   const double sign = p.set.mount.gear2_drives ? -1.0 : 1.0;
@@ -22,7 +24,8 @@ void against_places(const ModifiedPair& p, const ContactResult& r) {
     ASSERT_EQ(t.has_value(), q.kind != TouchKind::none);
     if (!t) continue;
     const auto seen = brute.look(q.rotation1.rad(), q.pair, q.diameter[0] / 2, q.height[0]);
-    // On a ridge flatter than a nanometre, the middle of a line is indeterminate.
+    // On a ridge that is flatter than a nanometre, the middle of the line of contact is not
+    // determined.
     const double arm = std::min(p.brute.one.rho_low, p.brute.two.rho_low);
     EXPECT_NEAR(seen.te, q.te.rad(),
                 q.kind == TouchKind::line ? 2 * kLineGap / arm : 1e-12);  // (1)

@@ -1,5 +1,5 @@
-// Derivatives of transmission error and contact point against central differences, over seeded
-// pairs and every kind of touch.
+// Compares the derivatives of transmission error and contact point with central differences, over
+// seeded pairs and for every kind of contact.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,11 +14,11 @@ namespace {
 struct Slopes {
   double te, te_noise;
   Vec3 point;
-  bool smooth;  ///< pair, kind and position are the same on all sides
+  bool smooth;  ///< true if pair, kind and position are the same for all evaluations
 };
 
-// Central differences of two step sizes, combined. A contact further away than `near`, mm, counts
-// as another one.
+// Combines the central differences of two step sizes. If the contact moves by more than `near`, mm,
+// it counts as a different contact.
 template <class At>
 Slopes differences(const ContactPoint& here, double h, double near, At at) {
   std::array<ContactPoint, 4> p;
@@ -44,7 +44,7 @@ void check(const Sensitivity& got, const Slopes& want, double h, double size, bo
             1e-3 * want.point.norm() + 1e-9 * size / h + 1e-3 * size);
 }
 
-// For every kind of contact and every error, exact derivatives equal central differences.
+// For every kind of contact and every error, the exact derivatives equal central differences.
 TEST(ContactSlopes, sensitivities_to_errors) {
   std::map<TouchKind, int> seen;
   const auto law = [&seen](const ModifiedPair& p, Random& random) {
@@ -92,7 +92,7 @@ TEST(ContactSlopes, sensitivities_to_errors) {
     EXPECT_GT(seen[k], 2) << to_string(k);
 }
 
-// The same for the amount of every modification of either gear.
+// The same for the amount of every modification on either gear.
 TEST(ContactSlopes, sensitivities_to_modifications) {
   using P = RemovalField::Parameter;
   int compared = 0;
@@ -145,7 +145,8 @@ TEST(ContactSlopes, sensitivities_to_modifications) {
   EXPECT_GT(compared, 100);
 }
 
-// The motion of the contact: inside the flanks for crowned pairs, along the bound for edges.
+// The contact point of crowned pairs moves within the flanks, and that of an edge moves along the
+// edge.
 TEST(ContactSlopes, the_point_moves_as_said) {
   int compared = 0;
   Random random(44);

@@ -1,4 +1,4 @@
-// Laws of pairs on crossed axes, over seeded pairs, and their limit on parallel ones.
+// Laws of pairs on crossed axes, over seeded pairs, and their limit for parallel axes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,7 +50,8 @@ void over_crossed(std::uint64_t seed, double least, Law law) {
         seed, [](Random& random) { return random_crossed_internal(random); }, law);
 }
 
-// Rounding of the angles as lengths. Near-parallel axes divide it by sin Σ.
+// Rounding errors of the angles, converted to lengths. Nearly parallel axes increase them by the
+// factor 1/sin Σ.
 double grain(const CrossedPair& p) {
   return 256 * kEps * (p.center_distance + p.input.gears[1].radius) /
          std::abs(std::sin(p.shaft_angle.rad()));
@@ -134,7 +135,7 @@ double line_to_axis(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& axi
   return std::abs((p - q).dot(n)) / n.norm();
 }
 
-// The line touches both base cylinders; its ends lie on the tip cylinders.
+// The line of action touches both base cylinders, and its ends lie on the tip cylinders.
 TEST(CrossedLaws, line_of_action) {
   over_crossed(404, 5.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random&) {
     if (!(p.mesh.path_length > 0.05 * p.mesh.step)) return;
@@ -174,7 +175,7 @@ TEST(CrossedLaws, backlash) {
       EXPECT_NEAR(b.rotation[i] * q->mesh.rack.sides[i].pitch_radius, b.circumferential[i],
                   8 * kEps * std::abs(b.circumferential[i]));
     }
-    // Both flanks lose the same arc of p_n.
+    // Both flanks lose the same part of p_n.
     EXPECT_NEAR(b.circumferential[0] * q->mesh.rack.sides[0].cos_helix, b.normal, grain(p));
     EXPECT_NEAR(b.circumferential[1] * q->mesh.rack.sides[1].cos_helix, b.normal, grain(p));
   });
@@ -182,8 +183,8 @@ TEST(CrossedLaws, backlash) {
 
 using Dual = boost::math::differentiation::autodiff_fvar<double, 1>;
 
-// c(α_n) by dual numbers. Its slope is −X/tan α_n, which is zero at the least distance, where it
-// changes sign.
+// c(α_n) is evaluated with dual numbers. Its slope is −X/tan α_n, which changes sign at the minimum
+// distance.
 TEST(CrossedLaws, the_slope_of_the_distance) {
   over_crossed(406, 5.0, [](const CrossedSpecs&, const CrossedPair& p, Random&) {
     const BasePair<double>& g = p.input.gears;
@@ -198,7 +199,7 @@ TEST(CrossedLaws, the_slope_of_the_distance) {
     const auto rack = common_rack(g, angles_at(g, alpha_n));
     const double slope = conjugate_center_distance_slope(g, rack);
     EXPECT_NEAR(a.derivative(1), slope, 1e-12 * p.center_distance / alpha_n);
-    // The form without cancellation is r_2 + σ (r_1 + X).
+    // The formula that avoids cancellation is r_2 + σ (r_1 + X).
     EXPECT_NEAR(a.derivative(0),
                 rack.sides[1].pitch_radius +
                     p.side() * (rack.sides[0].pitch_radius + rack.tight_plane_distance()),
@@ -212,11 +213,11 @@ TEST(CrossedLaws, the_slope_of_the_distance) {
   });
 }
 
-// dΣ moves a by σ z_L/tan α_n, to the first order.
+// To first order, dΣ changes a by σ z_L/tan α_n.
 TEST(CrossedLaws, the_slope_over_the_shaft_angle) {
   over_crossed(407, 10.0, [](const CrossedSpecs& specs, const CrossedPair& p, Random&) {
     const BasePair<double>& g = p.input.gears;
-    // α_n depends on how far Σ is from the end of its range.
+    // The accuracy of α_n depends on the distance of Σ from the end of its range.
     const double step = 1e-4 * std::abs(specs.shaft_angle.rad() - shaft_angle_range(g).from);
     const auto distance = [&](double sigma) {
       return conjugate_center_distance(g, common_rack(g, angles_at_shaft_angle(g, sigma)));
@@ -233,7 +234,7 @@ TEST(CrossedLaws, the_slope_over_the_shaft_angle) {
   });
 }
 
-// Both positions at a distance above the least one have that distance.
+// For a distance above the minimum, both positions have exactly that distance.
 TEST(CrossedLaws, two_shaft_angles_of_a_distance) {
   over_external(408, 5.0, [](const CrossedSpecs&, const CrossedPair& p, Random& random) {
     const BasePair<double>& g = p.input.gears;
@@ -252,7 +253,7 @@ TEST(CrossedLaws, two_shaft_angles_of_a_distance) {
   });
 }
 
-// ε = 1 at the ends of the interval, more inside, less outside.
+// The contact ratio is 1 at the ends of the interval, greater inside and smaller outside.
 TEST(CrossedLaws, range_of_the_contact_ratio) {
   int ends = 0;
   over_external(409, 5.0, [&](const CrossedSpecs&, const CrossedPair& p, Random&) {
@@ -290,8 +291,8 @@ TEST(CrossedLaws, range_of_the_contact_ratio) {
   EXPECT_GT(ends, 50);
 }
 
-// As β_b1 + β_b2 → 0 the least-distance pair is the parallel pair: a, angles, diameters,
-// thicknesses, and the law of backlash.
+// As β_b1 + β_b2 → 0, the pair at the minimum distance becomes the parallel pair, with the same a,
+// angles, diameters, thicknesses and law of backlash.
 TEST(CrossedLaws, parallel_axes_are_the_limit) {
   Random random(410);
   int held = 0;
@@ -304,7 +305,7 @@ TEST(CrossedLaws, parallel_axes_are_the_limit) {
     double last = 1.0;
     for (const double tilt : {1e-3, 1e-5, 1e-7}) {
       BasePair<double> g = p->input.gears;
-      // The same normal section: base pitch and normal base thickness stay.
+      // The normal section is unchanged: base pitch and normal base thickness remain the same.
       const double c = std::cos(g[1].helix_angle);
       g[1].helix_angle += tilt;
       const double ratio = c / std::cos(g[1].helix_angle);
@@ -314,7 +315,7 @@ TEST(CrossedLaws, parallel_axes_are_the_limit) {
       const auto alpha = transverse_angle_at_min_distance(g);
       ASSERT_TRUE(alpha);
       const auto rack = common_rack(g, angles_at_transverse(g, *alpha));
-      // Every difference is of first order in the tilt.
+      // All differences are of first order in the tilt.
       const double a = conjugate_center_distance(g, rack);
       const double scale = 50 * tilt + 1e-12;
       EXPECT_NEAR(a, p->center_distance, scale * p->center_distance);
@@ -327,7 +328,7 @@ TEST(CrossedLaws, parallel_axes_are_the_limit) {
         EXPECT_NEAR(rack.sides[k].tooth_thickness_normal, rack_p.sides[k].tooth_thickness_normal,
                     scale * p->center_distance);
       }
-      // σ dj_bn/da at the backlash-free position: 2 sin α_n on crossed axes, and the same on
+      // σ dj_bn/da at the backlash-free position is 2 sin α_n, on crossed axes as well as on
       // parallel ones.
       MeshInput<double> in = p->input;
       in.center_distance += p->side() * 1e-4;

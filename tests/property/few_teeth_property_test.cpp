@@ -1,12 +1,13 @@
-// Tests gears with one to twelve teeth, over the whole range of shift, helix and circular fillets,
-// and the gears cut by a third of them. Each ends in an outline that obeys its laws, in a flag, or
-// in an error with its key, and never in a violated contract.
+// Tests gears with one to twelve teeth over the whole range of shifts, helix angles and circular
+// fillets, and gears that a third of them cut. Each case ends with an outline that obeys its laws,
+// with a flag, or with an error and its key. A contract is never violated.
 //
-//   P, ρ, θ    a point of the flank's end, polar     C   centre of a circular fillet
+//   P, ρ, θ    the end point of the flank, in polar coordinates     C   centre of a circular fillet
 //   t          direction from the axis to where the flank's normal at P touches the base circle
 //
-// An involute's normal touches its base circle, and a fillet that is tangent to the flank is
-// centred on that normal: C = D e^{iγ} with D cos(γ − arg t) = r_b, γ being the centre line.
+// The normal of an involute is tangent to the base circle. A fillet that is tangent to the flank
+// has its centre on this normal: C = D e^{iγ} with D cos(γ − arg t) = r_b, where γ is the centre
+// line.
 //
 // A sample of each kind is verified: rack-cut gears by the swept rack, pinion-cut gears by the
 // swept pinion, and circular fillets by their own points.
@@ -76,9 +77,9 @@ std::string broken_message(const Error& error) {
   return {};
 }
 
-// Points and centre are accurate to a few rounding errors of the tooth. C moves along the centre
-// line by D per radian of the normal. The normal is as accurate as ξ_P = √(ρ² − r_b²)/r_b from the
-// rounded radius of a point: to ε/ξ, at the base circle itself to √ε.
+// Points and centre are accurate to a few rounding errors of the size of the tooth. If the normal
+// turns by 1 rad, C moves along the centre line by D. The normal is computed from ξ_P = √(ρ² −
+// r_b²)/r_b with a rounded ρ. Its error is therefore ε/ξ, or √ε at the base circle itself.
 std::string broken_circle(const Gear& gear, const Arc& arc, const Vec2& p, double gamma) {
   constexpr double kEps = std::numeric_limits<double>::epsilon();
   const double r_b = gear.base_radius(), rho = p.norm();
@@ -101,8 +102,8 @@ std::string broken_circle(const Gear& gear, const Arc& arc, const Vec2& p, doubl
   return {};
 }
 
-// The circular fillets begin where the flank ends, and are circles about the point where its normal
-// meets the centre line.
+// The circular fillets begin at the ends of the flank. They are circles about the point at which
+// the normal of the flank meets the centre line.
 std::string broken_fillets(const Gear& gear) {
   const Outline& outline = gear.tooth->outline;
   const Arc* flank = outline.find(ArcName::flank);
@@ -146,8 +147,9 @@ struct Tally {
   int cut = 0, cut_errors = 0, cut_flags = 0, wheels = 0, rings = 0, cut_confirmed = 0;
 };
 
-// What the roundings of a tooth's points are measured by: pitch and tip radius, and for a circular
-// root fillet, whose radius at a point is ρ² = D² + r² + 2 D r cos(t − γ), D r/ρ.
+// The lengths that determine the rounding errors of a tooth's points: pitch radius and tip radius
+// and, for a circular root fillet, D r/ρ, because the radius at one of its points is ρ² = D² + r² +
+// 2 D r cos(t − γ).
 double scale_of(const Gear& gear) {
   const GeneratedTooth& tooth = *gear.tooth;
   double scale = std::max({tooth.tip_radius, tooth.root_radius, gear.reference_diameter / 2});
@@ -243,8 +245,8 @@ TEST(FewTeeth, end_in_a_tooth_a_flag_or_an_error) {
   expect_all_endings(check_few_teeth(20240614, 5000));
 }
 
-// The ramp at the bottom of the cutter removes the flank from below C on, partly or entirely, so
-// there is no flank that the fillet could touch.
+// The ramp at the bottom of the cutter removes a part of the flank from below C on, or the whole
+// flank, so the fillet cannot be tangent to it.
 TEST(FewTeeth, root_fillet_beyond_the_ramp_is_refused) {
   CylindricalSpec part = testing::plain_spec({.teeth = 7,
                                               .module = 1.0895445729075677,

@@ -1,5 +1,5 @@
-// Tests laws of fit over seeded problems: its branches are pairs at their least distance, and none
-// is lost if the problem is mirrored or its gears are exchanged.
+// Tests laws of fit over seeded problems: each solution is a pair at its minimum centre distance,
+// and no solution is lost if the problem is mirrored or its gears are exchanged.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace gearwright::property {
 namespace {
 
-// Every branch of fit has no backlash and is mounted at its own least distance.
+// Every solution of fit has no backlash and is mounted at its own minimum centre distance.
 TEST(FitLaws, branches_stand_at_their_least_distance) {
   Random random(411);
   int branches = 0;
@@ -64,7 +64,7 @@ TEST(FitLaws, branches_stand_at_their_least_distance) {
   EXPECT_GT(branches, 150);
 }
 
-// No branch is lost: the mirrored problem and the one with exchanged gears have as many.
+// The mirrored problem, and the one with exchanged gears, must have the same number of solutions.
 TEST(FitLaws, branches_mirrored_and_exchanged) {
   Random random(412);
   int branches = 0;

@@ -23,7 +23,7 @@ std::optional<Gear> gear_if_made(const CylindricalSpec& spec) {
   return std::move(made).take();
 }
 
-// Two outlines, one `factor` times the other, to the last bit: arcs, ends and points between.
+// Compares two outlines, one exactly `factor` times the other: arcs, ends and points in between.
 bool scaled(const Gear& small, const Gear& large, double factor) {
   const GeneratedTooth &a = *small.tooth, &b = *large.tooth;
   if (a.outline.arcs.size() != b.outline.arcs.size()) return false;
@@ -39,7 +39,7 @@ bool scaled(const Gear& small, const Gear& large, double factor) {
   return true;
 }
 
-// (1) doubling m_n, with every given length, doubles every length, exactly
+// (1) if m_n and all given lengths are doubled, every length doubles exactly
 TEST(GearLaws, scaling_by_two_is_exact) {
   Random random(101);
   int teeth = 0;
@@ -72,7 +72,7 @@ TEST(GearLaws, scaling_by_two_is_exact) {
   EXPECT_GT(teeth, kGears / 3);
 }
 
-// (2) the hand of the helix changes nothing in the transverse section
+// (2) the hand of the helix has no effect in the transverse section
 TEST(GearLaws, hand_changes_the_sign_of_lead_and_base_helix_only) {
   Random random(102);
   for (int i = 0; i < kGears; ++i) {
@@ -110,7 +110,7 @@ TEST(GearLaws, base_cylinder_is_the_rack_s_angle_and_nothing_else) {
   }
 }
 
-// (4) the defaults written out are the defaults
+// (4) if the defaults are written out, nothing changes
 TEST(GearLaws, defaults_written_out_change_nothing) {
   Random random(104);
   for (int i = 0; i < kGears; ++i) {
@@ -129,7 +129,7 @@ TEST(GearLaws, defaults_written_out_change_nothing) {
   }
 }
 
-// (5) an allowance is a shift of the cutter: E_sn at x and no allowance at x_E cut the same flanks
+// (5) an allowance acts as a shift: E_sn at x, and no allowance at x_E, cut the same flanks
 TEST(GearLaws, allowance_is_a_shift_of_the_cutter) {
   Random random(105);
   for (int i = 0; i < kGears; ++i) {
@@ -150,7 +150,8 @@ TEST(GearLaws, allowance_is_a_shift_of_the_cutter) {
   }
 }
 
-// (6) spur is the limit of helical: β = 1e-9 rad moves no point by more than β times the size
+// (6) spur gears are the limit of helical ones: β = 1e-9 rad moves points by at most β times the
+// size
 TEST(GearLaws, spur_is_the_limit_of_helical) {
   Random random(106);
   int compared = 0;
@@ -162,7 +163,7 @@ TEST(GearLaws, spur_is_the_limit_of_helical) {
     const auto spur = gear_if_made(spec);
     spec.helix_angle = Angle::radians(1e-9);
     const auto helical = gear_if_made(spec);
-    // Within 1e-6 of its limit, a gear may be on either side of it.
+    // Within 1e-6 of the limit, the gear may be on either side of it.
     if (!spur || !helical || !spur->exists() || !helical->exists()) continue;
     if (spur->tooth->outline.arcs.size() != helical->tooth->outline.arcs.size()) continue;
     if (std::abs(*spur->involute()->undercut_free_profile_shift -
@@ -181,7 +182,7 @@ TEST(GearLaws, spur_is_the_limit_of_helical) {
   EXPECT_GT(compared, kGears / 3);
 }
 
-// (7) the finished flank is the gear's own involute: its half angles are those of the base
+// (7) the finished flank is the involute of the gear: its half angles follow from the base
 // thickness
 TEST(GearLaws, flank_is_the_involute_of_the_base_thickness) {
   Random random(107);
@@ -196,8 +197,8 @@ TEST(GearLaws, flank_is_the_involute_of_the_base_thickness) {
     for (const double u : {0.0, 0.5, 1.0}) {
       const Vec2 p = flank->curve->point(flank->begin + u * (flank->end - flank->begin));
       const double rho = std::max(p.norm(), d_b / 2);
-      // Both half angles are rounded by a few ε of their sums. Near the base circle, the roll angle
-      // is the root of a difference, but ξ³ keeps the error small.
+      // Both half angles have rounding errors of a few ε of their sums. Near the base circle, the
+      // roll angle is the square root of a difference, but the factor ξ³ keeps the error small.
       const double half = tooth_thickness_transverse(
                               spec.teeth, d_b, gear->reference().base_tooth_thickness, 2 * rho) /
                           (2 * rho);
@@ -212,8 +213,8 @@ TEST(GearLaws, flank_is_the_involute_of_the_base_thickness) {
   EXPECT_GT(compared, kGears / 4);
 }
 
-// (8) the undercut-free shift is exact: above it the flank joins its fillet smoothly, below it does
-//     not
+// (8) the shift without undercut is exact: above it, the flank is tangent to its fillet; below it,
+//     the two form a corner
 TEST(GearLaws, undercut_flag_tells_a_crossing_from_a_smooth_joint) {
   Random random(108);
   int smooth = 0, crossing = 0;

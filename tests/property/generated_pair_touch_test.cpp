@@ -1,13 +1,14 @@
-// Gears of few teeth and gears cut by gears, in mesh: both finished outlines turned through a pitch
-// of gear 1, without a formula of the pair but its distance, poses and play.
+// Meshes gears with few teeth and gears that are cut by gears. Both finished outlines are turned
+// through a pitch of gear 1. Of the pair, only its centre distance, poses and play are used, and
+// none of its formulas.
 //
-//   E, a      generating and operating centre distance, mm        j   play: turn of gear 2, rad
-//   ξ, ρ_1    roll angle and curvature radius of the contact on gear 1; on the path or not
+//   E, a      generating and operating centre distance, mm        j   play: angle of gear 2, rad
+//   ξ, ρ_1    roll angle and curvature radius of the contact on gear 1, also beyond the path
 //   ψ_b       half angle of gear 1's tooth on its base circle
 //
-// Where the path is longer than a pitch the leading flanks touch in every phase. Where it is
-// shorter they touch in those phases in which it is on; in the others the gears have more play, and
-// nothing overlaps.
+// If the path is longer than a pitch, the leading flanks touch in every phase. If it is shorter,
+// they touch only in the phases in which a contact is on the path. In all other phases, the gears
+// have more play. Nothing may overlap.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,16 +25,16 @@
 namespace gearwright::property {
 namespace {
 
-constexpr int kPhases = 64;        // of a pitch of gear 1
+constexpr int kPhases = 64;        // number of phases over a pitch of gear 1
 constexpr double kOverlap = 1e-9;  // mm
-constexpr double kCloser = 0.01;   // mm closer than without backlash
+constexpr double kCloser = 0.01;   // mm by which the gears are mounted closer than without backlash
 
-// Whether the leading flanks touch on the path after the rotation φ, `edge` mm or more from its
-// ends; the trailing ones do so after −φ.
+// True if, after the rotation φ, the leading flanks touch on the path at least `edge` mm from its
+// ends. The trailing flanks then touch after −φ.
 //
-// The string of tooth 0's leading flank leaves the base circle at ξ − ψ_b − φ, the line of action
-// at α_wt: ξ = α_wt + ψ_b + φ, and a pitch more for each tooth behind.
-constexpr double kEdge = 1e-6;  // mm: nearer to an end of the path rounding decides
+// The string of tooth 0's leading flank leaves the base circle at ξ − ψ_b − φ, and the line of
+// action leaves it at α_wt. Therefore ξ = α_wt + ψ_b + φ, and one pitch more for each tooth behind.
+constexpr double kEdge = 1e-6;  // mm; nearer to an end of the path, the result depends on rounding
 
 bool on_path(const InvolutePair& pair, double phi, double edge = kEdge) {
   const Gear& g = pair.gears[0];
@@ -47,14 +48,14 @@ bool on_path(const InvolutePair& pair, double phi, double edge = kEdge) {
   return false;
 }
 
-// Half the play between the flanks of one side, along the line of action of the section, mm.
+// Half of the play between the flanks of one side, mm, along the line of action in the section.
 double half_gap(const InvolutePair& pair) {
   return pair.mesh.backlash.normal_base /
          (2 * std::cos(pair.gears[0].reference().base_helix_angle));
 }
 
-// Turns a pair through a pitch: leading flanks in contact, in the middle of the play, trailing
-// flanks in contact.
+// Turns a pair through a pitch, with the leading flanks in contact, in the middle of the play, and
+// with the trailing flanks in contact.
 class PitchTurn {
  public:
   explicit PitchTurn(const InvolutePair& pair) : pair_(pair), outlines_(pair) {
@@ -68,9 +69,11 @@ class PitchTurn {
       expect_middle();
     }
     if (pair.flanks_meet() && pair.mesh.true_ratio >= 1.0) {
-      EXPECT_GE(on_path_, 2 * kPhases - 2);  // at a ratio of 1 both ends may fall on one phase
+      EXPECT_GE(on_path_, 2 * kPhases - 2);  // if the ratio is 1, both ends may coincide with one
+                                             // phase
     }
-    // The play is what is reported: at its two ends one side touches, and then the other.
+    // The play must be the reported one: at one end one side touches, and at the other end the
+    // other side.
     EXPECT_NEAR(min_leading_, 0.0, kOverlap);
     EXPECT_NEAR(min_trailing_, 0.0, kOverlap);
     EXPECT_GT(on_path_, 0);
@@ -95,8 +98,8 @@ class PitchTurn {
     min_trailing_ = std::min(min_trailing_, other.trailing);
   }
 
-  // Flanks on the path stand half the play apart there, measured along the line of action: so much
-  // further on must the path go for both to be there.
+  // In the middle of the play, flanks on the path are half the play apart, measured along the line
+  // of action. The path must extend by this amount so that both flanks are on it.
   void expect_middle() const {
     if (!has_play()) return;
     const Nearness middle = outlines_.at(phi_, 0.0);
@@ -119,8 +122,8 @@ class PitchTurn {
   double min_leading_ = kInfinity, min_trailing_ = kInfinity;
 };
 
-// Tip and root where they stand on the line of centres: tooth 0 of gear 1 in space 0 of gear 2, and
-// the other way round half a pitch later. Only the ends of the outlines are asked.
+// The clearances of tip and root on the line of centres: for tooth 0 of gear 1 in space 0 of gear
+// 2, and half a pitch later the other way round. Only the ends of the outlines are used.
 void expect_tip_clearance(const InvolutePair& pair) {
   const double side = pair.gears[1].internal() ? -1.0 : 1.0;
   for (const int i : {0, 1}) {
@@ -128,7 +131,8 @@ void expect_tip_clearance(const InvolutePair& pair) {
     const Outline& root = pair.gears[1 - i].tooth->outline;
     const double r_a = tip.arcs.back().end_point.x();
     const double r_f = root.arcs.front().begin_point.norm();
-    // External: a − r_a − r_f. Internal: the ring's radius less a and the pinion's.
+    // For an external pair, a − r_a − r_f. For an internal pair, the radius of the ring minus a and
+    // the radius of the pinion.
     const double clear = side > 0 ? pair.center_distance - r_a - r_f
                          : i == 0 ? r_f - r_a - pair.center_distance
                                   : r_a - r_f - pair.center_distance;
@@ -137,12 +141,13 @@ void expect_tip_clearance(const InvolutePair& pair) {
   }
 }
 
-// Of so many phases some find the contact on the path.
+// With this number of phases, some find a contact on the path.
 bool meets_long_enough(const InvolutePair& pair) {
   return pair.flanks_meet() && pair.mesh.true_ratio > 2.0 / kPhases;
 }
 
-// Nearer than where they have no play by a hundredth, the flanks on the path overlap on both sides.
+// If the gears are mounted closer by a hundredth of a millimetre than without play, the flanks on
+// the path overlap on both sides.
 void expect_overlap_when_closer(const InvolutePair& pair) {
   ASSERT_TRUE(pair.backlash_free_center_distance);
   const double a = *pair.backlash_free_center_distance;
@@ -151,7 +156,7 @@ void expect_overlap_when_closer(const InvolutePair& pair) {
   ASSERT_TRUE(closer) << closer.error().message();
   const TurnedOutlines outlines(*closer);
   const double half = -half_gap(*closer);
-  EXPECT_GT(half, kCloser / 100);  // a sine: 1e-4 mm from a working angle of 0.6° on
+  EXPECT_GT(half, kCloser / 100);  // the sine of the working angle gives 1e-4 mm from 0.6° on
   Nearness deepest;
   for (int i = 0; i < kPhases; ++i) {
     const double phi = 2 * std::numbers::pi * i / (kPhases * pair.gears[0].spec.teeth);
@@ -180,7 +185,8 @@ void expect_good(const std::vector<NamedPair>& pairs) {
   }
 }
 
-// The walk past the mate leaves nothing out: every point of both outlines is as near or further.
+// The walk along the outline must not miss anything: every point of both outlines has at least the
+// reported distance.
 TEST(TurnedOutlines, walk_to_the_nearest_place) {
   for (const auto& [name, pair] : {two_tooth_drive(), planetary_ring()}) {
     SCOPED_TRACE(name);
@@ -206,10 +212,10 @@ TEST(GeneratedPairTouch, pinions_cut_by_a_wheel) { expect_good(cut_pinions()); }
 
 TEST(GeneratedPairTouch, rings) { expect_good(rings()); }
 
-// What a cutter leaves never overlaps it where it was cut, whatever else may be wrong with the
-// pair; and apart from there neither, unless the pair says so. (The root of an undercut cutter
-// meets the tip that it has cut before the flanks meet: at a normal angle below α_w the play closes
-// faster than it opens.)
+// A gear that was cut by its mating gear never overlaps that gear at the generating distance, even
+// if the pair has other defects. At a greater distance it does not overlap either, unless the pair
+// reports it. (The root of an undercut cutter meets the tip that it has cut before the flanks meet,
+// because at a normal angle below α_w the play closes faster than it opens.)
 TEST(GeneratedPairTouch, random_cutters_and_what_they_cut) {
   constexpr int kPairs = 24;
   Random random(20240617);
@@ -234,7 +240,10 @@ TEST(GeneratedPairTouch, random_cutters_and_what_they_cut) {
     expect_overlap_when_closer(*pair);
     const auto with_play = mount_as<ParallelPair>(*cutter, *gear, {e + (ring ? -kPlay : kPlay)});
     if (!with_play || !meets_long_enough(*with_play)) continue;
-    if (!with_play->interference.empty() || !with_play->beyond_flank.empty()) continue;  // said
+    if (!with_play->interference.empty() || !with_play->beyond_flank.empty())
+      continue;  // the pair
+                 // reports
+                 // it
     ++apart;
     PitchTurn{*with_play};
   }

@@ -1,8 +1,8 @@
-// Pairs of few teeth and of gears cut by gears: the examples that the program runs, the sets S of
-// tests/oracle/pinion_cutter_cases.hpp, pinions cut by wheels, rings.
+// Pairs of gears with few teeth and of gears that are cut by gears: the examples of the program,
+// the sets S of tests/oracle/pinion_cutter_cases.hpp, pinions cut by wheels, and internal gears.
 //
-//   E    generating centre distance, mm; free of backlash, and where the gear was cut by its mate
-//        free of any clearance
+//   E    generating centre distance, mm. There is no backlash at E. If the gear was cut by its
+//        mating gear, there is no clearance either
 #pragma once
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@
 
 namespace gearwright::property {
 
-inline constexpr double kPlay = 0.03;  // mm further apart than E, for some play
+inline constexpr double kPlay = 0.03;  // mm added to E to produce play
 
 struct NamedPair {
   std::string name;
@@ -67,7 +67,7 @@ inline CylindricalSpec with_addendum(CylindricalSpec s, double addendum) {
 
 inline constexpr auto kByRadius = TipFilletSpec::By::radius;
 
-// The examples that the program runs.
+// The examples of the program.
 inline NamedPair two_tooth_drive() {
   CylindricalSpec s = spec_of(2, 1.75, 30, 0.7);
   s.straight_rack().dedendum = 1.0;
@@ -94,12 +94,12 @@ inline NamedPair planetary_ring() {
   s.straight_rack().tip_fillet_radius = 0.2;
   const Gear cutter = gear_of(s);
   const Gear ring = gear_cut(cutter, -66, distance_for(cutter, -66, -0.35), 103.4);
-  // x1 + x2 = 0: the reference distance.
+  // Because x1 + x2 = 0, this is the reference centre distance.
   const double a = 1.5 * 45 / (2 * std::cos(Angle::degrees(20).rad()));
   return {"planet and ring", mounted_at(gear_of(planet), ring, a)};
 }
 
-// The sets S: the wheel is cut by the pinion that drives it.
+// The sets S. The wheel is cut by the pinion that drives it.
 inline Gear paper_pinion(const oracle::FilletedPinion& n) {
   CylindricalSpec s = spec_of(n.teeth, n.normal_module, n.helix_angle_deg, n.profile_shift);
   s.straight_rack().dedendum = 1.0;
@@ -108,7 +108,7 @@ inline Gear paper_pinion(const oracle::FilletedPinion& n) {
   return gear_of(filleted(s, n.l_C - l_F, {TipFilletSpec::By::l, n.l_J}));
 }
 
-/// At E, and kPlay further apart (in a ring: closer to its axis).
+/// Adds the pair at E and at a distance greater by kPlay (for an internal gear: smaller by kPlay).
 inline void add_with_play(std::vector<NamedPair>& pairs, const std::string& name, const Gear& one,
                           const Gear& two, double e) {
   pairs.push_back({name, mounted_at(one, two, e)});
@@ -126,7 +126,7 @@ inline std::vector<NamedPair> paper_sets() {
   return pairs;
 }
 
-// The one of six teeth is undercut by the wheel.
+// The wheel undercuts the pinion with six teeth.
 inline std::vector<NamedPair> cut_pinions() {
   std::vector<NamedPair> pairs;
   for (const auto& [teeth, x] : {std::pair{10, 0.4}, std::pair{6, 0.1}}) {
@@ -138,7 +138,7 @@ inline std::vector<NamedPair> cut_pinions() {
   return pairs;
 }
 
-// With the default cutter, and cut by the pinion itself, one of three teeth among them.
+// Internal gears cut by the default cutter and by the pinion itself. One pinion has three teeth.
 inline std::vector<NamedPair> rings() {
   std::vector<NamedPair> pairs;
   for (const double beta : {0.0, 20.0}) {

@@ -1,9 +1,9 @@
-// The laws of a finished half tooth (generation/outline.hpp). Each returns a sentence, which is
-// empty if the law holds.
+// The laws of a finished half tooth (generation/outline.hpp). Each function returns a sentence that
+// describes a violation, or an empty text if the law holds.
 //
 //   ρ, θ   polar coordinates of an outline point; tooth 0 is centred on θ = 0, the space on π/|z|
 //
-// From root to tip, ρ never decreases, or never increases on an internal gear. Therefore the half
+// From root to tip, ρ never decreases (on an internal gear it never increases). Therefore the half
 // angle is a function of ρ, and the outline cannot cross itself.
 #pragma once
 
@@ -20,15 +20,17 @@
 
 namespace gearwright::property {
 
-/// mm: within 1e-9 at gears up to a metre across; beyond, the doubles' own rounding grows along.
+/// mm: 1e-9 for gears up to a metre in diameter. For larger gears it grows in proportion, because
+/// the rounding of doubles does.
 inline double tolerance(double scale) { return 1e-9 * std::max(1.0, scale / 500.0); }
 
-/// Returns the first law that the tooth breaks as a sentence. It is empty if all hold.
+/// Returns a sentence about the first law that the tooth violates, or an empty text if all laws
+/// hold.
 ///
-/// Units     mm; `scale` the greater of pitch and tip radius
+/// Units     mm; `scale` is the greater of pitch and tip radius
 ///
-/// Points are differences of lengths as large as the pitch radius, rounded a few times: their radii
-/// are good to 8 ε of it.
+/// Points are differences of lengths as large as the pitch radius, rounded a few times. The error
+/// of their radii is therefore up to 8 ε of the pitch radius.
 inline std::string broken_law(const GeneratedTooth& tooth, int points_per_arc, double scale) {
   const Outline& outline = tooth.outline;
   const double half_pitch = std::numbers::pi / std::abs(outline.teeth);
@@ -55,7 +57,7 @@ inline std::string broken_law(const GeneratedTooth& tooth, int points_per_arc, d
       const Vec2& p = points[i];
       const double rho = p.norm();
       double theta = std::atan2(p.y(), p.x());
-      // a single tooth: π may be rounded to the other sign
+      // for a single tooth, π may be rounded to the other sign
       if (theta < 0.0 && p.x() < 0.0) theta += 2 * std::numbers::pi;
       const std::string at = where + fmt::format(" point {}", i);
       if (!(std::isfinite(p.x()) && std::isfinite(p.y()))) return at + " is not finite";

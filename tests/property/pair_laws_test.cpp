@@ -33,8 +33,8 @@ int over_spec_pairs(std::uint64_t seed, Law law) {
   return held;
 }
 
-// (1) j_bn = 0 at the backlash-free distance, within the rounding of inv and its inverse on the
-//     base circles
+// (1) at the backlash-free distance, j_bn = 0 within the rounding error of inv and its inverse,
+//     measured on the base circles
 TEST(PairLaws, no_backlash_at_the_backlash_free_distance) {
   const int held = over_spec_pairs(201, [](const SpecPair&, const ParallelPair& p, Random&) {
     EXPECT_NEAR(p.mesh.backlash.normal_base, 0.0,
@@ -44,7 +44,7 @@ TEST(PairLaws, no_backlash_at_the_backlash_free_distance) {
   EXPECT_GT(held, kPairs / 2);
 }
 
-// (2) without allowances that is the distance of the shifts, and the shifts follow from it again
+// (2) without allowances, this distance follows from the shifts, and the shifts follow from it
 TEST(PairLaws, shifts_and_distance_are_inverse) {
   over_spec_pairs(202, [](const SpecPair& specs, const ParallelPair&, Random&) {
     SpecPair nominal = specs;
@@ -61,7 +61,8 @@ TEST(PairLaws, shifts_and_distance_are_inverse) {
     problem.x2 = specs.second.profile_shift;
     const auto solved = complete_shifts(problem);
     ASSERT_TRUE(solved);
-    // da/dx ~ m/sin α_wt: rounding of inv α_wt by ε z comes back as that.
+    // da/dx is about m/sin α_wt. A rounding error of ε z in inv α_wt therefore causes an error of
+    // this size.
     const double a = solved->center_distance;
     const double sin_w = p->mesh.base_tangent_distance / p->center_distance;
     const double z = std::abs(problem.z1) + std::abs(problem.z2);
@@ -82,7 +83,7 @@ TEST(PairLaws, shifts_and_distance_are_inverse) {
   });
 }
 
-// (3) at the extended distance the tips have the racks' clearance, allowances set aside
+// (3) at the extended distance, the tips have the clearance of the racks if allowances are ignored
 TEST(PairLaws, extended_distance_gives_the_standard_clearance) {
   int held = 0;
   over_spec_pairs(203, [&](const SpecPair& specs, const ParallelPair& tight, Random&) {
@@ -102,7 +103,7 @@ TEST(PairLaws, extended_distance_gives_the_standard_clearance) {
   EXPECT_GT(held, kPairs / 4);
 }
 
-// (4) exchanging the two gears of an external pair exchanges everything that has an index
+// (4) if the two gears of an external pair are exchanged, everything with an index is exchanged
 TEST(PairLaws, exchanging_the_gears) {
   over_spec_pairs(204, [](const SpecPair& specs, const ParallelPair& tight, Random& random) {
     if (tight.side() < 0.0) return;
@@ -121,13 +122,13 @@ TEST(PairLaws, exchanging_the_gears) {
     EXPECT_EQ(p->interference.size(), q->interference.size());
     if (p->sliding_A.zeta_1 && q->sliding_E.zeta_2) {
       const double zeta = *p->sliding_A.zeta_1;
-      // ρ_1A is a difference of two lengths of the size of a.
+      // ρ_1A is a difference of two lengths of about the size of a.
       EXPECT_NEAR(zeta, *q->sliding_E.zeta_2, 64 * kEps * a / m.rho1_A * (1 + std::abs(zeta)));
     }
   });
 }
 
-// (5) backlash: the linear facts, and that it grows with the distance
+// (5) backlash: its linear relations, and that it grows with the distance
 TEST(PairLaws, backlash) {
   over_spec_pairs(205, [](const SpecPair& specs, const ParallelPair& tight, Random& random) {
     const bool external = tight.side() > 0.0;
@@ -143,7 +144,7 @@ TEST(PairLaws, backlash) {
                 m.backlash.circumferential[0], 8 * kEps * m.backlash.circumferential[0]);
     EXPECT_NEAR(m.backlash.normal * std::cos(m.rack.normal_pressure_angle), m.backlash.normal_base,
                 8 * kEps * m.backlash.normal_base);
-    // Thinning either tooth by E_sn more adds E_sn cos α_n to j_bn.
+    // If either tooth is thinned by a further E_sn, j_bn increases by E_sn cos α_n.
     SpecPair thinner = specs;
     const double e = 0.05 * specs.first.normal_module;
     (random.chance(0.5) ? thinner.first : thinner.second).thickness_allowance -= e;
@@ -155,7 +156,7 @@ TEST(PairLaws, backlash) {
   });
 }
 
-// (6) A … E in order; sliding: dedendum dragged (< 0), addendum ahead (> 0), none at C
+// (6) A … E are in order; sliding is negative in the dedendum, positive in the addendum, 0 at C
 TEST(PairLaws, path_of_contact) {
   over_spec_pairs(206, [](const SpecPair& specs, const ParallelPair& p, Random&) {
     const auto& m = p.mesh;
@@ -181,7 +182,7 @@ TEST(PairLaws, path_of_contact) {
   });
 }
 
-// (7) the line of action touches both base circles; its ends lie on the tip circles
+// (7) the line of action touches both base circles, and its ends lie on the tip circles
 TEST(PairLaws, line_of_action) {
   over_spec_pairs(207, [](const SpecPair&, const ParallelPair& p, Random&) {
     const double a = p.center_distance, scale = 64 * kEps * (a + p.input.tip_form_radius[1]);
@@ -193,15 +194,15 @@ TEST(PairLaws, line_of_action) {
     EXPECT_NEAR(std::abs((A.x() - a) * d.y() - A.y() * d.x()), p.input.gears[1].radius,
                 scale * long_way);
     EXPECT_NEAR(E.norm(), p.input.tip_form_radius[0], scale);
-    // If the tip of an internal gear is inside its base circle, it has no flank there, and the path
-    // ends at the base tangent point.
+    // If the tip of an internal gear lies inside the base circle, there is no flank at the tip, and
+    // the path ends at the base tangent point.
     const double tip_2 = std::max(p.input.tip_form_radius[1], p.input.gears[1].radius);
     EXPECT_NEAR((A - Vec3(a, 0, 0)).norm(), tip_2, scale * 4);
     EXPECT_EQ(p.on_trailing_line(p.mesh.rho1_A).r, Vec3(A.x(), 0.0 - A.y(), 0.0));
   });
 }
 
-// (8) doubling every length doubles every length of the mesh, exactly, and keeps every number
+// (8) if every length is doubled, every length of the mesh doubles exactly and pure numbers stay
 TEST(PairLaws, scaling_by_two_is_exact) {
   over_spec_pairs(208, [](const SpecPair& specs, const ParallelPair& p, Random&) {
     SpecPair twice = specs;

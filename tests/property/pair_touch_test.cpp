@@ -1,8 +1,9 @@
 // An independent check of a mesh: two finished outlines are turned against each other and tested
-// for overlap. Only the centre distance and the poses of the pair are used, none of its formulas.
+// for overlap. The check uses only the centre distance and the poses of the pair, and none of its
+// formulas.
 //
 //   ρ, θ     polar coordinates in a gear's own frame; θ(ρ) half angle of its tooth at that radius
-//   gap      ρ (|θ| − θ(ρ)) of a point of the mate in the gear's nearest tooth, mm: arc between
+//   gap      ρ (|θ| − θ(ρ)) for a point of the mating gear and the nearest tooth, mm: arc between
 //            point and flank, < 0 where the point is inside the material
 #include <gtest/gtest.h>
 
@@ -37,11 +38,12 @@ double half_angle(const Outline& outline, double rho) {
 }
 
 struct Contact {
-  double left = kInfinity, right = kInfinity;  // least gap on either side of the teeth, mm
+  double left = kInfinity, right = kInfinity;  // mm, least gap on the left and on the right side of
+                                               // the teeth
 };
 
-// Both gears are turned by `rotation` of gear 1 (clockwise). Points on the teeth of one are tested
-// against the other.
+// Both gears are turned according to the rotation of gear 1 (clockwise). Points on the teeth of one
+// gear are tested against the other.
 class Turned {
  public:
   Turned(const InvolutePair& pair, double rotation) : pair_(pair) {
@@ -52,7 +54,8 @@ class Turned {
     angle_[1] = std::atan2(two(1, 0), two(0, 0)) + rotation * ratio;
   }
 
-  /// Signed gap of a point of tooth k, side ±1, of gear `which` in its mate, and on which side.
+  /// Signed gap between the mating gear and a point on the side ±1 of tooth k of gear `which`, and
+  /// the side on which the gap occurs.
   double gap(int which, int tooth, double side, const Arc& arc, double u, bool& left) const {
     const Outline& mate = pair_.gears[1 - which].tooth->outline;
     const double pitch = 2 * std::numbers::pi / pair_.gears[which].spec.teeth;
@@ -68,10 +71,11 @@ class Turned {
     return std::isinf(half) ? kInfinity : rho * (std::abs(theta) - half);
   }
 
-  /// Least gap of gear `which` on both sides: 24 points per arc, golden section about the least.
+  /// Least gaps of gear `which` on both sides, from 24 points per arc and a golden section around
+  /// the least.
   void add(int which, Contact& contact) const {
     const int z = pair_.gears[which].spec.teeth;
-    // The tooth nearest the mate, and two on each side.
+    // The tooth nearest to the mating gear, and two on each side.
     const double towards = which == 0 ? 0.0 : std::numbers::pi;
     const int nearest =
         static_cast<int>(std::lround((towards - angle_[which]) / (2 * std::numbers::pi / z)));
@@ -126,8 +130,8 @@ Contact contact_of(const InvolutePair& pair, double rotation) {
   return contact;
 }
 
-// External pairs without interference and with continuous motion. Tips are shortened to keep the
-// clearance of the racks.
+// External pairs without interference and with continuous motion. The tips are shortened so that
+// the clearance of the racks is kept.
 template <class Check>
 int over_running_pairs(std::uint64_t seed, int wanted, Check check) {
   Random random(seed);
@@ -150,7 +154,8 @@ int over_running_pairs(std::uint64_t seed, int wanted, Check check) {
   return found;
 }
 
-constexpr int kRotations = 7;  // over a pitch, the first with tooth and space on the centre line
+constexpr int kRotations = 7;  // number of rotations over a pitch; at the first, a tooth and a
+                               // space are on the centre line
 
 TEST(PairTouch, backlash_free_outlines_touch_on_both_sides_and_do_not_overlap) {
   constexpr int kPairs = 300;
@@ -172,7 +177,7 @@ TEST(PairTouch, closer_by_a_hundredth_they_overlap) {
       over_running_pairs(302, kPairs, [](const SpecPair& specs, const InvolutePair& pair) {
         const auto closer = mounted(specs, pair.center_distance - 0.01);
         ASSERT_TRUE(closer);
-        // Half of the negative backlash on each side.
+        // Half of the negative backlash is on each side.
         const double half = -closer->mesh.backlash.circumferential[0] / 2;
         EXPECT_GT(half, 1e-3);
         for (int i = 0; i < kRotations; ++i) {
@@ -185,8 +190,8 @@ TEST(PairTouch, closer_by_a_hundredth_they_overlap) {
   EXPECT_EQ(found, kPairs);
 }
 
-// At a larger distance they do not touch. If gear 2 turns by half its backlash, one side closes and
-// the other opens.
+// At a larger distance, the flanks do not touch. If gear 2 turns by half its backlash, one side
+// closes and the other opens.
 TEST(PairTouch, backlash_is_what_closes_the_gap) {
   constexpr int kPairs = 150;
   const int found =

@@ -1,5 +1,5 @@
-// Tests any two gears at any distance. The result is a pair whose numbers are finite, or an error
-// with its key, and never a violated contract, however little remains of the teeth.
+// Mounts any two gears at any distance. The result is a pair with finite numbers, or an error with
+// its key. A contract is never violated, however little remains of the teeth.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ CylindricalSpec random_mate(Random& random, const CylindricalSpec& spec, bool in
 
 bool finite(const std::optional<double>& v) { return !v || std::isfinite(*v); }
 
-// Returns a sentence about values that are not finite. It is empty if all are.
+// Returns a sentence about values that are not finite, or an empty text if all values are finite.
 std::string not_finite(const ParallelPair& p) {
   const auto& m = p.mesh;
   const double plain[] = {m.rack.sides[0].transverse_angle,
@@ -96,7 +96,7 @@ void check_pairs(std::uint64_t seed, int n) {
       case 1:
         a += one.normal_module * (one.profile_shift + two.profile_shift) * (two.teeth > 0 ? 1 : -1);
         break;
-      case 2: a = least * (1 + random.logarithmic(1e-15, 1.0)); break;  // α_wt from 0 on
+      case 2: a = least * (1 + random.logarithmic(1e-15, 1.0)); break;  // α_wt from 0 upwards
       default: break;
     }
     at_hand = fmt::format("\n  gear1: {}\n  gear2: {}\n  a = {}", describe(one), describe(two), a);

@@ -1,4 +1,5 @@
-// Seeded pairs on crossed axes: any hands, racks of their own, shifts and helices of every size.
+// Seeded pairs on crossed axes, with any hands, independent racks, and shifts and helix angles of
+// every size.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,8 +20,9 @@ struct CrossedSpecs {
   Angle shaft_angle;  ///< Σ
 };
 
-/// Gears of one base pitch whose reference helices differ from opposite by `least` degrees or more;
-/// `racks`: of two pressure angles. Σ is drawn from the middle of its range.
+/// Gears with a common base pitch. The sum of their reference helix angles differs from 0 by at
+/// least `least` degrees. `racks`: if true, the racks have two pressure angles. Σ is drawn from the
+/// middle of its range.
 inline CrossedSpecs random_crossed(Random& random, double least, bool racks = true) {
   for (;;) {
     CrossedSpecs s;
@@ -51,8 +53,9 @@ inline CrossedSpecs random_crossed(Random& random, double least, bool racks = tr
   }
 }
 
-/// A pinion and an internal gear of one rack whose reference helices differ by 2° to 25°. Σ is drawn
-/// near that of the least distance, at which the line of action passes near the middle of the faces.
+/// A pinion and an internal gear with one rack, whose reference helix angles differ by 2° to 25°. Σ
+/// is drawn near the value of the minimum distance, at which the line of action passes near the
+/// middle of the faces.
 inline CrossedSpecs random_crossed_internal(Random& random, int least_more = 14,
                                             int most_more = 70) {
   for (;;) {
@@ -83,8 +86,8 @@ inline CrossedSpecs random_crossed_internal(Random& random, int least_more = 14,
   }
 }
 
-/// Mounted with the pitch planes `play` mm farther apart than without backlash. Returns nothing if
-/// a gear is impossible.
+/// Mounts the gears with the distance of the pitch planes increased by `play` mm over the
+/// backlash-free one. Returns nothing if a gear is impossible.
 inline std::optional<CrossedPair> mounted(const CrossedSpecs& s, double play = 0.0) {
   auto g1 = make_gear(s.first);
   auto g2 = make_gear(s.second);

@@ -1,4 +1,5 @@
-// Seeded pairs that mesh: one module, pressure angle and |β|, matching hands, shifts of usual size.
+// Seeded pairs that can mesh: common module, pressure angle and |β|, matching hands, and usual
+// shifts.
 #pragma once
 
 #include <cmath>
@@ -39,8 +40,8 @@ inline SpecPair random_pair(Random& random, bool internal) {
   return pair;
 }
 
-/// Mounts both gears at `a`, or at the backlash-free distance if `a` is absent. Returns nothing if
-/// that is impossible.
+/// Mounts both gears at the distance `a`, or at the backlash-free distance if `a` is absent.
+/// Returns nothing if this is impossible.
 inline std::optional<ParallelPair> mounted(const SpecPair& specs,
                                            std::optional<double> a = std::nullopt) {
   auto g1 = make_gear(specs.first);

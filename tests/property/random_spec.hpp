@@ -1,6 +1,6 @@
-// Seeded specs of gears, most of them unusual. The limits of every value are drawn as often as its
-// middle, and values at which the tooth changes its kind (undercut, pointed, through the axis) are
-// drawn exactly. The same seed gives the same gears with every compiler and library.
+// Seeded specs of gears, most of them unusual. The limits of each value are drawn as often as its
+// middle range. Values at which the tooth changes its kind (undercut, pointed, through the axis)
+// are drawn exactly. The same seed gives the same gears with every compiler and library.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,8 @@ namespace gearwright::property {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : bits_(seed) {}
-  /// [0, 1) with 53 bits. The distributions of the standard differ between libraries.
+  /// Draws from [0, 1) with 53 bits. The distributions of the standard library differ between
+  /// implementations.
   double unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
   double uniform(double lo, double hi) { return lo + (hi - lo) * unit(); }
   double logarithmic(double lo, double hi) { return lo * std::pow(hi / lo, unit()); }
@@ -36,7 +37,7 @@ class Random {
   std::mt19937_64 bits_;
 };
 
-/// A few steps of the last bit to either side, or none.
+/// Changes a value by a few units in the last place, or not at all.
 inline double jittered(Random& random, double value) {
   const int steps = random.integer(-3, 3);
   for (int i = 0; i < std::abs(steps); ++i) {
@@ -84,7 +85,7 @@ inline StraightRack random_rack(Random& random, Angle alpha_n) {
   return rack;
 }
 
-/// A spec with z > 0. The engine rejects about one in six, or it gives no tooth.
+/// A spec with z > 0. For about one in six, the engine returns an error or a gear without a tooth.
 inline CylindricalSpec random_spec(Random& random) {
   CylindricalSpec spec;
   spec.teeth = random.chance(0.25) ? random.integer(1, 6)
@@ -103,7 +104,8 @@ inline CylindricalSpec random_spec(Random& random) {
     spec.thickness_allowance = spec.normal_module * random.uniform(-0.2, 0.1);
   }
 
-  // Shifts at which the tooth changes its kind. Allowances move them by the cut amount.
+  // Shifts at which the tooth changes its kind. An allowance changes these shifts by the generating
+  // amount.
   const double alpha = spec.normal_pressure_angle.rad();
   const double cos_beta = std::cos(spec.helix_angle.rad());
   const double sin_t = std::sin(std::atan(std::tan(alpha) / cos_beta));
@@ -146,7 +148,7 @@ inline CylindricalSpec random_spec(Random& random) {
   return spec;
 }
 
-/// The spec as in a file, with numbers that read back to the same double.
+/// The spec in the form of a file, with numbers that are read back as the same doubles.
 inline std::string describe(const CylindricalSpec& s) {
   std::string text = fmt::format(
       "teeth = {}, normal_module_mm = {}, normal_pressure_angle_deg = {}, helix_angle_deg = {}, "

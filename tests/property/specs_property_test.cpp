@@ -1,5 +1,5 @@
-// Tests that every spec ends in a tooth that obeys its laws and agrees with the swept rack, in
-// flags, or in an error with its key, and never in a violated contract.
+// Tests that every spec ends with a tooth that obeys its laws and agrees with the swept rack, with
+// flags, or with an error and its key. A contract is never violated.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ namespace {
 
 using oracle::SweptRack;
 
-// The members of a gear's spec. A message with any other name is useless.
+// The members of a gear's spec. An error that names anything else is useless.
 bool known_field(const std::string& field) {
   static const std::array<const char*, 16> fields = {"teeth",
                                                      "normal_module",
@@ -53,7 +53,8 @@ std::string broken_error(const Error& e) {
   return {};
 }
 
-// Returns true if the oracle supports the rack. It does not support an acute sharp cutter.
+// Returns true if the oracle supports the rack. It does not support a cutter with a sharp acute
+// tip.
 std::optional<SweptRack> swept_rack_of(const Gear& gear, std::string& broken) {
   try {
     return SweptRack(oracle::numbers_of(gear));
@@ -91,10 +92,11 @@ Outcome outcome_of(const CylindricalSpec& spec, bool walk_centre_line) {
     if (tooth.through_axis && rack->deepest_radius() > tolerance(scale)) {
       return {ending, "the oracle's cutter does not reach the axis"};
     }
-    // The centre line is cut if the half angle of the fillets passes 0 at or below the neck.
+    // The centre line is cut if and only if the half angle of the fillets passes 0 at or below the
+    // neck.
     if (tooth.severed && walk_centre_line &&
         !oracle::surface_radius(*rack, 0.0, 0.0, *tooth.neck_radius * (1 + 1e-9))) {
-      return {ending, "the oracle finds the neck whole"};
+      return {ending, "the oracle finds that the neck is not cut"};
     }
     return {ending, {}};
   }
@@ -112,7 +114,7 @@ Outcome outcome_of(const CylindricalSpec& spec, bool walk_centre_line) {
               fmt::format("the oracle finds ({}, {}) off by {} mm", p.x(), p.y(), off)};
     }
   }
-  // Below its tip the tooth stands: the middle of the neck (or of the root) is material.
+  // There is material below the tip: the middle of the neck (or of the root) has not been cut.
   const double middle = tooth.neck_radius ? *tooth.neck_radius : tooth.root_radius;
   if (!(rack->clearance({middle, 0.0}) > -tolerance(scale))) {
     return {Ending::tooth, "the oracle finds the tooth severed"};
@@ -138,8 +140,8 @@ std::map<Ending, int> check_specs(std::uint64_t seed, int n) {
   return count;
 }
 
-// The shares of the four results, so that a change of the generator that removes one of them is
-// detected.
+// Checks the shares of the four results, so that a change of the generator that removes one of them
+// is detected.
 void expect_all_endings(const std::map<Ending, int>& count, int n) {
   EXPECT_GT(count.at(Ending::tooth), 0.45 * n);
   EXPECT_GT(count.at(Ending::error), 0.1 * n);
@@ -157,7 +159,7 @@ TEST(LongSpecs, end_in_a_tooth_a_flag_or_an_error) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) expect_all_endings(check_specs(seed, n), n);
 }
 
-// Values that no drawing has, each in turn in a valid spec.
+// Values that no drawing contains. Each is set in turn in a valid spec.
 TEST(Specs, wild_numbers_are_refused_or_survived) {
   const PrintsAtHand handler;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -209,7 +211,7 @@ TEST(Specs, wild_numbers_are_refused_or_survived) {
   }
 }
 
-// A rack cuts no internal gear, but the contract is never violated either.
+// A rack cannot cut an internal gear. The contract is not violated in this case either.
 TEST(Specs, rings) {
   const PrintsAtHand handler;
   Random random(11);

@@ -1,15 +1,14 @@
-// Computes the distances between the flanks of two finished outlines that are turned against each
-// other.
+// Computes the distances between the flanks of two finished outlines when these are turned against
+// each other.
 //
 //   φ       rotation of gear 1, clockwise, rad     p   a point of one outline, mm
-//   q       p in the frame of the mate
-//   d       signed distance of q from the mate's outline, mm, < 0 inside its material
+//   q       p in the frame of the mating gear
+//   d       signed distance from q to the outline of the mating gear, mm, < 0 inside its material
 //   leading    the flanks by which gear 1 pushes: y < 0 on its teeth in its own frame
 //
-// d changes by no more than p moves. On the walk along an outline, a point with d > kNear permits
-// skipping to the next one d − kNear further. If d is less, every sample is evaluated, and the
-// minimum is refined between the samples about the least one. Both outlines are walked past each
-// other.
+// When p moves, d changes by at most the same distance. If d > kNear at a point, the walk along an
+// outline can therefore skip the next d − kNear. If d is smaller, every sample is evaluated, and
+// the minimum is refined around the smallest sample. Both outlines are walked, each past the other.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +24,8 @@
 
 namespace gearwright::property {
 
-/// Least signed distance, mm, by the side of gear 1's teeth at which it occurs. A value above the
-/// reach of the walk (a twentieth of a module) only means that nothing is nearer.
+/// Least signed distance, mm, for each side of gear 1's teeth. A value above the reach of the walk
+/// (a twentieth of a module) only means that nothing is closer than the reach.
 struct Nearness {
   double leading = std::numeric_limits<double>::infinity();
   double trailing = std::numeric_limits<double>::infinity();
@@ -34,7 +33,7 @@ struct Nearness {
   double min() const { return std::min(leading, trailing); }
 };
 
-/// One gear's outline as material, and as points to walk along.
+/// The outline of one gear, both as material and as a list of points to walk along.
 class FinishedOutline {
  public:
   struct Place {
@@ -66,12 +65,12 @@ class FinishedOutline {
 
   const std::vector<Place>& places() const { return places_; }
 
-  /// A cheap lower bound of the signed distance.
+  /// A lower bound of the signed distance that is cheap to compute.
   double lower_bound(const Vec2& q) const {
     return ring_ ? inner_radius_ - q.norm() : q.norm() - material_.outer_radius();
   }
 
-  /// Signed distance. `start` speeds up the next search.
+  /// Signed distance. `start` is an index that speeds up the next search.
   double distance(const Vec2& q, std::size_t& start) const {
     const auto foot = material_.foot(q, start);
     start = foot.piece;
@@ -87,7 +86,7 @@ class FinishedOutline {
 
 class TurnedOutlines {
  public:
-  /// Domain    both gears have outlines; parallel axes; `pair` outlives this
+  /// Domain    both gears have outlines; the axes are parallel; `pair` outlives this object
   explicit TurnedOutlines(const InvolutePair& pair)
       : pair_(pair),
         near_(0.05 * pair.gears[0].spec.normal_module),
@@ -113,12 +112,12 @@ class TurnedOutlines {
     return least;
   }
 
-  /// Turn of gear 2 from the middle of the play to where the leading flanks touch, rad.
+  /// Angle of gear 2 from the middle of the play to the contact of the leading flanks, rad.
   double to_leading() const {
     return -0.5 * pair_.mesh.backlash.rotation[1] * (pair_.gears[1].internal() ? -1.0 : 1.0);
   }
 
-  /// Their least distance after the rotation φ, with gear 2 turned additionally by `turn`.
+  /// The least distances after the rotation φ, with gear 2 turned by an additional angle `turn`.
   Nearness at(double phi, double turn) const {
     Nearness nearness;
     for_each_flank(phi, turn, [&](const Flank& flank) { walk(flank, nearness); });
@@ -126,13 +125,13 @@ class TurnedOutlines {
   }
 
  private:
-  static constexpr double kStep = 0.2;  // of the reach, between samples
+  static constexpr double kStep = 0.2;  // distance between samples, relative to the reach
 
   struct Flank {
-    int which;     ///< gear whose outline walks
+    int which;     ///< gear whose outline is walked
     double side;   ///< of its tooth, ±1
     double angle;  ///< of that tooth in the housing
-    double mate;   ///< angle of the mate
+    double mate;   ///< angle of the mating gear
   };
 
   template <class Visit>
@@ -171,7 +170,7 @@ class TurnedOutlines {
       return {p.x() * by_turn.x() - y * by_turn.y() + by_shift.x(),
               p.x() * by_turn.y() + y * by_turn.x() + by_shift.y()};
     }
-    /// Signed distance at p, entered on its side.
+    /// Signed distance at p. It is stored for the side on which p lies.
     double take(const Vec2& p, Nearness& nearness) {
       const Vec2 at = q(p);
       const double d = pair.gears_[1 - flank.which].distance(at, start);
@@ -207,7 +206,7 @@ class TurnedOutlines {
     }
   }
 
-  /// Golden section between the neighbours of a least sample, on its arc.
+  /// Golden section between the neighbours of the smallest sample, on the same arc.
   void search(Seen& seen, const std::vector<FinishedOutline::Place>& places, std::size_t i,
               Nearness& nearness) const {
     const Arc& arc = *places[i].arc;

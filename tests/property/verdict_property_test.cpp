@@ -1,13 +1,13 @@
-// Laws of the verdict, over seeded specs as a user writes them.
+// Laws of the verdict, over seeded specs such as a user writes.
 //
 // (1) The change in a remedy, applied to the spec, removes its finding and makes no other one
 //     worse.
-// (2) A finding at the ends of tolerances occurs with its value if those ends are given as plain
-//     values; and no combination of ends has a worse level than the verdict.
-// (3) `pair` and `contact` judge the gears alike, and if nothing else is left to be judged, their
-//     levels agree.
+// (2) A finding at tolerance ends occurs with the same value if these ends are given as plain
+//     values. No combination of ends has a worse level than the verdict.
+// (3) `pair` and `contact` judge the gears in the same way. If nothing else is judged, their levels
+//     agree.
 // (4) Ordinary pairs are green.
-// (5) An amber headline about one gear names this gear. (A red one joins the reasons of several.)
+// (5) An amber headline about one gear names this gear. A red headline joins several reasons.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace gearwright::property {
 namespace {
 
-// Null: these gears cannot be mounted.
+// Null means that these gears cannot be mounted.
 Json verdict_of(std::string_view verb, const Json& spec) {
   const auto read = read_spec(json_text(spec), SpecFormat::json);
   if (!read) return {};
@@ -42,7 +42,7 @@ std::map<std::string, int> levels_of(const Json& verdict) {
   return levels;
 }
 
-// A path "gear1.modifications.lead_crowning_um" set in a spec.
+// Sets a path such as "gear1.modifications.lead_crowning_um" in a spec.
 void set(Json& spec, std::string path, const Json& value) {
   std::replace(path.begin(), path.end(), '.', '/');
   spec[Json::json_pointer("/" + path)] = value;
@@ -50,7 +50,7 @@ void set(Json& spec, std::string path, const Json& value) {
 
 double rounded(double x, double step) { return std::round(x / step) * step; }
 
-// Possible input of a user: small gears, large shifts, distances that do not fit, long tips.
+// Input that a user might write: small gears, large shifts, unsuitable distances, long tips.
 Json random_job(Random& random) {
   const double m = random.pick({0.8, 1.0, 2.0, 2.5, 5.0, 12.0});
   const bool ring = random.chance(0.15);
@@ -91,7 +91,7 @@ struct RemedyCount {
   int judged = 0, findings = 0, remedies = 0, of_a_gear = 0;
 };
 
-// (5): the first finding is that of the headline.
+// (5): the first finding is the one in the headline.
 bool names_its_gear(const Json& verdict, RemedyCount& count) {
   const Json& first = verdict["findings"][0];
   if (verdict["level"] != "amber" || !first["gear"].is_number() || !first["at"].is_null())
@@ -163,7 +163,8 @@ void worst_ends_are_judged(std::uint64_t seed, int wanted) {
     spec["gear1"]["thickness_allowance_mm"] = {-rounded(0.06 * m, 0.001),
                                                -rounded(0.02 * m, 0.001)};
     spec["pair"]["center_distance_deviations_mm"] = {-half, half};
-    spec["gear1"]["profile_shift"] = 0.2;  // shifts that follow would move with the distance
+    spec["gear1"]["profile_shift"] = 0.2;  // with shifts that follow from the distance, the
+                                           // distance would change them
     spec["gear2"]["profile_shift"] = 0.0;
     const Json verdict = verdict_of("pair", spec);
     if (verdict.is_null()) continue;
@@ -220,7 +221,8 @@ void verbs_agree(std::uint64_t seed, int wanted) {
 TEST(VerdictLaws, is_the_same_in_pair_and_contact) { verbs_agree(32, 60); }
 TEST(LongVerdictLaws, is_the_same_in_pair_and_contact) { verbs_agree(3200, 1000); }
 
-// (4) Gears of catalogues and text books, with allowances of DIN 3967 and a housing of JS7.
+// (4) Gears from catalogues and textbooks, with allowances of DIN 3967 and a housing tolerance of
+//     JS7.
 TEST(VerdictLaws, ordinary_pairs_are_green) {
   int pairs = 0;
   for (const double m : {1.0, 2.0, 3.0, 5.0}) {

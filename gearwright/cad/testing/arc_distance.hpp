@@ -1,5 +1,5 @@
-// Computes by search the distance of a point of a drawing from an exact arc. It is for tests and
-// shares no code with the osculating circles by which the fits measure their deviation.
+// Searches for the distance between a point of a drawing and an exact arc. The search is for tests.
+// It shares no code with the osculating circles that the fits use to measure their deviation.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace gearwright::testing {
 
-/// Returns the distance from q to the arc, mm: the nearest of 400 samples, refined by ternary
+/// Returns the distance from q to the arc, mm. The nearest of 400 samples is refined by ternary
 /// search.
 inline double distance_to_arc(const Arc& arc, const Vec2& q) {
   constexpr int kSteps = 400;

@@ -1,17 +1,18 @@
-// Bodies of gears that are cut by other gears, and of gears with one and two teeth. They provide
-// results of the generation rooms for tests of the CAD rooms.
+// Bodies of gears that are cut by other gears, and of gears with one and two teeth, for tests of
+// the CAD rooms. They are computed by the generation rooms.
 //
-//   two_teeth       circular root fillet, a circular tip fillet in place of the land; β 30°
-//   cut_wheel       of 60 teeth, cut by two_teeth: tip, flank and root are three kinds of envelope
-//   one_tooth       likewise with one tooth, β 55°
-//   cut_ring        cut by a pinion of 18 teeth, whose tip leaves the internal gear's root fillet
+//   two_teeth       circular root fillet, and a circular tip fillet in place of the land; β 30°
+//   cut_wheel       60 teeth, cut by two_teeth: tip, flank and root are three kinds of envelope
+//   one_tooth       like two_teeth but with one tooth, β 55°
+//   cut_ring        internal gear, cut by a pinion of 18 teeth whose tip generates the root fillet
 //   arc_pinion      convex circular-arc teeth, β 20°
 //   double_arcs     convex and concave arcs with a step between them, β −20°
-//   herringbone     22 teeth, β 30°, without a gap, with one, or staggered by half a pitch
-//   herringbone_ring  ring_body of 36 teeth, with a gap
-//   rack_bar        rack of module 2 and width 20 mm, the back 12 mm below the datum line
+//   herringbone     22 teeth, β 30°; without a gap, with a gap, or staggered by half a pitch
+//   herringbone_ring  36 teeth, an internal gear with a gap
+//   rack_bar        rack of module 2 and width 20 mm; the back is 12 mm below the datum line
 //
-// All mesh with their cutters without backlash at the centre distances given with them.
+// A gear that was cut by another gear meshes with that gear without backlash at the centre distance
+// E given below.
 #pragma once
 
 #include <optional>

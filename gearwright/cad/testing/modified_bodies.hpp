@@ -1,14 +1,15 @@
-// Gears with flank modifications, and the law of their flanks, for tests of the CAD rooms.
+// Gears with flank modifications, and the law that their flanks obey, for tests of the CAD rooms.
 //
 //   L, ξ    roll length r_b ξ of an involute, mm, and roll angle       d   distance of a point from
 //   c       removed along the normal, mm                                   the nominal flank, mm
 //
-// An involute helicoid that is turned about its axis by δ is its own parallel surface at the distance
-// δ r_b cos β_b. So d follows from the polar angle of a point, and the foot of its normal has
+// An involute helicoid that is turned about its axis by δ is its own parallel surface at the
+// distance δ r_b cos β_b. Therefore d follows from the polar angle of a point, and the foot of its
+// normal has the roll length
 //
-//     L − σ d cos β_b of the point, at the height z ∓ d sin β_b (− on the left flank)
+//     L − σ d cos β_b, with L of the point, at the height z ∓ d sin β_b (− on the left flank)
 //
-// which is the plane of [T10.26] written out. c is written down here from its definition in
+// which is the plane of [T10.26] written in full. c is computed here from its definition in
 // gear/modifications.hpp and shares no code with it.
 #pragma once
 
@@ -63,7 +64,8 @@ inline Gear internal(double beta_deg) {
   return std::move(gear).take();
 }
 
-/// Every modification at once, in `size` times usual amounts, and others on the left flank.
+/// All modifications at once, with `size` times their usual amounts, and different ones on the left
+/// flank.
 inline BothFlanks everything(const Gear& gear, double size) {
   const double root = *gear.root_form_radius(), tip = gear.tip_form_radius();
   FlankModifications right;
@@ -94,7 +96,7 @@ inline std::vector<ModifiedGear> modified_gears(double size) {
   return all;
 }
 
-/// c by its definition, of the right or the left flank.
+/// c of the right or the left flank, computed from its definition.
 inline double defined_removal(const ModifiedGear& g, bool left, double L, double z) {
   const FlankModifications& m = g.flanks[left ? 1 : 0];
   const double r_b = g.gear.reference().base_diameter / 2;
@@ -123,12 +125,12 @@ inline double defined_removal(const ModifiedGear& g, bool left, double L, double
 
 struct FlankReading {
   bool left;
-  double foot;   ///< roll length of the foot, from 0 at d_Ff to 1 at d_Fa
+  double foot;   ///< roll length of the foot of the normal, scaled from 0 at d_Ff to 1 at d_Fa
   double depth;  ///< d  mm, into the tooth
   double error;  ///< d − c  mm
 };
 
-/// The law of a point near a flank of any tooth.
+/// Evaluates the law for a point near a flank of any tooth.
 inline FlankReading read_flank(const ModifiedGear& g, const Vec3& p) {
   const auto& ref = g.gear.reference();
   const double r_b = ref.base_diameter / 2, sigma = g.gear.spec.teeth < 0 ? -1.0 : 1.0;

@@ -1,10 +1,11 @@
 // Extreme outlines for tests of the CAD rooms: undercut teeth, one or two teeth, internal gears.
-// They follow from the geometry of a sharp rack, independently of the generation rooms.
+// They are derived from the geometry of a sharp-cornered rack, independently of the generation
+// rooms.
 //
 //   m   module, mm     r = |z|m/2, r_b = r cos 20°     c   corner depth below the pitch line, mm
 //   corner   W(p) = (r − c − ip) e^{i(p + y_c)/r},  y_c = πm/4 + c tan 20°
-//            the rack's sharp corner, p = 0 at the root, p > 0 up the tooth. Its polar angle
-//            decreases, then increases: the undercut
+//            the path of the rack's sharp corner, p = 0 at the root, p > 0 towards the tip. Its
+//            polar angle first decreases and then increases, which is the undercut
 #pragma once
 
 #include <algorithm>
@@ -31,8 +32,8 @@ class CornerTrochoid final : public ComplexCurve {
   double r_, c_, y_c_;
 };
 
-/// The flank of a space of an external gear is the flank of an internal gear's tooth, which becomes
-/// thicker outwards.
+/// The flank of an external gear's tooth space is used as the flank of an internal gear's tooth,
+/// which becomes thicker outwards.
 class RingInvolute final : public ComplexCurve {
  public:
   RingInvolute(double r_b, double psi_b) : r_b_(r_b), psi_b_(psi_b) {}
@@ -47,14 +48,15 @@ class RingInvolute final : public ComplexCurve {
 
 inline constexpr double kAlpha20 = 20 * kPi / 180;
 
-/// Polar angle of the involute flank at radius ρ. The centre line of the tooth is at 0.
+/// Polar angle of the involute flank at the radius ρ, measured from the centre line of the tooth.
 inline double flank_angle(int z, double r_b, double rho) {
   const double xi = std::sqrt(std::max(0.0, (rho / r_b - 1) * (rho / r_b + 1)));
   return kPi / (2 * z) + std::tan(kAlpha20) - kAlpha20 - (xi - std::atan(xi));
 }
 
-/// An undercut tooth: root circle, corner trochoid, involute from their intersection, tip circle.
-/// Domain    z is small: the intersection lies between the base circle and the tip
+/// An undercut tooth: root circle, trochoid of the corner, involute from their intersection, tip
+/// circle.
+/// Domain    small z, so that the intersection lies between the base circle and the tip
 inline ToothedBody undercut_body(int z, double m, double depth, double height, double twist,
                                  double width) {
   const double r = m * z / 2, r_b = r * std::cos(kAlpha20), c = depth * m;
@@ -79,9 +81,10 @@ inline ToothedBody undercut_body(int z, double m, double depth, double height, d
   return body;
 }
 
-/// One or two teeth. The outline has a root circle well inside the base circle, a fillet that
-/// touches the root circle and the radial line to the start of the involute, the involute from its
-/// cusp (1e-9 rad beside it, where the tangent can be taken from the derivative), and a tip land.
+/// One or two teeth. The outline consists of a root circle well inside the base circle, a fillet
+/// that is tangent to the root circle and to the radial line at the start of the involute, the
+/// involute, and a tip land. The involute starts 1e-9 rad beside its cusp, where the tangent can be
+/// computed from the derivative.
 inline ToothedBody few_tooth_body(int z, double m, double twist, double width) {
   const double r = m * z / 2, r_b = r * std::cos(kAlpha20), r_f = 0.8 * r_b, r_a = r + 0.5 * m;
   const double rho = (r_b - r_f) * (r_b + r_f) / (2 * r_f);
@@ -112,7 +115,8 @@ inline ToothedBody few_tooth_body(int z, double m, double twist, double width) {
   return body;
 }
 
-/// An internal gear of |z| teeth with corners at root and tip. Its rim has the diameter `rim`, mm.
+/// An internal gear of |z| teeth with corners at root and tip. `rim` is the diameter of its rim,
+/// mm.
 inline ToothedBody ring_body(int z, double m, double twist, double width, double rim) {
   const double r = m * z / 2, r_b = r * std::cos(kAlpha20), r_f = r + 1.25 * m, r_a = r - 0.8 * m;
   const double psi_b = kPi / (2 * z) - (std::tan(kAlpha20) - kAlpha20);

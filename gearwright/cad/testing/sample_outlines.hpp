@@ -1,12 +1,13 @@
-// Outlines for tests of the CAD rooms: rack-cut teeth computed from three formulas, independently
-// of the generation rooms.
+// Outlines for tests of the CAD rooms. The teeth are cut by a rack and computed from three
+// formulas, independently of the generation rooms.
 //
 //   z      teeth          m, α   transverse module, mm, and pressure angle, rad     r = mz/2
 //   h_a, h_f, ρ           addendum, dedendum and tip radius of the cutter, in modules
 //   flank   W(ξ) = r_b (1 + iξ) e^{i(ψ_b − ξ)},  ψ_b = π/2z + inv α
 //   fillet  W(ψ) = e^{i(π/z − φ)} (r − i k e^{−iψ}),  k = h_c/sin ψ + ρm,  φ = (x_c − h_c cot ψ)/r,
-//           ψ from π/2 at the root to α: the cutter's tip circle, centre h_c below its datum line
-//           and x_c beside the middle of the space, seen along its normal through the pitch point
+//           ψ is the angle of the normal through the pitch point, from π/2 at the root to α. The
+//           centre of the cutter's tip circle is h_c below the datum line and x_c from the middle
+//           of the space
 #pragma once
 
 #include <algorithm>
@@ -26,7 +27,7 @@ using C = std::complex<double>;
 
 inline Vec2 vec(C w) { return {w.real(), w.imag()}; }
 
-/// A curve given by its point and its first two derivatives, as complex numbers.
+/// A curve defined by its point and its first two derivatives, as complex numbers.
 class ComplexCurve : public Curve {
  public:
   struct Jet {
@@ -107,9 +108,9 @@ struct SampleGear {
   double dedendum = 1.25;
   double tip_radius = 0.38;
   double chamfer = 0.0;  ///< radial height of a straight chamfer, mm
-  bool pointed = false;  ///< the tooth ends at the ridge where the flanks meet, whatever the
-                         ///< addendum
-  bool full_radius_root = false;  ///< tip_radius is chosen so that no root land remains
+  bool pointed = false;  ///< true if the tooth ends at the ridge where its flanks meet; the
+                         ///< addendum is then ignored
+  bool full_radius_root = false;  ///< true if tip_radius is chosen so that no root land remains
 };
 
 inline void append(Outline& outline, ArcName name, std::shared_ptr<const Curve> curve, double begin,
@@ -119,15 +120,15 @@ inline void append(Outline& outline, ArcName name, std::shared_ptr<const Curve> 
   outline.arcs.push_back({name, std::move(curve), begin, end, from, to});
 }
 
-/// The half thickness on the base circle gives the point where the two flanks of a tooth meet: ξ −
-/// atan ξ = ψ_b.
+/// The roll angle at which the two flanks of a tooth meet. It follows from ψ_b, the half thickness
+/// on the base circle: ξ − atan ξ = ψ_b.
 inline double pointed_roll(double psi_b) {
   double xi = std::cbrt(3 * psi_b);
   for (int i = 0; i < 50; ++i) xi -= (xi - std::atan(xi) - psi_b) * (1 + 1 / (xi * xi));
   return xi;
 }
 
-/// Domain    no undercut, so the form point of the fillet lies outside the base circle
+/// Domain    no undercut; the form point of the fillet then lies outside the base circle
 inline ToothedBody sample_body(const SampleGear& g) {
   const int z = g.teeth;
   const double m = g.normal_module / std::cos(g.beta);
@@ -174,7 +175,7 @@ inline ToothedBody sample_body(const SampleGear& g) {
   return body;
 }
 
-/// Lands joined by a straight flank, the simplest outline. It also serves for internal gears (teeth
+/// The simplest outline: lands joined by a straight flank. It also represents internal gears (teeth
 /// < 0, root > tip).
 inline ToothedBody plain_body(int teeth, double r_root, double root_angle, double r_tip,
                               double tip_angle, double face_width = 10.0, double twist = 0.0) {
@@ -198,12 +199,12 @@ inline double plain_area(int teeth, double r_root, double root_angle, double r_t
               r_root * r_tip * std::sin(root_angle - tip_angle) + tip_angle * r_tip * r_tip);
 }
 
-/// Returns the distance from a point of the plane to the half outline or its mirror image (tooth
-/// 0), mm.
+/// Returns the distance from a point of the plane to the outline of tooth 0, which is the half
+/// outline and its mirror image, mm.
 ///
-/// Every arc is sampled once. The distance is refined by ternary search about the nearest sample,
-/// for all arcs that can be nearer than the best result so far, as bounded by the widest gap
-/// between samples.
+/// Every arc is sampled once. Around the nearest sample, the distance is refined by ternary search.
+/// This is done for all arcs that can be nearer than the best result so far; the widest gap between
+/// samples gives the bound.
 class OutlineDistance {
  public:
   explicit OutlineDistance(const Outline& outline) : outline_(outline) {

@@ -1,5 +1,6 @@
-// Reads STEP files with an independent reader, OCCT. Only the tests named step*_test.cpp include
-// this file. They form a separate program, step_tests, the only one that links OCCT.
+// Reads STEP files with an independent reader, OCCT. Only tests with names of the form
+// step*_test.cpp include this file. They are built into a separate program, step_tests, the only
+// one that links OCCT.
 #pragma once
 
 #include <TopAbs_ShapeEnum.hxx>
@@ -12,12 +13,13 @@
 namespace gearwright::testing {
 
 struct ReadStep {
-  int refusals = 0;                ///< instances that the reader rejects
-  int free_shapes = 0;             ///< roots of the product structure
-  TopoDS_Shape shape;              ///< the first of them
-  std::vector<std::string> names;  ///< of that root, then of its components' parts; UTF-8
-  std::vector<std::array<double, 3>> colours;  ///< of the parts, linear RGB
-  std::vector<TopoDS_Solid> solids;            ///< in place
+  int refusals = 0;                ///< number of instances that the reader rejects
+  int free_shapes = 0;             ///< number of roots of the product structure
+  TopoDS_Shape shape;              ///< shape of the first root
+  std::vector<std::string> names;  ///< names of that root and then of the parts of its components;
+                                   ///< UTF-8
+  std::vector<std::array<double, 3>> colours;  ///< colours of the parts, linear RGB
+  std::vector<TopoDS_Solid> solids;            ///< each at its position
 };
 
 ReadStep read_step(const std::string& text);

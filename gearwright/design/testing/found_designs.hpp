@@ -1,4 +1,4 @@
-// A search run whole: what it counted and every design that it found.
+// The counts of a complete search, and every design that it found.
 #pragma once
 
 #include <tuple>

@@ -1,5 +1,5 @@
-// What tests ask of a region of shifts: the area within its boundary, and the one of a slow grid of
-// points that the pair's numbers let through.
+// Checks of a region of shifts. The area within its boundary is compared with the area of a fine
+// grid of points at which the pair meets all limits.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,10 +22,10 @@ inline double signed_area(const std::vector<RegionEdge>& loop) {
   return twice / 2.0;
 }
 
-// By a grid of grid × grid points that the pair's numbers let through.
+// Computes the area from a grid of grid × grid points at which the pair meets all limits.
 inline void expect_area_of_a_grid(const ShiftGraph& g, const ShiftRegion& region, Random& random,
                                   int grid, double within) {
-  // Points (Σ, x1): dx1 dx2 = dΣ dx1.
+  // Points are (Σ, x1), with dx1 dx2 = dΣ dx1.
   const double from = region.sums.front().lo - 0.01;
   const double to = region.sums.back().hi + 0.01;
   const double x_from = g.gears()[0].x_min - 0.01;
@@ -36,7 +36,8 @@ inline void expect_area_of_a_grid(const ShiftGraph& g, const ShiftRegion& region
     const double sum = from + (to - from) * (i + 0.5) / grid;
     const int before = hits;
     const double start =
-        random.uniform(0.0, 1.0);  // else an edge x1 = const errs alike in all rows
+        random.uniform(0.0, 1.0);  // without this offset, an edge x1 = const has the same error in
+                                   // all rows
     for (int k = 0; k < grid; ++k) {
       const double x1 = x_from + (x_to - x_from) * (k + start) / grid;
       if (margin_by_numbers(g, x1, sum - x1) >= 0.0) ++hits;
@@ -44,8 +45,8 @@ inline void expect_area_of_a_grid(const ShiftGraph& g, const ShiftRegion& region
     if (hits > before) ++rows;
   }
   const double cell = (to - from) * (x_to - x_from) / grid / grid;
-  // A row's count varies by half a point at most: four deviations of all, and half a row at each
-  // end of Σ, of every piece.
+  // The count of a row has an error of at most half a point. The tolerance is four standard
+  // deviations of the total, plus half a row at each end of Σ for every piece.
   const auto pieces = static_cast<double>(region.sums.size());
   const double doubt = cell * (2.0 * std::sqrt(rows) + pieces * static_cast<double>(hits) / rows);
   EXPECT_NEAR(hits * cell, region.area, doubt) << g.trial().z1 << ":" << g.trial().z2;

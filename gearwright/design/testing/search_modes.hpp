@@ -1,4 +1,4 @@
-// Mountings that the lanes of the search tell apart.
+// Mountings that the vector code of the search treats differently.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// What the tests of the search share: the reference computed with 40 digits, problems made of it,
-// and problems of every kind, drawn by a seeded generator.
+// Shared by the tests of the search: the reference computed with 40 digits, problems made from it,
+// and random problems of every kind from a seeded generator.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace gearwright::testing::search {
 inline const std::vector<double> kSeriesI{1, 1.25, 1.5, 2,  2.5, 3,  4,  5,  6,
                                           8, 10,   12,  16, 20,  25, 32, 40, 50};
 
-/// Modules and their squares; the reference prints 25 digits.
+/// Tolerance for modules and their squares. The reference prints 25 digits.
 inline constexpr double kPrinted = 1e-12;
 
 inline const nlohmann::json& reference() {
@@ -36,7 +36,7 @@ inline double number(const nlohmann::json& value) {
   return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
 }
 
-/// α_n 20°, extended centres, the limits of a region or a search of the reference.
+/// α_n = 20°, extended centres, and the limits of a region or a search of the reference.
 inline SearchProblem problem_of(const nlohmann::json& input) {
   SearchProblem p;
   const auto optional = [](const nlohmann::json& v) {
@@ -49,7 +49,7 @@ inline SearchProblem problem_of(const nlohmann::json& input) {
   return p;
 }
 
-/// The problem of one region: one module, one pair.
+/// The problem of one region, with one module and one pair.
 inline SearchProblem problem_of_region(const nlohmann::json& input) {
   SearchProblem p = problem_of(input);
   p.center_distance = {{number(input.at("Cmin")), number(input.at("Cmax"))}};
@@ -69,7 +69,7 @@ inline SearchProblem problem_of_search(const nlohmann::json& input) {
   return p;
 }
 
-/// A search through helices of both hands, racks and modules at tight centres.
+/// A search at tight centres with helix angles of both hands, several racks and several modules.
 inline SearchProblem helical_search() {
   SearchProblem p;
   p.ratio = {1.8, 2.4};
@@ -86,21 +86,21 @@ inline SearchProblem helical_search() {
   return p;
 }
 
-/// One pair of a problem with one helix and rack; m in mm.
+/// One pair of a problem, with its first helix angle and rack; m in mm.
 inline Trial trial(const SearchProblem& p, int z1, int z2, double m = 1.0) {
   const Angle beta = p.helix[0];
   const Angle mate = p.crossed() ? *p.shaft_angle - beta : z2 < 0 ? beta : -beta;
   return {0, m, z1, z2, {beta, mate}, 0};
 }
 
-/// The graph of a problem that outlives it.
+/// The graph of a problem. The problem must outlive the graph.
 inline ShiftGraph graph(const SearchProblem& p, const Trial& t) {
   return ShiftGraph(p, t, trial_gear(p, t.z1, t.helix[0], t.rack, 0),
                     trial_gear(p, t.z2, t.helix[1], t.rack, 1));
 }
 
-/// Teeth that can roll on each other without backlash (tight) or at all (extended) have a working
-/// angle; crossed axes always have one.
+/// True if there is a working angle. Teeth have one if they can mesh without backlash (tight
+/// centres), or if they can mesh at all (extended centres). Crossed axes always have one.
 inline bool has_working_angle(const ShiftGraph& graph, double sum) {
   const SearchProblem& p = graph.problem();
   const Trial& t = graph.trial();
@@ -112,9 +112,10 @@ inline bool has_working_angle(const ShiftGraph& graph, double sum) {
   return nominal_working_involute(t.z1, t.z2, p.normal_pressure_angle.rad(), alpha_t, sum) > 1e-12;
 }
 
-/// How far inside all limits a point lies, in the unit of the nearest one, by the numbers that
-/// mounting the pair gives (row_at) and nothing else of the graph. No working angle, a tip inside
-/// its base circle, a lack of overlap or interference: −1.
+/// The smallest margin of a point to all limits, in the unit of the nearest limit. It is computed
+/// only from the results of mounting the pair (row_at), not from other parts of the graph. It is −1
+/// if there is no working angle, if a tip lies inside its base circle, if the overlap ratio is too
+/// small, or if there is interference.
 inline double margin_by_numbers(const ShiftGraph& graph, double x1, double x2) {
   const SearchProblem& p = graph.problem();
   const SearchLimits& limits = p.limits;
@@ -156,7 +157,7 @@ inline double margin_by_numbers(const ShiftGraph& graph, double x1, double x2) {
   return least;
 }
 
-/// Mountings that the formulas tell apart.
+/// Mountings that the formulas treat differently.
 struct Kind {
   const char* name;
   bool ring, tight, shorten, helical, crossed;
@@ -183,8 +184,8 @@ class Random {
   std::mt19937 bits_;
 };
 
-/// A problem and one pair of it, m = 1; limits of every kind now and then, a band of centre
-/// distances near the reference one.
+/// A problem and one of its pairs, m = 1. Limits of every kind occur in some of the problems. The
+/// band of centre distances is close to the reference centre distance.
 struct RandomTrial {
   SearchProblem problem;
   Trial trial;
@@ -211,8 +212,8 @@ inline RandomTrial random_trial(Random& random, const Kind& kind) {
   if (!kind.crossed && random.chance(0.5)) l.sliding = random.uniform(0.5, 4.0);
   if (random.chance(0.4)) l.tip_clearance = random.uniform(0.15, 0.249);
   l.avoid_interference = random.chance(0.5);
-  // Far below the reference circle a tip comes free of the mate's fillet again; the graph leaves
-  // that branch out.
+  // Far below the reference circle, a tip no longer touches the mating gear's fillet. The graph
+  // does not include this branch.
   if (l.avoid_interference && !l.min_shift) l.min_shift = random.uniform(-0.6, 0.0);
   const Trial t = trial(p, z1, z2);
   const double R =

@@ -1,10 +1,11 @@
-"""A tooth of a helical gear in bricks: how its flank yields along the face under a load on a part of it.
+"""Deflection of the flank of a helical tooth along the face, under a load on a part of it, computed with bricks.
 
 The transverse section, three teeth with their exact outline and the rest of the gear smooth at the root circle, is cut
-into quadrilaterals of eight nodes and swept along the helix into bricks of twenty (C3D20), held at the bore, the end
-faces planes z = const. CalculiX solves it. Nothing of the program is used: rack, involute and trochoid stand here.
+into quadrilaterals of eight nodes and swept along the helix into bricks of twenty (C3D20), fixed at the bore. The
+end faces are planes z = const. CalculiX solves the model. No code of the program is used: rack, involute and trochoid
+are written here.
 
-    python3 tooth_bricks.py          all cases anew, into tooth_bricks.json beside this file (six runs of half a minute)
+    python3 tooth_bricks.py          computes all cases into tooth_bricks.json beside this file (six runs of half a minute)
 
 Lengths in normal modules, E = 1, nu = 0.3, force 1: displacements are E u m_n / F. The force lies as a bump
 15/(16c) (1 - s^2/c^2)^2 along the outline's arc length s, c = 0.3, even over the part of the face, along the normal of the
@@ -28,7 +29,7 @@ TEETH, ALPHA, FACE = 25, np.radians(20), 10.0
 RACK_TIP, RACK_ROUND = 1.25, 0.38  # ISO53-A
 BUMP, STRIP = 0.3, 0.05  # half widths
 POISSON = 0.3
-# Along the half outline and across to the centre line: elements of the loaded tooth, of its neighbours.
+# Numbers of elements along the half outline and across to the centre line of the loaded tooth, of its neighbours.
 LOADED, BESIDE = (12, 3), (5, 2)
 UNDER, BODY, REST = 2, 3, 6
 # Layers of half a module, or of a quarter of a module under a load.
@@ -66,7 +67,7 @@ def outline(beta, points=4000):
 
 
 def halved(ends):
-    """With a middle between each two."""
+    """Inserts a middle between each two values."""
     ends = np.asarray(ends, float)
     all_of_them = np.empty(2 * len(ends) - 1)
     all_of_them[::2] = ends
@@ -136,7 +137,7 @@ class Section:
 
 
 def offsets(points=400):
-    """How far load and reading lie apart along s, each with its weight: two bumps, and a strip from its centre."""
+    """Distances along s between load and reading, with their weights: for two bumps, and for a strip and its centre."""
     t, weight = np.polynomial.legendre.leggauss(points)
     t, weight = (t + 1) / 2, weight / 2  # concentrated towards 0 by t^3, where 1/R is large
     y, of_y = np.polynomial.legendre.leggauss(60)
@@ -166,7 +167,7 @@ def quadratic(x):
 
 
 class Tooth:
-    """The bricks of one gear, its loads and readings."""
+    """The bricks of one gear, with its loads and readings."""
 
     def __init__(self, beta_deg, bore):
         self.beta = np.radians(beta_deg)
@@ -194,7 +195,7 @@ class Tooth:
         return half_space((tangent * np.conj(rise)).real, 1 + abs(rise) ** 2, z, part)
 
     def bump(self, above):
-        """Places under the bump, each by element, x in it and weight; and the normal of the screw surface at height 0."""
+        """Positions under the bump, each with its element, x and weight; and the normal of the screw surface at height 0."""
         middle, normal, _, rise = self.place(above)
         g, weight = np.polynomial.legendre.leggauss(200)
         at = middle + BUMP * g

@@ -1,13 +1,13 @@
-"""Planets between a sun and a ring as springs: their forces by a slow minimisation of the energy.
+"""Forces of planets between a sun and a ring, modelled as springs, from a slow minimisation of the energy.
 
 Each planet is written down by its vectors: the point and the direction of both lines of action in the plane, the pin with
 its error, the sun with its displacement. Nothing of the program is used: no signs of teeth, no rows, no Newton steps.
 scipy minimises Σ ∫F dδ − T φ, by BFGS and Powell's method in turn until the energy does not fall. The printed number is the
 error of the moment on the sun.
 
-    python3 planet_springs.py          all cases anew, into planet_springs.json beside this file (ten seconds)
+    python3 planet_springs.py          computes all cases into planet_springs.json beside this file (ten seconds)
 
-Lengths in mm, forces in N, angles in rad. The sun turns counter-clockwise and drives, carrier and ring stand. A spring is
+Lengths in mm, forces in N, angles in rad. The sun turns counter-clockwise and drives, carrier and ring are fixed. A spring is
 F = k δ for δ > 0, or F = k δ + c δ² with `bend` = c. `lead` is a gap of the flanks of the mesh before they touch, as e_0 of
 docs/theory/13-drives.md: δ = y + lead.
 """
@@ -47,13 +47,13 @@ class Set:
             arm = -self.r_p * (math.cos(w) * out - math.sin(w) * along)
             moved_planet = (pin - axis) + -planets[i] * np.array([-arm[1], arm[0]])  # it turns clockwise
             y_sun = (moved_sun - moved_planet) @ push
-            # The planet turns clockwise, so its outer side moves against the sense of the sun, and it pushes the ring that
+            # The planet turns clockwise, so its outer side moves against the rotation of the sun and pushes the ring that
             # way and outward.
             v = math.acos((self.r_r - self.r_p) / self.a)
             push = -math.cos(v) * along + math.sin(v) * out
             arm = self.r_p * (math.cos(v) * out + math.sin(v) * along)
             moved_planet = (pin - axis) + -planets[i] * np.array([-arm[1], arm[0]])
-            y_ring = moved_planet @ push  # the ring stands
+            y_ring = moved_planet @ push  # the ring is fixed
             found.append((y_sun, y_ring))
         return np.array(found)
 
@@ -98,7 +98,7 @@ def random_case(rng, number):
     distance = module * (sun + planet) / 2 * float(rng.uniform(0.995, 1.02))
     base = module * math.cos(math.radians(20)) / 2
     base_sun, base_planet, base_ring = base * sun, base * planet, base * ring
-    places = sun + ring  # where a planet meshes
+    places = sun + ring  # positions at which a planet meshes
     torque = float(rng.uniform(5e3, 5e5))
     force = torque / base_sun / n
     typical = force / 5e4
