@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kSteps = 120;  // number per pitch of slider positions and of arrow key steps
+constexpr int kSteps = 120;  // slider positions, and steps of the arrow keys, per pitch
 
 }  // namespace
 

@@ -163,7 +163,7 @@ class Measuring(Asked):
         r = Run("run", GEAR + "quality = 6\nthickness_allowance_mm = [-0.1, -0.06]\n", "--only", "report", "--out", "out")
         self.assertEqual(r.status, 0, r.err)
         page = (r.folder / "out/report.html").read_text()
-        for word in ("Measuring", "Span measurement", "Gear 1, profile", "band of 11", "Gear 1 at the limits of the thickness allowance"):
+        for word in ("Inspection", "Span measurement", "Gear 1, profile", "band of 11", "Gear 1 at the limits of the thickness allowance"):
             self.assertTrue(word in page, word)
 
     def test_the_mating_gear_and_the_distance_of_the_pair_are_readings(self):
