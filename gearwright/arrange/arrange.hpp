@@ -1,5 +1,9 @@
 // Computes one gear, or two gears and their pair, from the data of a drawing. Absent values are
 // computed from the given ones. Contradictory values cause an error.
+//
+// Profile shifts and centre distance determine each other. The cutter of a gear determines its
+// module and angles. A required backlash determines the tooth thickness. An absent face width
+// becomes 10 m_n, with a warning.
 #pragma once
 
 #include <memory>

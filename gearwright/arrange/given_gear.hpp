@@ -48,14 +48,14 @@ struct MeasureInput {
 /// measurement, and the deviations of the tip diameter.
 struct ToleranceInput {
   std::optional<int> quality;                           ///< A, the ISO 1328 grade
-  FlankTolerances edition = FlankTolerances::iso_2013;  ///< of ISO 1328-1
-  std::optional<std::string> series;                    ///< of DIN 3967, "cd25"
+  FlankTolerances edition = FlankTolerances::iso_2013;  ///< edition of ISO 1328-1
+  std::optional<std::string> series;                    ///< series of DIN 3967, for example "cd25"
   std::optional<Ends> span;                             ///< W_k  mm
   std::optional<Ends> over_balls;                       ///< M_d  mm
   /// A_da, mm: lower and upper deviation of d_a. The upper deviation gives the longer tooth of an
   /// external gear and the shorter tooth of an internal gear.
   std::optional<Ends> tip_deviations;
-  std::optional<std::string> tip_fit;  ///< of ISO 286, "h9"; determines tip_deviations
+  std::optional<std::string> tip_fit;  ///< fit of ISO 286, for example "h9"
 
   bool says_thickness() const { return series || span || over_balls; }
 };

@@ -24,12 +24,12 @@ struct PairInput {
   // The backlash that thinning of the teeth must produce, in one of three forms.
   std::optional<double> backlash;                  ///< j_n  mm, normal
   std::optional<double> backlash_circumferential;  ///< j_t  mm, at gear 1's working pitch circle
-  std::optional<Angle> backlash_angle;             ///< of gear 1, with gear 2 held
+  std::optional<Angle> backlash_angle;             ///< rotation of gear 1 while gear 2 is held
   std::optional<Ends> backlash_ends;               ///< j_n  mm, least and greatest
   double backlash_split = 0.5;                     ///< gear 1's share of the thinning
   std::optional<Ends> distance_deviations;         ///< lower, upper deviation of the centre
                                                    ///< distance, mm
-  std::optional<std::string> distance_tolerance;   ///< of ISO 286, "JS7"
+  std::optional<std::string> distance_tolerance;   ///< tolerance of ISO 286, "JS7"
   std::optional<double> bearing_span;              ///< L  mm, for the tolerances of the axes
 
   /// True if the teeth must be thinned for a given backlash.

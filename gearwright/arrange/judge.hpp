@@ -17,7 +17,7 @@ namespace gearwright {
 
 /// Results that were computed in addition to the pair. All of them must outlive the call.
 struct JudgedWith {
-  const ContactResult* contact = nullptr;  ///< of the working flanks; null if not computed
+  const ContactResult* contact = nullptr;  ///< contact of the working flanks; null if not computed
   bool errors = false;                     ///< true if errors of mounting are included in the
                                            ///< contact
   std::optional<JudgedRating> rating{};    ///< none if not computed

@@ -13,8 +13,8 @@ namespace gearwright {
 /// A change of one number of a drive.
 struct DriveChange {
   Adjustable what;
-  std::size_t index;  ///< of the gear; of the mesh if `what` is a centre distance
-  double value;       ///< as in SpecChange
+  std::size_t index;  ///< index of the gear, or of the mesh if `what` is a centre distance
+  double value;       ///< the new value, as in SpecChange
 };
 
 /// The drive with this change. None if the drive has no such number.

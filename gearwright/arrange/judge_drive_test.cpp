@@ -218,7 +218,7 @@ TEST(JudgeDrive, ASetWithoutTipDiametersRuns) {
   }
 }
 
-// The set is given by eight lines only. With large profile shifts, the tips have no clearance
+// The spec of this set has only eight lines. With large profile shifts, the tips have no clearance
 // unless they are shortened.
 TEST(JudgeDrive, EightLinesAreEnough) {
   PlanetarySpec set;

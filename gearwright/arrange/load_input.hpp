@@ -1,5 +1,5 @@
-// The load of a pair or of a drive: torques, deflections of the shafts, probes of single teeth,
-// planets.
+// The load of a pair or of a drive: torques, shaft deflections, probes of single teeth, and data of
+// the planets.
 #pragma once
 
 #include <array>

@@ -22,7 +22,7 @@ Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& err
 
 struct LoadAnalysis {
   std::optional<LoadedContact> contact;      ///< none if the input contains only probes
-  std::optional<PairCompliance> compliance;  ///< of the teeth of this pair
+  std::optional<PairCompliance> compliance;  ///< compliance of the teeth
   std::vector<ProbeAnswer> probes;           ///< results of LoadInput::probes
   /// The halves of a double-helical pair at z > 0 and z < 0; empty for other gears. If there are
   /// halves, the other members describe the whole gears.

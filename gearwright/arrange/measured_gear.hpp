@@ -37,8 +37,8 @@ struct PinMeasure {
 
 struct ThicknessAt {
   double diameter;    ///< d_y  mm
-  double transverse;  ///< s_yt  mm, arc
-  double normal;      ///< s_yn  mm, arc
+  double transverse;  ///< s_yt  mm, arc length
+  double normal;      ///< s_yn  mm, arc length
   double half_angle;  ///< rad
   double helix;       ///< β_y  rad, signed
 };

@@ -32,7 +32,7 @@ struct ReliefProposal {
   /// False if the tip of a gear still carries load with the greatest relief.
   std::array<bool, 2> unloaded{true, true};
   std::array<double, 2> tip_start{};  ///< mm, diameters, rounded to 1 µm
-  double root_start = 0.0;            ///< mm, of gear 1
+  double root_start = 0.0;            ///< mm, diameter on gear 1
   double root_factor = 1.0;  ///< C_f/C_a2; not 1, because the flank of gear 1 starts below the
                              ///< first contact
 

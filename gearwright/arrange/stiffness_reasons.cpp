@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kWorthANote = 0.25;  // least relative difference from c_γα that causes a note
 constexpr double kFactor = 0.03;      // a factor within this distance of 1 is not mentioned
-constexpr double kMuchLeft = 0.1;     // greatest |rest − 1| for which shapes are not examined
+constexpr double kMuchLeft = 0.1;     // shapes are examined if |rest − 1| is greater
 constexpr double kOverlap = 2.0;      // least overlap ratio of a helical face that is not narrow
 constexpr double kWidest = 12.0;      // modules; a wider face takes long and adds no insight
 constexpr double kLeastWider = 1.2;

@@ -15,8 +15,7 @@ namespace gearwright {
 
 namespace {
 
-// The allowance E_sn of a tooth whose transverse thickness on the base cylinder is given, mm.
-// [T10.19]
+// The allowance E_sn, mm, of a tooth with this transverse thickness on the base cylinder. [T10.19]
 double allowance_of(const Gear& gear, double base_thickness) {
   const ReferenceGeometry<double>& g = gear.reference();
   return gear.spec.thickness_allowance + (base_thickness - g.base_tooth_thickness) *
