@@ -16,8 +16,7 @@ namespace gearwright {
 
 /// Half a tooth of the gear's rack in the normal section, from the middle of the space to the
 /// middle of the tooth. Each point is (height above the datum line, distance from the middle of the
-/// tooth), mm. The tooth ends at the addendum, and the thickness allowance is subtracted from its
-/// thickness.
+/// tooth), mm. The tooth ends at the addendum, and its thickness includes the thickness allowance.
 ///
 /// Domain    a gear with arcs (contract)
 std::vector<Vec2> rack_half_tooth(const Gear& gear);

@@ -25,7 +25,7 @@ struct ContactReport : ContactScene {
   std::optional<Angle> min_play;  ///< least backlash, rotation of gear 2; < 0 if the gears jam
   std::array<FlankRaster, 2> patterns;
   std::optional<ContactPoint> middle;      ///< the contact point nearest to the middle of the flank
-  FlankRaster middle_gap;                  ///< on gear 1, at the position of `middle`
+  FlankRaster middle_gap;                  ///< gap on gear 1 at the position of `middle`
   std::vector<NamedAmount> errors;         ///< the errors that are not zero
   std::vector<std::string> modifications;  ///< "gear 1: tip relief 15 µm"; plain text
   std::vector<PatternUnder> under;         ///< may be empty

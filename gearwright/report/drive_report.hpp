@@ -21,7 +21,7 @@ struct DriveReportInput {
   Verdict verdict;
   std::vector<ReportFile> files;
   std::string spec_text;  ///< the spec, verbatim; left out if empty
-  std::string version;    ///< of the program
+  std::string version;    ///< version of the program
 };
 
 /// The page, UTF-8.   Domain  a drive (contract)

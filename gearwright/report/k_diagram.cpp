@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFlat = 1.0;  // µm; the least range of the axis of deviations
+constexpr double kFlat = 1.0;  // µm; least range of the axis of deviations
 
 // The tolerance band over the evaluation range: the design trace, moved up and down by half of the
 // tolerance.

@@ -15,7 +15,7 @@ namespace {
 constexpr double kAside = 15.0;  // px from the line to the middle of a letter
 
 // Lengths as fractions of the width of a plot.
-constexpr double kLetterRoom = 0.04;  // between two letters
+constexpr double kLetterRoom = 0.04;  // distance between two letters
 constexpr double kCharacter = 0.0155;
 constexpr double kLetterHeight = 0.054;
 

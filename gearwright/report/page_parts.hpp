@@ -1,7 +1,8 @@
 // Parts that all pages share: the head, the style, the hint about pictures, and the spec.
 //
-// Style sheets and scripts are files in report/page/. For each file, the build makes the function
-// with its name (cmake/gw_embed.cmake), also for turning.hpp and search_table.hpp.
+// Style sheets and scripts are files in report/page/. The build converts each file into a function
+// with the name of the file (cmake/gw_embed.cmake). The scripts of turning.hpp and search_table.hpp
+// are also such functions.
 #pragma once
 
 #include <string>

@@ -96,7 +96,7 @@ void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
   }
 }
 
-constexpr double kCharacter = 0.032, kSpace = 0.05;  // of the width of the plot
+constexpr double kCharacter = 0.032, kSpace = 0.05;  // fractions of the width of the plot
 
 }  // namespace
 

@@ -65,7 +65,7 @@ Figure range_panel(const CrossedPair& pair, const std::vector<CrossedSample>& sa
   Figure f{q.id,
            "Possible positions of the pair: " + q.axis.words,
            "The " + q.axis.words +
-               " of the pair free of backlash over the normal pressure angle of the common rack. "
+               " of the pair without backlash, over the normal pressure angle of the common rack. "
                "In the shaded range the contact ratio is at least 1. Lines mark the least centre "
                "distance and the pair as mounted.",
            "",

@@ -45,7 +45,8 @@ struct ReportInput {
   /// At the ends of the tolerances, with the least and with the greatest backlash; may be empty.
   std::vector<ValueRecord> pair_ends;
   std::vector<ValueRecord> measures;                   ///< one for each gear; may be empty
-  std::vector<std::vector<ValueRecord>> measure_ends;  ///< at the ends of tolerances; may be empty
+  std::vector<std::vector<ValueRecord>> measure_ends;  ///< values at the ends of the tolerances;
+                                                       ///< may be empty
   std::vector<KDiagram> k_diagrams;            ///< for flanks with modifications or a grade; may be
                                                ///< empty
   const ContactReport* contact = nullptr;      ///< null if the spec requests no contact
@@ -56,7 +57,7 @@ struct ReportInput {
   Verdict verdict;                             ///< on the gears, the pair and the contact
   std::vector<ReportFile> files;
   std::string spec_text;  ///< the spec, verbatim; omitted if empty
-  std::string version;    ///< of the program
+  std::string version;    ///< version of the program
 };
 
 /// The page, UTF-8.

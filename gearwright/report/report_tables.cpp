@@ -265,8 +265,8 @@ std::string path_table(const InvolutePair& p) {
                     length((mark.rho1 - m.rho1_C) / m.line_cosine), length(mark.rho1),
                     length(m.rho2(mark.rho1)), ratio(s.zeta_1), ratio(s.zeta_2)});
   }
-  return value_table(crossed ? "Points of the line of action; ζ is the sliding in mm per mm that "
-                               "the contact travels on the flank"
+  return value_table(crossed ? "Points of the line of action; ζ is the sliding distance divided "
+                               "by the distance that the contact travels on the flank"
                              : "Points of the path of contact",
                      {"Point", "from C, mm", symbol_html("ρ_1") + ", mm",
                       symbol_html("ρ_2") + ", mm", symbol_html("ζ_1"), symbol_html("ζ_2")},

@@ -15,7 +15,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kWidth = 520.0;
-constexpr double kAspect = 1.0;    // of the plot
+constexpr double kAspect = 1.0;    // width over height of the plot
 constexpr double kMargin = 0.055;  // margin around the essential part, as a fraction of its height
                                    // and width
 constexpr int kFewTeeth = 12;      // with more teeth, a root without undercut looks like any other

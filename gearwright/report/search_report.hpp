@@ -20,7 +20,7 @@ struct SearchReport {
   std::vector<std::string> reasons;  ///< plain text: warnings, and if no design is feasible, the
                                      ///< reasons and changes that would help
   std::size_t rows = 200;            ///< number of designs in the table
-  std::string version;               ///< of the program
+  std::string version;               ///< version of the program
 };
 
 inline constexpr std::size_t kRegionPictures = 20;  ///< number of the best designs that have a

@@ -15,9 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The quantities in the order of the page: first the design, then its rank, then its values. An
-// entry has its own text for the meaning of its column if the text in the documents does not suit
-// the page.
+// The quantities in the order of the page: first the design, then its rank, then its values. If the
+// documents' text for a column does not suit the page, the entry has a text of its own.
 struct Entry {
   std::string_view key;
   std::optional<std::string_view> meaning;
@@ -60,7 +59,7 @@ struct Cell {
 struct Column {
   const QuantityInfo* info;
   std::string_view meaning;
-  std::optional<std::size_t> gear;  // gear, if each gear has its own value
+  std::optional<std::size_t> gear;  // the gear, if each gear has its own value
 };
 
 Cell mark(bool is, const char* text) { return {is ? text : "", is ? 1.0 : 0.0}; }

@@ -36,8 +36,8 @@ TEST(SearchWords, EveryLimitHasWordsOfItsOwn) {
   EXPECT_EQ(words_of(Limit::interference), "interference");
 }
 
-// The value of an objective has the sign of the quantity, while its cost is always better if lower.
-// Designs without a rank have values too.
+// The value of an objective has the sign of its quantity. A lower cost is always better. Designs
+// without a rank have values, too.
 TEST(SearchWords, ValuesAreCostsWithTheirNaturalSign) {
   const SearchProblem problem = testing::spur_problem();
   DesignRow row;

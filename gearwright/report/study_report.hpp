@@ -12,7 +12,7 @@ namespace gearwright {
 struct StudyReport {
   std::string title, sentence;
   std::string spec_text;   ///< the spec, verbatim; omitted if empty
-  std::string version;     ///< of the program
+  std::string version;     ///< version of the program
   std::string percentile;  ///< "95 %"
   struct Column {
     std::string head, unit, meaning;

@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kSteps = 120;  // slider positions, and steps of the arrow keys, per pitch
+constexpr int kSteps = 120;  // steps per pitch, of the slider and of the arrow keys
 
 }  // namespace
 
