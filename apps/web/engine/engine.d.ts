@@ -87,7 +87,7 @@ export interface Quantity {
   type: "number" | "whole" | "index" | "flag" | "word" | "text" | "record" | "map";
   list: number[]; // lengths of nested lists (0: any length); [] for a single value
   two: "values" | "gears" | "ends"; // meaning of the two values of a list
-  oneOf: string[]; // possible words of a word
+  oneOf: string[]; // possible values of a word
   of: string; // for a record: name of its QuantityTable; otherwise ""
   page: boolean; // true if the tables of the report contain the quantity
   listing: boolean; // true if the output on the terminal contains the quantity
@@ -178,7 +178,8 @@ export interface Scattered {
   percentiles: { percent: number; arcsec: number }[]; // percentiles requested in [scatter]; empty if contact is lost
   figures: Figure[]; // "scatter-te" (histogram), its cumulative curve, "scatter-play", "scatter-pattern1" and 2
   samples?: number; // number of samples with complete contact analysis; absent for an estimate
-  events?: { words: string; count: number; of: number; upper: number }[]; // upper: confidence limit of count/of
+  events?: { words: string; count: number; of: number; upper: number }[]; // upper: upper confidence
+                                                                          // limit of count/of
 }
 
 /** The x1–x2 chart for the tooth numbers of this pair. Its borders are the limits of a search and are exact. */

@@ -99,8 +99,7 @@ export class EngineLink {
     });
   }
 
-  /** Sends a request. If a newer request on this channel arrives before the first one starts, the first is
-   *  dropped. */
+  /** Sends a request. If a newer request on this channel arrives before this one starts, this one is dropped. */
   latest<N extends Name>(
     channel: string,
     name: N,

@@ -1,5 +1,5 @@
-// Tests the page in a browser: every example and every tab, numbers against the native program,
-// links, errors at their fields, and the single file without a server or a network.
+// Tests the page in a browser: every example and every tab, numbers compared with the native program, links,
+// errors at their fields, and the single file without a server or a network.
 
 import assert from "node:assert/strict";
 import { readFileSync, statSync, writeFileSync, mkdtempSync } from "node:fs";

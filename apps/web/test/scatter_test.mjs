@@ -1,5 +1,5 @@
-// Tests the tab "scatter" in a browser: numbers against the native program, the sliders of tolerances, and
-// the offer for a spec without tolerances.
+// Tests the tab "scatter" in a browser: numbers compared with the native program, the sliders of tolerances,
+// and the offer for a spec without tolerances.
 
 import assert from "node:assert/strict";
 import { describe } from "node:test";

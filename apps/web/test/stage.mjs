@@ -40,7 +40,7 @@ export function serve() {
 export function launch() {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    // This machine has no graphics card. Without GPU compositing, pages are painted 25 times faster. WebGL
+    // Without a graphics card, pages are painted 25 times faster if the GPU compositor is disabled. WebGL
     // still works.
     args: [
       "--disable-gpu",

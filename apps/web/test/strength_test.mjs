@@ -1,5 +1,5 @@
-// Tests the tabs "load" and "rating" in a browser: numbers against the native program, fields for missing
-// inputs, and colours of the verdict.
+// Tests the tabs "load" and "rating" in a browser: numbers compared with the native program, fields for
+// missing inputs, and colours of the verdict.
 
 import assert from "node:assert/strict";
 import { describe } from "node:test";
@@ -59,7 +59,7 @@ describe("load", () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it("a spec without a torque causes an offer of one, with an initial value and without an error", async () => {
+  it("a spec without a torque makes the tab offer one, with an initial value and without an error", async () => {
     await put(page, example("helical_pair") + '\n[load]\npositions = 8\nslices = 8\naccuracy = "draft"\n', "load");
     await page.waitForSelector("#room-load .offered:not([hidden])");
     assert.equal(await page.locator('#room-load [aria-invalid="true"]').count(), 0);
@@ -129,7 +129,7 @@ describe("rating", () => {
     assert.equal(await page.textContent("#room-rating .view-sentence"), "There is no result. Correct the marked field.");
   });
 
-  it("a spec without a load causes an offer whose initial values suffice for a rating", async () => {
+  it("a spec without a load makes the tab offer one, whose initial values suffice for a rating", async () => {
     await put(page, example("helical_pair"), "rating");
     await page.waitForSelector("#room-rating .offered:not([hidden])");
     assert.equal(await page.locator('#room-rating [aria-invalid="true"]').count(), 0);

@@ -40,11 +40,11 @@ function implied(key: InputKey, place: string): string {
     : "";
 }
 
-/** Numbers of letters that fit into a row for numbers: in a word, and in a label beside two fields. */
+/** Greatest numbers of letters in a row with two fields: of a word in a field, and of the label. */
 const kNarrow = 8;
 const kShortLabel = 26;
 
-/** True if a row needs a separate line for its label, because its fields are wide: words and lists. */
+/** True if the fields of a row are wide (words or lists), so its label needs a separate line. */
 function isWide(key: InputKey): boolean {
   if (key.kind === "text" || (key.list !== null && !key.list.single && key.list.most > 2)) return true;
   return key.kind !== "number" && key.words.some((word) => word.length > kNarrow);

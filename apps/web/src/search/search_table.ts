@@ -18,7 +18,7 @@ export interface Column {
 const kShown = 200;
 /** If there are fewer designs than this, the table shows every column. */
 const kLeastForCommon = 3;
-/** The words of the search report for the kind of the design's point in the region. */
+/** Words for the point of a design in the region, as in the search report. */
 const kPlaces: Record<string, string> = { eq11: "balanced", lo_hi: "middle" };
 
 /** Identifies a column across searches: the same column of the next list has the same identifier. */
