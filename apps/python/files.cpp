@@ -36,7 +36,7 @@ double tolerance_in_range(double tolerance, const ToleranceRange& range) {
   return tolerance;
 }
 
-// Raises the error. If there is only one gear, the keys begin without "gear1".
+// Raises the error. If there is only one gear, its keys do not begin with "gear1".
 [[noreturn]] void raise_of_body(const Error& error, const Model& model) {
   if (!model.job.pair) raise_of_gear(spelled(error, model.given()));
   raise(error, model);

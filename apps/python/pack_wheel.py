@@ -13,8 +13,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# Libraries of the system. pip requires that every Linux system that accepts manylinux wheels has them (PEP
-# 600).
+# Libraries that every Linux system with support for manylinux wheels provides (PEP 600).
 OF_THE_SYSTEM = {"linux-vdso.so.1", "libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1", "libz.so.1",
                  "libpthread.so.0", "libdl.so.2", "librt.so.1", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
 

@@ -181,7 +181,7 @@ void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairV
       .def_property_readonly(
           "figures", [](const PairValue& p) { return p.pair().visit(PairFigures()); },
           "The figures of the report: the mesh and both gears, path of contact and contact ratios; "
-          "on crossed axes plan, section, faces and sliding; of circular arcs, rack and teeth")
+          "for crossed axes plan, section, faces and sliding; for circular arcs rack and teeth")
       .def(
           "report", [](const PairValue& p) { return page_of(*p.model, p.gears(), false); },
           "The program's report as one HTML page");

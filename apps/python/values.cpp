@@ -17,7 +17,7 @@ py::object type_of(const char* module, const char* name) {
 }
 
 struct ToPython {
-  bool by_name;       // true for an attribute: in mm and rad, with tuples and Records
+  bool by_name;       // true for an attribute: mm and rad, tuples, Records
   double unit = 1.0;  // for an attribute, the unit of the numbers
 
   py::object operator()(std::monostate) const { return py::none(); }
