@@ -27,7 +27,7 @@ except ImportError:
     print("skipped: no ezdxf (Debian: python3-ezdxf)")
     sys.exit(77)
 
-MEET = 1e-12  # relative to the radius; angles in degrees have this rounding error
+MEET = 1e-12  # gap relative to the radius; a double in degrees has this rounding error
 SPECS = {
     "spur": "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n",
     "bored": "[gear1]\nteeth = 31\nnormal_module_mm = 1.5\nhelix_angle_deg = 18\nface_width_mm = 10\n"

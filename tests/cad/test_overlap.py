@@ -47,8 +47,8 @@ PAIRS = {
 
 
 # A gear with two teeth and the wheel that it cuts, a gear with one tooth and its wheel, and an internal gear
-# cut by a pinion cutter. The cutters have longer teeth than the gears. Otherwise the fillets would touch over
-# their whole length, with chords against concave arcs.
+# cut by a pinion cutter. The cutters have longer teeth than the gears, because otherwise the fillets would
+# touch over their whole length, and their chords would overlap the concave arcs.
 FILLETED = """
 teeth = {z}
 profile_shift = {x}

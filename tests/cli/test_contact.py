@@ -340,7 +340,7 @@ class Contact(unittest.TestCase):
             return [w for w in warnings if w["code"] == "fillet_contact"]
         errors = "[errors]\ncrossing_deg = 0.005\ncenter_distance_mm = "
         near = told(84, errors + "-0.1")
-        # The working flanks and the non-working flanks each have a warning.
+        # There is one warning about the working flanks and one about the non-working flanks.
         self.assertEqual([w["gear"] for w in near], [1, 1])
         self.assertIn("the tip of gear 2 touches the root fillet of gear 1 0.01965 mm before the flanks touch", near[0]["message"])
         self.assertIn("non-working", near[1]["message"])

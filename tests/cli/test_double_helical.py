@@ -50,8 +50,8 @@ class TwoHalves(unittest.TestCase):
         return json.loads(run.out)["rating"]
 
     def test_the_halves_share_the_load(self):
-        """ISO 6336 with b = 2 b_B and the overlap ratio of one half is the rating of one half under half
-        of the torque."""
+        """The rating by ISO 6336 with b = 2 b_B and the overlap ratio of one half equals the rating of one half
+        under half of the torque."""
         both = self.rated(PAIR.format(""), 4000)
         half = PAIR.format("").replace("[gear1.double_helical]\ngap_mm = 30\n", "")
         half = half.replace("[gear2.double_helical]\ngap_mm = 30\n", "").replace("150", "60")

@@ -212,7 +212,7 @@ class DoubleHelical(unittest.TestCase):
         for table in ("[load]", "[errors]", "[gear2.double_helical]"):
             self.assertIn(table, spec)
         # The transmission error of the drive is that of the whole gears, not of one half. The input turns
-        # counter-clockwise, so the working flanks are those that the verb contact does not use.
+        # counter-clockwise, so its working flanks are the non-working flanks of the verb contact.
         drive = Run("drive", stage, "--json").json["drive"]["transmission_error"]["output_arcsec_peak_to_peak"]
         contact = Run("contact", spec, "--json").json["contact"]
         self.assertAlmostEqual(drive, contact["non_working_flank"]["peak_to_peak_arcsec"], 8)

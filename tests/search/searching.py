@@ -73,8 +73,8 @@ def start(where, out, *args, program=(BIN,), **options):
 
 
 def end(process, seconds=120):
-    """Waits for a process and returns its exit status, stdout and stderr. If the time is over, the
-    process is killed."""
+    """Waits for a process and returns its exit status, stdout and stderr. If it does not end in time, it
+    is killed."""
     try:
         out, err = process.communicate(timeout=seconds)
     except subprocess.TimeoutExpired:
@@ -87,7 +87,7 @@ def end(process, seconds=120):
 
 
 def wait_until(true, seconds=60.0, every=0.005):
-    """Waits until true() returns True. Returns False if the time is over before."""
+    """Waits until true() returns True. Returns False if this does not happen in time."""
     last = time.monotonic() + seconds
     while time.monotonic() < last:
         if true():

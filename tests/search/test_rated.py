@@ -1,11 +1,11 @@
-"""Tests searches that rate their designs. Every listed design satisfies the limits, also by the verb
-rate.
+"""Tests searches that rate their designs. Every listed design satisfies the limits, also according to the
+verb rate.
 
     taken      the verb rate gives every listed design the safeties and the mass of its row
-    limits     required safeties remove designs that do not have them, and the count of each limit has its
+    limits     designs below a required safety are rejected, and the result contains their number under its
                name
-    order      by mass, by safety, and by both
-    nothing    if no design is feasible: the safest design, and changes that each make some design feasible
+    order      designs are sorted by mass, by safety, or by both
+    nothing    if no design is feasible, the search lists the safest design and changes that would help
     refused    errors by key: no [rating], no material, a spectrum, crossed axes
 """
 import csv

@@ -175,7 +175,7 @@ class Answer(Asked):
         s = p.json["search"]
         self.assertEqual(s["tested"], s["feasible_count"] + sum(s["rejected"].values()))
         self.assertEqual(len(s["designs"]), s["feasible_count"])
-        # every number is the shortest text from which it can be read
+        # every number is printed as the shortest text that gives the same bits when it is read
         for token in set(re.findall(r"(?<=[\[:,])-?\d[^,\]}\s]*", p.out)):
             self.assertEqual(float(token), float(repr(float(token))))
             self.assertLessEqual(len(re.sub(r"^-?0*\.?0*|[eE].*|\.", "", token)), 17, token)
