@@ -168,11 +168,11 @@ std::string arc_part(const ContactReport& report) {
   for (const Figure& figure : arc_contact_figures(*report.arc_pair))
     figures += figure_html(figure, kArcFigure);
   if (figures.empty()) return {};
-  return "<h3>Arc on arc</h3>\n<p>A convex arc lies in a slightly wider concave arc and touches it "
-         "in a point. Both centres lie on the common normal through this point. Across the tooth "
-         "the fit is close, so such teeth carry high loads. The point moves along the tooth while "
-         "the gears turn. However, a wrong centre distance changes the angle at which the arcs "
-         "touch, and the point moves up or down the flank.</p>\n" +
+  return "<h3>Contact of the arcs</h3>\n<p>A convex arc lies in a slightly wider concave arc and "
+         "touches it at a point. Both centres lie on the common normal through this point. Across "
+         "the tooth the fit is close, so such teeth carry high loads. The point moves along the "
+         "tooth while the gears turn. However, a wrong centre distance changes the angle at which "
+         "the arcs touch, and the point moves up or down the flank.</p>\n" +
          side_by_side(figures);
 }
 

@@ -170,7 +170,7 @@ std::string range_figure(const CrossedPair& pair) {
   return captioned(
       panels,
       fmt::format(
-          "<strong>Possible positions of the pair</strong> free of backlash. {} {} {}{}",
+          "<strong>Possible positions of the pair</strong> without backlash. {} {} {}{}",
           caption_key("action", "as mounted"), caption_key("ink", "least centre distance"),
           pair.side() < 0.0          ? ""
           : pair.contact_ratio_range ? "In the shaded range the contact ratio is at least 1."

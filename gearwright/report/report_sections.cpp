@@ -208,7 +208,7 @@ std::string rating_section(const RatingView& view) {
   const std::string method =
       fmt::format("{}{}", name(view.rating.edition), plastic ? "" : ", method B");
   return fmt::format(
-      "<section class=\"rating\">\n<h2>Strength</h2>\n<p>Rated by {}. Scuffing and "
+      "<section class=\"rating\">\n<h2>Strength</h2>\n<p>The strength is rated by {}. Scuffing and "
       "micropitting are not rated{}.</p>\n<p><strong>{}</strong></p>\n{}</section>\n",
       method, plastic ? ", and wear and deformation are not rated either" : "",
       finding(view.rating), table(view));

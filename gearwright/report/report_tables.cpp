@@ -278,7 +278,8 @@ std::string interference_table(const InvolutePair& p) {
       p.overlap ? rows_of(*p.overlap) : std::vector<CollisionRow>{};
   if (overlap.empty() && p.interference.empty() && p.beyond_flank.empty())
     return nothing_strikes(p);
-  return strike_rows("Overlap of the outlines in the middle of the backlash", overlap) +
+  return strike_rows("Overlap of the outlines, with the teeth in the middle of the backlash",
+                     overlap) +
          strike_rows(p.overlap ? "Causes of the overlap" : "Interference",
                      rows_of(p.interference, overlap)) +
          strike_rows("Contact beyond the flanks, before the flanks touch", rows_of(p.beyond_flank));

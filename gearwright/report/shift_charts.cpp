@@ -175,10 +175,10 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
            "halo", {6.0, -10.0});
   }
   f.caption = fmt::format(
-      "{}, at profile shifts 0, ¼, ½, ¾ and 1 of the way from the least to the greatest shift that "
-      "this search allows. The straight line marks a contact ratio of 1.2, below which spur gears "
-      "require unusual care{}. {}A smaller profile shift gives a greater contact ratio. With few "
-      "teeth, profile shift and contact ratio are limited.",
+      "{}. The curves are for five profile shifts, in equal steps from the least to the greatest "
+      "shift that this search allows. The straight line marks a contact ratio of 1.2, below which "
+      "spur gears require unusual care{}. {}A smaller profile shift gives a greater contact ratio. "
+      "With few teeth, profile shift and contact ratio are limited.",
       helix_words(trial),
       asked != kSoundContactRatio
           ? fmt::format(". The dashed line marks the required contact ratio of {:g}", asked)
