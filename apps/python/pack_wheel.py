@@ -46,7 +46,7 @@ def main():
     version = sys.argv[3]
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
     libc, libc_version = platform.libc_ver()
-    assert libc == "glibc", f"a wheel for {libc} has no tag here"
+    assert libc == "glibc", f"there is no wheel tag for {libc}"
     tag = f"{python}-{python}-manylinux_{libc_version.replace('.', '_')}_{platform.machine()}"
     bundle(stage, next(built.glob("_core.*.so")))
     info = stage / f"gearwright-{version}.dist-info"

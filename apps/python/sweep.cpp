@@ -129,7 +129,7 @@ py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
 
 void bind_sweep(py::class_<PairValue>& pair) {
   pair.def("sweep", &sweep, py::arg("threads") = 0,
-           "Computes the pair for each value of arrays that replace some of its numbers, for "
+           "Computes the pair once per value of the arrays, which replace its own numbers, for "
            "example sweep(center_distance=distances) or sweep(gear1={\"profile_shift\": shifts}). "
            "Returns a structured array with a row for each value and a column for each quantity, "
            "named by its key. If a pair does not exist, its row is NaN and contains the message in "
