@@ -29,7 +29,7 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// without a warning.
 std::optional<Numbers> real_numbers(py::handle value);
 
-/// Returns an array that shares its data with `owner` and keeps it alive. No number is copied.
+/// Returns an array of the numbers at `data`, without a copy. It keeps their owner alive.
 template <class T, class Owner>
 py::array_t<T> array_of(std::shared_ptr<Owner> owner, const T* data,
                         std::vector<py::ssize_t> shape) {

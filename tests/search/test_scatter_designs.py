@@ -82,7 +82,7 @@ class ScatterDesigns(unittest.TestCase):
 
     def same(self, out):
         for name, one in self.alone.items():
-            self.assertTrue((self.where / out / name).read_bytes() == one, f"{out}/{name} differs from one process")
+            self.assertTrue((self.where / out / name).read_bytes() == one, f"{out}/{name} is different")
 
     def test_rows_are_those_of_scatter(self):
         rows = self.result["designs"]

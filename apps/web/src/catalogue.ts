@@ -25,7 +25,7 @@ export function materials(): NamedMaterial[] {
   return whole.materials;
 }
 
-/** Results that use the words of a table of keys but have another name. Results with the same name need no row. */
+/** For tables of keys: results whose quantities have the same words. A result with the same name needs no row. */
 const kResultsOf: Record<string, string[]> = {
   material: ["rating"],
   rating_plastic: ["rating"],
