@@ -11,7 +11,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNoise = 0.01;  // µm, twice the accuracy of C_i; such an excess does not add 1 µm
+constexpr double kNoise = 0.01;  // µm, twice the accuracy of C_i; a smaller excess is not rounded
+                                 // up
 
 constexpr double kSame =
     0.01;  // relative difference below which the reliefs of both gears are made equal

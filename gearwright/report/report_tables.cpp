@@ -24,7 +24,7 @@ std::string none() { return std::string(kNoValue); }
 // A factor with the digits of the input.
 std::string given(double value) { return fmt::format("{:.10g}", value); }
 
-constexpr int kRackDigits = 6;  // for arcs; modules or degrees
+constexpr int kRackDigits = 6;  // digits of the data of arcs, in modules or degrees
 
 std::optional<double> unless_zero(double value) {
   return value != 0.0 ? std::optional(value) : std::nullopt;

@@ -283,8 +283,8 @@ std::string shift_figures(const Gear& gear, const std::string& shape, const std:
   const Bounds view = window(teeth);
   std::string text = fmt::format(
       "<h3>{}: profile shift and root</h3>\n<p>The pictures show the same tooth, cut at other "
-      "profile shifts, to the same scale. {} {} that begins {}the undercut limit. The dashed circle is the base "
-      "circle.</p>\n<div class=\"multiples\">\n",
+      "profile shifts, to the same scale. {} {} that begins {}the undercut limit. The dashed "
+      "circle is the base circle.</p>\n<div class=\"multiples\">\n",
       name, caption_key("before", "as the rack cuts it"),
       caption_key("c-root-fillet", "circular root fillet"),
       gear.spec.root_fillet ? fmt::format("{:.4g} mm beyond ", gear.spec.root_fillet->offset)

@@ -28,7 +28,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 BIN, NODE = os.environ["GW_BIN"], os.environ.get("GW_NODE") or "node"
-TOLERANCE = 0.0005  # mm, of the meshes
+TOLERANCE = 0.0005  # mm, tolerance of the meshes
 # mm, for gears on crossed axes, which are convex and wide. It reduces the number of triangles to a quarter.
 SCREW_TOLERANCE = 0.002
 
