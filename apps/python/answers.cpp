@@ -1,4 +1,5 @@
-// Results of the verbs: Contact, Rating and Loaded for a pair, and the functions solve, fit, compensate and verify.
+// Results of the verbs: the types Contact, Rating and Loaded of a pair, and the functions solve,
+// fit, compensate, scatter and verify.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -25,8 +26,8 @@ namespace gearwright::python {
 
 namespace {
 
-// Runs find(job, progress) and makes a Self. record(job, answer) gives its quantities, and judged(job, answer)
-// its verdict. Ctrl-C stops the computation.
+// Runs find(job, progress) and makes a Self of its result. record(job, answer) returns the
+// quantities of the result, and judged(job, answer) its verdict. Ctrl-C stops the computation.
 template <class Self, class Find, class Record, class Judge>
 Self answered(const ModelPtr& asked, const Find& find, const Record& record, const Judge& judged) {
   const auto model = std::make_shared<Model>(*asked);
@@ -68,7 +69,8 @@ LoadedValue loaded_of(const PairValue& pair, const py::object& errors,
       [](const SolvedJob& job, const LoadAnalysis&) { return judge(job, {.load = true}); });
 }
 
-// Returns a quantity of a record, or nothing if the record does not have this key.
+// Returns a quantity of a record. If the record does not have this key, returns a value without
+// content.
 const Value& quantity(const ValueRecord& record, std::string_view key) {
   static const Value kNothing;
   for (const Member& member : record)
@@ -80,7 +82,7 @@ py::array positions_of(const ContactValue& c) {
   return table_array(position_quantities().table(), *quantity(c.record(), "positions").list());
 }
 
-// Returns an array with a row for each torque. The row contains the positions under this torque.
+// Returns an array of shape (torques, positions) with the quantities of each position.
 py::object load_positions_of(const LoadedValue& loaded) {
   const ValueList& torques = *quantity(loaded.record(), "torques").list();
   if (torques.empty()) return py::none();
@@ -92,7 +94,7 @@ py::object load_positions_of(const LoadedValue& loaded) {
       .attr("reshape")(torques.size(), all.size() / torques.size());
 }
 
-// Returns a column of the positions, converted to mm and rad.
+// Returns one quantity of all positions, converted to mm and rad.
 py::object column(const ContactValue& c, const QuantityInfo& info) {
   const py::object one = positions_of(c).attr("__getitem__")(info.key);
   const double unit = house_unit(info.unit);
@@ -118,8 +120,8 @@ std::string repr_of(const LoadedValue& l) {
   return fmt::format("Loaded({} torques, {} probes)", count("torques"), count("probes"));
 }
 
-// Declares a type of result. Every quantity of the table is an attribute. Unpickling computes the result again
-// with of(pair).
+// Defines a type of result. Every quantity of the table is an attribute. Unpickling calls of(pair)
+// to compute the result again.
 template <class Self>
 void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(const PairValue&)) {
   bind_made(type, [of](Json spec, const std::filesystem::path& folder) {
@@ -134,7 +136,8 @@ void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(
     });
 }
 
-// Returns the spec and its folder from a dict, a Pair, a Gear, or another object with a spec.
+// Returns the spec of a dict, a Pair, a Gear or another object that has a spec, and the folder of
+// the spec.
 std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
   if (py::isinstance<PairValue>(spec)) {
     const auto& pair = spec.cast<const PairValue&>();
@@ -181,8 +184,8 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   return by_name(Value(compensate_quantities().of(found)));
 }
 
-// Returns an array with a row for each sample. The row contains the inputs by name, "errors.crossing_deg" or
-// "bearings.bore_a.x_mm", followed by the quantities by key.
+// Returns an array with a row for each sample. Its columns are the inputs, such as
+// "errors.crossing_deg" or "bearings.bore_a.x_mm", and then the quantities by key.
 py::array members_of(const ScatterAnswer& a) {
   StructuredArray rows;
   std::vector<std::size_t> inputs, quantities;

@@ -9,7 +9,8 @@ namespace gearwright::python {
 
 namespace {
 
-// Writes a text in numpy's form, with four bytes per letter. Characters outside ASCII are omitted.
+// Writes a text in the form of numpy, which uses four bytes per character. Characters outside ASCII
+// are omitted.
 void put_word(char* at, std::size_t bytes, const std::string& word) {
   std::memset(at, 0, bytes);
   for (const char letter : word) {

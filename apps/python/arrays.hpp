@@ -1,9 +1,9 @@
-// Quantities of many objects in one structured array. It has a field for each column of the catalogue
+// Quantities of many objects in one structured array, with a field for each column of the catalogue
 // (columns.hpp).
 //
-// The name of a field is the key, such as "transmission_error_arcsec", and the unit is that of the key. For
-// a member of a record, the name combines both keys, "ellipse_semi_minor_mm". A missing number is NaN, and
-// a missing word is "".
+// The name of a field is the key, such as "transmission_error_arcsec", and its values have the unit
+// of the key. For a member of a record, the name combines both keys, for example
+// "ellipse_semi_minor_mm". A missing number is NaN, and a missing word is "".
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -19,16 +19,17 @@
 
 namespace gearwright::python {
 
-/// The value of a missing number.
+/// Stands for a missing number.
 inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Returns the real numbers of an array or of lists, or nothing for other contents: complex numbers, times,
-/// texts, flags and masked arrays. numpy would convert these without a warning.
+/// Returns the real numbers of an array or of lists. Returns nothing if the content is not real
+/// numbers: complex numbers, times, texts, flags or masked arrays, all of which numpy would convert
+/// without a warning.
 std::optional<Numbers> real_numbers(py::handle value);
 
-/// Returns an array that keeps the owner of the data alive, so no number is copied.
+/// Returns an array of the numbers at `data`, without a copy. It keeps their owner alive.
 template <class T, class Owner>
 py::array_t<T> array_of(std::shared_ptr<Owner> owner, const T* data,
                         std::vector<py::ssize_t> shape) {
@@ -43,21 +44,22 @@ py::array_t<T> array_of(std::vector<T> numbers, std::vector<py::ssize_t> shape) 
   return array_of<T>(std::move(owner), data, std::move(shape));
 }
 
-/// A structured array under construction.
+/// A structured array that is being filled.
 class StructuredArray {
  public:
   StructuredArray() = default;
-  /// Makes an array with the columns of a table that have a fixed number of values.
+  /// Makes an array with one column for each quantity of the table that has a fixed number of
+  /// values.
   explicit StructuredArray(const QuantityTable& table);
-  /// Adds a column of a type ("f8", "i8", "?", "U7") and shape. Returns its index.
+  /// Adds a column with the given type ("f8", "i8", "?", "U7") and shape. Returns its index.
   std::size_t add(const std::string& name, const std::string& format,
                   const std::vector<py::ssize_t>& shape = {});
-  /// Allocates this number of rows of the added columns.
+  /// Allocates this number of rows. All columns must have been added before.
   void allocate(std::size_t rows);
-  /// Sets the values of a row in one column. There must be as many values as the column's shape has. A missing
-  /// value becomes NaN, false or "".
+  /// Sets the values of one column in one row. Their number must agree with the shape of the
+  /// column. A missing value becomes NaN, false or "".
   void set(std::size_t row, std::size_t column, const std::vector<const Value*>& values);
-  /// Sets the columns of the table in this row from one of its records.
+  /// Sets all columns of the table in one row from one of its records.
   void fill(std::size_t row, const ValueRecord& record);
   py::array take() { return std::move(array_); }
 

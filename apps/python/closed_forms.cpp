@@ -1,8 +1,8 @@
-// Closed forms over columns of numbers. They call the vector functions and formulas of the
-// engine row by row, without the GIL.
+// Closed forms over columns of numbers, for the module gearwright.closed_forms. The vector
+// functions and the formulas of the engine run without the GIL.
 //
-// A column has either a number for each row or one number for all rows. Rows outside the domain of a formula
-// become NaN. Broadcasting, defaults and names are in gearwright/closed_forms.py.
+// A column has either a number for each row or one number for all rows. A row outside the domain of
+// a formula becomes NaN. Broadcasting, default values and names are in gearwright/closed_forms.py.
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -18,7 +18,8 @@ namespace gearwright::python {
 
 namespace {
 
-constexpr std::size_t kPart = 512;  // number of rows that fit into the processor's cache
+constexpr std::size_t kPart = 512;  // number of rows in a part, so that it fits into the
+                                    // processor's cache
 using Column = py::array_t<double, py::array::c_style>;
 template <std::size_t N>
 using Columns = std::array<Column, N>;
@@ -28,8 +29,8 @@ py::array_t<double> results(std::size_t rows) {
   return py::array_t<double>(static_cast<py::ssize_t>(rows));
 }
 
-// Calls f(in, from, n) for successive parts of the rows, without the GIL. `in` points to the n
-// numbers of each column in the part.
+// Divides the rows into parts and calls f(in, from, n) for each part, without the GIL. `in` points
+// to the n numbers of each column in this part.
 template <std::size_t N, class F>
 void in_parts(const Columns<N>& columns, std::size_t rows, const F& f) {
   std::array<const double*, N> all{};
@@ -49,8 +50,8 @@ void in_parts(const Columns<N>& columns, std::size_t rows, const F& f) {
   }
 }
 
-// Returns the column that f(in, out, n) computes part by part. `out` points to the n results of the
-// part.
+// Returns the column of results that f(in, out, n) computes for each part. `out` points to the n
+// results of this part.
 template <std::size_t N, class F>
 py::array_t<double> column_of(const Columns<N>& columns, std::size_t rows, const F& f) {
   py::array_t<double> found = results(rows);
@@ -82,7 +83,7 @@ py::array_t<double> backlashes(const Columns<BacklashColumns::kIn>& columns, std
 
 using Out = CandidateBatch::Out;
 
-// Returns the index in CandidateBatch of the column with this name in pair_table.
+// Returns the index in CandidateBatch of the column that pair_table gives this name.
 std::size_t place_of(const std::string& name) {
   for (const auto& [known, place] : {std::pair{"center_distance", Out::center_distance},
                                      {"working_pressure_angle", Out::tan_working},
@@ -97,8 +98,7 @@ std::size_t place_of(const std::string& name) {
   throw py::key_error(name);
 }
 
-// Returns the columns with these names, in normal modules. The column of an angle contains the
-// tangent of the angle.
+// Returns the columns with these names, in normal modules. Angles are returned as their tangents.
 py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t rows,
                      double tan_alpha, const std::array<double, 2>& addendum,
                      const std::array<double, 2>& dedendum, double edge_depth, bool tight,
@@ -118,7 +118,8 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
     batch.resize(n);
     for (std::size_t c = 0; c < in.size(); ++c) std::copy_n(in[c], n, batch.in[c].begin());
     evaluate(constants, batch);
-    // All lanes iterate together. A row without a working angle is recognised by its residual.
+    // All rows of a part iterate together. If the residual of a row is too large, it has no working
+    // pressure angle.
     const auto& residual = batch.out[CandidateBatch::residual];
     const auto& tan_w = batch.out[CandidateBatch::tan_working];
     for (std::size_t i = 0; i < n; ++i) {
@@ -130,7 +131,8 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
   return all;
 }
 
-// The least and the greatest profile shift of each row. They are computed once for each number of teeth and helix.
+// The least and the greatest profile shift of each row. Rows with the same number of teeth and
+// helix angle share one computation.
 py::tuple shift_limits(const Columns<2>& columns, std::size_t rows, double alpha_n, double addendum,
                        double edge_depth, double tip_thickness) {
   SearchProblem problem;

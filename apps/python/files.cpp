@@ -1,4 +1,4 @@
-// The tooth as points and triangles, and the files of gears.
+// Returns teeth as points and triangles, and the files of gears.
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl/filesystem.h>
@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostPoints = 100'000;            // points of one arc
-constexpr std::size_t kMostOfAll = 20'000'000;  // points of one section
+constexpr int kMostPoints = 100'000;            // points per arc
+constexpr std::size_t kMostOfAll = 20'000'000;  // points per section
 
 int points_in_range(int points) {
   if (points < 2 || points > kMostPoints)
@@ -36,7 +36,7 @@ double tolerance_in_range(double tolerance, const ToleranceRange& range) {
   return tolerance;
 }
 
-// Raises the error. If there is only one gear, the keys are those of a single gear.
+// Raises the error. If there is only one gear, its keys do not begin with "gear1".
 [[noreturn]] void raise_of_body(const Error& error, const Model& model) {
   if (!model.job.pair) raise_of_gear(spelled(error, model.given()));
   raise(error, model);
@@ -65,7 +65,7 @@ py::dict outline(const GearValue& gear, int points) {
     auto more = sample(arc, points);
     if (arcs.empty() || arcs.back().first != arc.name) {
       arcs.emplace_back(arc.name, std::move(more));
-    } else {  // several arcs of one name follow each other, and their common point is listed once
+    } else {  // consecutive arcs with the same name; their common point is listed once
       arcs.back().second.insert(arcs.back().second.end(), more.begin() + 1, more.end());
     }
   }
@@ -74,7 +74,7 @@ py::dict outline(const GearValue& gear, int points) {
   return all;
 }
 
-// The points of a land, which lie on its circle and begin at `begin`.
+// The points on the circle of a land, which starts at `begin`.
 std::vector<Vec2> land_points(const ContourPiece& piece, int points) {
   std::vector<Vec2> all;
   const Vec2 across(-piece.begin.y(), piece.begin.x());
@@ -105,7 +105,7 @@ py::array_t<double> section(const GearValue& gear, int points) {
     const auto part =
         piece.land ? land_points(piece, points) : placed(contour, piece, sampled[piece.arc]);
     all.insert(all.end(), part.begin(),
-               part.end() - 1);  // the next piece begins where this one ends
+               part.end() - 1);  // the next piece starts at this point
   }
   if (!all.empty()) all.push_back(all.front());
   return rows_of(all);
@@ -126,14 +126,14 @@ py::tuple mesh(const GearValue& gear, double tolerance) {
                         array_of<std::uint32_t>(owner, owner->triangles.data()->data(), {m, 3}));
 }
 
-// Returns the bytes of the file. If there is a path, it writes the file and returns the path.
+// Writes the file and returns its path. If no path is given, returns the bytes of the file.
 py::object bytes_or_file(const JobFile& file, const std::optional<fs::path>& path) {
   if (!path) return py::bytes(file.bytes);
   write_file(*path, file.bytes);
   return py::cast(*path);
 }
 
-// Makes one file with these gears. Two gears are in their mounted positions.
+// Makes one file with these gears. If there are two gears, they are in their mounted positions.
 py::object exported(FileKind kind, const std::vector<int>& gears, const Model& model,
                     const std::optional<fs::path>& path, double tolerance, bool splines) {
   FileOptions options;
@@ -150,8 +150,8 @@ py::object exported(FileKind kind, const std::vector<int>& gears, const Model& m
       path);
 }
 
-// Makes the workshop drawing with a sheet for each gear. If there is a path, its extension determines the format
-// instead of `format`.
+// Makes the workshop drawing, with a sheet for each gear. If a path is given, its extension
+// determines the format, and `format` is ignored.
 py::object drawing(const std::vector<int>& gears, const Model& model,
                    const std::optional<fs::path>& path, const std::string& format,
                    const std::string& sheet, double tolerance) {
@@ -200,8 +200,8 @@ void bind_exports(Class& type) {
         },
         py::arg("path") = py::none(), py::arg("tolerance") = e.tolerance,
         py::arg("splines") = false,
-        fmt::format("{}. Returns the bytes of the file, or writes the file to path, completely or "
-                    "not at all. Lengths are in mm",
+        fmt::format("{}. Returns the bytes of the file. If path is given, writes the file instead, "
+                    "completely or not at all. Lengths are in mm",
                     e.doc)
             .c_str());
   }

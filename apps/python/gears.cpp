@@ -1,4 +1,5 @@
-// The types Gear and Pair, which are made from named values. Every quantity of the catalogue is an attribute.
+// The types Gear and Pair, which are made from keyword arguments. Every quantity of the catalogue
+// is an attribute.
 #include <fmt/format.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The changes by name. None becomes null, which removes a key.
+// Converts keyword arguments to changes of a spec. None becomes null, which removes a key.
 Json changes_of(const py::kwargs& kwargs) {
   Json changes = Json::object();
   for (const auto& [name, value] : kwargs) {
@@ -26,7 +27,8 @@ Json changes_of(const py::kwargs& kwargs) {
   return changes;
 }
 
-// Separates the keywords of [pair] from those of the file itself, because both may be given together.
+// Separates the keywords of [pair] from the other tables of a spec, because a call may contain
+// both.
 Json pair_changes(const py::kwargs& kwargs) {
   Json spec = Json::object();
   const Json changes = changes_of(kwargs);
@@ -68,7 +70,8 @@ PairValue mounted(const GearValue& gear_1, const GearValue& gear_2, const py::kw
 
 PairValue replaced(const PairValue& pair, const py::kwargs& kwargs) {
   Json spec = pair.model->spec;
-  for (const char* gear : {"gear1", "gear2"})  // a Gear, unlike a dict, replaces the whole table
+  for (const char* gear : {"gear1", "gear2"})  // a Gear replaces the whole table, while a dict
+                                               // changes keys
     if (kwargs.contains(gear) && py::isinstance<GearValue>(kwargs[gear])) spec.erase(gear);
   change(spec, pair_changes(kwargs));
   return pair_value(std::move(spec), pair.model->folder);
@@ -94,7 +97,7 @@ Value value_of(const Quantity<S>& q, const S& s) {
   return q.exists && !q.exists(s) ? Value() : q.get(s);
 }
 
-// Adds every quantity as an attribute. Its value is value(self, quantity).
+// Adds every quantity as an attribute. value(self, quantity) returns its value.
 template <class Self, class S, class GetValue>
 void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
                      const GetValue& value) {
@@ -102,7 +105,7 @@ void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
     bind_quantity(type, q.info, [&q, value](const Self& self) { return value(self, q); });
 }
 
-// The quantity of a gear. If the gear is double-helical, it is the quantity of the whole gear.
+// The quantity of a gear. For a double-helical gear, it is the quantity of the whole gear.
 Value value_of_gear(const GearValue& g, const Quantity<Gear>& q) {
   if (!g.halves()) return value_of(q, g.gear());
   for (Member& member : g.record())
@@ -110,7 +113,8 @@ Value value_of_gear(const GearValue& g, const Quantity<Gear>& q) {
   return {};
 }
 
-// Adds the common methods of Gear and Pair. Two values are equal if their specs are equal.
+// Adds the methods that Gear and Pair have in common. Two values are equal if their specs are
+// equal.
 template <class Self>
 void bind_value(py::class_<Self>& type) {
   type.def("__getitem__",

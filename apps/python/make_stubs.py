@@ -7,7 +7,8 @@ import re
 import sys
 from pathlib import Path
 
-# Replaces the folder of this script, which contains the sources of the package, by that of the built package.
+# Removes the folder of this script from the search path, because it contains the sources of the package,
+# and adds the folder of the built package.
 sys.path[0] = str(Path(sys.argv[1]).parent)
 import gearwright._core as core  # noqa: E402
 
@@ -16,7 +17,7 @@ PLAIN = {"number": "float", "whole": "int", "index": "int", "flag": "bool", "wor
 
 
 def class_of(table):
-    """Returns the class name for a table, _PairBacklash for "pair.backlash"."""
+    """Returns the name of the class for a table: _PairBacklash for "pair.backlash"."""
     words = table.replace(".", " ").replace("_", " ").split()
     return "_" + "".join(word[0].upper() + word[1:] for word in words)
 
@@ -55,7 +56,8 @@ def quoted(doc):
 
 
 def doc_of(member):
-    """Returns the docstring of a class, a function or a property, without the signature that pybind11 adds."""
+    """Returns the docstring of a class, a function or a property, without the signature that pybind11
+    adds to it."""
     first, _, rest = (member.__doc__ or "").strip().partition("\n")
     doc = (rest if "->" in first else f"{first}\n{rest}").strip()
     return doc if not doc or doc.endswith(".") else doc + "."
@@ -98,7 +100,7 @@ def main():
         text, count = re.subn(rf"^ *# {mark}\n", lambda _, body=body: body, text, flags=re.M)
         assert count, f"core.pyi.in has no {mark}"
     records = ""
-    for name, entries in tables.items():  # a table precedes the tables of its records
+    for name, entries in tables.items():  # a table is written before the tables of its records
         if re.search(rf"\b{class_of(name)}\b", text + records):
             records += f"class {class_of(name)}(Record):\n" + "".join(map(attribute, entries)) + "\n"
     text = with_docs(text.replace("# records\n", records))

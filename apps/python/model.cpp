@@ -11,7 +11,7 @@ namespace gearwright::python {
 
 namespace {
 
-// The units that a key may name, and their number per mm or rad.
+// Units that a key may name, with the number of units in one mm or rad.
 struct NamedUnit {
   std::string_view suffix;
   double per_house;
@@ -115,7 +115,7 @@ ModelPtr make_model(Json spec, const std::filesystem::path& folder, Scope scope)
 void raise(const Error& error, const Model& model) { raise(spelled(error, model.given())); }
 
 Json GearValue::spec() const {
-  // The table includes the values that gear 2 takes from gear 1.
+  // This tree contains the values that gear 2 inherits from gear 1.
   const Json tree = inherit(model->spec).tree;
   const std::string table = which == 1 ? "gear1" : "gear2";
   Json own = tree.contains(table) ? tree[table] : Json::object();

@@ -1,6 +1,6 @@
-// A spec and its results, on which Gear, Pair, Contact, Rating and Loaded are based.
+// A spec and its results. Gear, Pair, Contact, Rating and Loaded refer to it.
 //
-// Values never change after construction, so threads may share them.
+// A model never changes after its construction, so threads may share it.
 #pragma once
 
 #include <filesystem>
@@ -22,8 +22,8 @@
 namespace gearwright::python {
 
 struct Model {
-  Json spec;                     ///< the spec as given, by key
-  std::filesystem::path folder;  ///< folder of relative file names in the spec
+  Json spec;                     ///< the given spec, by key
+  std::filesystem::path folder;  ///< relative file names in the spec start here
   SolvedJob job;
 
   const GivenKeys& given() const { return job.spec.given; }
@@ -32,24 +32,25 @@ using ModelPtr = std::shared_ptr<const Model>;
 
 /// Solves the spec without the GIL.   Errors  with the keys of the spec
 Result<ModelPtr> solved_model(Json spec, const std::filesystem::path& folder, Scope scope);
-/// The same, but raises the error.   Throws  SpecError
+/// Solves the spec and raises any error.   Throws  SpecError
 ModelPtr make_model(Json spec, const std::filesystem::path& folder, Scope scope);
 
-/// Raises the error with the keys of the spec.
+/// Raises SpecError with the keys as the caller has given them.
 [[noreturn]] void raise(const Error& error, const Model& model);
 
-/// Converts names in mm and rad to keys: helix_angle = 0.26 becomes helix_angle_deg = 14.9. A name
-/// that is not in the tables is unchanged, and the reader rejects it.
+/// Converts names that stand for mm and rad to keys: helix_angle = 0.26 becomes helix_angle_deg =
+/// 14.9. An unknown name is unchanged, and the reader of the spec rejects it.
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path = "");
-/// Returns the name in mm and rad for a key, such as normal_module for normal_module_mm. If the unit of the
-/// key has no such name, it returns the key itself.
+/// Returns the name that stands for mm or rad, such as normal_module for the key normal_module_mm.
+/// If there is no such name, returns the key itself.
 std::string house_key(const Key& key);
-/// The number of units of the key in one mm or rad.
+/// The number of units of the key in one mm or one rad.
 double units_per_house(const Key& key);
-/// Converts all tables of a spec like with_keys.
+/// Applies with_keys to all tables of a spec.
 Json spec_with_keys(Json tree);
 
-/// Replaces members of `tree` by those of `changes`, also in nested tables. Null removes a member.
+/// Replaces members of `tree` by the members of `changes`, including those of nested tables. A null
+/// removes a member.
 void change(Json& tree, const Json& changes);
 
 /// A single gear, or one gear of a pair.
@@ -59,13 +60,14 @@ struct GearValue {
 
   std::vector<int> gears() const { return {which}; }
   const Gear& gear() const { return model->job.gears[static_cast<std::size_t>(which - 1)]; }
-  /// The halves of a double-helical gear, of which gear() is one.
+  /// The halves of a double-helical gear. gear() is one of them.
   const std::optional<Halves>& halves() const {
     return model->job.halves[static_cast<std::size_t>(which - 1)];
   }
-  /// The table of the gear. For a gear of a pair it contains the computed profile shift.
+  /// The table of the gear in the spec. If the gear belongs to a pair, the table contains the
+  /// computed profile shift.
   Json spec() const;
-  /// The quantities of the gear, and those of its halves.
+  /// The quantities of the gear and of its halves, if it has any.
   ValueRecord record() const;
 };
 
@@ -79,10 +81,10 @@ struct PairValue {
   Verdict verdict() const { return judge(model->job); }
 };
 
-/// The result of a verb for a pair. It contains the pair's spec with the additional input, and every quantity
-/// of the result.
+/// The result of a verb for a pair: the spec of the pair with the additional input, and every
+/// quantity of the result.
 struct AnswerValue {
-  ModelPtr model;  ///< includes the warnings of the result
+  ModelPtr model;  ///< contains the warnings of the result
   std::shared_ptr<const ValueRecord> quantities;
   std::function<Verdict()> verdict;
 
@@ -93,14 +95,14 @@ struct ContactValue : AnswerValue {};
 struct RatingValue : AnswerValue {};
 struct LoadedValue : AnswerValue {};
 
-/// Returns a model of the pair with other errors and modifications, and with `keys` in the table `name` of its
-/// spec. None leaves the errors or modifications unchanged.
+/// Returns a model of the pair with other errors and modifications, and with `keys` in the table
+/// `name` of its spec. If errors or modifications are None, they are unchanged.
 ModelPtr asked_model(const PairValue& pair, const py::object& errors,
                      const py::object& modifications, const KeyTable& table,
                      const std::string& name, const py::kwargs& keys);
 
-/// Adds the common methods of every value with a spec. Unpickling calls `make` with the spec, which
-/// gives the same value bit for bit.
+/// Adds the methods that all values with a spec have in common. Unpickling calls `make` with the
+/// spec, which gives the same value, bit for bit.
 template <class Self, class Make>
 void bind_made(py::class_<Self>& type, const Make& make) {
   bind_copies(
@@ -129,8 +131,8 @@ void bind_verdict(py::class_<Self>& type) {
       "The verdict: level, headline and findings, the worst one first");
 }
 
-/// Adds a quantity as an attribute whose value is get(self), unless the type already has an
-/// attribute of this name.
+/// Adds a quantity as an attribute, unless the type already has an attribute with this name.
+/// get(self) returns its value.
 template <class Self, class Get>
 void bind_quantity(py::class_<Self>& type, const QuantityInfo& info, const Get& get) {
   const std::string name = name_of(info);

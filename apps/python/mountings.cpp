@@ -1,5 +1,5 @@
-// A pair under errors of its mounting. One set of errors is a table or a row, and many sets are an
-// array.
+// Computes a pair with errors of mounting. One set of errors is a table or a row of numbers. Many
+// sets are an array.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,8 @@ namespace gearwright::python {
 
 namespace {
 
-// Converts a row of numbers in mm and rad, in the order of gearwright.ERRORS, to a table [errors].
+// Converts a row of numbers in mm and rad to a table [errors]. The order of the numbers is
+// gearwright.ERRORS.
 Json errors_of_row(py::handle row) {
   const auto numbers = real_numbers(row);
   const py::ssize_t n = numbers ? numbers->size() : 0;
@@ -39,7 +40,8 @@ Json errors_tree(const py::object& errors) {
   return errors_of_row(errors);
 }
 
-// Checks rows of errors for a pair. The numbers must be finite and within the ranges of their keys.
+// Checks many rows of errors for a pair. Every number must be finite and within the range of its
+// key.
 void check_rows(const Numbers& rows, const ContactSetup& setup) {
   const auto numbers = rows.unchecked<2>();
   for (py::ssize_t r = 0; r < rows.shape(0); ++r) {

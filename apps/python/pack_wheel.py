@@ -13,7 +13,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# The libraries that every Linux provides on which pip accepts manylinux wheels (PEP 600).
+# Libraries that every Linux system with support for manylinux wheels provides (PEP 600).
 OF_THE_SYSTEM = {"linux-vdso.so.1", "libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1", "libz.so.1",
                  "libpthread.so.0", "libdl.so.2", "librt.so.1", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
 
@@ -46,7 +46,7 @@ def main():
     version = sys.argv[3]
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
     libc, libc_version = platform.libc_ver()
-    assert libc == "glibc", f"a wheel for {libc} has no tag here"
+    assert libc == "glibc", f"there is no wheel tag for {libc}"
     tag = f"{python}-{python}-manylinux_{libc_version.replace('.', '_')}_{platform.machine()}"
     bundle(stage, next(built.glob("_core.*.so")))
     info = stage / f"gearwright-{version}.dist-info"

@@ -1,7 +1,7 @@
-// Display of values in a notebook, with the pictures and tables of the report and with whole pages.
+// Displays values in a notebook with the pictures and tables of the report, and makes whole pages.
 //
-// Each picture is in a frame of its own, so its style and that of the notebook do not interfere. The colours
-// follow the user's preference, dark or light.
+// Each picture is in its own frame, so that the styles of picture and notebook do not affect each
+// other. The user's preference for dark or light determines the colours.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
@@ -29,7 +29,8 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
-// A frame for a picture. If the notebook permits scripts, it is as high as its content. Otherwise it scrolls.
+// A frame with a picture. If the notebook permits scripts, the frame is as high as its content.
+// Otherwise it scrolls.
 std::string framed(const std::string& title, const std::string& body) {
   const std::string page = page_head(title, kVersion, "body{padding:.5em 0}") + "<body>\n<main>\n" +
                            body + "</main>\n</body>\n</html>\n";
@@ -77,7 +78,7 @@ std::vector<Figure> gear_figures(const GearValue& g) {
   return {std::move(tooth)};
 }
 
-// The figures of the report on a pair, by its kind.
+// The figures of the report on a pair, which depend on the kind of the pair.
 struct PairFigures {
   std::vector<Figure> operator()(const ParallelPair& pair) const {
     std::vector<Figure> figures;
@@ -102,16 +103,16 @@ struct PairFigures {
   std::vector<Figure> operator()(const ArcPair& pair) const { return arc_contact_figures(pair); }
 };
 
-// Makes a part of the report. Ctrl-C interrupts this.
+// Makes a part of the report. Ctrl-C interrupts this computation.
 template <class Part>
 Part part_of(SolvedJob& job, Result<Part> (*make)(SolvedJob&, Progress*)) {
   return watched_result(job.spec.given, [&](Progress* progress) { return make(job, progress); });
 }
 
-// The figures of a contact. There are none if nothing touches.
+// The figures of a contact. There are none if no teeth touch.
 std::vector<Figure> contact_figures(const ContactValue& c) {
   SolvedJob job = c.model->job;
-  job.spec.contact.given = true;  // makes the part as if the spec had the table [contact]
+  job.spec.contact.given = true;  // as if the spec had the table [contact]
   const auto part = part_of(job, contact_part);
   if (!part) return {};
   const ContactReport& r = part->report;
@@ -180,7 +181,7 @@ void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairV
       .def_property_readonly(
           "figures", [](const PairValue& p) { return p.pair().visit(PairFigures()); },
           "The figures of the report: the mesh and both gears, path of contact and contact ratios; "
-          "on crossed axes plan, section, faces and sliding; of circular arcs, rack and teeth")
+          "for crossed axes plan, section, faces and sliding; for circular arcs rack and teeth")
       .def(
           "report", [](const PairValue& p) { return page_of(*p.model, p.gears(), false); },
           "The program's report as one HTML page");

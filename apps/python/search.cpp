@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A finished search. Its designs are ordered from the best.
+// A finished search. Its designs are sorted, best first.
 struct Found {
   explicit Found(SpecText given) : text(std::move(given)), spec(value_or_raise(read_spec(text))) {
     if (!spec.search) raise(no_search());
@@ -98,7 +98,7 @@ py::object design(const Found& found, py::ssize_t i) {
   return by_name(Value(design_quantities().of(view)));
 }
 
-// Returns the columns of search.parquet and best.csv as a structured array.
+// Returns a structured array with the columns of search.parquet and best.csv.
 py::array to_numpy(const Found& found) {
   const auto& columns = design_columns(found.search->problem());
   const auto& heads = columns.heads();
@@ -153,7 +153,8 @@ py::dict counts_of(const Found& found) {
   return all;
 }
 
-// The designs ranked by their scatter, as in the JSON of the program.
+// Ranks the designs by their scatter. The result has the form of `scatter_designs` in the program's
+// JSON.
 py::object ranked_by_scatter(const Found& found, const std::optional<long long>& top, int threads,
                              const py::kwargs& kwargs) {
   threads_in_range(threads);
@@ -176,7 +177,7 @@ py::object ranked_by_scatter(const Found& found, const std::optional<long long>&
   return to_python(parse_json(study_json_text(spec, run))["scatter_designs"]);
 }
 
-// A pickle contains the finished run, because the search may have taken hours. Designs and changes are packed.
+// A pickle contains the finished search in packed form, because a search may take hours.
 template <class Run>
 auto plain_members(Run& run) {
   auto& answer = run.answer;
@@ -232,9 +233,9 @@ void bind_search(py::module_& m) {
       .def(
           "scatter", &ranked_by_scatter, py::arg("top") = py::none(), py::arg("threads") = 0,
           "Ranks the designs by the greatest percentile of their transmission error, with the keys "
-          "of [scatter] (errors=, quality=, samples=); absent ones are those of the spec. A dict "
-          "as `scatter_designs` of the program's JSON; pair(row[\"design\"] - 1) is the Pair of a "
-          "row. top: only the best of the search")
+          "of [scatter] (errors=, quality=, samples=); absent keys are those of the spec. Returns "
+          "a dict like `scatter_designs` in the program's JSON. pair(row[\"design\"] - 1) is the "
+          "Pair of a row. If top is given, only this number of the best designs is ranked")
       .def("to_numpy", &to_numpy,
            "A structured array with the columns of search.parquet and a row for each design")
       .def("to_parquet", &to_parquet, py::arg("path"),

@@ -1,5 +1,5 @@
-// Computes a pair again for columns of numbers that replace some of its own numbers. The result has a row of
-// quantities for each row of numbers.
+// Computes a pair many times, with columns of numbers in place of some of its own numbers. The
+// result has a row of quantities for each row of numbers.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,13 +14,13 @@ namespace gearwright::python {
 
 namespace {
 
-// A key whose value changes from row to row.
+// A key whose value differs from row to row.
 struct Swept {
   const Key* key;
   int gear;  ///< 1 or 2; 0 for a key of the pair
   std::string path;
   Numbers numbers;
-  double unit;  ///< one unit of `numbers`, expressed in the unit of the key
+  double unit;  ///< size of one unit of `numbers` in the unit of the key
 
   double at(std::size_t row) const { return numbers.data()[row] * unit; }
 };
@@ -76,7 +76,7 @@ std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
   return all;
 }
 
-// Sets a value. If its key does not permit the value, the error is the same as for a file with this value.
+// Sets one value. If the key does not permit this value, returns the same error as for a spec file.
 std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   const double x = s.at(row);
   if (!std::isfinite(x)) return Error{s.path, fmt::format("{}", x), "must be a finite number"};
@@ -93,7 +93,7 @@ std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   return std::nullopt;
 }
 
-// Solves the pair with the numbers of one row.
+// Solves the pair for the numbers of one row.
 Result<SolvedJob> solved_row(JobSpec spec, const std::vector<Swept>& keys, std::size_t row) {
   for (const Swept& s : keys)
     if (auto error = put(spec, s, row)) return *error;
@@ -118,7 +118,7 @@ py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
       const auto job = solved_row(pair.model->job.spec, keys, r);
       if (job) return array.fill(r, pair_quantities().of(*job->pair));
       refuse(r, job.error().message());
-    } catch (const ContractViolation& e) {  // the other rows are still computed
+    } catch (const ContractViolation& e) {  // the other rows must still be computed
       refuse(r, e.what());
     }
   });
@@ -129,7 +129,7 @@ py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
 
 void bind_sweep(py::class_<PairValue>& pair) {
   pair.def("sweep", &sweep, py::arg("threads") = 0,
-           "Computes the pair for each value of arrays that replace some of its numbers, for "
+           "Computes the pair once per value of the arrays, which replace its own numbers, for "
            "example sweep(center_distance=distances) or sweep(gear1={\"profile_shift\": shifts}). "
            "Returns a structured array with a row for each value and a column for each quantity, "
            "named by its key. If a pair does not exist, its row is NaN and contains the message in "

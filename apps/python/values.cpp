@@ -17,8 +17,8 @@ py::object type_of(const char* module, const char* name) {
 }
 
 struct ToPython {
-  bool by_name;       // true for an attribute, in mm and rad, with tuples and Records
-  double unit = 1.0;  // unit of the numbers of an attribute
+  bool by_name;       // true for an attribute: mm and rad, tuples, Records
+  double unit = 1.0;  // for an attribute, the unit of the numbers
 
   py::object operator()(std::monostate) const { return py::none(); }
   py::object operator()(bool flag) const { return py::bool_(flag); }
@@ -68,7 +68,7 @@ Json whole_of(py::handle value, const std::string& path) {
   return whole;
 }
 
-// True for a time or an array of times. If times are in ns, numpy's tolist() would convert them to whole
+// True for a time or an array of times. numpy's tolist() would convert times in ns to whole
 // numbers.
 bool is_time(py::handle value) {
   const py::object type = py::getattr(value, "dtype", py::none());
@@ -79,11 +79,11 @@ bool is_time(py::handle value) {
 Json mapping_of(py::handle value, const std::string& path) {
   Json tree = Json::object();
   const py::object keys =
-      value.attr("keys")();  // the only method that dicts, Records and tables all have
+      value.attr("keys")();  // the only method that dicts, Records and tables have in common
   for (const auto& name : keys) {
     const std::string key = py::str(name);
     const py::object member = value[name];
-    if (member.is_none()) continue;  // None means that no value is given
+    if (member.is_none()) continue;  // None stands for a value that is not given
     tree[key] = tree_of(member, path.empty() ? key : path + "." + key);
   }
   return tree;
@@ -92,7 +92,7 @@ Json mapping_of(py::handle value, const std::string& path) {
 }  // namespace
 
 std::string name_of(const QuantityInfo& info) {
-  if (info.key == "from") return "from_";  // a keyword of Python
+  if (info.key == "from") return "from_";  // `from` is a keyword of Python
   if (info.unit == Unit::m_per_s) return info.key;
   const std::string_view suffix = unit_suffix(info.unit);
   const std::string_view key = info.key;
@@ -200,7 +200,7 @@ std::optional<std::filesystem::path> path_or_none(py::handle value, const std::s
 }
 
 int threads_in_range(int threads) {
-  constexpr int kMostThreads = 1024;  // the same limit as in batch and search
+  constexpr int kMostThreads = 1024;  // as in the verbs batch and search
   if (threads < 0 || threads > kMostThreads)
     raise(refused("threads", threads,
                   "must lie between 1 and " + std::to_string(kMostThreads) +

@@ -1,9 +1,9 @@
-// Runs a long computation on a separate thread, while the main thread of Python checks for Ctrl-C
+// Runs a long computation on another thread. Meanwhile, the main thread of Python checks for Ctrl-C
 // and reports the progress.
 //
-// Python handles a signal only between two of its own instructions, so it could not handle a signal
-// during a call of several seconds. Here the calling thread waits without the GIL and takes it only for
-// a check every kLook.
+// Python handles a signal only between two of its own instructions. During a call that takes
+// several seconds, it could therefore not handle Ctrl-C. Here, the calling thread waits without the
+// GIL, and acquires it for a check every kLook.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -24,7 +24,8 @@ namespace gearwright::python {
 
 constexpr std::chrono::milliseconds kLook{50};
 
-/// A computation that counts its steps or checks `stop`. After end(), it ends at the next step.
+/// A computation that reports its progress or checks `stop`. After end() is called, the computation
+/// ends at its next step.
 struct Watched {
   std::atomic<bool> stop{false};
   Progress progress;
@@ -35,8 +36,9 @@ struct Watched {
   }
 };
 
-/// Runs the computation to its end and passes on its exceptions. If Ctrl-C is pressed or `look` raises an
-/// exception, the computation is ended first, and then the exception is raised.
+/// Runs the computation until it ends, and rethrows its exceptions. If the user presses Ctrl-C or
+/// `look` throws an exception, the function first ends the computation and then raises the
+/// exception.
 inline void watch(Watched& watched, const std::function<void()>& work,
                   const std::function<void()>& look = {}) {
   std::exception_ptr raised;
@@ -60,7 +62,8 @@ inline void watch(Watched& watched, const std::function<void()>& work,
   ended.get();
 }
 
-/// Returns the result of work(progress).   Throws  SpecError with the keys of the spec
+/// Returns the result of work(progress).   Throws  SpecError with the keys as the caller has given
+/// them
 template <class Work>
 auto watched_result(const GivenKeys& given, const Work& work) {
   std::optional<decltype(work(static_cast<Progress*>(nullptr)))> found;
@@ -70,7 +73,7 @@ auto watched_result(const GivenKeys& given, const Work& work) {
   return std::move(*found).take();
 }
 
-/// Calls row(0) … row(n − 1) from this number of threads; 0 means as many as the machine has.
+/// Calls row(0) to row(n − 1) from this number of threads. 0 stands for all cores of the machine.
 template <class Row>
 void watched_rows(std::size_t n, int threads, const Row& row) {
   Watched watched;

@@ -1,5 +1,5 @@
-// The page has two builds: `vite build` makes static files for any host, and `vite build --mode single` makes
-// one self-contained gearwright.html.
+// Defines two builds of the page: `vite build` makes static files for any host, and `vite build --mode
+// single` makes one self-contained gearwright.html.
 
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
@@ -12,8 +12,8 @@ const root = resolve(here, "../..");
 /** The folder of the compiled engine: engine.js, gearwright.mjs, gearwright.wasm. */
 const engine = resolve(process.env["GEARWRIGHT_ENGINE"] ?? resolve(root, "build/wasm/engine"));
 
-/** Replaces import.meta.url in the module from emscripten. The module uses it for the name of its file, and a worker
- *  in a single file does not have it. The page provides the bytes in any case. */
+/** Replaces import.meta.url in the module from emscripten. The module needs it only to find its file, and
+ *  a worker in a single file does not have it. The page provides the bytes of the module instead. */
 function engineModule(): Plugin {
   return {
     name: "gearwright-engine",
@@ -22,19 +22,20 @@ function engineModule(): Plugin {
       if (!id.endsWith("gearwright.mjs")) return null;
       return code
         .replaceAll("import.meta.url", "self.location.href")
-        .replace(/require\(['"](fs|path)['"]\)/g, "null"); // removes modules of node
+        .replace(/require\(['"](fs|path)['"]\)/g, "null"); // removes the modules of node
     },
   };
 }
 
-/** Returns the file compressed by the program zstd, which zlib of node contains from version 22.15 only. */
+/** Returns the file compressed by the program zstd. The zlib of node supports zstd only from version 22.15 on. */
 const zstd = (file: string) => execFileSync("zstd", ["--ultra", "-22", "-qc", file], { maxBuffer: 1e8 });
 
 const kLicences =
   "<!-- Contains three.js, © 2010-2026 three.js authors, and fzstd, © 2020 Arjun Barrett, both under the MIT licence. -->";
 
-/** Puts everything into one HTML file: the style as it is, the script and the engine compressed and in base64,
- *  which src/unpack.js reads. Three quarters of the script are three.js, which most visits do not need. */
+/** Puts everything into one HTML file. The style is included as it is. The script and the engine are
+ *  compressed and in base64, and src/unpack.js unpacks them. Three quarters of the script are three.js,
+ *  which most visits do not need. */
 function single(): Plugin {
   return {
     name: "gearwright-single",
@@ -74,7 +75,7 @@ export default defineConfig(({ mode }) => ({
     },
   },
   plugins: [engineModule(), ...(mode === "single" ? [single()] : [])],
-  // A page from disk cannot start a worker that is a module.
+  // A page opened from disk cannot start a worker that is an ES module.
   worker: { format: mode === "single" ? "iife" : "es", plugins: () => [engineModule()] },
   server: { fs: { allow: [root, engine] } },
   build: {

@@ -1,4 +1,4 @@
-// Checks which inputs are possible with racks of circular arcs.
+// Checks whether the input is possible for gears with circular-arc teeth.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,15 @@
 
 namespace gearwright {
 
-/// True if the gear's rack, or that of its cutter, consists of arcs.
+/// True if the gear has circular-arc teeth: its own rack, or the rack of its cutter, consists of
+/// arcs.
 bool has_arcs(const GearInput& gear);
 
-/// True if one of the gears has arcs.
+/// True if at least one gear of the pair has circular-arc teeth.
 bool has_arcs(const GivenPair& given);
 
-/// Rejects inputs that have no meaning for circular-arc teeth: a cutter with such teeth, tips shortened
-/// because of profile shifts, crossed axes.
+/// Rejects inputs that have no meaning for circular-arc teeth: a pinion cutter with such teeth, tip
+/// shortening that follows from profile shifts, and crossed axes.
 std::optional<Error> check_arcs(const GivenPair& given);
 
 }  // namespace gearwright

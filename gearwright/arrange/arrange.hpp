@@ -1,9 +1,9 @@
-// Computes one or two gears, and their pair, from the data of a drawing. Absent values are computed
-// from the others, and contradictions are errors.
+// Computes one gear, or two gears and their pair, from the data of a drawing. Absent values are
+// computed from the given ones. Contradictory values cause an error.
 //
-// Profile shifts and centre distance determine each other. The cutter of a gear determines its module
-// and angles. A required backlash determines the tooth thickness. An absent face width is 10 m_n, with
-// a warning.
+// Profile shifts and centre distance determine each other. The cutter of a gear determines its
+// module and angles. A required backlash determines the tooth thickness. An absent face width
+// becomes 10 m_n, with a warning.
 #pragma once
 
 #include <memory>
@@ -19,11 +19,11 @@ struct ArrangedEnds;
 
 /// The completed gears and pair. If there is a pair, `gears` are the gears of the pair.
 struct Arranged {
-  GivenPair completed;         ///< the input with computed values added: shifts, thickness, tips
-  std::vector<Gear> gears{};   ///< one or two
-  std::optional<Pair> pair{};  ///< of two gears, if a pair was requested
-  std::vector<Warning> warnings{};             ///< of gears and pair, with the gear's number
-  std::shared_ptr<const ArrangedEnds> ends{};  ///< at the ends of the tolerances; null without them
+  GivenPair completed;              ///< the input with computed shifts, thickness and tips
+  std::vector<Gear> gears{};        ///< one or two
+  std::optional<Pair> pair{};       ///< of two gears; none if no pair was requested
+  std::vector<Warning> warnings{};  ///< about gears and pair
+  std::shared_ptr<const ArrangedEnds> ends{};  ///< at the ends of the tolerances, if there are any
   std::shared_ptr<const GivenPair> given{};    ///< the unchanged input
 
   /// Gear 1 or 2.   Domain  this gear exists (contract)
@@ -34,20 +34,20 @@ struct Arranged {
 };
 
 /// Gears and pair at both ends of their tolerances. `lower` has the thinnest teeth and the centre
-/// distance with the most backlash. `upper` has the thickest teeth and the least backlash. The gears
-/// of the nominal result, and the contact analysis, use the mean of the allowances.
+/// distance with the most backlash. `upper` has the thickest teeth and the centre distance with the
+/// least backlash. The nominal result and the contact analysis use the means of the allowances.
 struct ArrangedEnds {
   Arranged lower, upper;
 };
 
 enum class Scope {
   gears,       ///< each gear separately; the pair is used only to compute an absent profile shift
-  pair,        ///< the mounted pair is requested, so gear 2 must exist
-  everything,  ///< the pair if there are two gears
+  pair,        ///< the pair; gear 2 must exist
+  everything,  ///< all gears, and the pair if there are two gears
 };
 
-/// Domain    a first gear (contract)
-/// Errors    name the faulty member of the input: "gear2.profile_shift", "pair.center_distance"
+/// Domain    gear 1 is given (contract)
+/// Errors    name the invalid member of the input: "gear2.profile_shift", "pair.center_distance"
 Result<Arranged> arrange(const GivenPair& given, Scope scope = Scope::everything);
 
 }  // namespace gearwright

@@ -12,9 +12,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNear = 1e-12;  // mm or degrees; within this, the printed result is the request
-constexpr double kSame = 1e-9;   // a larger difference means that no such thickness exists
-constexpr int kMostSteps = 12;   // number of secant steps; involute teeth need one
+constexpr double kNear = 1e-12;  // mm or degrees; within this tolerance, the printed backlash
+                                 // equals the requested one
+constexpr double kSame = 1e-9;   // if the final difference is larger, no tooth thickness gives this
+                                 // backlash
+constexpr int kMostSteps = 12;   // greatest number of secant steps; involute teeth need one step
 
 struct Wanted {
   const char* field;
@@ -36,8 +38,8 @@ void thin(GivenPair& given, double thinning) {
     given.gears[i]->cylindrical.thickness_allowance = thinning == 0.0 ? 0.0 : -shares[i] * thinning;
 }
 
-// The backlash of the pair with teeth thinned by this amount. Fillets and tips have no influence on
-// it.
+// The backlash of the pair if its teeth are thinned by `thinning` mm in total. Fillets and tips
+// have no influence on the backlash.
 Result<double> backlash_at(GivenPair given, const std::optional<PairPlace>& place,
                            double thinning) {
   thin(given, thinning);

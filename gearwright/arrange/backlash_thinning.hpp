@@ -1,4 +1,4 @@
-// Thins the teeth for a required backlash. Internal to arrange/.
+// Thins the teeth to obtain a required backlash. Internal to arrange/.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,10 @@
 namespace gearwright {
 
 /// Sets the thickness allowances of both gears so that the mounted pair has the requested backlash.
-/// `backlash_split` divides the thinning between the gears. Backlash is linear in the allowances of
-/// involute teeth and nearly linear in those of arcs. The backlash of the mounted pair itself is
-/// computed, so the result has exactly this backlash.
+/// `backlash_split` divides the thinning between the gears. Backlash depends linearly on the
+/// allowances of involute teeth, and nearly linearly on the allowances of circular-arc teeth. The
+/// function computes the backlash of the mounted pair and corrects the allowances until it equals
+/// the requested one.
 ///
 /// Accuracy  1e-9 mm, or degrees
 /// Domain    given.pair.wants_backlash(), two gears cut by racks, their shifts complete (contract)

@@ -1,4 +1,4 @@
-// The body of a gear inside its teeth: its bore, or the rim of an internal gear.
+// The body of a gear: an external gear has a bore, and an internal gear has a rim.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,12 @@
 
 namespace gearwright {
 
-/// The rim of an internal gear: the given one, or by default a rim 2.5 modules thick outside the roots.
+/// The rim of an internal gear: as given, or by default 2.5 modules thick outside the root circle.
 Bore rim(const Gear& ring);
 
-/// A warning if there is no material between bore and roots, or between roots and rim of an
-/// internal gear. The groove of a double-helical gear, of diameter `groove` mm, limits the body too.
+/// A warning if no material remains between the bore and the roots, or between the roots and the
+/// rim of an internal gear. The groove of a double-helical gear, with the diameter `groove` mm,
+/// also limits the body.
 std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which);
 
 }  // namespace gearwright

@@ -11,8 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// True if the axes cross. The helices decide this, and the shaft angle has been checked against
-// them.
+// True if the axes cross. This follows from the helix angles, because the shaft angle has already
+// been checked against them.
 bool axes_cross(const GivenPair& given) {
   return !axes_are_parallel(
       nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical));
@@ -49,7 +49,7 @@ bool share_a_rack(const GivenPair& given) {
          near(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad());
 }
 
-// Shortens the tips so that the clearance of the racks is kept at the centre distance a:
+// Shortens the tips so that the tip clearance at the centre distance a equals that of the racks:
 // k m_n = σ (a − a_ext). [T2.21]
 void shorten_tips(GivenPair& given, double a) {
   double extended = 0.0;
@@ -62,8 +62,8 @@ void shorten_tips(GivenPair& given, double a) {
     extended += (c.teeth > 0 ? side : 1.0) * reference_radius(c);
     extended += side * c.normal_module * c.profile_shift;
   }
-  // Tips are never extended, because at a greater distance the clearance already exceeds that of
-  // the racks.
+  // Tips are never lengthened. At a greater centre distance, the tip clearance simply exceeds the
+  // clearance of the racks.
   const double k_m = std::min(0.0, side * (a - extended));
   for (auto& gear : given.gears) {
     CylindricalSpec& c = gear->cylindrical;
@@ -74,7 +74,8 @@ void shorten_tips(GivenPair& given, double a) {
   }
 }
 
-// Rejects inputs that need gears of one rack, because x has a different meaning for each rack.
+// Rejects inputs that require both gears to be cut by the same rack. Profile shifts of different
+// racks cannot be compared.
 std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   const std::string why =
       "requires two gears of the same module and pressure angle; for different racks, give both "
@@ -88,7 +89,7 @@ std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   return std::nullopt;
 }
 
-// An invalid sum of two shifts is attributed to the given shift, or to the larger one if both are
+// Attributes an invalid sum of two shifts to the given shift, or to the larger one if both are
 // given.
 Error of_given_shift(const Error& error, const GivenPair& given) {
   if (error.field != "profile_shift") return error;
@@ -102,8 +103,8 @@ Error of_given_shift(const Error& error, const GivenPair& given) {
           format_number(*given.gears[i]->profile_shift), error.rule};
 }
 
-// Gears with the same hand and helix angle have axes that cross at twice this angle. If no shaft
-// angle is given, a missing sign is more likely than crossed axes.
+// If both gears have the same hand and helix angle β, their axes cross at 2 β. If no shaft angle is
+// given, a missing sign is more likely than crossed axes, so this is an error.
 std::optional<Error> check_hands(const GivenPair& given) {
   if (given.pair.shaft_angle) return std::nullopt;
   const CylindricalSpec& c1 = given.gears[0]->cylindrical;
@@ -139,8 +140,8 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     if (auto error = needs_one_rack(given, shift_wanted)) return *error;
   }
   if (crossed && shift_wanted && !given.pair.shaft_angle) {
-    // If neither profile shifts nor a shaft angle is given, the given centre distance is taken as the
-    // minimum centre distance of the pair.
+    // If neither profile shifts nor a shaft angle is given, the given centre distance is taken as
+    // the minimum centre distance of the pair.
     const auto gears = nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical);
     const double a = *given.pair.center_distance;
     const auto alpha = transverse_angle_at_pitch_sum(gears, a);
@@ -152,8 +153,8 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     given.pair.shaft_angle = crossed_place(gears, *alpha).shaft_angle;
     given.shaft_angle_found = true;
   }
-  // For gears of one rack on parallel axes, the centre distance has a closed form, which is exact to
-  // the last digit.
+  // If both gears are cut by the same rack and have parallel axes, a closed form gives the centre
+  // distance exactly, to the last digit.
   const bool by_shifts = one_rack && (!crossed || shift_wanted || extended);
   std::optional<double> a = given.pair.center_distance;
   if (by_shifts) {

@@ -1,4 +1,5 @@
-// Computes the absent ones of profile shifts, centre distance and shaft angle of a pair.
+// Computes the values that are absent from the profile shifts, centre distance and shaft angle of a
+// pair.
 // Internal to arrange/.
 #pragma once
 
@@ -7,13 +8,14 @@
 
 namespace gearwright {
 
-/// The position of the gears of the pair. Computed shifts and shortened tips are written into the
-/// gears of `given`, and a shaft angle that follows from the centre distance into its pair.
-/// `shift_wanted` is true if one or both shifts are absent and follow from the centre distance.
+/// Returns the position of the gears of the pair. Computed shifts and shortened tips are written
+/// into the gears of `given`. A shaft angle that follows from the centre distance is written into
+/// its pair.
+/// `shift_wanted` is true if at least one shift is absent and follows from the centre distance.
 ///
 /// Domain    two gears (contract)
-/// Errors    `gear2.helix_angle` if a sign seems to be missing; as check_partners, complete_shifts
-///           and complete_place
+/// Errors    `gear2.helix_angle` if a sign seems to be missing; the errors of check_partners,
+///           complete_shifts and complete_place
 Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted);
 
 }  // namespace gearwright

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// Checks that the cutters named by the gears are possible.
+// Checks that the cutters given by `cut_by` are possible.
 std::optional<Error> check_cutters(const GivenPair& given) {
   for (const int which : {1, 2}) {
     const GearInput* const gear = given.find(which);
@@ -42,7 +42,7 @@ std::optional<Error> check_cutters(const GivenPair& given) {
   return std::nullopt;
 }
 
-// Data given for a gear although the cutter determines them must agree with the cutter.
+// If the input contains a value that the cutter also determines, both values must agree.
 std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, int which) {
   const auto differs = [](const std::optional<double>& given, double value) {
     return given && std::abs(*given - value) > 1e-9 * std::max(1.0, std::abs(value));
@@ -62,8 +62,9 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   return std::nullopt;
 }
 
-// The profile shift at which a gear with its own cutter meshes with its mating gear at the pair's
-// centre distance without backlash. This is the default if neither the shift nor e is given.
+// The default profile shift of a gear with its own cutter, used if neither the shift nor e is
+// given. With this shift, the gear meshes without backlash with its mating gear at the pair's
+// centre distance.
 std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
   const GearInput* const mate = given.find(3 - which);
   const auto& gear = given.gear(which);
@@ -77,7 +78,7 @@ std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutt
   const double alpha_t = cutter.reference().transverse_pressure_angle;
   const double a = *given.pair.center_distance;
   const double a_d = reference_center_distance(z, z_m, c.normal_module, cos_beta);
-  if (a < a_d * std::cos(alpha_t)) return std::nullopt;  // the function mount() reports this error
+  if (a < a_d * std::cos(alpha_t)) return std::nullopt;  // mount() reports this error later
   const double sum =
       tight_shift_sum(z, z_m, c.normal_module, c.normal_pressure_angle.rad(), alpha_t, cos_beta, a);
   return sum - mate->profile_shift.value_or(0.0);
@@ -132,7 +133,8 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
   if (!result) {
     const Error& error = result.error();
     if (!by_distance || error.field != "cut_by") return of_given_gear(error, given, which);
-    // The centre distance of the pair is the generating distance here.
+    // The generating distance is also the centre distance of the pair, so the error names the
+    // latter.
     return Error{
         "pair.center_distance", error.value,
         "the centre distance is also the generating distance of the cut gear: " + error.rule};
@@ -168,7 +170,7 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
                  "is not available for a gear cut by its mating gear, which is mounted at the "
                  "generating distance; for another distance give `pair.center_distance`"};
   }
-  // The gear that does not depend on the other one is made first.
+  // If one gear cuts the other, the cutting gear is made first.
   const bool second_first = is_cut(1) && given.gears[0]->cut_by->gear == 2;
   const std::array<int, 2> order = second_first ? std::array{2, 1} : std::array{1, 2};
   for (const int which : order) {

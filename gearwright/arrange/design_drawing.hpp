@@ -1,7 +1,7 @@
-// Converts a design that a search has found to a drawing, and judges this drawing.
+// Converts a design that a search has found into the data of a drawing, and judges this drawing.
 //
 // A search computes nominal gears. The drawing adds the tolerances of tooth thickness and centre
-// distance. The pair is judged like any other pair, at all ends of these tolerances.
+// distance. The verdict covers the nominal pair and all ends of these tolerances.
 #pragma once
 
 #include "gearwright/arrange/given_pair.hpp"
@@ -12,8 +12,8 @@ namespace gearwright {
 /// The design as the data of a drawing.
 GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row);
 
-/// The verdict over the drawing, with the rating if the search is rated. The finding that a rating of
-/// plastics does not cover wear is left out, because it applies to every design.
+/// The verdict on the drawing. If the search is rated, it includes the rating. The finding that the
+/// rating of plastics ignores wear is omitted, because it applies to every design.
 DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row);
 
 }  // namespace gearwright

@@ -13,8 +13,8 @@ bool set_allowance(GivenPair& given, GearInput& gear, double value) {
   return true;
 }
 
-// If the transverse module is given, the helix angle also determines the normal module, so this change
-// is not made.
+// If the transverse module is given, changing the helix angle would also change the normal module.
+// The function therefore returns false.
 bool set_helix(GearInput& gear, double degrees) {
   if (gear.transverse_given) return false;
   gear.cylindrical.helix_angle = Angle::degrees(degrees);
@@ -22,7 +22,8 @@ bool set_helix(GearInput& gear, double degrees) {
   return true;
 }
 
-// `value` includes the gap of a double-helical gear, and `face_width` is that of one half.
+// `value` is the whole face including the gap of a double-helical gear. `face_width` is the face of
+// one half.
 void set_face(GearInput& gear, double value) {
   gear.cylindrical.face_width =
       gear.double_helical ? (value - gear.double_helical->gap) / 2 : value;

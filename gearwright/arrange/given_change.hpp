@@ -1,4 +1,4 @@
-// Makes a change that the verdict tries, in the input, as a user would. Internal to arrange/.
+// Makes a change that a verdict proposes, in the input, as a user would. Internal to arrange/.
 #pragma once
 
 #include "gearwright/arrange/given_pair.hpp"
@@ -6,8 +6,8 @@
 
 namespace gearwright {
 
-/// Sets the number. Returns false if the input gives this number in another form, or if the number
-/// follows from another gear.
+/// Sets the number. Returns false if the input gives this number in another form, or if another
+/// gear determines it.
 bool make_change(GivenPair& given, const SpecChange& change);
 
 }  // namespace gearwright

@@ -14,7 +14,7 @@ Error of_given_gear(Error error, const GivenPair& given, int which) {
   const bool own =
       error.field == "face_width" || error.field == "tip_diameter" || error.field == "teeth";
   if (error.field == "tip_diameter" && !gear.cylindrical.tip_diameter) {
-    // The tip diameter is not given, but computed from the profile shift or from the rack alone.
+    // The tip diameter is not given. It follows from the profile shift, or from the rack alone.
     const std::string from = gear.profile_shift ? "profile_shift" : "rack.addendum";
     const double value = gear.profile_shift.value_or(addendum_of(gear.cylindrical.rack));
     return following_from(gear_field(which, from), format_number(value), "this value requires",

@@ -1,7 +1,7 @@
-// The data of one gear on a drawing, which arrange() completes. Absent values are computed from the others.
+// The data of one gear on a drawing. arrange() computes absent values from the given ones.
 //
-// Apart from the numbers of the gear itself, a drawing gives the cutting method, measurements,
-// tolerances, material and flank modifications.
+// In addition to the gear data, a drawing gives the cutting method, measurements, tolerances,
+// material and flank modifications.
 #pragma once
 
 #include <array>
@@ -26,16 +26,17 @@ struct GearInput;
 /// The two ends of a range.
 using Ends = std::array<double, 2>;
 
-/// The pinion cutter, and its cutting depth.
+/// The pinion cutter and the depth to which it cuts.
 struct CutByInput {
-  int gear = 0;                              ///< 1 or 2 if this gear is the cutter, otherwise 0
-  std::shared_ptr<const GearInput> cutter;   ///< the separate cutter
-  std::optional<double> profile_shift_pair;  ///< e: sum of the shifts of cutter and gear
-  std::optional<double> module;              ///< mm; given although the cutter determines it
-  std::optional<Angle> pressure_angle;       ///< α_n; given although the cutter determines it
+  int gear = 0;                              ///< 1 or 2 if gear 1 or 2 of the spec is the cutter,
+                                             ///< otherwise 0
+  std::shared_ptr<const GearInput> cutter;   ///< a cutter given by its own data
+  std::optional<double> profile_shift_pair;  ///< e: sum of the profile shifts of cutter and gear
+  std::optional<double> module;              ///< mm; redundant, because the cutter determines it
+  std::optional<Angle> pressure_angle;       ///< α_n; redundant, because the cutter determines it
 };
 
-/// The measuring tools, and their contact diameters.
+/// The given measuring tools and measuring diameters.
 struct MeasureInput {
   std::optional<int> span_teeth{};         ///< k
   std::optional<double> ball_diameter{};   ///< D_M  mm
@@ -43,36 +44,39 @@ struct MeasureInput {
   std::optional<double> chord_diameter{};  ///< d_y  mm
 };
 
-/// The accuracy grade of the flanks, thickness allowances that are not given as numbers, and the
-/// deviations of a given or computed tip diameter.
+/// The accuracy grade of the flanks, thickness allowances that are given by a series or a
+/// measurement, and the deviations of the tip diameter.
 struct ToleranceInput {
   std::optional<int> quality;                           ///< A, the ISO 1328 grade
-  FlankTolerances edition = FlankTolerances::iso_2013;  ///< of ISO 1328-1
-  std::optional<std::string> series;                    ///< of DIN 3967, "cd25"
+  FlankTolerances edition = FlankTolerances::iso_2013;  ///< edition of ISO 1328-1
+  std::optional<std::string> series;                    ///< series of DIN 3967, for example "cd25"
   std::optional<Ends> span;                             ///< W_k  mm
   std::optional<Ends> over_balls;                       ///< M_d  mm
-  /// A_da, mm: lower and upper deviation of d_a. The upper end is the longer tooth, or for an
-  /// internal gear the shorter tooth.
+  /// A_da, mm: lower and upper deviation of d_a. The upper deviation gives the longer tooth of an
+  /// external gear and the shorter tooth of an internal gear.
   std::optional<Ends> tip_deviations;
-  std::optional<std::string> tip_fit;  ///< of ISO 286, "h9", which gives the deviations
+  std::optional<std::string> tip_fit;  ///< fit of ISO 286, for example "h9"
 
   bool says_thickness() const { return series || span || over_balls; }
 };
 
-/// The input for one gear. `profile_shift` is the given shift, and arrange() writes the resulting shift
+/// The input for one gear. `profile_shift` is the given shift; arrange() writes the resulting shift
 /// to `cylindrical.profile_shift`.
 struct GearInput {
   CylindricalSpec cylindrical;
   std::optional<double> profile_shift;  ///< x
-  bool helix_given = false;             ///< if false, the helix angle is 0, or unknown for `fit`
+  bool helix_given = false;             ///< if false, the helix angle is 0, or unknown to the verb
+                                        ///< `fit`
   bool hand_given = false;              ///< true if the hand is a word, not the sign of the helix
-  bool transverse_given = false;  ///< module or pressure angle is that of the transverse section
+  bool transverse_given = false;  ///< true if module or pressure angle is given in the transverse
+                                  ///< section
   bool face_width_given = false;  ///< if false, the face width is 10 m_n, with a warning
-  std::optional<BaseGear<double>> basic;  ///< base cylinder, determines module, helix and shift
-  std::optional<CutByInput> cut_by;       ///< none if cut by its rack
-  std::optional<double> tip_clearance;    ///< of a tip fillet, to the mating root  mm
+  std::optional<BaseGear<double>> basic;  ///< base cylinder; determines module, helix angle and
+                                          ///< shift
+  std::optional<CutByInput> cut_by;       ///< none if the gear is cut by its rack
+  std::optional<double> tip_clearance;    ///< mm, from a tip fillet to the root of the mating gear
   bool tip_clearance_by_rule = false;     ///< true if this clearance is 0.2 m_n + 0.05
-  std::optional<Ends> allowance_ends;     ///< E_sni, E_sns  mm; the gear is made at their mean
+  std::optional<Ends> allowance_ends;     ///< E_sni, E_sns  mm; the nominal gear uses their mean
   MeasureInput measure;
   ToleranceInput tolerance;
   std::optional<Bore> bore;
@@ -81,7 +85,8 @@ struct GearInput {
   std::optional<Shaft> shaft;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 
-  /// The input for a gear with a complete spec. Reset `profile_shift` to have the shift computed.
+  /// The input for a gear with a complete spec. If the caller resets `profile_shift`, arrange()
+  /// computes it.
   static GearInput of(const CylindricalSpec& spec) {
     GearInput gear;
     gear.cylindrical = spec;

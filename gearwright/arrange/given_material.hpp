@@ -1,4 +1,4 @@
-// The material of a gear as a drawing gives it, and the resulting material.
+// The material of a gear as given on a drawing, and the complete material that results.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace gearwright {
 
-/// The given data. If `name` is in the shipped table, its row provides the values that are not given.
+/// The given data. If the table of materials contains `name`, its row provides the missing values.
 struct MaterialInput {
   std::optional<std::string> name;
   std::optional<MaterialKind> kind;
@@ -26,15 +26,16 @@ struct MaterialInput {
   ByTemperature sigma_Hlim_by, sigma_Flim_by, youngs_modulus_by;
 };
 
-/// The material of `owner`, "gear1.material": the named row of the shipped table, overridden by
-/// values given with the name.
+/// The material of `owner`, for example "gear1.material": the row of the table of materials, with
+/// any given values in place of those of the row.
 ///
 /// Errors    a member of `owner` if a strength is unknown, or if the standard has no such material
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 
-/// The density of the given material, kg/mm³. A mass needs no strength. None for a plastic without a given density, and
-/// if neither kind nor a name of the table is given.
+/// The density of the given material, kg/mm³. The strength of the material need not be known. There
+/// is no density if the material is a plastic without a given density, or if neither `kind` nor a
+/// name in the table is given.
 std::optional<double> density_of(const MaterialInput& given);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// The data of one or two gears on a drawing, which arrange() completes.
+// The data of one or two gears on a drawing. arrange() computes absent values from the given ones.
 #pragma once
 
 #include <array>
@@ -17,38 +17,39 @@ struct PairInput {
   std::optional<double> center_distance;  ///< a  mm
   std::optional<Angle> shaft_angle;       ///< Σ, signed
   Mounting mounting = Mounting::tight;
-  bool choose_profile_shifts = true;  ///< true if a given centre distance sets absent shifts
+  bool choose_profile_shifts = true;  ///< true if absent shifts follow from a given centre distance
   bool shorten_tips = false;          ///< tips are shortened by k m_n if no tip diameter is given
   std::optional<double> friction_coefficient;  ///< μ
   std::optional<double> speed_rpm;             ///< n_1  1/min
-  // The backlash for which the teeth are thinned, in one of three forms.
+  // The backlash that thinning of the teeth must produce, in one of three forms.
   std::optional<double> backlash;                  ///< j_n  mm, normal
   std::optional<double> backlash_circumferential;  ///< j_t  mm, at gear 1's working pitch circle
-  std::optional<Angle> backlash_angle;             ///< of gear 1, with gear 2 held
+  std::optional<Angle> backlash_angle;             ///< rotation of gear 1 while gear 2 is held
   std::optional<Ends> backlash_ends;               ///< j_n  mm, least and greatest
   double backlash_split = 0.5;                     ///< gear 1's share of the thinning
-  std::optional<Ends> distance_deviations;         ///< lower, upper  mm, of the centre distance
-  std::optional<std::string> distance_tolerance;   ///< of ISO 286, "JS7"
+  std::optional<Ends> distance_deviations;         ///< lower, upper deviation of the centre
+                                                   ///< distance, mm
+  std::optional<std::string> distance_tolerance;   ///< tolerance of ISO 286, "JS7"
   std::optional<double> bearing_span;              ///< L  mm, for the tolerances of the axes
 
-  /// True if the teeth are to be thinned for a backlash.
+  /// True if the teeth must be thinned for a given backlash.
   bool wants_backlash() const { return backlash || backlash_circumferential || backlash_angle; }
 };
 
 struct GivenPair {
-  std::array<std::optional<GearInput>, 2> gears;  ///< a single gear is the first
+  std::array<std::optional<GearInput>, 2> gears;  ///< a single gear is gears[0]
   PairInput pair;
-  bool shaft_angle_found = false;  ///< true if not given but computed from the centre distance
-  std::vector<Warning> notes;      ///< notes on the input, added to the warnings of the result
+  bool shaft_angle_found = false;  ///< true if computed from the centre distance
+  std::vector<Warning> notes;      ///< about the input; arrange() adds them to the warnings
 
-  /// Gear 1 or 2; null if there is none.
+  /// Gear 1 or 2; null if this gear is not given.
   GearInput* find(int which) {
     auto& gear = gears[static_cast<std::size_t>(which - 1)];
     return gear ? &*gear : nullptr;
   }
   const GearInput* find(int which) const { return const_cast<GivenPair&>(*this).find(which); }
   bool has(int which) const { return find(which) != nullptr; }
-  /// Gear 1 or 2.   Domain  has(which) (contract)
+  /// Gear 1 or 2.   Domain  this gear is given (contract)
   GearInput& gear(int which) {
     GW_EXPECTS(has(which));
     return *find(which);

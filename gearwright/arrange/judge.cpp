@@ -31,7 +31,7 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   return judged;
 }
 
-// The rating of the same load on changed gears; none if the standard does not cover them.
+// The changed gears, rated with the original load. None if the standard does not cover these gears.
 struct RatedAgain {
   RatedPair pair;
   Rating rating;
@@ -49,7 +49,7 @@ std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRati
 JudgedState state_at(const Arranged& arranged, const std::vector<TolerancedNumber>& tolerances,
                      const ToleranceCorner& corner, const JudgedWith& with) {
   const auto there = at_corner(arranged, tolerances, corner);
-  if (!there) return {};  // only a combination can have no solution; both ends are solved
+  if (!there) return {};  // a corner may have no solution although both ends have one
   JudgedWith of_there;
   const auto rated = with.rating ? rated_again(*there, *with.rating) : std::nullopt;
   if (rated)
@@ -65,7 +65,7 @@ auto same_finding(const Finding& like) {
   return [&like](const Finding& f) { return f.code == like.code && f.gear == like.gear; };
 }
 
-// The corner in which every tolerance without influence on the finding is at its nominal value.
+// Sets every tolerance that does not affect the finding back to its nominal value.
 ToleranceCorner what_matters(const Arranged& arranged,
                              const std::vector<TolerancedNumber>& tolerances,
                              ToleranceCorner corner, const Finding& finding,

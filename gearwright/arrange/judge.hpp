@@ -1,9 +1,9 @@
-// Judges arranged gears as drawn and at the ends of their tolerances.
+// Judges gears at their nominal values and at the ends of their tolerances.
 //
-// Every limit is judged as drawn and at every combination of the ends of the tolerances. If a
-// finding is worse at a combination than as drawn, it names the combination. The contact analysis uses
-// the gears at the mean of their tolerances. A remedy is a change of the input; the changed input is
-// arranged and judged before the remedy is named.
+// Every limit is checked for the nominal values and for every combination of the ends of the
+// tolerances. If a finding is worse at some combination, the finding names this combination. The
+// contact analysis uses the gears at the mean of their tolerances. A remedy is a change of the
+// input. It is proposed only after the changed input has been arranged and judged.
 #pragma once
 
 #include <functional>
@@ -15,33 +15,36 @@
 
 namespace gearwright {
 
-/// Results computed in addition to the pair. All must outlive the call.
+/// Results that were computed in addition to the pair. All of them must outlive the call.
 struct JudgedWith {
-  const ContactResult* contact = nullptr;  ///< of the working flanks; null if not computed
-  bool errors = false;                     ///< true if the contact includes errors of mounting
+  const ContactResult* contact = nullptr;  ///< contact of the working flanks; null if not computed
+  bool errors = false;                     ///< true if errors of mounting are included in the
+                                           ///< contact
   std::optional<JudgedRating> rating{};    ///< none if not computed
-  /// The contact of a changed pair under the same errors; it may add warnings. None if there is no
-  /// contact. Without this function, findings about the contact have no remedy.
+  /// Computes the contact of a changed pair with the same errors, and may add warnings. Returns
+  /// none if there is no contact. If this function is empty, findings about the contact have no
+  /// remedy.
   std::function<std::optional<ContactResult>(Arranged&)> contact_again{};
 };
 
-/// The gears as drawn, or at one combination of the ends of their tolerances.
+/// The findings for the nominal gears, or for one combination of the ends of their tolerances.
 struct JudgedState {
   std::vector<Finding> findings;
-  std::optional<RatedPair> pair;  ///< rated at this combination; none as drawn or without a rating
+  std::optional<RatedPair> pair;  ///< rated at this combination; none for the nominal gears or
+                                  ///< without a rating
 };
 
-/// Judges the gears as drawn and then at every combination of the ends of their tolerances, until
+/// Judges the nominal gears and then every combination of the ends of their tolerances, until
 /// `visit` returns false.
 void visit_states(const Arranged& arranged, const JudgedWith& with,
                   const std::function<bool(const JudgedState&)>& visit);
 
-/// All findings for the nominal values, and those that get worse at an end of the tolerances,
-/// without remedies.
+/// All findings for the nominal values, and all findings that are worse at an end of the
+/// tolerances. The findings have no remedies.
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
                                                 const JudgedWith& with = {});
 
-/// The verdict over the gears. Its messages name members of the input, such as `gear1.profile_shift`.
+/// The verdict on the gears. Its messages name members of the input, such as `gear1.profile_shift`.
 Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
 
 }  // namespace gearwright

@@ -69,7 +69,8 @@ std::vector<Part> parts_of(const Drive& drive, const WantedSafety& wanted) {
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
     if (!drive.geometry.pairs[m]) continue;
     for (Finding& f : mesh_findings(drive, m, wanted)) {
-      // A finding about a single gear is listed once, with the first mesh of that gear.
+      // A gear may belong to several meshes. A finding about this gear alone is listed only once,
+      // with its first mesh.
       const auto same = [&](const Part& part) {
         return part.mesh && f.gear > 0 && part.finding.gear > 0 && part.finding.code == f.code &&
                part.finding.message == f.message &&
@@ -102,7 +103,7 @@ std::optional<DriveChange> of_drive(const Drive& drive, std::size_t m, const Spe
   return DriveChange{change.what, gear_index(drive, m, change.gear), change.value};
 }
 
-// True if every other part is at least as good as before.
+// True if no other finding is worse than before the change.
 bool no_worse(const std::vector<Part>& before, const std::vector<Part>& after, std::size_t mesh) {
   return std::all_of(after.begin(), after.end(), [&](const Part& now) {
     if (now.mesh == mesh || now.finding.level == Level::green) return true;
@@ -199,10 +200,10 @@ std::string running(const Drive& drive) {
   for (const auto& rating : drive.ratings)
     if (rating) ratings.push_back(&rating->rating);
   text += safety_words(ratings);
-  constexpr double kNone = 1e-9;  // mm, for rounding
+  constexpr double kNone = 1e-9;  // mm; a smaller backlash is a rounding error
   if (*least > kNone) return text + fmt::format(" The least backlash is {:.3f} mm.", *least);
   const double recommended = recommended_backlash(distance, module);
-  // Both gears of a mesh are thinned by the same amount, j_n = −2 E_sn cos α_n.
+  // j_n = −2 E_sn cos α_n, because both gears of a mesh get the same allowance E_sn.
   const double allowance =
       -std::ceil(recommended / 2 / std::cos(Angle::degrees(20).rad()) * 100) / 100;
   return text + fmt::format(
@@ -255,7 +256,7 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
   });
   Verdict verdict;
   if (!parts.empty()) verdict.level = parts.front().finding.level;
-  // Remedies are not rated, so none is tried for a rated drive.
+  // A remedy is not rated, so no remedy is tried for a rated drive.
   if (verdict.level != Level::green && parts.front().mesh && drive.ratings.empty())
     add_remedy(parts, drive, input, key_of, wanted);
   for (Part& part : parts) {

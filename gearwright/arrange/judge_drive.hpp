@@ -1,5 +1,5 @@
-// Judges a whole drive by the worst finding of its meshes and of the assembly. A remedy is tried on the
-// whole drive before it is named.
+// Judges a drive. The verdict is the worst finding of its meshes and its assembly. A remedy is
+// tried on the whole drive before it is proposed.
 #pragma once
 
 #include <functional>
@@ -13,24 +13,25 @@ namespace gearwright {
 /// A change of one number of a drive.
 struct DriveChange {
   Adjustable what;
-  std::size_t index;  ///< of the gear, or of the mesh if `what` is a centre distance
-  double value;       ///< as in SpecChange
+  std::size_t index;  ///< index of the gear, or of the mesh if `what` is a centre distance
+  double value;       ///< the new value, as in SpecChange
 };
 
-/// The drive with a change; none if a drive has no such number.
+/// The drive with this change. None if the drive has no such number.
 std::optional<DriveInput> changed(const DriveInput& input, const DriveChange& change);
 
-/// The verdict over the assembly and the meshes. A message about a mesh begins with the name of the mesh.
-/// If planets can be mounted only axially, the finding is green, because this is the usual way.
+/// The verdict on the assembly and the meshes. A message about a mesh begins with the name of the
+/// mesh.
+/// Planets that can only be mounted axially are a green finding, because this is the usual way.
 ///
-/// `wanted`  least safeties of a rated drive
-/// `key_of`  returns the key of a change in the spec, which is added to the remedy; may be empty
+/// `wanted`  required safeties of a rated drive
+/// `key_of`  returns the key of a change in the spec, which the remedy then contains; may be empty
 Verdict judge_drive(const Drive& drive, const DriveInput& input,
                     const std::function<std::string(const DriveChange&)>& key_of = {},
                     const WantedSafety& wanted = {1.0, 1.0});
 
-/// The level of the verdict of judge_drive(), without a search for remedies. Planets at unequal pitch do not count
-/// if the caller has requested them.
+/// The level of the verdict of judge_drive(), without a search for remedies. If the caller has
+/// requested unequally spaced planets, `unequal_spacing_counts` is false and they are no finding.
 Level drive_level(const Drive& drive, const WantedSafety& wanted, bool unequal_spacing_counts);
 
 }  // namespace gearwright

@@ -1,7 +1,7 @@
-// Law: in 360 steps of the sun, the outlines of sun, planets and ring do not overlap if the verdict
-// is green, and overlap if the verdict is red because of an overlap. The oracle uses only the
-// points of the outlines: two gears overlap if a point of one gear lies inside a tooth of the other
-// gear.
+// Law: while the sun turns in 360 steps, the outlines of sun, planets and ring overlap nowhere if
+// the verdict is green. They overlap somewhere if the verdict is red because of an overlap. The
+// oracle uses only points of the outlines: two gears overlap if a point of one gear lies inside a
+// tooth of the other gear.
 #include "gearwright/arrange/judge_drive.hpp"
 
 #include <fmt/format.h>
@@ -35,8 +35,8 @@ class Tooth {
   int teeth() const { return z_; }
   const std::vector<Vec2>& points() const { return points_; }
 
-  /// Depth of the point (ρ, ψ) inside the tooth across the flank, with ψ from the middle of the
-  /// tooth, in mm; negative outside the tooth.
+  /// Depth of the point (ρ, ψ) inside the tooth, normal to the flank, in mm; negative outside the
+  /// tooth. ψ is measured from the middle of the tooth.
   double depth(double rho, double psi) const {
     const double pitch = kTurn / z_;
     psi = std::abs(std::remainder(psi, pitch));
@@ -59,15 +59,15 @@ class Tooth {
   std::vector<Vec2> points_;  // radius, polar angle from the middle of the tooth
 };
 
-// The greatest depth of points of gear a inside gear b.
+// The greatest depth of any point of gear a inside gear b.
 double depth_in(const Tooth& a, const PlacedGear& at_a, const Tooth& b, const PlacedGear& at_b) {
   double worst = -1e9;
   const Vec2 towards = at_b.axis - at_a.axis;
   const double line = std::atan2(towards.y(), towards.x());
   for (int k = 0; k < a.teeth(); ++k) {
     const double middle = at_a.angle + kTurn * k / a.teeth();
-    // Only teeth on the side of the mesh can reach the other gear. For a pinion in a ring, these
-    // are the teeth away from the axis of the ring.
+    // Only teeth near the mesh can reach the other gear. For a pinion in a ring, these teeth point
+    // away from the axis of the ring.
     const double off = std::abs(std::remainder(middle - line, kTurn));
     if (std::min(off, kTurn / 2 - off) > 0.9) continue;
     for (const Vec2& p : a.points()) {
@@ -81,10 +81,10 @@ double depth_in(const Tooth& a, const PlacedGear& at_a, const Tooth& b, const Pl
   return worst;
 }
 
-// The greatest overlap of any two gears of the set after the given turns of the sun, and its turn.
+// The greatest overlap of any two gears of the set, and the rotation of the sun at which it occurs.
 struct Overlap {
   double depth;  ///< modules
-  double turn;   ///< of the sun, in turns
+  double turn;   ///< rotation of the sun, in turns
 };
 
 Overlap overlap_at(const Drive& drive, const std::vector<double>& turns, int points_per_arc) {
@@ -110,10 +110,10 @@ Overlap overlap_at(const Drive& drive, const std::vector<double>& turns, int poi
   return worst;
 }
 
-// The chords of outlines with 60 points per arc are within 1e-4 m of the curves, and their error
-// falls with the square of the number of points. If this does not decide, 600 points per arc are
-// used at the worst step. The thinnest overlap of LongJudgeDrive's 100 red sets is 3.1e-5 m
-// (21:16:52, backlash −0.0001 mm).
+// With 60 points per arc, the chords of an outline are within 1e-4 modules of the curve. This error
+// falls with the square of the number of points. If 60 points do not decide a case, the worst step
+// is repeated with 600 points per arc. The thinnest overlap in the 100 red sets of LongJudgeDrive
+// is 3.1e-5 modules (21:16:52, backlash −0.0001 mm).
 constexpr double kChords = 1e-4;
 
 double overlap(const Drive& drive, int steps) {
@@ -135,7 +135,8 @@ struct Counts {
   int green = 0, red = 0;
 };
 
-// Draws random sets until enough sets are green and enough sets are red because of an overlap.
+// Draws random sets until it has `green` green sets and `red` sets that are red because of an
+// overlap.
 Counts try_sets(unsigned seed, int green, int red, int steps) {
   std::mt19937 random(seed);
   const auto pick = [&](int lo, int hi) { return std::uniform_int_distribution(lo, hi)(random); };
@@ -217,8 +218,8 @@ TEST(JudgeDrive, ASetWithoutTipDiametersRuns) {
   }
 }
 
-// The eight lines of a printed set. With large profile shifts, tips have no clearance unless they
-// are shortened.
+// The spec of this set has only eight lines. With large profile shifts, the tips have no clearance
+// unless they are shortened.
 TEST(JudgeDrive, EightLinesAreEnough) {
   PlanetarySpec set;
   set.z(M::sun) = 19;
@@ -243,7 +244,8 @@ TEST(JudgeDrive, ARemedyIsTriedOnTheWholeDrive) {
   PlanetarySpec set = example();
   set.profile_shift.each[0] = 0.2;
   set.profile_shift.each[3] = 0.1;
-  set.tip_diameter.each[5] = 137.6;  // for the ring, below the flanks of the planets
+  set.tip_diameter.each[5] = 137.6;  // tip diameter of the ring, deeper than the flanks of the
+                                     // planets
   DriveInput input{*graph_of(set), {}};
   const auto drive = make_drive(input);
   ASSERT_TRUE(drive);

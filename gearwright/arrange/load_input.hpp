@@ -1,5 +1,5 @@
-// The load of a pair or of a drive: torques, deflections of the shafts, probes of single teeth,
-// planets.
+// The load of a pair or of a drive: torques, shaft deflections, probes of single teeth, and data of
+// the planets.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// A load on one tooth, and the place at which its deflection is computed.
+/// A load on one tooth, and the points at which the deflection is computed.
 struct LoadProbeInput {
   int gear = 1;
   double diameter = 0.0;                     ///< mm
@@ -21,23 +21,24 @@ struct LoadProbeInput {
   std::vector<double> read_z{};              ///< mm
 };
 
-/// The load of a pair or of a drive, and the resolution of the computation.
+/// The load on a pair or a drive, and the resolution of the computation.
 struct LoadInput {
   bool given = false;             ///< true if there is a load or a probe
-  std::vector<double> torques{};  ///< N m, on gear 1; of a drive on its input
+  std::vector<double> torques{};  ///< N m, on gear 1 of a pair or on the input of a drive
   int driver = 1;
-  int positions = 64;              ///< per pitch
+  int positions = 64;              ///< number per pitch
   std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of positions
-  std::optional<int> slices{};     ///< fair_slices by default
+  std::optional<int> slices{};     ///< default: fair_slices
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   double deflection_slope = 0.0;  ///< µm
   double deflection_bow = 0.0;    ///< µm
   double deflection_offset =
       0.0;  ///< µm, constant over the face; used for a half of a double-helical gear
   std::vector<LoadProbeInput> probes{};
-  // Of drives only:
-  std::string floating{};            ///< body that is free to move radially; empty: none
-  std::vector<double> pin_errors{};  ///< µm, of each planet, tangential; one number: of the first
+  // For drives only:
+  std::string floating{};            ///< body that is free to move radially; empty if there is none
+  std::vector<double> pin_errors{};  ///< µm, tangential, one for each planet; a single number
+                                     ///< applies to the first planet
 };
 
 constexpr int kMostTorques = 100, kMostProbes = 100, kMostReadings = 1000;

@@ -10,7 +10,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFullLineLoad = 100;  // N/mm: the standard reduces the stiffness below it
+constexpr double kFullLineLoad = 100;  // N/mm; for smaller line loads, the standard reduces the
+                                       // stiffness
 
 // σ_F0 of gears 1 and 2 under a tangential force of 1 N.
 std::optional<std::array<double, 2>> nominal_per_newton(const RatedPair& pair) {

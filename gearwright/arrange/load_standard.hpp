@@ -1,4 +1,4 @@
-// The stiffness and root stress of ISO 6336 for the torques of a loaded contact, for comparison.
+// Mesh stiffness and root stress by ISO 6336, for comparison with the results of loaded contact.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace gearwright {
 
-/// The values of ISO 6336 at each torque of a result with contact, for solid discs; empty if the
-/// standard does not cover the pair.
+/// The values of ISO 6336, assuming solid discs, at each torque for which `answer` has contact.
+/// Empty if the standard does not cover the pair.
 std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer);
 
 }  // namespace gearwright

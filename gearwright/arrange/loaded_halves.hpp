@@ -1,4 +1,4 @@
-// Computes a double-helical pair under torque: each half under half of the torque, and the whole gears.
+// Computes a double-helical pair under torque: each half, and the whole gears.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace gearwright {
 
-/// The halves under half of each torque, and the whole gears. `arranged` is the half at z > 0.
-/// Deflections are given over the whole face including the gap. If one half is wider than its mating
-/// half, the middle of the narrower half is used for both.
+/// Computes each half under half of the torque, and combines them to the results of the whole
+/// gears. `arranged` is the half at z > 0. Deflections are given over the whole face including the
+/// gap. If mating halves differ in width, the middle of the narrower one applies to both.
 ///
 /// Domain    `halves` of both gears (contract)
 /// Errors    as loaded()
@@ -21,9 +21,9 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
                                    const ContactErrors& errors, const LoadInput& input,
                                    std::vector<Warning>& warnings, Progress* progress = nullptr);
 
-/// The input for one half, derived from that for the whole gears: half of the torque, and the
-/// deflections within this half. For `below`, rotations and z are those of the mirror image. Probes are
-/// left out.
+/// Derives the input for one half from the input for the whole gears: half of the torque, and the
+/// deflections over this half. If `below`, the rotations and z are those of the mirror image.
+/// Probes are omitted.
 LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Gear& gear_1,
                         bool below);
 

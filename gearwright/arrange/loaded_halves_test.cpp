@@ -1,6 +1,6 @@
-// Laws: (1) without errors, a half is a helical pair of its own under half of the torque   (2) the
-// deflections of the halves are those of the whole face   (3) a stagger multiplies harmonic k of the
-// loaded TE by |cos πks|   (4) mirrored errors exchange the halves.
+// Laws: (1) without errors, a half behaves as a separate helical pair under half of the torque
+// (2) the deflections of the halves agree with the deflection of the whole face   (3) a stagger s
+// multiplies harmonic k of the loaded TE by |cos πks|   (4) mirrored errors exchange the halves.
 #include "gearwright/arrange/loaded_halves.hpp"
 
 #include <gtest/gtest.h>

@@ -17,8 +17,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kMostPoisson = 0.49;  // at 0.5, plane strain has no stiffness matrix
-constexpr double kHertzRatio = 0.1;    // half width over radius; above it, the error of Hertz'
-                                       // theory exceeds a percent
+constexpr double kHertzRatio = 0.1;    // half width of the contact over radius of curvature; for a
+                                       // larger ratio, Hertz' theory is wrong by more than 1 %
 
 Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<Warning>& warnings) {
   const GearInput& input = arranged.completed.gear(which);
@@ -53,7 +53,7 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
   return body;
 }
 
-// The reason why teeth of this kind are not computed under load, if there is one.
+// The reason why loaded contact does not support teeth of this kind, if there is one.
 std::optional<Error> not_made_for(const Gear& gear, int which) {
   if (gear.involute() && !gear.tooth)
     return Error{gear_field(which, "cut_by"), "",
@@ -86,8 +86,8 @@ LoadRegime regime_of(const Arranged& arranged) {
   return arranged.pair->parallel() ? LoadRegime::line : LoadRegime::point;
 }
 
-// Deflections apply to line contact. For point contact, errors of mounting describe the
-// displacement.
+// Shaft deflections can be given for line contact only. For point contact, the errors of mounting
+// describe how the gears move.
 std::optional<Error> not_for_points(const LoadInput& input) {
   for (const auto& [field, value] : {std::pair("load.deflection_slope", input.deflection_slope),
                                      std::pair("load.deflection_bow", input.deflection_bow)})
@@ -98,8 +98,8 @@ std::optional<Error> not_for_points(const LoadInput& input) {
   return std::nullopt;
 }
 
-// Lists the rotations of gear 1 at positions for which `is` returns true, at most kMostNamed of them;
-// empty if there are none.
+// Lists the rotations of gear 1 for which `is` returns true, at most kMostNamed of them. Returns an
+// empty text if there are none.
 template <class Is>
 std::string rotations_where(const LoadedTorque& t, Is is) {
   constexpr int kMostNamed = 8;
@@ -115,7 +115,7 @@ std::string rotations_where(const LoadedTorque& t, Is is) {
 void warn_about(const LoadedContact& contact, double share, std::vector<Warning>& warnings) {
   const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
   const auto is_lost = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
-  // Contact or its absence does not depend on the torque.
+  // Whether teeth touch does not depend on the torque.
   if (const std::string where = rotations_where(contact.torques.front(), untouched);
       !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
     warnings.push_back(

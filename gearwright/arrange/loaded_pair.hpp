@@ -1,5 +1,5 @@
-// Computes a pair under torque and probes of its teeth: bodies, resolution, and a check that the result
-// can be used.
+// Computes a pair under torque, and probes of its teeth. Chooses bodies and resolution, and checks
+// that the result can be used.
 #pragma once
 
 #include <optional>
@@ -14,75 +14,77 @@
 
 namespace gearwright {
 
-/// The pair for contact analysis, with the modifications of its input.
+/// The pair for contact analysis, with the given flank modifications.
 ///
 /// Domain    a pair (contract)
 /// Errors    as ContactSetup::of
 Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& errors);
 
 struct LoadAnalysis {
-  std::optional<LoadedContact> contact;      ///< none if there are probes only
-  std::optional<PairCompliance> compliance;  ///< of its teeth
-  std::vector<ProbeAnswer> probes;           ///< of LoadInput::probes
-  /// The halves of a double-helical pair at z > 0 and at z < 0, otherwise empty. If there are halves,
-  /// the other results are those of the whole gears.
+  std::optional<LoadedContact> contact;      ///< none if the input contains only probes
+  std::optional<PairCompliance> compliance;  ///< compliance of the teeth
+  std::vector<ProbeAnswer> probes;           ///< results of LoadInput::probes
+  /// The halves of a double-helical pair at z > 0 and z < 0; empty for other gears. If there are
+  /// halves, the other members describe the whole gears.
   std::vector<LoadAnalysis> halves{};
 };
 
-/// The position of a half of a double-helical pair. Each half is computed as a separate pair, and the
-/// half at z < 0 as its mirror image.
+/// The position of one half of a double-helical pair. Each half is computed as a separate pair. The
+/// half at z < 0 is computed as its mirror image.
 struct HalfPlace {
-  std::array<double, 2> middle{};  ///< mm, as ContactMount
+  std::array<double, 2> middle{};  ///< mm, as in ContactMount
   bool below = false;
-  const PairCompliance* ready = nullptr;  ///< that of the other half, which has the same teeth
+  const PairCompliance* ready = nullptr;  ///< compliance of the other half, whose teeth are the
+                                          ///< same
 };
 
 /// Fraction of the root diameter at which a gear without a bore is held.
 inline constexpr double kShaft = 0.5;
 
-/// The pair under each of the torques, and its probes. Warnings about limits of the result are added
-/// to `warnings`.
+/// The pair under each of the torques, and the results of its probes. Warnings about the validity
+/// of the result are added to `warnings`.
 ///
 /// Domain    torques or probes; torques need a pair (contract)
 /// Errors    `pair.…` and `gearN.…` if loaded contact does not support such gears;
 ///           `gearN.material.poisson_ratio`, `gearN.bore.…`, `load.slices` if there are too many,
-///           `load.probe[i].…`; as setup_of
+///           `load.probe[i].…`; the errors of setup_of
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress = nullptr,
                             const std::optional<HalfPlace>& half = {});
 
-/// The pair under the single torque `torque` on gear 1, N m, with the other numbers of `input`.
+/// The pair under the single torque `torque` on gear 1, N m. All other numbers come from `input`.
 Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,
                                     const LoadInput& input, double torque,
                                     std::vector<Warning>& warnings, Progress* progress = nullptr);
 
-/// The computation of loaded() for torques, divided into steps: the compliance of the teeth, the
-/// contact at all positions, and finally judge_load().
+/// The computation that loaded() performs for the torques, divided into steps: first the compliance
+/// of the teeth, then the contact at all positions, and finally judge_load().
 struct LoadTask {
   ContactSetup setup;
   LoadRequest request;  ///< without progress
   bool gear2_drives = false;
-  bool with_errors = false;   ///< true with errors of mounting or deflections
-  double torque_share = 1.0;  ///< of the torque on gear 1; 0.5 for a half of a double-helical gear
+  bool with_errors = false;   ///< true if there are errors of mounting or deflections
+  double torque_share = 1.0;  ///< share of the torque on gear 1; 0.5 for one half of a
+                              ///< double-helical gear
 
   ContactPair pair() const { return setup.pair(gear2_drives); }
-  /// The same pair without errors, for K_Hα; none if there are no errors.
+  /// The pair without errors, which K_Hα needs as a reference; none if there are no errors.
   std::optional<ContactPair> perfect_pair() const;
   Result<PairCompliance> compliance() const;
   LoadedContact contact(const PairCompliance& compliance) const;
 };
 
-/// Errors    as loaded(), and `load` without torque
+/// Errors    as loaded(); `load` if no torque is given
 Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
                            const LoadInput& input, std::vector<Warning>& warnings);
 
-/// The reason why a result cannot be used. Warnings about limits of a usable result are added to
-/// `warnings`.
+/// The reason why a result cannot be used; none if it can be used. Warnings about the validity of
+/// the result are then added to `warnings`.
 std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,
                                 std::vector<Warning>& warnings);
 
-/// The warning that an edge of a tooth carries load under a torque, N mm.
+/// The warning that an edge of a tooth carries load under `torque`, N mm.
 Warning edge_carries_at(double torque);
 
 }  // namespace gearwright

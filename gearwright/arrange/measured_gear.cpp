@@ -11,8 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// The default diameter: the reference diameter if it is on the usable flank, otherwise the middle
-// of the flank.
+// The default measuring diameter: the reference diameter if it lies on the usable flank, otherwise
+// the middle of the flank.
 double default_chord_diameter(const Gear& g) {
   const double d = g.reference_diameter;
   const double end = 2 * g.tip_form_radius();
@@ -24,9 +24,10 @@ double default_chord_diameter(const Gear& g) {
   return d >= lo && d <= hi ? d : 0.5 * (lo + hi);
 }
 
-constexpr int kMostSpans = 31;  // gears with more have hundreds of teeth
+constexpr int kMostSpans = 31;  // a gear with more usable spans has hundreds of teeth
 
-// Measures a gear. A given tool that does not fit causes an error, and a default tool a warning.
+// Measures a gear. If a tool does not fit, a given tool causes an error and a default tool a
+// warning.
 class Measuring {
  public:
   Measuring(const Arranged& arranged, const MeasureRequest& request, std::vector<Warning>& warnings)
@@ -99,8 +100,8 @@ class Measuring {
     return std::nullopt;
   }
 
-  // The seat of a ball of the given diameter. Without one, the standard size is used, or the ideal size
-  // if the standard size does not fit.
+  // The seat of a ball of the given diameter. If none is given, the standard size is used. If the
+  // standard size does not fit, the ideal size is used.
   std::optional<Result<BallSeat>> seat(const std::optional<double>& given, GearMeasures& m) {
     if (given) return ball_in_space(gear_, *given);
     if (!m.sizes) return std::nullopt;
@@ -193,8 +194,8 @@ class Measuring {
     return std::nullopt;
   }
 
-  // Sets the tolerances of the axes of the pair from the gear with the coarser helix tolerance. A
-  // mating gear without a grade is assumed to have the grade of this gear.
+  // Sets the tolerances of the axes of the pair. They follow from the gear with the coarser helix
+  // tolerance. A mating gear without a grade gets the grade of this gear.
   void set_axes(FlankToleranceValues& t) {
     if (!request_.bearing_span) return;
     const int mate = 3 - which_;

@@ -1,5 +1,5 @@
-// Computes the dimensions of a gear that a workshop measures: span, balls, pins, chords, and flank
-// tolerances.
+// Computes the inspection dimensions of a gear: span, dimensions over balls and pins, chords, and
+// flank tolerances.
 //
 //   const auto measures = measure(*gear, {.span_teeth = 3});
 //   if (measures && measures->span) use(measures->span->length);
@@ -21,7 +21,7 @@
 namespace gearwright {
 
 struct ChordMeasure {
-  double diameter;  ///< mm, at which the jaws touch
+  double diameter;  ///< mm, at which the flanks touch the measuring faces
   ChordalThickness<double> chord;
 };
 
@@ -37,23 +37,23 @@ struct PinMeasure {
 
 struct ThicknessAt {
   double diameter;    ///< d_y  mm
-  double transverse;  ///< s_yt  mm, arc
-  double normal;      ///< s_yn  mm, arc
+  double transverse;  ///< s_yt  mm, arc length
+  double normal;      ///< s_yn  mm, arc length
   double half_angle;  ///< rad
   double helix;       ///< β_y  rad, signed
 };
 
-/// All measurements of one gear; an impossible one is absent.
+/// All inspection dimensions of one gear. A dimension that cannot be measured is absent.
 struct GearMeasures {
   std::optional<Span> span;
-  std::vector<Span> spans;  ///< usable ones
+  std::vector<Span> spans;  ///< all spans that can be measured
   std::optional<BallMeasure> balls;
   std::optional<PinMeasure> pins;
   std::optional<BallSizes> sizes;
   std::optional<ChordMeasure> chord;
   std::optional<ConstantChord> constant;
   std::optional<ThicknessAt> thickness;
-  std::optional<ReferenceGeometry<double>> reference;  ///< of an involute gear
+  std::optional<ReferenceGeometry<double>> reference;  ///< none for a gear with arcs
   std::optional<EvaluationRanges> ranges;
   std::optional<FlankToleranceValues> tolerances;  ///< none if no grade is given
 };
@@ -62,21 +62,23 @@ struct GearMeasures {
 struct MeasureRequest {
   int which = 1;
   MeasureInput tools{};        ///< default tools replace absent ones
-  const Pair* pair = nullptr;  ///< as mounted, for the active flank; null for a single gear
+  const Pair* pair = nullptr;  ///< mounted pair, for the active flank; null for a single gear
   std::optional<double> bearing_span{};  ///< L  mm, for the tolerances of the axes
-  /// Converts an error to words inside a warning; if empty, its message is used.
+  /// Converts an error to the text of a warning. If this function is empty, the error's message is
+  /// used.
   std::function<std::string(const Error&)> words{};
 };
 
-/// All measurements of a gear. An impossible measurement is absent. If its tool was not given, there is
-/// also a warning: `no_chord`, `no_span`, `no_balls`. A contact off the usable flank is also a warning.
+/// All inspection dimensions of a gear. A dimension that cannot be measured is absent. If its tool
+/// was not given, a warning gives the reason: `no_chord`, `no_span` or `no_balls`. A contact off
+/// the usable flank also causes a warning.
 ///
 /// Errors    `gearN.measure.…` if a given tool does not fit
 Result<GearMeasures> measure(const Arranged& arranged, const MeasureRequest& request,
                              std::vector<Warning>& warnings);
 Result<GearMeasures> measure(const Gear& gear, const MeasureInput& tools = {});
 
-/// The data on which flank tolerances depend, without the mating gear.
+/// The data of a gear that determine its flank tolerances, without the mating gear.
 ToleranceSubject tolerance_subject(const Gear& gear);
 
 }  // namespace gearwright

@@ -6,8 +6,8 @@
 
 namespace gearwright {
 
-/// Computes the result of arrange() without `ends` and `given`. Allowances that follow from a
-/// series or a reading must have been converted to numbers before (with_allowances).
+/// Computes the result of arrange() without `ends` and `given`. The caller must have converted
+/// allowances that follow from a series or a measurement to numbers (with_allowances).
 Result<Arranged> arrange_nominal(const GivenPair& given, Scope scope);
 
 }  // namespace gearwright

@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// "`gear1.profile_shift` = 0.433 and `gear2.profile_shift` = 0.14": the shifts that were absent.
+// The shifts that were absent: "`gear1.profile_shift` = 0.433 and `gear2.profile_shift` = 0.14".
 std::string chosen_shifts(const GivenPair& given) {
   std::string text;
   for (const int which : {1, 2}) {
@@ -45,7 +45,7 @@ std::optional<Error> forbidden_shifts(const GivenPair& given) {
 
 std::optional<Warning> note_shifts(const GivenPair& given) {
   if (!shifts_follow(given)) return std::nullopt;
-  constexpr double kRounding = 1e-12;  // modules: equal to 0 within rounding
+  constexpr double kRounding = 1e-12;  // modules; a smaller shift is a rounding error
   double greatest = 0.0;
   for (const auto& gear : given.gears)
     if (!gear->profile_shift)

@@ -1,5 +1,5 @@
-// Notes on the input: profile shifts that follow from the centre distance, overlapping flanks, and parts
-// that were not read.
+// Notes on the input: profile shifts that follow from the centre distance, flanks that overlap, and
+// keys that were ignored.
 #pragma once
 
 #include <optional>
@@ -12,26 +12,28 @@
 
 namespace gearwright {
 
-/// True if one or both profile shifts are absent and follow from the given centre distance.
+/// True if at least one profile shift is absent and follows from the given centre distance.
 bool shifts_follow(const GivenPair& given);
 
-/// A note on the computed shifts in `cylindrical`; none if no shift is computed or all are 0.
+/// A note that lists the computed shifts in `cylindrical`. None if no shift is computed or all are
+/// 0.
 std::optional<Warning> note_shifts(const GivenPair& given);
 
-/// An error if `pair.choose_profile_shifts` is false and shifts are missing. The message gives the names
-/// and possible values of these shifts.
+/// An error if shifts are missing and `pair.choose_profile_shifts` is false. The message names
+/// these shifts and gives possible values.
 std::optional<Error> forbidden_shifts(const GivenPair& given);
 
-/// A note that the flanks of an internal pair on crossed axes overlap beside the line of action;
-/// none if the lead crowning of `given` prevents this on the flanks of both directions.
+/// A note that the flanks of an internal pair on crossed axes overlap beside the line of action.
+/// None if the lead crowning in `given` prevents this in both directions of rotation.
 std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair);
 
-/// Adds those warnings of `found` that are not in `warnings` yet, with `before` in front of their messages.
+/// Adds each warning of `found` that `warnings` does not contain yet. `before` is put in front of
+/// its message.
 void add_new(std::vector<Warning> found, std::vector<Warning>& warnings,
              std::string_view before = {});
 inline constexpr std::string_view kSecondHalf = "Half at z < 0: ";
 
-/// The warning that `what`, a key or a table, was not read.
+/// The warning that the key or table `what` was ignored.
 Warning not_read(const std::string& what);
 
 }  // namespace gearwright

@@ -11,12 +11,13 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNoise = 0.01;  // µm, twice the accuracy of C_i: no reason for one more µm
+constexpr double kNoise = 0.01;  // µm, twice the accuracy of C_i; a smaller excess is not rounded
+                                 // up
 
 constexpr double kSame =
-    0.01;  // relative: reliefs of two gears that are nearer than this are equal
+    0.01;  // relative difference below which the reliefs of both gears are made equal
 
-// Whole µm, upwards, so that the tips carry no load.
+// Rounds up to whole µm, so that the tips carry no load.
 double whole_um_above(double mm) { return std::ceil(mm * kUmPerMm - kNoise) / kUmPerMm; }
 
 double whole_um(double mm) { return std::round(mm * kUmPerMm) / kUmPerMm; }
@@ -66,7 +67,8 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
   if (!found) return found.error();
   p.deflection = found->amount;
   p.unloaded = found->unloaded;
-  // Equal gears have equal reliefs, but half a percent is lost in the tables of neighbouring teeth.
+  // Equal gears need equal reliefs, but the tables of neighbouring teeth cause differences of
+  // half a percent.
   const double greater = std::max(p.deflection[0], p.deflection[1]);
   if (std::abs(p.deflection[0] - p.deflection[1]) < kSame * greater)
     p.deflection = {greater, greater};
@@ -81,8 +83,8 @@ FaceDeflection face_deflection(const RatedPair& pair, const MeshShafts& shafts, 
   GW_EXPECTS(shafts.any());
   const double F_t = 2 * torque / pair.gears[pair.place(1)].reference_diameter;
   const std::vector<double> f = shaft_deviation(pair, shafts, F_t);
-  // Least squares of c + S x + B (1 − 4x²). The points are symmetric about x = 0, so the linear
-  // part is independent of the others.
+  // Least squares fit of c + S x + B (1 − 4x²). The points are symmetric about x = 0, so S is
+  // independent of c and B.
   const auto n = static_cast<double>(f.size());
   const auto x_of = [&](std::size_t k) { return static_cast<double>(k) / (n - 1) - 0.5; };
   double mean = 0.0;
@@ -99,7 +101,7 @@ FaceDeflection face_deflection(const RatedPair& pair, const MeshShafts& shafts, 
     fg += f[k] * g;
     gg += g * g;
   }
-  constexpr double kSteps = 100.0;  // of 1 µm
+  constexpr double kSteps = 100.0;  // number of steps; they are 1 µm long
   const double normal = std::cos(pair.beta_b);
   const auto rounded = [&](double um) {
     return std::round(-um * normal * kSteps) / kSteps / kUmPerMm;

@@ -1,12 +1,12 @@
-// Flank modifications that follow from the load, the tolerances and the shafts: tip and root reliefs,
-// helix crowning and slope.
+// Proposes flank modifications that follow from load, tolerances and shaft deflection: tip and root
+// reliefs, helix crowning and helix slope.
 //
-//   C_i        least tip relief of gear i under the load [T12.27]          f_pt   single pitch
-//   C_a, C_f   tip and root relief              C_Hβ, C_β   helix slope and crowning
-//   δ(x)       approach of the flanks by deflection of the shafts, x = z/b      f_Hβ   helix slope
-//   S, B       its slope over the face and the height of its parabola
+//   C_i        least tip relief of gear i under the load [T12.27]   f_pt  single pitch deviation
+//   C_a, C_f   tip and root relief              C_Hβ, C_β   helix slope and crowning modification
+//   δ(x)       approach due to shaft deflection, x = z/b    f_Hβ  helix slope deviation
+//   S, B       slope of δ over the face, and height of its parabola
 //
-// Amounts are normal to the flank, and whole µm.      theory: docs/theory/12-loaded-contact.md
+// Amounts are normal to the flank and whole µm.     theory: docs/theory/12-loaded-contact.md
 #pragma once
 
 #include <array>
@@ -24,50 +24,51 @@ struct LeadProposal {
   bool any() const { return slope != 0.0 || crowning != 0.0; }
 };
 
-/// Reliefs at the tips of both gears. A tip and a root relief of gear 1 can replace them, because the
-/// root of gear 1 meets the tip of gear 2.
+/// Reliefs at the tips of both gears. A tip relief and a root relief of gear 1 can take their
+/// place, because the root of gear 1 meets the tip of gear 2.
 struct ReliefProposal {
   ReliefLength length = ReliefLength::short_relief;
   std::array<double, 2> deflection{};  ///< C_i  mm, due to the load
   /// False if the tip of a gear still carries load with the greatest relief.
   std::array<bool, 2> unloaded{true, true};
   std::array<double, 2> tip_start{};  ///< mm, diameters, rounded to 1 µm
-  double root_start = 0.0;            ///< mm, of gear 1
-  double root_factor = 1.0;  ///< C_f over C_a2: the flank of gear 1 begins below the first contact
+  double root_start = 0.0;            ///< mm, diameter on gear 1
+  double root_factor = 1.0;  ///< C_f/C_a2; not 1, because the flank of gear 1 starts below the
+                             ///< first contact
 
-  /// C_a of each gear and C_f of gear 1, mm. `pitch_deviation`: of both gears together, mm, normal
-  /// to the flank.
+  /// C_a of each gear and C_f of gear 1, mm. `pitch_deviation` is the sum for both gears, mm,
+  /// normal to the flank.
   std::array<double, 2> tip_amount(double pitch_deviation) const;
   double root_amount(double pitch_deviation) const;
 };
 
-/// The reliefs for the errors and deflections of the task, with the helix modifications of the input,
-/// or with those of `lead` instead.
+/// The reliefs for the errors and deflections of the task. The helix modifications are those of
+/// `lead` if given, otherwise those of the input.
 ///
 /// Formula   [T12.28], [T12.29], [T12.30]
 /// Domain    a pair with line contact, tables of its teeth (contract)
-/// None      if the pair has no reliefs of this length: ε_α ≤ 1, or ≥ 2 for long ones
+/// None      if reliefs of this length are impossible: ε_α ≤ 1, or ε_α ≥ 2 for long reliefs
 /// Errors    as unloaded_tips()
 Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, const LoadTask& task,
                                                      const PairCompliance& compliance,
                                                      ReliefLength length,
                                                      const LeadProposal* lead = nullptr);
 
-/// The deflection of the shafts as `load` uses it, mm.
+/// The shaft deflection in the form that `load` uses, mm.
 struct FaceDeflection {
   double slope = 0.0;  ///< S  over the common face, > 0 towards +z
   double bow = 0.0;    ///< B  in the middle
   bool any() const { return slope != 0.0 || bow != 0.0; }
 };
 
-/// The part of the deflection of both shafts under a torque on gear 1, N mm, that is linear and
-/// parabolic along the face, normal to the flank and rounded to 0.01 µm.
+/// The deflection of both shafts under a torque on gear 1, N mm, as a line and a parabola along the
+/// face, normal to the flank and rounded to 0.01 µm.
 ///
 /// Formula   [T12.31]
 /// Domain    a gear with a shaft is external (contract)
 FaceDeflection face_deflection(const RatedPair& pair, const MeshShafts& shafts, double torque);
 
-/// `face_1` is the face of gear 1 and `face` the common one, mm. `deviation`: f_Hβ of both gears
+/// `face_1` is the face of gear 1 and `face` the common face, mm. `deviation` is f_Hβ of both gears
 /// together over the common face, mm, normal to the flank.
 ///
 /// Formula   [T12.32]

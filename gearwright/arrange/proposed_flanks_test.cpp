@@ -1,4 +1,4 @@
-// The helix modifications follow from the deflection of the shafts and from the tolerances.
+// Laws of the proposed helix modifications, which follow from shaft deflection and tolerances.
 #include "gearwright/arrange/proposed_flanks.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(ProposedFlanks, DeflectionIsTheNearestParabola) {
     const MeshShafts shafts = shafts_of(-60, 90);
     const FaceDeflection d = face_deflection(pair, shafts, kTorque);
     const auto f = shaft_deviation(pair, shafts, 2 * kTorque / pair.gears[0].reference_diameter);
-    // What is left of the approach −f cos β_b, less its constant part.
+    // The approach −f cos β_b minus its fit; its constant part does not matter.
     double least = 1e9;
     double greatest = -1e9;
     for (std::size_t k = 0; k < f.size(); ++k) {
@@ -50,7 +50,7 @@ TEST(ProposedFlanks, DeflectionIsTheNearestParabola) {
     }
     EXPECT_LT(greatest - least, 0.05 * std::abs(d.slope) * kUmPerMm) << beta;
     EXPECT_GT(std::abs(d.slope), 1e-3);
-    EXPECT_LT(d.bow, 0.0);  // the middle of the face yields most between the bearings
+    EXPECT_LT(d.bow, 0.0);  // the deflection is greatest in the middle, between the bearings
   }
 }
 
@@ -74,8 +74,8 @@ TEST(ProposedFlanks, SlopeIsTheDeflectionOnAWiderFace) {
   EXPECT_FALSE(propose_lead({}, 0.0, 30, 30).any());
 }
 
-// [T12.32]: a flank with crowning C touches a plane that is askew by F over the face at the height
-// F b/(8 C), which is a quarter of the face off its middle.
+// [T12.32]: a flank with crowning C touches a plane that is inclined by F over the face at a
+// distance of F b/(8 C) from the middle, which is a quarter of the face.
 TEST(ProposedFlanks, CrowningKeepsTheContactInTheMiddleHalf) {
   constexpr double kF = 0.016;
   constexpr double kFace = 40.0;
@@ -91,7 +91,8 @@ TEST(ProposedFlanks, CrowningKeepsTheContactInTheMiddleHalf) {
     }
   }
   EXPECT_NEAR(nearest, kFace / 4, 0.011);
-  // A bow of the shafts that opens the gap in the middle needs as much more, the opposite less.
+  // A bow that opens the gap in the middle of the face adds to the crowning. The opposite bow
+  // reduces it.
   EXPECT_DOUBLE_EQ(propose_lead({0.0, -0.004}, kF, kFace, kFace).crowning, 0.012);
   EXPECT_DOUBLE_EQ(propose_lead({0.0, 0.005}, kF, kFace, kFace).crowning, 0.003);
   EXPECT_EQ(propose_lead({0.0, 0.02}, kF, kFace, kFace).crowning, 0.0);

@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// Calls f(gear, at_tip, relief, field) for each relief without a start until f returns a value.
+// Calls f(gear, at_tip, relief, field) for each relief without a start, until f returns a value.
 template <class Given, class F>
 auto first_without_start(Given& given, const F& f) {
   using Answer = decltype(f(1, true, given.gear(1).modifications[0].tip_relief, std::string()));
@@ -52,7 +52,7 @@ std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which, R
   if (is_long && !(mesh.true_ratio < 2.0)) return std::nullopt;
   const double beyond = mesh.rho1_true_end - mesh.rho1_true_begin - mesh.step;
   const double length = is_long ? beyond : beyond / 2;
-  // The tip of gear 1 touches at the end of the path of contact, and the tip of gear 2 at its
+  // The tip of gear 1 is in contact at the end of the path of contact, and the tip of gear 2 at its
   // start.
   const double near_end = mesh.rho1_true_end - length;
   const double near_begin = mesh.rho1_true_begin + length;

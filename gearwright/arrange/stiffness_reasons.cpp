@@ -15,11 +15,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kWorthANote = 0.25;  // smallest relative difference from c_γα that causes a note
-constexpr double kFactor = 0.03;      // a factor nearer to 1 than this is not named
-constexpr double kMuchLeft = 0.1;     // if the rest differs more from 1, shapes are examined too
-constexpr double kOverlap = 2.0;      // overlap ratio of a helical face that is not narrow
-constexpr double kWidest = 12.0;      // modules; wider faces take long without further insight
+constexpr double kWorthANote = 0.25;  // least relative difference from c_γα that causes a note
+constexpr double kFactor = 0.03;      // a factor within this distance of 1 is not mentioned
+constexpr double kMuchLeft = 0.1;     // shapes are examined if |rest − 1| is greater
+constexpr double kOverlap = 2.0;      // least overlap ratio of a helical face that is not narrow
+constexpr double kWidest = 12.0;      // modules; a wider face takes long and adds no insight
 constexpr double kLeastWider = 1.2;
 constexpr double kThickRim = 8.0;  // modules; an internal gear with this rim counts as solid
 constexpr int kPositions = 8, kMostSlices = 16;
@@ -61,8 +61,9 @@ double solid_body(const Gear& gear) {
                          : kShaft * gear.root_diameter;
 }
 
-// The stiffness of the pair without errors and modifications, with faces wider by a factor, under the
-// same line load. Its accuracy is coarse, but sufficient for ratios. NaN if there is no such pair.
+// The stiffness of the pair without errors and modifications, if its faces are wider by the factor
+// `wider` and the line load is unchanged. The accuracy is low, but sufficient for ratios. NaN if
+// there is no such pair.
 double drafted(const LoadTask& task, double torque, double wider, bool solid) {
   std::array<Gear, 2> gears{task.setup.gear(1), task.setup.gear(2)};
   LoadRequest request = task.request;
@@ -82,8 +83,8 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
                         request, torque * wider);
 }
 
-// Adds the effects that need new tables: a narrow helical face, and bodies that are thin or held close
-// to their teeth.
+// Adds the effects that need new compliance tables: a narrow helical face, and bodies that are thin
+// or held close to their teeth.
 void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
                   std::vector<StiffnessFactor>& factors) {
   const std::array<const Gear*, 2> gears{&task.setup.gear(1), &task.setup.gear(2)};

@@ -1,13 +1,13 @@
-// Finds the reasons why teeth under load are softer or stiffer than in the standard. The same pair is
-// computed without its errors, without its modifications, with a wider face, and with solid bodies.
+// Finds the reasons why teeth under load are softer or stiffer than ISO 6336 predicts. The pair is
+// computed again without errors, without modifications, with a wider face, and with solid bodies.
 #pragma once
 
 #include "gearwright/arrange/loaded_pair.hpp"
 
 namespace gearwright {
 
-/// Adds a note if the mean stiffness differs by more than a quarter from c_γα, with the factor of
-/// each cause and the remaining factor.
+/// Adds a note if the mean stiffness differs from c_γα by more than a quarter. The note gives the
+/// factor of each cause and the remaining factor.
 ///
 /// Domain    a result of this task with contact (contract)
 void explain_stiffness(const Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer,

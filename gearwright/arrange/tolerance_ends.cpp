@@ -15,7 +15,7 @@ namespace gearwright {
 
 namespace {
 
-// E_sn of a tooth that has this transverse thickness on the base cylinder, mm. [T10.19]
+// The allowance E_sn, mm, of a tooth with this transverse thickness on the base cylinder. [T10.19]
 double allowance_of(const Gear& gear, double base_thickness) {
   const ReferenceGeometry<double>& g = gear.reference();
   return gear.spec.thickness_allowance + (base_thickness - g.base_tooth_thickness) *
@@ -38,8 +38,8 @@ Result<Ends> of_span(const Gear& gear, const GearInput& input) {
     return gear.spec.thickness_allowance + (length - span->length) * per;
   };
   Ends ends{allowance(read[0]), allowance(read[1])};
-  std::sort(ends.begin(), ends.end());  // the greater span of an internal gear belongs to the
-                                        // thinner tooth
+  // On an internal gear, the greater span belongs to the thinner tooth.
+  std::sort(ends.begin(), ends.end());
   return ends;
 }
 
@@ -84,8 +84,8 @@ Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
   return std::optional<Ends>({-*half, *half});
 }
 
-// The tip diameter at one end. End 0 has the shorter tooth, and end 1 the longer one. On an internal
-// gear, the longer tooth has the smaller tip diameter.
+// The tip diameter at one end. End 0 has the shorter tooth, and end 1 the longer tooth. The longer
+// tooth of an internal gear has the smaller tip diameter.
 double tip_at_end(const Gear& gear, const Ends& deviations, std::size_t end) {
   return gear.tip_diameter + deviations[gear.internal() ? 1 - end : end];
 }
@@ -102,8 +102,8 @@ std::optional<Error> check_tips(const GivenPair& given) {
   return std::nullopt;
 }
 
-// The input at one end. End 0 has the thinnest and shortest teeth and the most backlash, and end 1 the
-// thickest and longest teeth and the least backlash.
+// The input at one end. End 0 has the thinnest and shortest teeth and the most backlash. End 1 has
+// the thickest and longest teeth and the least backlash.
 GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<Ends>& deviations) {
   GivenPair given = nominal.completed;
   for (std::size_t i = 0; i < nominal.gears.size(); ++i) {
@@ -112,14 +112,15 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
     if (gear.tolerance.tip_deviations)
       gear.cylindrical.tip_diameter =
           tip_at_end(nominal.gears[i], *gear.tolerance.tip_deviations, end);
-    // Values that are computed from the centre distance remain those of the drawing.
+    // The profile shift is that of the drawing, even if it was computed from the nominal centre
+    // distance.
     if (nominal.gears[i].involute() && !gear.cut_by)
       gear.profile_shift = nominal.gears[i].spec.profile_shift;
   }
   if (given.pair.backlash_ends) {
     given.pair.backlash = (*given.pair.backlash_ends)[1 - end];
   } else if (given.pair.wants_backlash()) {
-    // A given backlash applies to the nominal gears, so the teeth thinned for it do not change.
+    // A given backlash applies to the nominal gears. The thickness that they need for it is kept.
     given.pair.backlash.reset();
     given.pair.backlash_circumferential.reset();
     given.pair.backlash_angle.reset();
@@ -245,7 +246,7 @@ std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
     if (nominal.completed.gears[i]->tolerance.tip_deviations)
       add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,
           upper.gears[i].tip_diameter);
-    // The thickness of these teeth is determined by the cutter or by the given base cylinder.
+    // The cutter or the given base cylinder determines the thickness of these teeth.
     if (nominal.completed.gears[i]->cut_by || nominal.completed.gears[i]->basic) continue;
     add(TolerancedNumber::Of::thickness, which, lower.gears[i].spec.thickness_allowance,
         upper.gears[i].spec.thickness_allowance);
@@ -272,7 +273,7 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
                            const ToleranceCorner& corner) {
   GivenPair given = nominal.completed;
   PairInput& pair = given.pair;
-  pair.backlash.reset();  // the teeth are already thinned for the backlash
+  pair.backlash.reset();  // `completed` already contains the thinned teeth
   pair.backlash_circumferential.reset();
   pair.backlash_angle.reset();
   pair.backlash_ends.reset();

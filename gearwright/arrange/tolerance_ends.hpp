@@ -1,9 +1,10 @@
-// Converts tolerances to numbers, and computes the gears at both ends of their tolerances and at every
+// Converts tolerances to numbers. Computes the gears at both ends of their tolerances and at every
 // combination of the ends.
 //
-// Backlash, contact ratio, clearances, tip thickness and safeties are monotonic in each toleranced
-// number over its small range. The worst value of each is therefore at a corner of the box of tolerances.
-// Internal to arrange/.
+// Over the small range of a tolerance, backlash, contact ratio, clearances, tip thickness and
+// safeties are monotonic in each toleranced number. The worst value of each quantity therefore
+// occurs at a combination of ends, which is a corner of the box of tolerances. Internal to
+// arrange/.
 #pragma once
 
 #include <array>
@@ -16,40 +17,42 @@
 
 namespace gearwright {
 
-/// The input with allowances converted to numbers from DIN 3967, a span, or a dimension over balls.
+/// The input with numerical allowances in place of a DIN 3967 series, a span, or a dimension over
+/// balls.
 ///
-/// Errors    `gearN.tolerance.…` if the series does not exist, if no tooth has the given reading, or if
-///           the measuring tool is missing
+/// Errors    `gearN.tolerance.…` if the series does not exist, if no tooth has the given dimension,
+///           or if the measuring tool is missing
 Result<GivenPair> with_allowances(const GivenPair& given);
 
-/// Computes the deviations of tip diameters that are given by a fit.
+/// Computes the deviations of tip diameters whose tolerance is given as a fit.
 ///
-/// Errors    `gearN.tolerance.tip_fit` if the fit does not exist; `gearN.tip_diameter` beyond the table
+/// Errors    `gearN.tolerance.tip_fit` if the fit does not exist; `gearN.tip_diameter` if the
+///           diameter is outside the table of fits
 std::optional<Error> apply_tip_fits(Arranged& nominal);
 
-/// Gears and pair at both ends; none if there are no tolerances.
+/// Gears and pair at both ends. None if there are no tolerances.
 ///
-/// Errors    as arrange() at that end; `pair.backlash` if the tolerance of the centre distance
-///           alone exceeds it; `pair.distance_tolerance`
+/// Errors    as arrange() for the gears at that end; `pair.backlash` if the tolerance of the centre
+///           distance alone exceeds it; `pair.distance_tolerance`
 Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal, Scope scope);
 
 /// One toleranced number.
 struct TolerancedNumber {
   enum class Of { thickness, tip, distance } of;
-  int gear;   ///< 1, 2; 0 for the pair
+  int gear;   ///< 1 or 2; 0 for the pair
   Ends ends;  ///< mm: thickness allowance, tip diameter, centre distance
 };
 
 /// The tolerances; empty if there are none.
 std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal);
 
-/// For each tolerance the end that applies, 0 or 1; none for its nominal value.
+/// For each tolerance, the end to use (0 or 1). None stands for the nominal value.
 using ToleranceCorner = std::vector<std::optional<std::size_t>>;
 
 /// All combinations of ends.
 std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tolerances);
 
-/// The gears and the pair at this corner.   Errors  as arrange()
+/// The gears and the pair at one corner.   Errors  as arrange()
 Result<Arranged> at_corner(const Arranged& nominal, const std::vector<TolerancedNumber>& tolerances,
                            const ToleranceCorner& corner);
 

@@ -1,7 +1,8 @@
-// Double-helical gears: two halves of opposite hands on one body, with a gap or without one.
+// Double-helical gears. Such a gear has two halves of opposite hands on one body, with or without a
+// gap.
 //
-// Each half is an ordinary helical gear, and two halves mesh as a helical pair with the face width of a
-// half. The half at z > 0 is arranged and mounted.
+// Each half is an ordinary helical gear. Two mating halves form a helical pair with the face width
+// of a half. The half at z > 0 is the one that is arranged and mounted.
 //
 //   b      whole face with the gap, mm     b_B  face of one half, (b − gap)/2, mm
 //   d_a0   outer diameter of the hob, mm   l_0  half its cutting length, mm     γ_0  its lead angle
@@ -20,34 +21,36 @@ struct Halves {
   double face_width = 0.0;                ///< b    mm
   double half_face_width = 0.0;           ///< b_B  mm
   std::optional<double> groove_diameter;  ///< mm, as given or d_f ∓ m_n/2; none without a gap
-  std::optional<double> hob_run_out;      ///< mm, the least gap for the run-out of the hob
-  double axial_shift_per_index_error;  ///< Δz/e, the axial shift of the floating gear that divides
-                                       ///< an index error between both halves
+  std::optional<double> hob_run_out;      ///< mm, least gap that the run-out of the hob needs
+  /// Δz/e: axial shift of the floating gear per index error e between its halves. The shift divides
+  /// the error equally between the halves.
+  double axial_shift_per_index_error;
 };
 
-/// Replaces each double-helical gear by its half.
+/// Replaces each double-helical gear by one of its halves.
 ///
 /// Formula   [T2.42]
-/// Errors    `gearN.face_width` that is absent, `gearN.double_helical.gap` that leaves no half,
-///           `gearN.double_helical` that is absent while the mating gear has one,
-///           `gear2.double_helical.gap` if the halves are not opposite each other,
-///           `gear2.double_helical.stagger_pitches` that differ
+/// Errors    `gearN.face_width` if it is absent; `gearN.double_helical.gap` if it leaves no half;
+///           `gearN.double_helical` if it is absent and the mating gear is double-helical;
+///           `gear2.double_helical.gap` if the halves are not opposite each other;
+///           `gear2.double_helical.stagger_pitches` if the staggers differ
 std::optional<Error> halve(GivenPair& given);
 
 /// Formula   [T2.43], [T2.44]
-/// Domain    `half` has the face of one half
-/// Errors    `helix_angle` of 0, `double_helical.groove_diameter` of a groove that is not deeper than
-///           the teeth, `double_helical.hob_diameter` of a hob that is less than twice as thick
-///           as the teeth are deep
+/// Domain    `half` has the face width of one half
+/// Errors    `helix_angle` if it is 0; `double_helical.groove_diameter` if the groove is not deeper
+///           than the teeth; `double_helical.hob_diameter` if it is less than twice the depth of
+///           the teeth
 Result<Halves> halves_of(const Gear& half, const DoubleHelical& given);
 
 /// The diameter of the groove between two halves, mm: as given, or d_f ∓ m_n/2; none without a gap.
 std::optional<double> groove_diameter(const Gear& half, const DoubleHelical& given);
 
-/// A warning that staggered halves have no gap between them.
+/// A warning if staggered halves have no gap between them.
 std::optional<Warning> stagger_warning(const Halves& halves, int which);
 
-/// A warning that the hob's run-out needs a wider gap; none if it does not, or if no hob is given.
+/// A warning if the run-out of the hob needs a wider gap. None if the gap suffices or no hob is
+/// given.
 std::optional<Warning> run_out_warning(const Halves& halves, int which);
 
 }  // namespace gearwright

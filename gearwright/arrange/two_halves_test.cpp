@@ -1,6 +1,6 @@
 // Laws of the two halves:
-// (1) a half is a helical gear whose face width is half of the face width without the gap
-// (2) one gap suffices for both hands of the hob
+// (1) the face width of a half is half of the face width without the gap
+// (2) the gap suffices for both settings of the hob
 // (3) an axial shift by Δz rotates a half by e/2 on its pitch circle
 #include "gearwright/arrange/two_halves.hpp"
 
@@ -69,7 +69,7 @@ TEST(TwoHalves, what_makes_no_pair_of_halves_is_an_error) {
   EXPECT_EQ(field(pair_of(30, 150), {gap_30, gap_30}), "gear1.double_helical.gap");
   EXPECT_EQ(field(pair_of(150, 150), {gap_30, DoubleHelical{.gap = 30, .stagger_pitches = 0.5}}),
             "gear2.double_helical.stagger_pitches");
-  // The wider gear may have the narrower gap, but not the wider gap.
+  // The gap of the wider gear may be narrower than the gap of its mating gear, but not wider.
   EXPECT_EQ(field(pair_of(160, 150), {gap_10, gap_30}), "");
   EXPECT_EQ(field(pair_of(160, 150), {gap_30, gap_10}), "gear2.double_helical.gap");
   GivenPair open = pair_of(150, 150);

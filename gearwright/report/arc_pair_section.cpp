@@ -44,7 +44,7 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
   add_bodies(f, scene, {kDegPerRad * angles[0], kDegPerRad * angles[1]});
   f.line({{0.0, 0.0}, {pair.center_distance, 0.0}}, "thin dashdot");
   add_circles(f, scene, true);
-  // The component of the normal in this section.
+  // Direction of the common normal, projected onto this section.
   const Vec2 n = Vec2(contact.at.normal.x(), contact.at.normal.y()).normalized() * 1.6 * m;
   f.line({p - n, p + n}, "action-line");
   f.dot(p, 4.0, "mark action-dot");
@@ -63,7 +63,7 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
   const Eigen::Isometry3d pose = pair.pose_2().isometry();
   std::array<double, 2> angles{pair.gears[0].twist() * z,
                                std::atan2(pose(1, 0), pose(0, 0)) + pair.gears[1].twist() * z};
-  // The concave gear is turned relative to the convex one, so that the flanks touch.
+  // The concave gear is turned until its flank touches the flank of the convex gear.
   angles[contact.convex_gear == 1 ? 1 : 0] += contact.at.rotation_offset.rad();
   return angles;
 }

@@ -1,5 +1,5 @@
-// The page of a pair of circular-arc gears is valid HTML, contains nothing about involutes, and
-// shows flanks that touch.
+// The page of a circular-arc pair is valid HTML, does not mention involutes, and shows flanks that
+// touch.
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/report/report_sections.hpp"
 
@@ -62,7 +62,7 @@ TEST(ArcPairSection, verdict_names_what_is_amiss) {
   EXPECT_NE(page.find("does not run as specified: contact is not continuous"), page.npos);
 }
 
-// In the picture, the marked point lies on both flanks.
+// In the picture, the mark of the contact point lies on both flanks.
 TEST(ArcPairSection, drawn_flanks_meet_in_the_mark) {
   using Complex = std::complex<double>;
   const ArcPair pair = double_pair();

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kWidth = 520.0;
 constexpr double kAspect = 520.0 / 400.0;
-constexpr double kMinShift = 0.02;  // m_n; smaller shifts are not visible
+constexpr double kMinShift = 0.02;  // m_n; a smaller |a − a_d| is not visible
 
 struct Centrodes {
   std::array<double, 2> reference, working;  // radii, mm
-  double side_1, side_2;                     // direction of the mesh from each axis: ±1
+  double side_1, side_2;                     // direction from each axis to the mesh: ±1
   double a_d, a;                             // mm
 };
 
@@ -51,9 +51,9 @@ Figure with_axes(const std::string& id, const std::string& title, const std::str
   return f;
 }
 
-// Draws a dimension between two points of the centre line, below that line. The arrows are inside,
-// or outside if there is no room. The text is beside the dimension, because the pitch circles pass
-// between its ends.
+// Draws a dimension between two points of the centre line, below this line. The arrows are between
+// the points, or outside them if there is no room. The text is beside the dimension, because the
+// pitch circles pass through the space between the points.
 void add_dimension(Figure& f, double x_1, double x_2, const std::string& words) {
   const double unit = (f.x.hi - f.x.lo) / kWidth;  // mm per px
   const auto [lo, hi] = std::minmax(x_1, x_2);

@@ -18,8 +18,8 @@ TEST(CentrodePicture, OnlyWhereTheShiftIsSeen) {
   EXPECT_TRUE(centrodes_are_worth_a_picture(testing::pinion_in_cut_ring()));
   EXPECT_FALSE(centrodes_are_worth_a_picture(testing::undercut_pair()));
   EXPECT_FALSE(centrodes_are_worth_a_picture(testing::crossed_pair()));
-  // The first pair has no shifts and a larger centre distance. The second has opposite shifts,
-  // which do not change the centre distance.
+  // The first pair has no profile shifts and a larger centre distance. The second pair has profile
+  // shifts that add up to zero, so its centre distance is the reference one.
   const ParallelPair apart = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 60.5);
   EXPECT_FALSE(centrodes_are_worth_a_picture(apart));
   const ParallelPair against =
@@ -34,8 +34,8 @@ TEST(CentrodePicture, SaysWhatHappensToTheReferenceCircles) {
   EXPECT_TRUE(has(closer, "= 62.6425 mm"));
   EXPECT_TRUE(has(closer, "= 61.3351 mm"));
   EXPECT_TRUE(has(centrode_figures(testing::helical_pair()), "are apart by"));
-  // The pinion is nearer to the axis of its internal gear, so its circle no longer reaches that of
-  // the internal gear.
+  // The centre distance of this internal pair is smaller than the reference one, so the reference
+  // circle of the pinion does not reach that of the internal gear.
   EXPECT_TRUE(has(centrode_figures(testing::pinion_in_cut_ring()), "are apart by 0.9245 mm"));
 }
 

@@ -18,11 +18,11 @@ namespace gearwright {
 namespace {
 
 constexpr double kAspect = 640.0 / 460.0;
-constexpr double kShown = 4.9;  // modules, the width of a picture
+constexpr double kShown = 4.9;  // modules, width of a picture
 
-// The outline of a rack in the frame of the convex gear's tooth, over two pitches on each side of the
-// middle. A point is (height towards the mating gear, across). With `mate`, the rack is turned over and
-// moved by half a pitch.
+// The outline of a rack in the frame of the convex gear's tooth, over two pitches on either side of
+// the middle. Each point is (height towards the mating gear, distance across). If `mate`, the rack
+// is turned upside down and moved by half a pitch.
 std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   const double pitch = kPi * gear.spec.normal_module;
   const std::vector<Vec2> half = rack_half_tooth(gear);
@@ -37,7 +37,7 @@ std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   return chain;
 }
 
-// The polygon of a chain, closed through the material at `depth` behind it.
+// The polygon of a chain of points, closed through the material at the distance `depth` behind it.
 std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   const Vec2 first = chain.front();
   const Vec2 last = chain.back();
@@ -46,7 +46,7 @@ std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   return chain;
 }
 
-// A figure of the plane whose middle is `up` mm above the origin.
+// An empty figure of a plane. The middle of the figure is `up` mm above the origin.
 Figure plane_of(const std::string& id, const std::string& title, const std::string& description,
                 double m, double up) {
   const Vec2 middle(0.0, up), half(kShown * m / 2, kShown * m / kAspect / 2);
@@ -63,8 +63,8 @@ void add_material(Figure& f, const std::vector<Vec2>& chain, double depth, std::
   f.line(all_upright(chain), std::string("outline ") + kInk[gear]);
 }
 
-// An arc of the circle about `center` through `at`, extending ± `half` rad on both sides of it, and
-// its radius.
+// Draws an arc of the circle about `center` through `at`, which extends `half` rad to either side
+// of `at`, and draws the radius to `at`.
 void add_arc_radius(Figure& f, const Vec2& center, const Vec2& at, std::size_t gear, bool dashed) {
   const double turn = std::atan2(at.y() - center.y(), at.x() - center.x());
   const double radius = (at - center).norm();
@@ -79,7 +79,7 @@ void add_arc_radius(Figure& f, const Vec2& center, const Vec2& at, std::size_t g
 }
 
 struct Arcs {
-  std::size_t convex, concave;  // indices of the gears
+  std::size_t convex, concave;  // indices of the two gears
   WorkingArc v, c;
 };
 
@@ -87,7 +87,8 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
   const std::size_t convex = contact.convex_gear == 1 ? 0 : 1;
   Arcs best{};
   double least = 1e300;
-  // The two arcs whose points with the normal angle of the contact coincide.
+  // Among all pairs of a convex and a concave arc, finds the arcs whose points at the normal angle
+  // of the contact coincide.
   for (const WorkingArc& v : convex_arcs(pair.gears[convex])) {
     for (const WorkingArc& c : concave_arcs(pair.gears[1 - convex])) {
       const double apart = std::abs((v.radius - c.radius) * std::sin(theta) - (v.b - c.b));
@@ -108,12 +109,12 @@ std::string arc_key(std::size_t gear, const char* shape, const WorkingArc& arc) 
                      symbol_html("b"), fixed(arc.b, 4));
 }
 
-// Domain: the racks touch at the reference distance.
+// Domain    the racks touch at the reference centre distance
 Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   const double theta = contact.nominal_theta->rad();
   const Arcs arcs = arcs_of_contact(pair, contact, theta);
   const double m = pair.gears[0].spec.normal_module;
-  // (height, across) in the frame of the convex tooth's middle.
+  // Points (height, distance across) in the frame of the convex tooth; the origin is in its middle.
   const Vec2 M(arcs.v.radius * std::sin(theta) - arcs.v.b,
                arcs.v.radius * std::cos(theta) - arcs.v.a);
   const Vec2 O_v(-arcs.v.b, -arcs.v.a);
@@ -139,7 +140,7 @@ Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   add_arc_radius(f, O_v, M, arcs.convex, false);
   const Vec2 n = (M - O_v).normalized();
   f.line({upright(M), upright(M + 1.1 * m * n)}, "action-line");
-  // ψ_c is the angle from the pitch line to the normal, drawn where the normal crosses that line.
+  // The angle ψ_c is drawn at the point where the normal crosses the pitch line.
   const Vec2 foot = M - n * (M.x() / n.x());
   const double around = 0.62 * m;
   std::vector<Vec2> angle;
@@ -212,14 +213,14 @@ std::vector<Vec2> rack_half_tooth(const Gear& gear) {
 }
 
 NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact) {
-  // The teeth of a rack lie in the pitch plane at the helix angle, and this direction lies in the
+  // The teeth of a rack lie in the pitch plane at the helix angle. This direction also lies in the
   // flank.
   const double beta = pair.gears[0].spec.helix_angle.rad();
   const Vec3& n = contact.at.normal;
   Vec3 best(0, std::sin(beta), std::cos(beta));
   const Vec3 other(0, -std::sin(beta), std::cos(beta));
   if (std::abs(other.dot(n)) < std::abs(best.dot(n))) best = other;
-  // The normal, out of gear 1, points to the right.
+  // The common normal points out of gear 1, to the right in the picture.
   if (best.cross(Vec3(1, 0, 0)).dot(n) < 0.0) best = -best;
   return {contact.at.point, best.cross(Vec3(1, 0, 0)), best};
 }
@@ -233,7 +234,7 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
   const double pitch = 2 * kPi / std::abs(gear.spec.teeth);
   const double start = angles_at_contact(pair, contact)[i];
   const double nearest = std::round((facing - start) / pitch);
-  std::vector<Vec2> tooth;  // from space to space, with increasing polar angle
+  std::vector<Vec2> tooth;  // from space to space, by increasing polar angle
   std::vector<Vec2> half;
   for (const Arc& arc : gear.tooth->outline.arcs)
     for (const Vec2& p : chords(arc, 1e-4 * gear.spec.normal_module)) half.push_back(p);
@@ -245,8 +246,8 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
     for (const Vec2& p : tooth) {
       const double radius = p.norm();
       const double polar = turned + std::atan2(p.y(), p.x());
-      // The helix through the point meets the plane where (r − p)·t = 0. Newton's method starts in the
-      // transverse section of the contact point.
+      // The helix through the point r meets the plane where (r − p)·t = 0. Newton's method starts
+      // in the transverse section of the contact point.
       double z = plane.origin.z();
       Vec3 r;
       for (int step = 0; step < 50; ++step) {

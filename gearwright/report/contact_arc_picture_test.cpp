@@ -38,14 +38,15 @@ ArcPair litvin_tsay_pair() {
   return std::move(pair).take();
 }
 
-// M = (0.456106, 0.79) modules of the paper's racks lies on both of them.
+// M = (0.456106, 0.79) modules lies on both racks of the paper.
 TEST(ArcPicture, BothRacksPassTheirContactPoint) {
   const ArcPair pair = litvin_tsay_pair();
   const double m = 12.7;
   const Vec2 M(0.45610671265980433 * m, 0.79 * m);
-  // Chords over 1/32 of the angle of arcs of 1.4 modules stay within 3e-4 modules.
+  // Arcs with a radius of 1.4 modules are divided into 32 chords, which deviate by less than 3e-4
+  // modules.
   EXPECT_LT(testing::chain_distance(rack_half_tooth(pair.gears[0]), M), 3e-4 * m);
-  // The mating gear's tooth is half a pitch away and upside down.
+  // The rack of the mating gear is turned upside down and moved by half a pitch.
   const double half_pitch = 3.14159265358979323846 * m / 2;
   EXPECT_LT(testing::chain_distance(rack_half_tooth(pair.gears[1]), {-M.x(), half_pitch - M.y()}),
             3e-4 * m);
@@ -64,8 +65,9 @@ TEST(ArcPicture, ARackReachesFromItsDedendumToItsAddendum) {
   }
 }
 
-// The plane contains the contact point, so both sections do, and they are tangent there. A little
-// further along the normal, a point is outside one section and not yet inside the other.
+// Both sections pass through the contact point, because the plane contains it, and they are tangent
+// there. A point a little further along the normal lies outside one section and not yet inside the
+// other.
 TEST(ArcPicture, BothTeethPassTheContactPointInTheNormalSection) {
   std::vector<ArcPair> pairs{litvin_tsay_pair()};
   const auto rack = gbt12759_rack(4.0);

@@ -28,7 +28,7 @@ std::string contact_words(const ContactResult& contact) {
   if (lines)
     return text + "The flanks touch along lines across the face, and no edge carries load.";
   if (edges == 0.0) {
-    text += "The flanks always touch inside their limits, and no edge carries load.";
+    text += "The contact is always inside the flanks, and no edge carries load.";
     const double ridges = count([](TouchKind k) { return k == TouchKind::ridge; }) / all;
     if (ridges > 0.0)
       text += fmt::format(" During {:.0f} % of the rotation they touch at the start of a relief.",

@@ -1,5 +1,5 @@
-// The contact data of the report in addition to its scene: patterns, maps, and the names and values
-// of the assumed errors.
+// Data of the report on tooth contact that are not in its scene: patterns, maps, and the names and
+// values of the assumed errors.
 #pragma once
 
 #include <array>
@@ -12,35 +12,36 @@
 
 namespace gearwright {
 
-/// The pattern on gear 1 under one error alone, or under all of them.
+/// The pattern on gear 1 under a single error, or under all errors together.
 struct PatternUnder {
   std::string name;  ///< "out-of-plane shaft deviation +0.03°"; plain text
   FlankRaster pattern;
-  Angle peak_to_peak;         ///< NaN if nothing touches
-  bool as_specified = false;  ///< all errors together, as in the other pictures
+  Angle peak_to_peak;         ///< NaN if no teeth touch
+  bool as_specified = false;  ///< true for all errors together, as in the other pictures
 };
 
 struct ContactReport : ContactScene {
   ContactResult other;            ///< the non-working flanks, at the same positions
-  std::optional<Angle> min_play;  ///< of gear 2; < 0 if the gears jam
+  std::optional<Angle> min_play;  ///< least backlash, rotation of gear 2; < 0 if the gears jam
   std::array<FlankRaster, 2> patterns;
-  std::optional<ContactPoint> middle;      ///< the touching position nearest to the middle
-  FlankRaster middle_gap;                  ///< on gear 1, at that position
-  std::vector<NamedAmount> errors;         ///< those other than zero
+  std::optional<ContactPoint> middle;      ///< the contact point nearest to the middle of the flank
+  FlankRaster middle_gap;                  ///< gap on gear 1 at the position of `middle`
+  std::vector<NamedAmount> errors;         ///< the errors that are not zero
   std::vector<std::string> modifications;  ///< "gear 1: tip relief 15 µm"; plain text
   std::vector<PatternUnder> under;         ///< may be empty
   std::optional<ContactMap> map;
   const ArcPair* arc_pair = nullptr;  ///< the pair, if its gears have circular-arc teeth
-  /// The halves of a double-helical pair at z > 0 and at z < 0, or one of them if they are mirror images.
-  /// They have patterns and the gap only, and the other members are those of the whole gears.
+  /// The halves of a double-helical pair at z > 0 and z < 0. There is only one entry if the halves
+  /// are mirror images. An entry contains only patterns and gap. All other data of this report
+  /// belong to the whole gears.
   std::vector<ContactReport> halves;
 };
 
-inline constexpr double kConjugate = 1e-6;  ///< arcsec; a smaller peak-to-peak value is a rounding
-                                            ///< error
+/// arcsec; a smaller peak-to-peak value is a rounding error
+inline constexpr double kConjugate = 1e-6;
 
-/// The result of tooth contact in one or two sentences of plain text, for all interfaces. The sentences
-/// state the transmission error, and whether the flanks touch along lines, in points or at edges.
+/// The result of tooth contact in one or two sentences of plain text, for all interfaces: the
+/// transmission error, and whether the flanks touch along lines, at points or at edges.
 std::string contact_words(const ContactResult& contact);
 
 }  // namespace gearwright

@@ -18,8 +18,8 @@ std::vector<ContactSample> samples() {
           testing::ring_contact(),    testing::ring_contact(true), testing::perfect_contact()};
 }
 
-// The heights and diameters in the frames of the gears are computed from the surfaces. If they are
-// computed from the mounted axes, they are the same for either driver and any tilt of the axes.
+// The heights and diameters that place_on() computes from the mounted axes agree with those
+// computed from the surfaces, for either driving gear and any tilt of the axes.
 TEST(ContactReport, PlacesOnTheMountedAxesAreThoseOfTheSurfaces) {
   int count = 0;
   for (const ContactSample& s : samples()) {
@@ -36,8 +36,8 @@ TEST(ContactReport, PlacesOnTheMountedAxesAreThoseOfTheSurfaces) {
   EXPECT_GT(count, 300);
 }
 
-// The ellipse encloses the area in which the exact gap is less than a thin marking. At its border,
-// the gap in a raster of gear 1 equals the thickness of the marking.
+// The contact ellipse encloses the area in which the exact gap is less than the thickness of a thin
+// marking compound. On its border, the gap in a raster of gear 1 therefore equals this thickness.
 TEST(ContactReport, TheEllipseIsTheContourOfTheGap) {
   ContactSample s = testing::crossed_contact();
   constexpr double kThin = 2e-4;  // mm
@@ -59,9 +59,9 @@ TEST(ContactReport, TheEllipseIsTheContourOfTheGap) {
     return (1 - fr) * ((1 - fc) * raster.at(r0, c0) + fc * raster.at(r0, c0 + 1)) +
            fr * ((1 - fc) * raster.at(r0 + 1, c0) + fc * raster.at(r0 + 1, c0 + 1));
   };
-  // Between nodes 0.025 mm apart, a bilinear value is too high by k h²/8, which is 2e-6 mm for each
-  // direction or 2 % of the marking. The ellipse extends over about 0.1 mm on surfaces of 10 mm
-  // radius, so terms of third order contribute another 1 %.
+  // Nodes are 0.025 mm apart. Between them, a bilinear value is too high by k h²/8, which is 2e-6
+  // mm for each direction, or 2 % of the thickness. The ellipse extends over about 0.1 mm on
+  // surfaces with radii of 10 mm, so terms of third order contribute another 1 %.
   for (const FlankPlace& at : ellipse) EXPECT_NEAR(value(at) / kThin, 1.0, 0.05);
 }
 
@@ -83,7 +83,7 @@ TEST(ContactReport, WordsAndKinds) {
     EXPECT_TRUE(is_edge(edge)) << words_of(edge);
 }
 
-// A tooth passes every position once, in the order of the mesh.
+// A tooth passes through every position once, in the order of the mesh.
 TEST(ContactReport, ThePathOnAToothIsAPitchOfPositions) {
   for (const ContactSample& s : samples()) {
     const double pitch = pitch_of(s.report);
@@ -105,8 +105,8 @@ TEST(ContactReport, ThePathOnAToothIsAPitchOfPositions) {
   }
 }
 
-// On flanks of two arcs, contact ends on one arc and begins on the other. Nothing touches between
-// them.
+// On flanks of two arcs, contact ends on one arc and continues on the other. Nothing touches
+// between the arcs.
 TEST(ContactReport, ThePathOnAToothBreaksWhereTheContactJumps) {
   const std::vector<ContactSample> all = samples();
   ContactReport report = all.front().report;

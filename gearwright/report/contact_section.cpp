@@ -67,7 +67,7 @@ std::string facts(const ContactReport& report) {
   return t.str();
 }
 
-// A figure and a paragraph about it.
+// A figure with a paragraph of explanation beside it.
 std::string beside(const std::string& figure, const char* words) {
   return in_columns(figure, fmt::format("\n<p>{}</p>\n", words));
 }
@@ -84,10 +84,11 @@ std::string te_part(const ContactReport& report) {
       side_by_side(html_of(transmission_error_figure(report, report.driving)) +
                    html_of(transmission_error_figure(report, report.other)));
   if (spectrum.empty())
-    return curves + fmt::format("<p class=\"nopicture\">{}</p>\n",
-                                report.driving.contact_lost
-                                    ? "There is no spectrum, because contact is lost."
-                                    : "The curve is flat: it has no waves.");
+    return curves +
+           fmt::format("<p class=\"nopicture\">{}</p>\n",
+                       report.driving.contact_lost
+                           ? "There is no spectrum, because contact is lost."
+                           : "There is no spectrum, because the transmission error is constant.");
   return curves + beside(spectrum,
                          "A periodic curve is a sum of harmonics. The first bar belongs to the "
                          "tooth frequency, teeth × revolutions per second, and the next bars to "
@@ -98,22 +99,23 @@ std::string te_part(const ContactReport& report) {
 }
 
 std::string pattern_part(const ContactReport& report) {
-  // Conjugate flanks touch in all their tooth pairs at the same time.
+  // If the flanks are conjugate, all tooth pairs in mesh touch at the same time.
   const char* several = report.driving.peak_to_peak.arcsec() < kConjugate
-                            ? " Here all tooth pairs in mesh touch at the same time. The path is "
-                              "drawn over the pitch in which a pair is nearest to the centre line."
+                            ? " Here all tooth pairs in mesh touch at the same time. The path "
+                              "shows the pitch in which a tooth pair is nearest to the centre line."
                             : "";
   return fmt::format(
-             "<h3>Bearing contact: where the teeth touch</h3>\n"
-             "<p>The flanks are laid flat: the face from left to right, the root below, the tip "
-             "above. A fitter paints one gear thinly with marking blue and turns the pair by hand. "
-             "The marks show where the flanks come closer than the thickness of the layer, here {} "
-             "µm. They are the shaded area, the <em>marking pattern</em>. At one instant the "
-             "flanks are that close only within an ellipse about the contact point, or along a "
-             "line, which moves over the flank while the gears turn. A good pattern is in the "
-             "middle and does not reach the borders. Where the path of contact runs along a border "
-             "(dashed), an <em>edge</em> is in contact. The sharp edge then carries the load "
-             "instead of the flank, scrapes off the oil and wears or pits the mating gear.{}</p>\n",
+             "<h3>Bearing contact: where the teeth touch</h3>\n<p>Each picture shows a flank laid "
+             "flat, with the face from left to right, the root at the bottom and the tip at the "
+             "top. In a workshop, a fitter paints one gear thinly with marking blue and turns the "
+             "pair by hand. The paint marks the places where the flanks come closer than its "
+             "thickness, here {} µm. The shaded area shows these marks, the <em>marking "
+             "pattern</em>. At any instant, the flanks are this close only within an ellipse about "
+             "the contact point, or along a line. The ellipse or line moves over the flank while "
+             "the gears turn. A good pattern is in the middle and does not reach the borders. "
+             "Where the path of contact runs along a border (dashed), an <em>edge</em> is in "
+             "contact. The sharp edge then carries the load instead of the flank, scrapes off the "
+             "oil and wears or pits the mating gear.{}</p>\n",
              fixed(kUmPerMm * report.marking, 2), several) +
          side_by_side(figure_html(flank_figure(report, 0, {.pattern = &report.patterns[0]})) +
                       figure_html(flank_figure(report, 1, {.pattern = &report.patterns[1]})));
@@ -153,10 +155,11 @@ std::string map_part(const ContactReport& report) {
   if (!report.map) return {};
   return "<h3>Permissible misalignment</h3>\n" +
          beside(figure_html(error_map_figure(*report.map)),
-                "Each point of the map is the pair with these two errors, and its shade shows the "
-                "transmission error. If the area of low values is wide, the pair tolerates errors "
-                "of housings and bearings. If it is narrow, the pair requires accurate mounting. "
-                "An oblique valley means that one error can be compensated by the other.");
+                "Each point of the map stands for the pair with these two errors, and the shade of "
+                "the point shows the transmission error. If the area of low values is wide, the "
+                "pair tolerates errors of housings and bearings. If it is narrow, the pair "
+                "requires accurate mounting. An oblique valley means that one error can be "
+                "compensated by the other.");
 }
 
 std::string arc_part(const ContactReport& report) {
@@ -165,15 +168,15 @@ std::string arc_part(const ContactReport& report) {
   for (const Figure& figure : arc_contact_figures(*report.arc_pair))
     figures += figure_html(figure, kArcFigure);
   if (figures.empty()) return {};
-  return "<h3>Arc on arc</h3>\n<p>A convex arc lies in a slightly wider concave arc and touches it "
-         "in a point. Both centres lie on the common normal through this point. Across the tooth "
-         "the fit is close, so such teeth carry high loads. The point moves along the tooth while "
-         "the gears turn. However, a wrong centre distance changes the angle at which the arcs "
-         "touch, and the point moves up or down the flank.</p>\n" +
+  return "<h3>Contact of the arcs</h3>\n<p>A convex arc lies in a slightly wider concave arc and "
+         "touches it at a point. Both centres lie on the common normal through this point. Across "
+         "the tooth the fit is close, so such teeth carry high loads. The point moves along the "
+         "tooth while the gears turn. However, a wrong centre distance changes the angle at which "
+         "the arcs touch, and the point moves up or down the flank.</p>\n" +
          side_by_side(figures);
 }
 
-// Where the halves of a double-helical pair touch.
+// The contact of each half of a double-helical pair.
 std::string halves_of(const ContactReport& report) {
   std::vector<std::string> pictures;
   for (const ContactReport& half : report.halves)

@@ -21,7 +21,7 @@ using testing::StrictHtml;
 void expect_sound_section(const std::string& section) {
   const auto facts = StrictHtml::read(testing::as_page(section));
   for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
-  // "nan" and "inf" as separate words.
+  // Searches for "nan" and "inf" as separate words.
   for (const std::string_view word : {"nan", "inf"}) {
     for (std::size_t at = section.find(word); at != std::string::npos;
          at = section.find(word, at + 1)) {
@@ -81,8 +81,8 @@ TEST(ContactSection, APatternUnderWhichNothingTouches) {
   EXPECT_NE(text.find("no teeth touch"), text.npos);
 }
 
-// Without errors, the flanks touch along lines that sweep the common flank of both gears. An
-// out-of-plane shaft deviation leaves a part of it unmarked.
+// Without errors, the contact lines sweep over the whole common flank of both gears. An
+// out-of-plane shaft deviation leaves a part of this flank unmarked.
 TEST(ContactSection, MisalignmentLeavesAPartUnmarked) {
   const ContactSample straight = testing::perfect_contact();
   const ContactSample crossed = testing::helical_contact();

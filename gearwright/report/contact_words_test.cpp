@@ -1,5 +1,5 @@
-// The text about a contact agrees with the kinds of its positions, from which the pictures are
-// drawn.
+// The sentences about a contact agree with the kinds of contact at its positions, from which the
+// pictures are drawn.
 #include "gearwright/report/contact_report.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ void agree(const ContactResult& result) {
   EXPECT_EQ(say("at the start of a relief"), ridge && !any(result, is_edge)) << words;
 }
 
-// The text used to be "an edge touches" where the picture has "start of a relief".
+// Regression: the text was "an edge touches" although the picture showed "start of a relief".
 TEST(ContactWords, TheStartOfAReliefIsNoEdgeOfATooth) {
   testing::SamplePair p = testing::involutes(20, 41, 12);
   FlankModifications m;

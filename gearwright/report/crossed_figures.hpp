@@ -27,19 +27,19 @@
 
 namespace gearwright {
 
-/// A point of the housing in plan, mm: (y, z).
+/// A point of the housing, seen in plan, mm: (y, z).
 Vec2 in_plan(const Point<Housing>& p);
 
-/// Corners in plan of gear `which` (0, 1), from its cylinder of `radius` from face to face.
+/// The corners, in plan, of the cylinder of gear `which` (0, 1) with `radius` and the face width.
 std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, double radius);
 
-/// The lines of action in plan, and both complete gears.
+/// The lines of action in plan, and both whole gears in plan.
 std::array<Figure, 2> plan_figures(const InvolutePair& pair);
 
-/// Both figures for a page.
+/// HTML with both figures of plan_figures().
 std::string plan_part(const InvolutePair& pair);
 
-/// A point of the housing in section, mm: (h, x).
+/// The point of the section, mm: (h, x), onto which a point of the housing is projected.
 ///
 /// Formula   h = −y cos β_1 + z sin β_1
 Vec2 in_section(const InvolutePair& pair, const Point<Housing>& p);
@@ -58,42 +58,42 @@ SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, 
 
 Figure section_figure(const InvolutePair& pair);
 
-/// Centre distance, shaft angle and contact ratio without backlash over the pressure angle α_wn of
-/// the common rack, one curve per panel. Marks show the least centre distance, its approximations
-/// and the position at which the pair is mounted.
+/// Centre distance, shaft angle and contact ratio of the pair without backlash, as functions of the
+/// pressure angle α_wn of the common rack, with one panel for each. Marks show the least centre
+/// distance, its approximations, and the mounted pair.
 std::string range_figure(const CrossedPair& pair);
 
-/// The face widths required by the lines of action, f and f′, over α_wn, with the actual face
-/// widths.
+/// The required face widths f and f′ as functions of α_wn, with the actual face widths.
 Figure face_width_figure(const CrossedPair& pair);
 
-/// The faces from end to end, with the parts that the leading and the trailing line use.
+/// The faces from end to end, with the parts that the leading and the trailing line of action use.
 ///
 /// Domain    the flanks meet (contract)
 Figure face_use_figure(const CrossedPair& pair);
 
-/// Sliding of the flanks, across the teeth as on parallel axes and along them as in a screw: the
-/// speeds of the contact over the flanks, mm per radian of gear 1.
+/// Sliding of the flanks, across the teeth (as on parallel axes) and along the teeth (as in a
+/// screw), mm per radian of gear 1.
 ///
 /// Domain    the flanks meet (contract)
 Figure speed_figure(const CrossedPair& pair);
 
-/// These speeds at the points of the path of contact.
+/// A table of the speeds of the contact over each flank at the points of the path of contact.
 ///
 /// Domain    the flanks meet (contract)
 std::string speed_table(const CrossedPair& pair);
 
-/// The least centre distance, exact and by approximations for manual calculation. The solutions of
-/// pair/series.hpp are shown on the curve a(α_wn), magnified. Empty if there is nothing to compare:
-/// no least centre distance, gears of two racks, or a difference of less than 1e-6 µm.
+/// The exact least centre distance, and approximations for manual calculation. The solutions of
+/// pair/series.hpp are marked on the curve a(α_wn), which is magnified. Empty if there is nothing
+/// to compare: no least centre distance, gears with different racks, or a difference below 1e-6 µm.
 std::string min_distance_figure(const CrossedPair& pair);
 
-/// A table of the solutions with the exact values at the angle of each. Δ is the difference from
-/// the exact solution. If all agree (the sum of shifts is 0), a sentence replaces the table. Empty
-/// if there are none.
+/// A table of the solutions. Each row contains the exact values at the angle of the solution. Δ is
+/// the difference from the exact solution. If all solutions agree (the sum of shifts is 0), a
+/// sentence replaces the table. Empty if there are no approximations.
 std::string min_distance_table(const CrossedPair& pair);
 
-/// The table and the figure of the least centre distance in a folded section, for users who check a manual calculation.
+/// The table and the figure of the least centre distance, in a folded section for users who check a
+/// manual calculation.
 std::string min_distance_part(const CrossedPair& pair);
 
 }  // namespace gearwright

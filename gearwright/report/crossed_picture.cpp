@@ -18,12 +18,13 @@ namespace {
 constexpr double kPlanWidth = 640.0;
 constexpr double kPlanAspect = 640.0 / 520.0;
 constexpr double kWholeWidth = 420.0;
-// Greatest reduction, relative to the scale of the whole gears, for lines far outside the faces.
+// Greatest scale reduction of the plan, relative to the picture of the whole gears. It applies if
+// the lines of action lie far outside the faces.
 constexpr double kMaxReduction = 5.0;
 constexpr double kMaxEnlargement = 12.0;
-constexpr int kTeethShown = 400;  // with more teeth, a grey area is drawn
+constexpr int kTeethShown = 400;  // with more teeth, no tooth lines are drawn
 
-// Directions along the axis of a gear and across it, in plan. Axis 2 lies along (sin Σ, cos Σ).
+// Unit vectors along the axis of a gear and across it, in plan. Axis 2 lies along (sin Σ, cos Σ).
 struct PlanFrame {
   Vec2 along, across;
   Vec2 at(double s, double t) const { return s * along + t * across; }
@@ -40,7 +41,7 @@ void add_face(Figure& f, const InvolutePair& pair, std::size_t i, double radius,
   f.area({corners.begin(), corners.end()}, style + kInk[i]);
 }
 
-// Half the size of the area that contains the tips of both gears, mm.
+// Half the width and height of the area that contains the tips of both gears, mm.
 Vec2 extent(const InvolutePair& pair) {
   Vec2 half = Vec2::Zero();
   for (const std::size_t i : {0u, 1u}) {
@@ -50,7 +51,7 @@ Vec2 extent(const InvolutePair& pair) {
   return half;
 }
 
-// Half the size of the area that contains the lines of action.
+// Half the width and height of the area that contains the lines of action, mm.
 Vec2 lines_extent(const InvolutePair& pair) {
   Vec2 half = Vec2::Zero();
   for (const double rho1 : line_ends(pair))
@@ -58,20 +59,22 @@ Vec2 lines_extent(const InvolutePair& pair) {
   return half;
 }
 
-// Half the size of a picture with this ratio of width to height, mm, for an area with some margin.
+// Half the width and height, mm, of a picture that contains `half` with some margin and whose ratio
+// of width to height is `aspect`.
 Vec2 window(const Vec2& half, double aspect) {
   const double wide = std::max(1.17 * half.x(), 1.2 * aspect * half.y());
   return {wide, wide / aspect};
 }
 
-// Half the size of the plan, with the lines, room for letters and a sufficient part of the gears.
+// Half the width and height of the plan, mm. It contains the lines of action with their letters,
+// and a sufficient part of the gears.
 Vec2 plan_window(const InvolutePair& pair) {
   const Vec2 whole = window(extent(pair), kPlanAspect);
   const Vec2 close = 1.25 * window(lines_extent(pair).cwiseMax(1e-3 * extent(pair)), kPlanAspect);
   return whole / std::clamp(whole.x() / close.x(), 1.0 / kMaxReduction, kMaxEnlargement);
 }
 
-// Adds the axes, which extend beyond the picture, with their names at its edge.
+// Draws both axes to the border of the picture and beyond, with their names at the border.
 void add_axes(Figure& f, const InvolutePair& pair, double width) {
   const Vec2 half(f.x.hi, f.y.hi);
   const double px = 2 * half.x() / width;  // mm
@@ -81,8 +84,8 @@ void add_axes(Figure& f, const InvolutePair& pair, double width) {
     f.line({Vec2(-far * along), Vec2(far * along)}, std::string("thin dashdot ") + kInk[i]);
     const double room = std::min((half.x() - 34 * px) / std::max(std::abs(along.x()), 1e-9),
                                  (half.y() - 16 * px) / std::max(std::abs(along.y()), 1e-9));
-    // Nearly parallel axes leave the picture together, so the name of gear 1 goes to the left of
-    // both.
+    // If the axes are nearly parallel, both leave the picture at the same place. The name of gear 1
+    // is therefore to the left of both axes.
     const Vec2 aside = std::abs(along.y()) > std::abs(along.x()) ? Vec2(i == 0 ? -24.0 : 24.0, 5.0)
                                                                  : Vec2(0.0, -8.0);
     f.text(room * along, fmt::format("axis {}", i + 1), Anchor::middle,
@@ -115,7 +118,8 @@ Figure plan_figure(const InvolutePair& pair) {
   return f;
 }
 
-// The teeth on the side of a pitch cylinder that is seen from gear 2's side: x > 0.
+// Draws the tooth lines on the visible side of the pitch cylinder, x > 0, which is seen from gear
+// 2.
 void add_teeth(Figure& figure, const InvolutePair& pair, std::size_t i) {
   const auto& side = pair.mesh.rack.sides[i];
   const int z = std::abs(pair.input.gears[i].teeth);
@@ -123,13 +127,13 @@ void add_teeth(Figure& figure, const InvolutePair& pair, std::size_t i) {
   const double r = side.pitch_radius;
   const double half = pair.input.face_width[i] / 2;
   const PlanFrame f = frame_of(pair, i);
-  // φ is the angle of a point of the cylinder from the direction of view. In this view, a right-hand
-  // tooth rises to the right.
+  // φ is the angle between the direction of view and the radius to a point of the cylinder. In this
+  // view, a right-hand tooth rises to the right.
   const double turn = side.tan_helix / r;  // rad/mm
   const double reach = std::abs(turn) * half + std::numbers::pi / 2;
   const double pitch = 2 * std::numbers::pi / z;
   for (int k = static_cast<int>(-reach / pitch); k * pitch <= reach; ++k) {
-    // The range of s in which φ = k pitch + turn s is on the visible half.
+    // The range of s for which φ = k pitch + turn s lies on the visible half.
     double lo = -half;
     double hi = half;
     if (turn != 0.0) {
@@ -157,14 +161,14 @@ Vec2 whole_window(const InvolutePair& pair) {
   return window(half, std::clamp(half.x() / half.y(), 1.05, 2.6));
 }
 
-// True if the plan shows only a part of the picture of the whole pair.
+// True if the plan shows only a part of what the picture of the whole pair shows.
 bool plan_is_within(const InvolutePair& pair) {
   return (plan_window(pair).array() < 0.98 * whole_window(pair).array()).all();
 }
 
 Figure whole_figure(const InvolutePair& pair) {
   const Vec2 half = whole_window(pair);
-  // An internal gear would hide its pinion.
+  // Gear 2 is in front, unless it is an internal gear, which would hide its pinion.
   const std::size_t front = pair.side() > 0.0 ? 1 : 0;
   Figure f = plane_figure("whole", "The whole pair",
                           fmt::format("Both gears seen along the centre line, gear {} in front, "

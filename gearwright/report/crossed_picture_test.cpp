@@ -14,7 +14,7 @@ TEST(CrossedPicture, FacesLieAcrossTheirAxes) {
     for (const std::size_t i : {0u, 1u}) {
       const double radius = pair.gears[i].actual_tip_radius();
       const auto c = face_in_plan(pair, i, radius);
-      // The outermost corners of the cylinder itself, moved by its pose.
+      // The corners of the cylinder, computed in space and moved by the pose of the gear.
       const double half = pair.input.face_width[i] / 2;
       const Vec3 axis = i == 0 ? Vec3(pair.pose_1().isometry().linear().col(2))
                                : Vec3(pair.pose_2().isometry().linear().col(2));
@@ -35,7 +35,7 @@ TEST(CrossedPicture, LinesStandSquareOnTheTeeth) {
     const auto& side = m.rack.sides[0];
     const Vec2 teeth(std::sin(side.helix_angle), std::cos(side.helix_angle));
     EXPECT_NEAR(along.dot(teeth), 0.0, 1e-10 * along.norm());
-    // The trailing line is the image under the half turn about the centre line.
+    // A half turn about the centre line maps the leading line to the trailing line.
     EXPECT_LT((in_plan(pair.on_trailing_line(m.rho1_E)) + in_plan(pair.on_line_of_action(m.rho1_E)))
                   .norm(),
               1e-12);

@@ -17,19 +17,19 @@ namespace gearwright {
 namespace {
 
 constexpr int kSteps = 240;
-constexpr double kMargin = 0.07;  // relative to the range of shown angles, on both sides
-// rad. If a helix approaches 90°, its pitch radius has no limit. At this distance, α_n differs by
-// less than 1e-6 rad from its limit.
+constexpr double kMargin = 0.07;  // added at either end, as a fraction of the range of angles
+// rad. As a helix angle approaches 90°, the pitch radius becomes infinite. The range ends at this
+// distance from the limit, where α_n differs from its limiting value by less than 1e-6 rad.
 constexpr double kBeforeLimit = 1e-3;
-// rad. At the limit itself, which a mounted pair may reach within rounding, angles have no
-// involute. At this distance, a differs by at most r_b times this value.
+// rad. A mounted pair may reach the limit within rounding, but there the angles have no involute
+// function. The range therefore ends at this distance, where a changes by at most r_b kAtLimit.
 constexpr double kAtLimit = 1e-8;
-constexpr double kMinAngle = 2e-3;  // rad; no rack has α_wn = 0
+constexpr double kMinAngle = 2e-3;  // rad; α_wn = 0 is impossible for a rack
 
 double deg(double rad) { return kDegPerRad * rad; }
 
-// Transverse pressure angle of the limiting gear. It is the parameter, because α_n cannot be one at the
-// limit.
+// Transverse pressure angle of the limiting gear. It is used as the parameter of the range, because
+// α_n is stationary at the limit.
 double transverse_of(const BasePair<double>& gears, double alpha_n) {
   const double c_g = std::cos(gears[limiting_gear(gears)].helix_angle);
   return std::min(kHalfPi - kAtLimit, std::asin(std::min(1.0, std::sin(alpha_n) / c_g)));
@@ -46,7 +46,7 @@ std::optional<CrossedSample> sample_at_transverse(const CrossedPair& pair, doubl
   return CrossedSample{place, mesh.path_ratio, face_widths(mesh)};
 }
 
-// The gears as cut by one common rack, or nothing.
+// The two gears as cut by one common rack. None if their racks differ.
 std::optional<ReferencePair<double>> shared_rack(const CrossedPair& pair) {
   ReferencePair<double> racks;
   for (std::size_t i : {0u, 1u}) {

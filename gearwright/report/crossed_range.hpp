@@ -1,8 +1,8 @@
-// A crossed pair over the pressure angle of the common rack: its positions without backlash with
-// their data, and the common axis of its pictures.
+// Properties of a crossed pair as functions of the pressure angle of the common rack, without
+// backlash. Also the common x axis of their pictures.
 //
 //   α_wn  pressure angle of the common rack, the only free parameter     Σ, a  position of the axes
-//   ε     contact ratio, tip to tip       f, f′  face widths, of one flank and of both
+//   ε     contact ratio, from tip to tip      f, f′  face widths for one flank and for both flanks
 #pragma once
 
 #include <optional>
@@ -20,41 +20,41 @@ struct CrossedSample {
   FaceWidths<double> faces;  ///< f, f′
 };
 
-/// The pair without backlash on the rack with the pressure angle α_wn. None if there is no such
-/// rack.
+/// The pair without backlash whose common rack has the pressure angle α_wn. None if there is no
+/// such rack.
 ///
-/// Formula   crossed_place, then mesh_of at that position
+/// Formula   crossed_place, then mesh_of at the resulting position
 /// Domain    crossed axes (contract)
 std::optional<CrossedSample> crossed_sample(const CrossedPair& pair, Angle normal_pressure_angle);
 
-/// Samples with increasing α_wn over the relevant range. The range contains all angles with ε ≥ 1, the
-/// position of the pair and the least centre distance, with some margin, as far as racks exist.
+/// Samples with increasing α_wn. As far as racks exist, their range contains all angles with ε ≥ 1,
+/// the mounted position and the least centre distance, with some margin.
 ///
 /// Domain    crossed axes (contract)
-/// Laws      at least two samples; the pair's α_wn lies within, to 1e-6 rad
+/// Laws      at least two samples; the range contains the pair's α_wn within 1e-6 rad
 std::vector<CrossedSample> crossed_samples(const CrossedPair& pair);
 
-/// A manual approximation for the pair: its name and the resulting α_wn.
+/// An approximation for manual calculation: its name and the resulting α_wn.
 struct Approximation {
   const char* name;
-  const char* letter;  ///< in pictures
+  const char* letter;  ///< its letter in pictures
   Angle normal_pressure_angle;
 };
 
-/// The approximate solutions of the least centre distance (pair/series.hpp) of external pairs. There
-/// are none unless both gears have the same rack, with module and pressure angle equal within a relative 1e-9.
-/// Solutions without a rack are omitted.
+/// The approximate solutions of pair/series.hpp for the least centre distance. Empty if the pair is
+/// internal or the gears have different racks (module and pressure angle must agree to a relative
+/// 1e-9). Solutions for which no rack exists are omitted.
 std::vector<Approximation> approximations(const CrossedPair& pair);
 
-/// An axis of α_wn in degrees.
+/// The figure axis of α_wn in degrees.
 FigureAxis angle_axis(double lo, double hi);
 
-/// The axis of these samples, with a band where ε ≥ 1 and lines at the least centre distance and at
-/// the position of the pair, which are named above the plot. The y axis is set before, and the
-/// curves are added after.
+/// Sets the x axis of a figure to the range of the samples, with a band where ε ≥ 1. Lines mark the
+/// least centre distance and the mounted pair, and their names are above the plot. The caller sets
+/// the y axis before and adds curves afterwards.
 void add_angles(Figure& figure, const CrossedPair& pair, const std::vector<CrossedSample>& samples);
 
-/// Values of the samples as a curve over α_wn in degrees.
+/// The curve of a value of the samples over α_wn in degrees.
 template <class Value>
 std::vector<Vec2> over_angle(const std::vector<CrossedSample>& samples, const Value& value) {
   std::vector<Vec2> points;

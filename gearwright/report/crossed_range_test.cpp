@@ -20,12 +20,13 @@ TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
     for (std::size_t i = 1; i < samples.size(); ++i) {
       EXPECT_LT(samples[i - 1].place.normal_pressure_angle, samples[i].place.normal_pressure_angle);
     }
-    // At the pair's own α_wn, the sample has its shaft angle and its distance without backlash.
+    // The sample at the pair's own α_wn has the shaft angle of the pair and its centre distance
+    // without backlash.
     const auto s = crossed_sample(pair, here);
     ASSERT_TRUE(s.has_value());
     EXPECT_NEAR(s->place.shaft_angle.rad(), pair.shaft_angle.rad(), 1e-12);
     EXPECT_NEAR(s->place.center_distance, *pair.backlash_free_center_distance, 1e-9);
-    // No value is below the least centre distance.
+    // No sample has a smaller centre distance than the least one.
     ASSERT_TRUE(pair.min_distance.has_value());
     for (const CrossedSample& each : samples)
       EXPECT_GE(each.place.center_distance, pair.min_distance->center_distance - 1e-10);
@@ -54,14 +55,14 @@ TEST(CrossedRangePicture, NoRackBeyondTheLimit) {
   EXPECT_LT(crossed_samples(pair).back().place.normal_pressure_angle.rad(), limit);
 }
 
-// A spur gear and a gear of 0.3° have a shaft angle of nearly 90° where the helix angle of the
-// latter reaches 90°.
+// A spur gear meets a gear with a helix angle of 0.3°. Where the working helix angle of the second
+// gear reaches 90°, the shaft angle is nearly 90°.
 TEST(CrossedRangePicture, NearTheLimitItself) {
   const CrossedPair pair = testing::crossed_sample_pair(
       testing::sample_gear(17, 2, 0.3, 0.6), testing::sample_gear(17, 2, 0, 0.6), 90 - 0.11, 0.0);
   const auto s = crossed_sample(pair, Angle::radians(pair.mesh.rack.normal_pressure_angle));
   ASSERT_TRUE(s.has_value());
-  // The samples end at least 1e-8 rad before the limit, where a changes by r_b per rad.
+  // The samples end at least 1e-8 rad before the limit. There, a changes by r_b per rad.
   EXPECT_NEAR(s->place.center_distance, *pair.backlash_free_center_distance,
               1e-8 * pair.input.gears[0].radius);
   EXPECT_GT(crossed_samples(pair).size(), 100u);
@@ -71,8 +72,8 @@ TEST(CrossedRangePicture, ApproximationsOfTheExample) {
   const CrossedPair pair = testing::crossed_pair();
   const auto all = approximations(pair);
   ASSERT_EQ(all.size(), 5u);
-  // The values are 18° 42' 13.9" by three terms, 18° 43' 15.4" by the virtual pair and 18° 42'
-  // 18.6" corrected, from the data table of the example.
+  // From the data table of the example: 18° 42' 13.9" by three terms, 18° 43' 15.4" by the virtual
+  // spur pair, and 18° 42' 18.6" by the corrected virtual spur pair.
   EXPECT_NEAR(all[2].normal_pressure_angle.deg(), 18 + (42 + 13.9 / 60) / 60, 0.05 / 3600);
   EXPECT_NEAR(all[3].normal_pressure_angle.deg(), 18 + (43 + 15.4 / 60) / 60, 0.05 / 3600);
   EXPECT_NEAR(all[4].normal_pressure_angle.deg(), 18 + (42 + 18.6 / 60) / 60, 0.05 / 3600);

@@ -19,12 +19,13 @@ namespace {
 
 constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px
 constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;      // px; height over width
-constexpr double kPhaseModules = 6.5;    // size of the region in a picture of a phase
-constexpr double kTeethPerSecond = 1.2;  // frequency of the fastest mesh while the picture turns
+constexpr double kPhaseModules = 6.5;    // size of the area in a picture of a phase
+constexpr double kTeethPerSecond = 1.2;  // teeth per second in the fastest mesh while the picture
+                                         // turns
 constexpr int kSliderSteps = 240;        // number of positions of the slider
 
-// Degrees, clockwise as in SVG, by which a body with `ratio` to the input turns while t runs from 0
-// to 1.
+// Degrees, clockwise as in SVG, by which a body turns while t runs from 0 to 1. `ratio` is the
+// speed of the body relative to the input.
 double turn_of(double ratio, double input_turns) { return -360.0 * ratio * input_turns; }
 
 class Pictures {
@@ -38,7 +39,7 @@ class Pictures {
       const Vec2 r = Vec2::Constant(drawn_radius(*drive.geometry.gears[p.gear]));
       all.cover(p.axis - r);
       all.cover(p.axis + r);
-      // Planets move, so the whole circle over which they move is shown.
+      // Planets move, so the picture contains the whole circle on which they move.
       if (const auto carrier = graph_.bodies[graph_.gears[p.gear].body].carrier) {
         const Vec2 about = layout.places.axes[*carrier];
         const Vec2 reach = r + Vec2::Constant((p.axis - about).norm());
@@ -61,8 +62,8 @@ class Pictures {
  private:
   double ratio(std::size_t body) const { return drive_.speed_ratio(body).value_or(0.0); }
 
-  // Adds a gear about a point of the figure. It turns with the ratio `relative` to the input, within its
-  // group.
+  // Draws a gear whose axis is at the point `at`. Within its group, the gear turns with the speed
+  // ratio `relative` to the input.
   void add_gear(Figure& f, std::size_t placed, double height, const Vec2& at, double turned,
                 double relative, int group = -1) {
     const PlacedGear& p = layout_.gears[placed];
@@ -80,7 +81,7 @@ class Pictures {
     f.marks.back().group = group;
   }
 
-  // Rings are drawn first, so that gears inside them are on top of their rims.
+  // Internal gears are drawn first, so that the gears inside them cover their rims.
   std::vector<std::size_t> drawn_order(const DriveSection& section) const {
     std::vector<std::size_t> order = section.gears;
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -116,7 +117,8 @@ class Pictures {
     return figure_html(f, kSectionWidth, "", k == 0 ? control() : "");
   }
 
-  // Adds the planets in a group that turns with the carrier, and lines from the carrier's axis to theirs.
+  // Adds the planets in a group that turns with the carrier, and a line from the axis of the
+  // carrier to the axis of each planet.
   void add_carrier(Figure& f, const DriveSection& section, std::size_t carrier) {
     const int group = static_cast<int>(f.groups.size());
     const Vec2 center = layout_.places.axes[carrier];
@@ -172,8 +174,8 @@ class Pictures {
         1.0 / kSliderSteps);
   }
 
-  // The meshes of each planet with a central gear, each drawn with the planet above. A planet with
-  // phase γ is drawn γ pitches behind.
+  // Pictures of each mesh of each planet with a central gear. In every picture the planet is above
+  // the central gear. A planet with phase γ lags γ pitches behind the first planet.
   std::string phases() {
     std::string text;
     for (const PlanetSet& set : drive_.sets) {
@@ -191,10 +193,11 @@ class Pictures {
       }
       if (pictures.empty()) continue;
       text += fmt::format(
-          "<div class=\"phases\"><h3>Phases of the planets of {}</h3>\n<p>Every planet is shown in "
-          "the frame of its carrier, turned upright. Planets with equal pictures touch at the same "
-          "time. γ is the part of a period by which the mesh of a planet lags behind the mesh of "
-          "the first planet.</p>\n<div class=\"multiples\">\n{}</div>\n{}</div>\n",
+          "<div class=\"phases\"><h3>Phases of the planets of {}</h3>\n<p>Each picture shows a "
+          "planet in the frame of its carrier, turned so that the planet is at the top. Planets "
+          "with equal pictures touch at the same time. γ is the part of a period by which the mesh "
+          "of a planet lags behind the mesh of the first planet.</p>\n<div "
+          "class=\"multiples\">\n{}</div>\n{}</div>\n",
           escaped(graph_.bodies[set.group.carrier].name), pictures, resultants(set));
     }
     return text;
@@ -246,8 +249,8 @@ class Pictures {
                       fixed(r.force_backward, 4)});
     }
     return value_table(
-        "Resultant of each harmonic of the mesh frequency, relative to the contribution of one "
-        "planet times the number of planets",
+        "Resultant of each harmonic of the mesh frequency, relative to the resultant if all "
+        "planets were in phase",
         {"Harmonic", "Torque, axial force", "Force turning with the sun",
          "Force turning against the sun"},
         rows);

@@ -1,8 +1,8 @@
-// An assembled drive in section that can be turned, and the meshes of its planets side by side.
-// Internal to report/.
+// Pictures of an assembled drive in section, which the user can turn, and of the meshes of its
+// planets side by side. Internal to report/.
 //
-// One control turns everything. From t = 0 to 1, the drive makes the smallest motion after which it
-// looks the same.
+// One control turns all pictures. While t runs from 0 to 1, the drive makes the smallest motion
+// after which it looks the same as before.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace gearwright {
 
-/// The name under which the shape of a gear is defined (gear_shape.hpp).
+/// The name of the SVG definition that contains the shape of a gear (gear_shape.hpp).
 std::string shape_name(std::size_t gear);
 
-/// The shapes of all gears, each once.
+/// The SVG definitions of the shapes of all gears.
 std::string drive_definitions(const Drive& drive);
 
-/// A section for each slot, true to scale, with the control, and below it the phases of the
-/// planets.
+/// A figure for each axial section, true to scale, with the control, and below them the phases of
+/// the planets.
 std::string drive_section_figures(const Drive& drive, const DriveLayout& layout);
 
 }  // namespace gearwright

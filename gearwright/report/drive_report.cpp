@@ -48,7 +48,7 @@ std::string drive_kind(const Drive& drive) {
   return text;
 }
 
-// A table of the bodies or of the meshes, with a column for each.
+// A table with a column for each body, or for each mesh.
 template <class View, class List>
 std::string table_of(const std::string& caption, const Quantities<View>& quantities,
                      const Drive& drive, const List& list) {
@@ -90,7 +90,7 @@ std::string power_part(const Drive& drive) {
   return text + whole.str() + "</section>\n";
 }
 
-// The rating of every mesh, with the factors of the standard.
+// A table of the rating of each mesh, with the factors of the standard.
 std::string strength_part(const Drive& drive) {
   if (drive.ratings.empty()) return "";
   std::string text = "<section>\n<h2>Strength</h2>\n";
@@ -104,14 +104,14 @@ std::string strength_part(const Drive& drive) {
   return text + "</section>\n";
 }
 
-// The planets and the output under load.
+// Load sharing of the planets, and the rotation of the output under load.
 std::string load_part(const Drive& drive) {
   if (!drive.loaded) return "";
   const LoadedDrive& loaded = *drive.loaded;
   std::string text = fmt::format(
-      "<section>\n<h2>Under load</h2>\n<p>Every mesh yields as its own teeth do under a torque of "
-      "{} "
-      "N m on the input, at the positions of all planets. The planets turn freely on rigid pins.",
+      "<section>\n<h2>Under load</h2>\n<p>The torque on the input is {} N m. The teeth of every "
+      "mesh are elastic, and each planet has its own position in the mesh. The planets turn "
+      "freely on rigid pins.",
       format_number(loaded.torque));
   if (const auto computed = mesh_load_factor(drive)) {
     text += fmt::format(" The most loaded planet carries {} times an equal share.",
@@ -156,7 +156,7 @@ std::string planets_part(const Drive& drive) {
   return text.empty() ? text : "<section>\n<h2>Planets</h2>\n" + text + "</section>\n";
 }
 
-// Names in pictures must be unique in a page, so those of a mesh get its prefix.
+// Ids of figures must be unique in a page, so the ids of each mesh get a prefix.
 std::string with_prefix(const std::string& html, const std::string& prefix) {
   constexpr std::array<std::string_view, 3> kMarks{" id=\"", " aria-labelledby=\"", "url(#"};
   std::string text;
@@ -220,7 +220,7 @@ std::string drive_foot(const DriveReportInput& input) {
       "<footer>\n<p>Gearwright{}. Speeds and ratios are exact fractions. The teeth are as cut by "
       "the given racks and pinion cutters. Lengths are in mm and angles in degrees; “{}” means "
       "that there is no such value. Speeds and torques are positive counter-clockwise, and powers "
-      "are positive where power enters the drive. Only losses of the teeth are "
+      "are positive where power enters the drive. Of the power losses, only those of the teeth are "
       "considered.</p>\n</footer>\n",
       input.version.empty() ? std::string() : " " + escaped(input.version), kNoValue);
 }

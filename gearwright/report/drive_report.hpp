@@ -1,8 +1,7 @@
 // One HTML page about a whole drive: verdict, scheme, the drive in section with its control, power,
-// phases, then each mesh as a pair of gears.
+// phases, and finally each mesh as a pair of gears.
 //
-// The page depends only on its input, like that of report_html(). The laws of that function hold
-// here too.
+// The page depends only on its input. The laws of report_html() hold for this page too.
 #pragma once
 
 #include <string>
@@ -18,11 +17,11 @@ struct DriveReportInput {
   const Drive* drive = nullptr;
   const DrivePlaces* places = nullptr;  ///< null if the axes cannot be placed (no scheme)
   const DriveLayout* layout = nullptr;  ///< null if the drive cannot be assembled
-  std::string why_no_layout;            ///< the reason, a sentence
+  std::string why_no_layout;            ///< if `layout` is null, the reason, as a sentence
   Verdict verdict;
   std::vector<ReportFile> files;
   std::string spec_text;  ///< the spec, verbatim; left out if empty
-  std::string version;    ///< of the program
+  std::string version;    ///< version of the program
 };
 
 /// The page, UTF-8.   Domain  a drive (contract)

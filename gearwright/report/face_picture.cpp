@@ -18,9 +18,9 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// The range extends at least to the required and the actual width. It includes the curves for ε ≥
-// 1, but only up to twice that width, because f′ is unbounded if the lines of action move along the
-// teeth.
+// The upper end of the face width axis. The axis contains the required and the actual widths. It
+// also contains the curves for ε ≥ 1, but only up to twice these widths, because f′ is unbounded if
+// the lines of action move along the teeth.
 double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples) {
   double there = 0.0;
   double curves = 0.0;
@@ -33,8 +33,8 @@ double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samp
   return 1.12 * std::max(there, std::min(curves, 1.8 * there));
 }
 
-// Adds the part of the face that a line of action uses: a thin line from tip to tip, and a thick one for
-// the part within the usable flanks and faces.
+// Draws the part of the face that a line of action uses: thin from tip to tip, and thick on the
+// part that lies within the usable flanks and both faces.
 void add_use(Figure& f, const CrossedPair& pair, std::size_t i, bool leading, double y) {
   const Mesh<double>& m = pair.mesh;
   const double sign = leading ? 1.0 : -1.0;
@@ -49,7 +49,7 @@ void add_use(Figure& f, const CrossedPair& pair, std::size_t i, bool leading, do
   f.point(E, 3.0, "mark " + style + "-dot", leading ? "E" : "E′", {-side, 0.0});
 }
 
-// Describes the parts of the lines outside the faces.
+// A sentence about the parts of the lines that lie outside the faces.
 std::string beyond(const CrossedPair& pair) {
   std::string text;
   for (const std::size_t i : {0u, 1u}) {
@@ -63,7 +63,7 @@ std::string beyond(const CrossedPair& pair) {
 
 constexpr int kSpeedSteps = 96;
 
-// Sliding of flank 1 over flank 2, mm per radian of gear 1.
+// Sliding speed of flank 1 over flank 2, mm per radian of gear 1.
 struct Sliding {
   double across, along;
   double whole() const { return std::hypot(across, along); }
@@ -77,7 +77,7 @@ Sliding sliding_at(const CrossedPair& pair, double rho1) {
   return sliding_of(flank_speeds(pair.input, pair.mesh, rho1));
 }
 
-// Distance from C along the line of action, mm.
+// Distance along the line of action from C, mm.
 double along_line(const CrossedPair& pair, double rho1) {
   return (rho1 - pair.mesh.rho1_C) / std::cos(pair.input.gears[0].helix_angle);
 }
@@ -92,8 +92,8 @@ Figure face_width_figure(const CrossedPair& pair) {
       "Face widths required by one flank and by both flanks of each gear, over the normal pressure "
       "angle of the common rack, with the actual face widths as lines.",
       fmt::format(
-          " required by the lines of action of the pair free of backlash. Full curves are for one "
-          "flank ({}), dashed curves for both flanks about the common perpendicular ({}). {}{}{}",
+          " required by the lines of action, without backlash. Full curves are for one flank ({}). "
+          "Dashed curves are for both flanks, measured about the common perpendicular ({}). {}{}{}",
           symbol_html("f"), symbol_html("f′"), caption_of_gears(),
           pair.flanks_meet() ? " The dots show the pair as mounted." : "",
           pair.contact_ratio_range ? " In the shaded range the contact ratio is at least 1." : ""),
@@ -109,7 +109,7 @@ Figure face_width_figure(const CrossedPair& pair) {
     f.line(over_angle(samples, both), std::string("curve dash ") + kInk[i],
            fmt::format("gear {}, both flanks", i + 1));
   }
-  // The actual faces. Equal faces share a line, whose name is above it.
+  // The actual faces. Equal faces share one line, with its name above it.
   const bool equal = pair.input.face_width[0] == pair.input.face_width[1];
   for (const std::size_t i : {0u, 1u}) {
     if (equal && i == 1) break;

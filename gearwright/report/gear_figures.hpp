@@ -1,15 +1,15 @@
-// The pictures of one gear: its tooth, the actual root of a gear with few teeth compared with the
-// root cut by the rack alone, and the tooth at other profile shifts.
+// The pictures of one gear: its tooth; the root of a gear with few teeth, compared with the root
+// that the rack alone would cut; and the tooth at other profile shifts.
 //
 //   F    where undercut begins: the flank on the base circle, ξ = 0
-//   C, J where a circular root fillet and a circular tip fillet touch the flank
+//   C, J where the circular root fillet and the circular tip fillet touch the flank
 //   r_r, r_t  their radii, mm
-//   l    mm along the rack's straight flank, from its lower end
-//   x    profile shift         x_E  the same with the thickness allowance
+//   l    distance along the straight flank of the rack from its lower end, mm
+//   x    profile shift         x_E  profile shift with the thickness allowance
 //                                              theory: docs/theory/06-few-teeth.md
 //
-// `shape` is the name of the gear's definitions (gear_shape.hpp). `name` is shown to users: "Gear
-// 1".
+// `shape` is the name of the SVG definition of the gear (gear_shape.hpp). `name` is the name that
+// the user sees: "Gear 1".
 #pragma once
 
 #include <functional>
@@ -22,70 +22,70 @@
 
 namespace gearwright {
 
-/// The classes of the page's style for an arc of that name.
+/// The CSS classes for an arc with this name.
 const char* arc_style(ArcName name);
 
-/// A point of the gear frame in a figure in which the tooth at the x axis is upright. The side y > 0
-/// is on the right.
+/// Converts a point of the gear frame to a figure in which the tooth on the x axis points up. The
+/// side y > 0 is on the right.
 inline Vec2 upright(const Vec2& p) { return {p.y(), p.x()}; }
 
-/// Adds the shape of the gear with a tooth upright.
+/// Draws the shape of the gear with one tooth pointing up.
 void add_upright_gear(Figure& figure, const Gear& gear, const std::string& shape,
                       std::string style);
 
-/// Adds both sides of the upright tooth arc by arc, each arc in the style of its name.
+/// Draws both sides of the upright tooth, each arc in the style of its name.
 void add_upright_arcs(Figure& figure, const Gear& gear,
                       const std::function<const char*(ArcName)>& style);
 
-/// Names the circle about the axis of the upright gear in the column at the right, at the point
-/// where it leaves the plot, unless that point is outside the plot.
+/// Writes the name of a circle about the axis of the upright gear into the column at the right, at
+/// the height at which the circle leaves the plot. Does nothing if this height is outside the plot.
 void lead_circle(Figure& figure, double radius, std::string markup);
 
-/// The tooth, upright, with its arcs in colours, the circles of the drawing and a legend.
+/// The tooth, pointing up, with its arcs in colours, the circles of the drawing and a legend.
 ///
 /// Domain    the gear has an outline (contract)
 Figure tooth_figure(const Gear& gear, const std::string& shape, const std::string& name);
 
-/// This figure for a page. If there is no outline, a paragraph gives the reason.
+/// HTML with the figure of the tooth. If there is no outline, a paragraph gives the reason.
 std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name);
 
-/// True if the picture of the root is useful. The gear must be cut by a rack and have an outline,
-/// and it must have a circular root fillet, undercut, or at most 12 teeth.
+/// True if the picture of the root is useful. The gear must have an outline and be cut by a rack.
+/// It must also have a circular root fillet, undercut, or at most 12 teeth.
 bool root_is_worth_a_picture(const Gear& gear);
 
 /// The gear of the same spec without circular fillets, as cut by its rack. None if the spec has no
-/// circular fillets or if there is no such gear.
+/// circular fillets, or if this gear cannot be made.
 std::optional<Gear> by_rack_alone(const Gear& gear);
 
-/// The point of the flank on the base circle, side y > 0, mm.
+/// The point of the flank on the base circle, on the side y > 0, mm.
 ///
 /// Formula   r_b e^{i ψ_b}, ψ_b = s_bt/d_b
 Vec2 undercut_limit_point(const Gear& gear);
 
-/// The root; empty if it shows nothing of interest.
+/// The picture of the root; empty if root_is_worth_a_picture() is false.
 std::string root_figure(const Gear& gear, const std::string& shape, const std::string& name);
 
-/// The tooth at one shift.
+/// The tooth at one profile shift.
 struct ShiftedTooth {
   double shift;                 ///< x
-  bool own;                     ///< the gear's own shift
-  Gear rack_cut;                ///< without circular fillets; may not exist
-  std::optional<Gear> rounded;  ///< with the circular root fillet, where one fits
+  bool own;                     ///< true if this is the gear's own shift
+  Gear rack_cut;                ///< without circular fillets; may be impossible
+  std::optional<Gear> rounded;  ///< with the circular root fillet; none if it does not fit
 };
 
-/// True if the choice of the shift matters: the gear has at most 8 teeth, is cut by a rack, and has
-/// a circular root fillet or undercut.
+/// True if the gear has at most 8 teeth, is cut by a rack, and has a circular root fillet or
+/// undercut. Only then does the choice of the shift need a picture.
 bool shift_is_worth_a_picture(const Gear& gear);
 
-/// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and its own shift, in the order of x, with tips as left
-/// by the rack. The root fillet is that of the gear, or begins at the undercut limit. The tip
-/// fillet of the gear is included if it fits.
+/// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and at its own shift, sorted by x, with the tips that
+/// the rack leaves. The root fillet is that of the gear if given, otherwise one that begins at the
+/// undercut limit. The tip fillet of the gear is included if it fits.
 ///
 /// Domain    shift_is_worth_a_picture (contract)
 std::vector<ShiftedTooth> shifted_teeth(const Gear& gear);
 
-/// The tooth at those shifts, with the root cut by the rack and with a circular one, at the same
-/// scale. Empty if they show nothing of interest.
+/// The tooth at each of these shifts, with the root cut by the rack and with a circular root
+/// fillet, at the same scale. Empty if shift_is_worth_a_picture() is false.
 std::string shift_figures(const Gear& gear, const std::string& shape, const std::string& name);
 
 }  // namespace gearwright

@@ -7,7 +7,7 @@
 namespace gearwright {
 
 std::string file_link(std::string_view name) {
-  std::string result = "./";  // prevents a colon in the name from being read as a protocol
+  std::string result = "./";  // a name with a colon must not look like "protocol:"
   for (const char c : name) {
     if (is_letter_or_digit(c) || c == '-' || c == '.' || c == '_' || c == '~' || c == '/') {
       result += c;

@@ -1,5 +1,5 @@
-// Writes pieces of HTML: links, pictures in columns and tables of values. Words and symbols are in
-// figure/markup.hpp.
+// Writes pieces of HTML: links, pictures in columns, and tables of values. Symbols in HTML are
+// written by figure/markup.hpp.
 #pragma once
 
 #include <string>
@@ -10,25 +10,25 @@
 
 namespace gearwright {
 
-constexpr int kLengthDigits = 4;  ///< mm: 0.1 µm, the last digit that a gear drawing carries
+constexpr int kLengthDigits = 4;  ///< mm: 0.1 µm, the last digit on a gear drawing
 constexpr int kAngleDigits = 5;   ///< degrees: 0.17 µm on a radius of 1 m
 constexpr int kRatioDigits = 4;   ///< pure numbers
 
-/// A relative link to a file of that name. All characters except letters, digits, - . _ ~ and / are
+/// A relative link to the file `name`. All characters except letters, digits, - . _ ~ and / are
 /// percent-encoded.
 std::string file_link(std::string_view name);
 
 /// Returns figures side by side.
 std::string side_by_side(std::string_view figures);
 
-/// Returns the key of gear 1 and gear 2.
+/// Returns the legend of the colours of gear 1 and gear 2.
 std::string caption_of_gears();
 
 /// Returns two columns.
 std::string in_columns(std::string_view left, std::string_view right);
 
-/// Returns a table of values under their headings. Each row has its own heading at the left. All
-/// texts are HTML, and `style` is the class of the table.
+/// Returns a table of values under column headings. The first text of each row is the row heading.
+/// All texts are HTML, and `style` is the CSS class of the table.
 std::string value_table(std::string_view caption, const std::vector<std::string>& heads,
                         const std::vector<std::vector<std::string>>& rows,
                         std::string_view style = "");

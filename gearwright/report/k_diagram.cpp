@@ -13,10 +13,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFlat = 1.0;  // µm; a trace with a smaller range is drawn on this scale
+constexpr double kFlat = 1.0;  // µm; least range of the axis of deviations
 
-// The band is the design trace moved by half of the tolerance in both directions, over the
-// evaluation range.
+// The tolerance band over the evaluation range: the design trace, moved up and down by half of the
+// tolerance.
 std::vector<Vec2> band(const FlankTrace& trace) {
   std::vector<Vec2> upper, lower;
   for (const Vec2& p : trace.design) {

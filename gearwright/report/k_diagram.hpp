@@ -1,8 +1,8 @@
-// The K-diagram of a flank: profile and helix as modified, and the band within which a measured
-// trace of this accuracy grade must lie.
+// The K-diagram of a flank: design profile and design helix, and the band within which a measured
+// trace must lie for its accuracy grade.
 //
-//   L   roll length, mm       z   height from the middle of the face, mm      deviations in µm, up is
-//                                                                             out of the material
+//   L   roll length, mm       z   axial position from the middle of the face, mm
+//   deviations in µm, positive out of the material
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@
 
 namespace gearwright {
 
-/// One trace, either the profile in the middle of the face or the helix in the middle of the
+/// One trace: either the profile in the middle of the face, or the helix in the middle of the
 /// profile.
 struct FlankTrace {
-  std::vector<Vec2> design;          ///< mm, µm; in the order of the first number
-  std::array<double, 2> evaluation;  ///< mm
+  std::vector<Vec2> design;          ///< mm, µm; sorted by the first number
+  std::array<double, 2> evaluation;  ///< evaluation range, mm
   std::optional<double> tolerance;   ///< µm, F_αT or F_βT
 };
 
@@ -27,7 +27,7 @@ struct KDiagram {
   FlankTrace profile, helix;
 };
 
-/// Pictures side by side, with their captions. Empty if there are none.
+/// The figures with their captions, side by side. Empty if there are no diagrams.
 std::string k_figures(const std::vector<KDiagram>& diagrams);
 
 }  // namespace gearwright

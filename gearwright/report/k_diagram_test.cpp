@@ -7,7 +7,8 @@
 namespace gearwright {
 namespace {
 
-// A helix without modification is flat. Its scale is a micrometre, not the rounding error.
+// A helix without modification is a flat trace. Its diagram has a scale of micrometres, not of
+// rounding errors.
 TEST(KDiagram, AFlatTraceHasAReadableScale) {
   const FlankTrace flat{{{-15.0, 0.0}, {15.0, 0.0}}, {-13.5, 13.5}, {}};
   const FlankTrace relieved{{{4.0, 0.0}, {18.0, 0.0}, {20.0, -12.0}}, {4.0, 19.2}, {}};

@@ -12,12 +12,12 @@
 namespace gearwright {
 
 /// A box for each available key figure: ratio, centre distance, contact ratio, backlash (at both
-/// ends of tolerances), safeties, pressure, unevenness. The boxes are rows of the catalogue with
-/// their words, symbols and units. Empty if there are none.
+/// ends of the tolerances), safeties, pressure, unevenness. Words, symbols and units are those of
+/// the catalogue. Empty if there are none.
 std::string key_figures(const ReportInput& input);
 
-/// A box for each of these keys that the records have, in the order of the keys. For several
-/// records it shows the range from the value of the first to that of the last.
+/// A box for each of these keys for which the records have a value, in the order of `keys`. If
+/// there are several records, a box shows the range from the first value to the last.
 std::string key_boxes(const QuantityTable& table, const std::vector<ValueRecord>& records,
                       std::span<const std::string_view> keys);
 

@@ -1,7 +1,8 @@
-// Tests that no two labels of a picture overlap, for 200 random pairs and some difficult ones.
+// No two labels of a picture overlap. The test uses 200 random pairs and some difficult ones.
 //
-// Labels are read from the SVG of the page. A letter is 0.56 of its font size wide, near the mean
-// of the fonts in the style, and 0.62 high. Labels that overlap by this measure appear to touch.
+// Labels are read from the SVG of the page. A letter is assumed to be 0.56 times as wide as its
+// font size, which is near the mean of the fonts in the style, and 0.62 times as high. Labels that
+// overlap by this measure appear to touch.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -32,7 +33,8 @@ std::string_view between(std::string_view text, std::string_view from, std::stri
 
 double number(std::string_view text) { return std::atof(std::string(text).c_str()); }
 
-// Words without tags. An entity counts as one letter, a small subscript as three quarters of one.
+// The text without tags, and its length in letters. An entity counts as one letter, and a letter in
+// a subscript as three quarters of one.
 std::pair<std::string, double> plain(std::string_view markup) {
   std::string words;
   double letters = 0.0;

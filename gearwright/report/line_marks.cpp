@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kAside = 15.0;  // px from the line to the middle of a letter
 
-// Fractions of the width of a plot.
-constexpr double kLetterRoom = 0.04;  // between two letters
+// Lengths as fractions of the width of a plot.
+constexpr double kLetterRoom = 0.04;  // distance between two letters
 constexpr double kCharacter = 0.0155;
 constexpr double kLetterHeight = 0.054;
 
-constexpr double kTouching = 0.003;  // of the width of the picture
+constexpr double kTouching = 0.003;  // fraction of the width of the picture
 constexpr double kFar = 3.2;         // path lengths
 
 std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
@@ -34,8 +34,9 @@ std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
   return marks;
 }
 
-// The side of a line on which a letter at p is drawn. It is away from the other line. If the lines are
-// within `touching`, letters of the leading line are above and those of the trailing line below.
+// The side of a line on which the letter of the point p is drawn: away from the other line. If the
+// lines are within `touching` of each other, letters of the leading line are above and letters of
+// the trailing line below.
 Vec2 letter_side(const Vec2& p, const Vec2& along, const Vec2& other_from, const Vec2& other_along,
                  double touching, bool leading) {
   const Vec2 across(-along.y(), along.x());

@@ -20,7 +20,8 @@ std::string drawn(const CrossedPair& pair, Lines lines) {
 
 TEST(LineMarksPicture, BaseTangentsFarFromTheLineAreLeftOut) {
   EXPECT_EQ(line_ends(testing::crossed_pair()).size(), 5u);
-  // A worm and a gear of 300 teeth: T_1 and T_2 lie three and eight lengths of the path away.
+  // A worm and a gear with 300 teeth. T_1 and T_2 are three and eight path lengths away from the
+  // path.
   const CrossedPair worm = testing::crossed_sample_pair(testing::sample_gear(1, 2, 86, 0),
                                                         testing::sample_gear(300, 2, 4, 0), 90);
   EXPECT_EQ(line_ends(worm).size(), 4u);
@@ -31,8 +32,9 @@ TEST(LineMarksPicture, ThickWhereFlanksAndFacesAreUsed) {
     return text.find("class=\"action\"") != text.npos;
   };
   EXPECT_TRUE(thick(drawn(testing::crossed_pair(), Lines::both)));
-  EXPECT_FALSE(thick(drawn(testing::nearly_parallel_pair(), Lines::both)));  // beyond the faces
-  EXPECT_FALSE(thick(drawn(testing::crossed_apart(), Lines::both)));         // out of reach
+  EXPECT_FALSE(thick(drawn(testing::nearly_parallel_pair(), Lines::both)));  // lines outside the
+                                                                             // faces
+  EXPECT_FALSE(thick(drawn(testing::crossed_apart(), Lines::both)));         // no contact
 }
 
 TEST(LineMarksPicture, LeadingLineAlone) {

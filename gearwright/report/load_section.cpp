@@ -46,8 +46,8 @@ std::string facts(const LoadScene& report) {
   TableBuilder table("Under load", columns);
   for (const TextGroup& group : text_groups(quantities.table(), records, kPage)) {
     for (const TextRow& row : group.rows) {
-      if (row.info->key == "torque_Nm") continue;  // it is the heading of the columns
-      // The texts of one torque, one for each gear if there are two.
+      if (row.info->key == "torque_Nm") continue;  // the column headings contain this value
+      // The texts for one torque: one text, or two if each gear has its own.
       const std::size_t each = row.texts.size() / columns.size();
       std::vector<std::string> texts;
       for (std::size_t i = 0; i < columns.size(); ++i)
@@ -85,10 +85,10 @@ std::string share_part(const LoadScene& report) {
 
 std::string ellipse_part(const LoadScene& report) {
   return "<h3>Pressure on the flanks</h3>\n<p>These teeth touch at points. Under load, a point "
-         "grows into a contact ellipse, which is longest where the flanks fit most closely. The "
-         "bending of the teeth makes it longer still. On the flank, the pressure is highest in the "
-         "middle of the ellipse. If an ellipse extends beyond an end of the flank, or if an edge "
-         "touches, the pressure is higher than drawn.</p>\n" +
+         "grows into a contact ellipse, whose long axis points in the direction in which the "
+         "flanks fit most closely. The bending of the teeth makes the ellipse still longer. The "
+         "pressure is highest in the middle of the ellipse. If an ellipse extends beyond an end of "
+         "the flank, or if an edge touches, the pressure is higher than drawn.</p>\n" +
          side_by_side(figure_html(ellipse_figure(report, 0)) +
                       figure_html(ellipse_figure(report, 1)) +
                       html_of(point_pressure_figure(report)));
@@ -98,8 +98,8 @@ std::string pressure_part(const LoadScene& report) {
   return fmt::format(
              "<h3>Pressure on the flanks</h3>\n<p>The picture shows the Hertz pressure of the "
              "teeth that carry load. It should be greatest in the middle of the face and decrease "
-             "towards tips and ends. A bright border is an edge that carries load, or a face that "
-             "carries load at one end{}.</p>\n",
+             "towards tips and ends. A bright border means that an edge carries load, or "
+             "that one end of the face carries most of the load{}.</p>\n",
              shown_torque(report).edge_carries
                  ? "; an edge carries load here, and the true pressure is higher than drawn"
                  : "") +
@@ -113,8 +113,8 @@ std::string root_part(const LoadScene& report, const std::array<std::string, 2>&
   if (figures.empty()) return {};
   return "<h3>Stress at the roots</h3>\n<p>Each tooth bends at its root. The fillet on the loaded "
          "side is in tension, and a crack would begin there. The stress is computed for the exact "
-         "fillet, with the neighbouring teeth and the body up to the place where it is "
-         "held.</p>\n" +
+         "fillet. The neighbouring teeth and the body, which is held at its bore or rim, are "
+         "included.</p>\n" +
          figures;
 }
 
@@ -123,7 +123,7 @@ std::string pictures_of(const LoadScene& report, const std::array<std::string, 2
          root_part(report, shapes);
 }
 
-// The halves of a double-helical pair, under half of the torque each.
+// The pictures of each half of a double-helical pair, under half of the torque.
 std::string halves_of(const LoadScene& report, const std::array<std::string, 2>& shapes) {
   std::vector<std::string> pictures;
   for (const LoadScene& half : report.halves) pictures.push_back(pictures_of(half, shapes));
@@ -138,11 +138,10 @@ std::string load_section(const LoadScene& report, const std::array<std::string, 
   const auto& torques = report.contact.torques;
   GW_EXPECTS((report.pair || at_points(report)) && !torques.empty());
   return fmt::format(
-      "<section class=\"loaded\">\n<h2>Under load</h2>\n<p>The same "
-      "pair with elastic teeth: every tooth bends, its root deforms the body, and the flanks "
-      "flatten where they touch. At each of {} positions of a pitch the load is shared so that no "
-      "flanks overlap and no force is tensile.</p>\n<p><strong>{}</strong></p>\n{}{}{}"
-      "</section>\n",
+      "<section class=\"loaded\">\n<h2>Under load</h2>\n<p>Here the teeth are elastic. Every tooth "
+      "bends, its root deforms the body, and the flanks flatten where they touch. At each of {} "
+      "positions of a pitch the load is shared so that no flanks overlap and no force is "
+      "tensile.</p>\n<p><strong>{}</strong></p>\n{}{}{}</section>\n",
       torques.front().positions.size(), finding(report), facts(report), te_part(report),
       report.halves.empty() ? pictures_of(report, shapes) : halves_of(report, shapes));
 }

@@ -44,8 +44,8 @@ TEST(LoadSection, HasAParagraphAndAPictureOfEverything) {
     EXPECT_NE(text.find("id=\"" + std::string(id)), text.npos) << id;
   EXPECT_EQ(count_of(text, "<h3>"), 4u);
   EXPECT_NE(text.find("quietest at"), text.npos);
-  // Each position has a place on the slider and occurs in three pictures. One position is visible
-  // without the slider.
+  // Each position has one step of the slider and occurs in three pictures. Without the slider, one
+  // position is visible.
   EXPECT_EQ(count_of(text, "data-frame=\""), 30u);
   EXPECT_EQ(count_of(text, "data-frames=\"10\">"), 3u);
 }
@@ -61,7 +61,7 @@ TEST(LoadSection, OfHelicalGearsAndEitherDriver) {
     sound(load_sample(testing::helical_pair(), {40e3, 80e3}, 0.02, gear2_drives));
 }
 
-// The tip of an internal gear is also drawn at the top, and the bars lie in the material.
+// In the picture of an internal gear, the tip is also at the top, and the bars lie in the material.
 TEST(LoadSection, OfAnInternalPair) {
   for (const bool gear2_drives : {false, true}) {
     const LoadSample s = load_sample(testing::pinion_in_cut_ring(), {20e3}, 0.0, gear2_drives);
@@ -87,8 +87,8 @@ TEST(LoadSection, ManyTorquesShowAFewCurvesAndTheHeaviestField) {
   sound(s);
 }
 
-// The shares of a tooth and its neighbours add up to 1 at each position of a pitch, so the shares
-// of one tooth over all its positions add up to the number of positions of a pitch.
+// At each position, the shares of a tooth and its neighbours add up to 1. The shares of one tooth
+// over all its positions therefore add up to the number of positions of a pitch.
 TEST(LoadSection, SharesAndFieldsAreThoseOfTheContact) {
   const LoadSample s = load_sample(testing::spur_pair(), {150e3}, 0.01);
   const LoadedTorque& t = shown_torque(s.report);
@@ -111,7 +111,7 @@ TEST(LoadSection, SharesAndFieldsAreThoseOfTheContact) {
   }
 }
 
-// If some positions have no result, or all but one, the curves have gaps and the page is still
+// If some positions have no result, or even all but one, the curves have gaps and the page is still
 // complete.
 TEST(LoadSection, PositionsWithoutAnAnswerAreGaps) {
   for (const bool only_one : {false, true}) {

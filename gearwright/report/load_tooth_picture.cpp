@@ -17,17 +17,17 @@ namespace {
 using Eigen::Index;
 
 constexpr double kWidth = 520.0, kAspect = 520.0 / 360.0;
-constexpr double kLongest = 0.7;  // normal modules, drawn length of the greatest stress
+constexpr double kLongest = 0.7;  // normal modules, length of the bar of the greatest stress
 
 struct Fillet {
-  std::vector<Vec2> at, in;    // mm, and the direction into the material
-  std::vector<double> stress;  // MPa, at the position along the face where it is greatest
+  std::vector<Vec2> at, in;    // points in mm, and directions into the material
+  std::vector<double> stress;  // MPa, greatest value over the face width
   std::size_t worst = 0;
   Index slice = 0;
 };
 
 Fillet fillet_of(const LoadScene& report, std::size_t which) {
-  // The outline runs to the tip with the material on its right, or on its left for an internal
+  // The outline runs towards the tip. The material is on its right, or on its left for an internal
   // gear.
   const double side = report.gears[which]->side();
   const Eigen::MatrixXd& stress = shown_torque(report).root_stress[which];
@@ -51,13 +51,13 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   const double module = gear.spec.normal_module;
   const double most = f.stress[f.worst];
   const std::string name = fmt::format("Gear {}", which + 1);
-  // The window extends from one module behind the root to almost one module beyond the fillet, with
-  // the side in tension in the middle.
+  // The window extends radially from one module behind the root to almost one module beyond the
+  // fillet. The side in tension is in the middle.
   const double out = gear.side();
   const double root = f.at.front().norm() - out * 1.0 * module;
   const double flank = f.at.back().norm() + out * 0.9 * module;
   const auto [lo, hi] = std::minmax(root, flank);
-  // The side in tension is drawn on the right, which is the side y > 0 of the gear frame.
+  // The side in tension is the side y > 0 of the gear frame. It is drawn on the right.
   const Vec2 worst = f.at[f.worst];
   const double half = 0.5 * kAspect * (hi - lo);
   Figure figure = plane_figure(fmt::format("root-stress{}{}", which + 1, report.part),

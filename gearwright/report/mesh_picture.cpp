@@ -36,11 +36,11 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
   Figure mesh = mesh_figure(scene, window);
   mesh.caption = fmt::format(
       " C, gear 1 driving clockwise. {} {} {} <span class=\"key turn-key\" hidden><i "
-      "class=\"swatch touch\"></i>flanks touch, once turned</span> Tip circles are full, pitch "
-      "circles dash-dotted and base circles dashed. T are the base tangent points.{}",
+      "class=\"swatch touch\"></i>flanks in contact (after turning)</span> Tip circles are full, "
+      "pitch circles dash-dotted and base circles dashed. T are the base tangent points.{}",
       caption_of_gears(), caption_key("action", "path of contact A–E"),
       caption_key("trailing", "line of action of the trailing flanks"), about_ring(pair.gears[1]));
-  // The picture is no higher than the pair requires.
+  // The aspect ratio is chosen so that the picture is no higher than the pair needs.
   const Vec2 size = mesh_window(scene, MeshFrame::whole, kMostAspect).size();
   const double tall = mesh_window(scene, MeshFrame::whole, kLeastAspect).size().x();
   const double aspect = std::clamp(tall / size.y(), kLeastAspect, kMostAspect);

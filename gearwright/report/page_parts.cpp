@@ -24,16 +24,16 @@ std::string page_end(std::string_view own_script) {
 }
 
 std::string picture_hint() {
-  return "<p class=\"hint\" id=\"hint\" hidden>Pictures: wheel zooms, drag moves, double click "
-         "restores; with "
-         "the keyboard + − 0 and arrows.</p>\n";
+  return "<p class=\"hint\" id=\"hint\" hidden>In each picture, the wheel zooms, dragging moves, "
+         "and a double click restores the view. The keys +, −, 0 and the arrow keys do the "
+         "same.</p>\n";
 }
 
 std::string spec_section(const std::string& spec) {
   if (spec.empty()) return {};
   return fmt::format(
-      "<section>\n<h2>Specification</h2>\n<details><summary>The specification this report was "
-      "made from</summary>\n<pre>{}</pre></details>\n</section>\n",
+      "<section>\n<h2>Specification</h2>\n<details><summary>The specification from which "
+      "this report was made</summary>\n<pre>{}</pre></details>\n</section>\n",
       escaped(spec));
 }
 

@@ -1,5 +1,5 @@
-// Every class on a page occurs in its style sheet or its scripts. A name that occurs in neither is
-// a mistake, and a part of the picture is missing.
+// Every CSS class on a page occurs in its style sheet or in its scripts. A class that occurs in
+// neither is a mistake, and some part of a picture is invisible.
 #include "gearwright/report/page_parts.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::set<std::string> classes_of(const std::string& page) {
   return names;
 }
 
-// Names without a style are sections, or hooks for programs that read a page.
+// Classes without a style. They mark sections, or parts that other programs read.
 const std::set<std::string> kPlain{"green", "pair",  "compensate", "scatter",
                                    "front", "words", "shade",      "circle-name"};
 

@@ -16,11 +16,11 @@ namespace {
 
 enum class Along { objective, distance, ratio };
 
-// A quantity along an axis.
+// A quantity that is shown along an axis.
 struct Quantity {
   FigureAxis axis;
   Along along;
-  bool greater = false;  // for an objective, true if greater values are better
+  bool greater = false;  // true if greater values are better
 };
 
 struct Dot {
@@ -43,8 +43,8 @@ std::string title_of(const DesignRow& row) {
                      fixed(row.shift[1], 4));
 }
 
-// The second axis for a single objective: the centre distance, or the ratio if the centre distance
-// is given.
+// The quantity on the second axis if there is a single objective: the centre distance, or the ratio
+// if the centre distance is given.
 Quantity across_one_objective(const SearchProblem& problem) {
   const auto& band = problem.center_distance;
   if (band && (*band)[0] == (*band)[1])
@@ -65,7 +65,7 @@ std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answe
         plane ? value_of(problem, row, problem.objectives[1])
               : std::optional(across == Along::ratio ? row.ratio : row.center_distance);
     if (!first || !second) continue;
-    // The value of a single objective is on the vertical axis.
+    // If there is a single objective, its axis is the vertical one.
     dots.push_back({plane ? Vec2(*first, *second) : Vec2(*second, *first), &row, front[i]});
   }
   return dots;
@@ -74,7 +74,7 @@ std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answe
 }  // namespace
 
 std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater) {
-  // The objectives as costs. Lower costs are better.
+  // The objectives are converted to costs. Lower costs are better.
   const Vec2 sign(greater[0] ? -1.0 : 1.0, greater[1] ? -1.0 : 1.0);
   std::vector<Vec2> costs;
   for (const Vec2& p : points) costs.push_back(p.cwiseProduct(sign));
@@ -108,7 +108,7 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
     if (d.front) best.push_back(d.value);
     unranked = unranked || !d.row->balanced;
   }
-  // The front is drawn above the others, and the best design above the front.
+  // Dots of the front cover all other dots, and the best design covers the front.
   std::vector<DesignDot> drawn;
   for (const bool front : {false, true}) {
     for (auto d = dots.rbegin(); d != dots.rend(); ++d) {
@@ -137,7 +137,7 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
   if (unranked)
     f.caption +=
         "Hollow dots are designs whose teeth cannot be made about equally strong within the "
-        "limits. They come last. ";
+        "limits. They have the last ranks. ";
   if (dots.size() < static_cast<std::size_t>(answer.counts.feasible))
     f.caption += fmt::format("The picture shows {} of {} feasible designs. ",
                              counted(std::int64_t(dots.size())), counted(answer.counts.feasible));

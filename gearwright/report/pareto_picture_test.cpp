@@ -24,23 +24,25 @@ TEST(ParetoPicture, TheStaircaseIsTheBorderOfWhatWasFound) {
     const std::array<bool, 2> greater{trial % 2 == 0, trial % 4 < 2};
     std::vector<Vec2> points;
     for (int i = 0; i < 1 + trial % 30; ++i)
-      points.push_back({std::floor(place(random)), std::floor(place(random))});  // includes ties
+      points.push_back({std::floor(place(random)), std::floor(place(random))});  // whole numbers,
+                                                                                 // so that ties
+                                                                                 // occur
     const std::vector<Vec2> corners = staircase(points, greater);
     ASSERT_FALSE(corners.empty());
-    // (1) for every point there is a corner that is at least as good in both
+    // (1) every point has a corner that is at least as good in both objectives
     for (const Vec2& p : points) {
       EXPECT_TRUE(std::any_of(corners.begin(), corners.end(), [&](const Vec2& c) {
         return at_least(c.x(), p.x(), greater[0]) && at_least(c.y(), p.y(), greater[1]);
       }));
     }
-    // (2) steps go in one direction, each along an axis
+    // (2) each step is parallel to an axis, and all steps go in one direction
     for (std::size_t i = 1; i < corners.size(); ++i) {
       const Vec2 step = corners[i] - corners[i - 1];
       EXPECT_TRUE((step.x() == 0.0) != (step.y() == 0.0));
       EXPECT_TRUE(at_least(corners[i - 1].x(), corners[i].x(), greater[0]));
       EXPECT_TRUE(at_least(corners[i].y(), corners[i - 1].y(), greater[1]));
     }
-    // every second corner is a point
+    // every second corner is one of the points
     for (std::size_t i = 0; i < corners.size(); i += 2)
       EXPECT_NE(std::find(points.begin(), points.end(), corners[i]), points.end());
   }
@@ -80,11 +82,11 @@ TEST(ParetoPicture, AxesSayWhatTheyAre) {
   EXPECT_TRUE(has(testing::ring_search(), "mm², smaller values are better"));
   EXPECT_TRUE(
       has(testing::pareto_search(), "Filled dots are the Pareto front over all objectives"));
-  // modules of 1 to 5 mm give sizes of 1 to 30, on a logarithmic axis
+  // Modules of 1 to 5 mm give sizes from 1 to 30. The axis is therefore logarithmic.
   EXPECT_TRUE(has(testing::pareto_search(), ">1\u202f000</text>"));
 }
 
-// If there are many designs, the best of them and the whole front are drawn.
+// If there are many designs, only the best of them and the whole front are drawn.
 TEST(ParetoPicture, NoMoreDotsThanAReaderTellsApart) {
   SearchAnswer answer;
   const SearchProblem problem = testing::spur_problem();

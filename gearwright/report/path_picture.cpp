@@ -16,12 +16,12 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kDeepest = -8.0;  // specific sliding at which a shown curve ends
-// The same for a curve that falls without limit, towards a base tangent point.
+constexpr double kDeepest = -8.0;  // specific sliding at which a curve is cut off
+// The limit for a curve that falls without bound, towards a base tangent point.
 constexpr double kEndless = -4.0;
 
-// Adds lanes with the number of tooth pairs along the path, and, if it is shorter, the part of the path
-// on usable flanks.
+// Adds bars that show how many tooth pairs touch along the path. If only a shorter part of the path
+// lies on the usable flanks, another bar shows this part.
 void add_lanes(Figure& f, const Mesh<double>& mesh) {
   const auto from_C = [&](double rho1) { return rho1 - mesh.rho1_C; };
   const std::vector<ContactZone> zones = contact_zones(mesh.rho1_A, mesh.rho1_E, mesh.step);
@@ -54,7 +54,7 @@ std::optional<double> zeta(const InvolutePair& pair, int gear, double rho1) {
   return gear == 1 ? s.zeta_1 : s.zeta_2;
 }
 
-// The lower end of the shown range, a multiple of 0.5 slightly below the least sliding at A and E.
+// The lower end of the axis: a multiple of 0.5 slightly below the least sliding at A and E.
 double lowest_shown(const InvolutePair& pair) {
   double low = -0.5;
   for (const SpecificSliding<double>& s : {pair.sliding_A, pair.sliding_E}) {
@@ -75,8 +75,8 @@ void add_sliding(Figure& f, const InvolutePair& pair, int gear) {
   f.line(std::move(points), gear == 1 ? "curve g1" : "curve g2 dash", fmt::format("gear {}", gear));
 }
 
-// Labels both values at one end of the path. Values below the plot have their labels at the lower edge,
-// one above the other.
+// Labels the values of both gears at one end of the path. Labels of values below the plot are at
+// its lower border, one above the other.
 void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
   const double rho1 = at_A ? pair.mesh.rho1_A : pair.mesh.rho1_E;
   const SpecificSliding<double>& s = at_A ? pair.sliding_A : pair.sliding_E;
@@ -96,7 +96,7 @@ void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
   }
 }
 
-constexpr double kCharacter = 0.032, kSpace = 0.05;  // of the width of the plot
+constexpr double kCharacter = 0.032, kSpace = 0.05;  // fractions of the width of the plot
 
 }  // namespace
 
@@ -170,7 +170,7 @@ Figure ratio_figure(const InvolutePair& pair) {
     if (bar.from_alpha > 0.0) f.bar({0.0, low}, {bar.from_alpha, high}, "bar alpha");
     if (bar.from_beta > 0.0) f.bar({bar.from_alpha, low}, {bar.sum(), high}, "bar beta");
     if (bar.formula - bar.sum() > 1e-9) f.bar({0.0, low}, {bar.formula, high}, "bar formula");
-    // A value that the line at 1 would cross is written to the right of this line.
+    // If the line at 1 would cross a value, the value is written to the right of this line.
     const double end = std::max(bar.sum(), bar.formula);
     const bool crossed = end < 1.0 && end + bar.room() * f.x.hi > 1.0;
     f.text({crossed ? 1.0 : end, middle}, bar.value(), Anchor::start, "halo", {7.0, 5.0});

@@ -18,7 +18,7 @@ TEST(PathFigures, SaysWhereTheInvoluteEnds) {
             std::string::npos);
 }
 
-// The specific sliding is −5.1 and −5.4 at the ends, so the axis extends to −6.
+// The specific sliding at the ends is −5.1 and −5.4, so the axis extends to −6.
 TEST(PathFigures, ShowsTheWholeOfSteepCurves) {
   const std::string figure = figure_html(path_figure(testing::two_and_sixty()), 640.0);
   EXPECT_NE(figure.find(">−6<"), std::string::npos);
@@ -26,21 +26,23 @@ TEST(PathFigures, ShowsTheWholeOfSteepCurves) {
   EXPECT_NE(figure.find("mark g2"), std::string::npos);
 }
 
-// The x of the label `words`, px, or -1 if there is no such label.
+// The x of the label with the text `words`, px, or -1 if there is no such label.
 double label_x(const std::string& figure, const std::string& words) {
   const std::size_t text = figure.find(">" + words + "<");
   if (text == std::string::npos) return -1.0;
   return std::atof(figure.c_str() + figure.rfind("translate(", text) + 10);
 }
 
-// The bar for ε_β 0.824 would cross the line at 1, whose number is above it.
+// The number of the bar ε_β = 0.824 would be crossed by the line at 1, whose own number is above
+// the line.
 TEST(RatioFigure, NoValueLiesAcrossTheLineAtOne) {
   const std::string figure = figure_html(ratio_figure(testing::helical_pair()), 420.0);
   EXPECT_EQ(label_x(figure, "0.824"), label_x(figure, "1"));
   EXPECT_GT(label_x(figure, "1.453"), label_x(figure, "1"));
 }
 
-// A wide face has room for ticks only at steps of five, but also for the tick and the line at 1.
+// A wide face has room for the tick and the line at 1, but otherwise only for ticks at multiples of
+// five.
 TEST(RatioFigure, ManyPairsInContact) {
   const std::string figure =
       figure_html(ratio_figure(testing::two_and_sixty(150.0)), 420.0);  // ε_γ 14.3

@@ -1,5 +1,5 @@
-// The part of the report about a rack and its pinion: the mesh in section and the quantities of
-// both.
+// The section of the report about a rack and its pinion: a picture of the mesh, and the quantities
+// of both.
 #pragma once
 
 #include <string>
@@ -8,9 +8,8 @@
 
 namespace gearwright {
 
-/// Returns the section of the page. `shape` is the name of the pinion's definition
-/// (gear_shape.hpp). If the rack has no outline, a paragraph gives the reason in place of the
-/// picture.
+/// Returns the section in HTML. `shape` is the name of the SVG definition of the pinion
+/// (gear_shape.hpp). If the rack has no outline, a paragraph with the reason replaces the picture.
 std::string rack_section(const RackPair& pair, const std::string& shape);
 
 }  // namespace gearwright

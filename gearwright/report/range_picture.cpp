@@ -19,7 +19,7 @@ namespace gearwright {
 
 namespace {
 
-// One of the three quantities, with its curve and its value for the mounted pair.
+// One of the three quantities: its curve, and its value for the mounted pair.
 struct Quantity {
   const char* id;
   FigureAxis axis;
@@ -46,8 +46,8 @@ std::vector<Quantity> quantities(const CrossedPair& pair) {
            3}};
 }
 
-// The range of a panel contains the mounted pair and the curve. If the contact ratio reaches 1,
-// only the part of the curve with ε ≥ 1 counts.
+// Values that the axis of a panel must contain: that of the mounted pair and those of the curve. If
+// the contact ratio reaches 1 anywhere, only the part of the curve with ε ≥ 1 counts.
 std::vector<double> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
                           const Quantity& q) {
   double lo = q.mounted;
@@ -65,7 +65,7 @@ Figure range_panel(const CrossedPair& pair, const std::vector<CrossedSample>& sa
   Figure f{q.id,
            "Possible positions of the pair: " + q.axis.words,
            "The " + q.axis.words +
-               " of the pair free of backlash over the normal pressure angle of the common rack. "
+               " of the pair without backlash, over the normal pressure angle of the common rack. "
                "In the shaded range the contact ratio is at least 1. Lines mark the least centre "
                "distance and the pair as mounted.",
            "",
@@ -96,13 +96,13 @@ Figure range_panel(const CrossedPair& pair, const std::vector<CrossedSample>& sa
 }
 
 constexpr int kZoomSteps = 80;
-// µm. Smaller differences of the solutions are not shown; the rounding error of centre distances is
-// 1e-11 µm.
+// µm. If the solutions differ by less, no figure is drawn. The rounding error of centre distances
+// is 1e-11 µm.
 constexpr double kWorthShowing = 1e-6;
 
 constexpr double kSameAngle = 1e-9;  // rad, 0.0002″
 
-// Excess of the centre distance at α_wn (degrees) over the least one, µm.
+// Difference between the centre distance at α_wn (degrees) and the least one, µm.
 double above_min(const CrossedPair& pair, double degrees) {
   const auto s = crossed_sample(pair, Angle::degrees(degrees));
   return s ? kUmPerMm * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;
@@ -124,9 +124,9 @@ std::optional<Figure> zoom_figure(const CrossedPair& pair, const std::vector<App
            "Approximations of the least centre distance",
            "Excess of the centre distance over the least centre distance, over the normal pressure "
            "angle of the common rack, with marks at the exact and the approximate solutions.",
-           ". Mark 0 is the exact solution, 1 to 3 are the terms of the series, v is the virtual "
-           "spur pair and v′ the corrected virtual spur pair. The curve is the exact centre "
-           "distance at each angle, which hardly changes near its least value.",
+           ". Mark 0 is the exact solution. Marks 1 to 3 are the series with one to three terms, "
+           "v is the virtual spur pair, and v′ is the corrected virtual spur pair. The curve is "
+           "the exact centre distance at each angle, which hardly changes near its least value.",
            angle_axis(box.lo.x() - 0.12 * reach, box.hi.x() + 0.12 * reach),
            {.words = "excess over the least centre distance",
             .unit = "µm",
@@ -148,7 +148,7 @@ std::optional<Figure> zoom_figure(const CrossedPair& pair, const std::vector<App
 
 std::vector<std::string> table_row(const CrossedPair& pair, const std::string& name, Angle angle) {
   const auto s = crossed_sample(pair, angle);
-  GW_EXPECTS(s.has_value());  // holds for those of approximations() and for the exact one
+  GW_EXPECTS(s.has_value());  // all given angles have a rack
   const double off = s->place.center_distance - pair.min_distance->center_distance;
   const double seconds = kArcsecPerDeg * (angle - pair.min_distance->normal_pressure_angle).deg();
   return {escaped(name),
@@ -170,7 +170,7 @@ std::string range_figure(const CrossedPair& pair) {
   return captioned(
       panels,
       fmt::format(
-          "<strong>Possible positions of the pair</strong> free of backlash. {} {} {}{}",
+          "<strong>Possible positions of the pair</strong> without backlash. {} {} {}{}",
           caption_key("action", "as mounted"), caption_key("ink", "least centre distance"),
           pair.side() < 0.0          ? ""
           : pair.contact_ratio_range ? "In the shaded range the contact ratio is at least 1."
@@ -193,7 +193,7 @@ std::string min_distance_table(const CrossedPair& pair) {
   });
   if (one) {
     return "<p>The profile shifts of the teeth as cut add up to zero, so the least centre distance "
-           "is the distance of the reference cylinders, and every approximation agrees.</p>\n";
+           "is that of the reference cylinders, and every approximation gives this value.</p>\n";
   }
   std::vector<std::vector<std::string>> rows{table_row(pair, "Exact", exact)};
   for (const Approximation& a : all)

@@ -32,8 +32,8 @@ TEST(RangePicture, IsWellFormedForEveryPair) {
   }
 }
 
-// With tips so short that the contact ratio is always below 1, nothing is shaded, but the curves
-// are drawn.
+// If the tips are so short that the contact ratio is always below 1, nothing is shaded, but the
+// curves are still drawn.
 TEST(RangePicture, WithoutAnIntervalOfContact) {
   const CrossedPair pair = testing::crossed_sample_pair(
       testing::gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 42.5, 24),

@@ -27,7 +27,8 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
-// px of figures with a table beside them, and of the bars below the picture of the whole pair.
+// px. Width of figures that have a table beside them, and of the bars below the picture of the
+// whole pair.
 constexpr double kWideFigure = 640.0, kBarWidth = 420.0;
 
 std::string default_title(const ReportInput& input) {
@@ -79,7 +80,7 @@ std::string definitions(const ReportInput& input) {
          "</defs></svg>\n";
 }
 
-// Roots and tips of gears with few teeth. Empty for other gears.
+// The section about roots and tips of gears with few teeth. Empty for other gears.
 std::string few_teeth_section(const ReportInput& input) {
   std::string roots;
   std::string shifts;
@@ -92,7 +93,7 @@ std::string few_teeth_section(const ReportInput& input) {
   }
   const std::string table = few_teeth_table(input.gears);
   if (table.empty() && pictures == 0) return {};
-  // A single picture has the table next to it. Two pictures are side by side above the table.
+  // If there is one picture, the table is beside it. Two pictures are side by side above the table.
   const std::string first = pictures == 0 ? table
                             : pictures == 1 && !table.empty()
                                 ? in_columns(roots, table)
@@ -142,18 +143,19 @@ std::string foot(const ReportInput& input) {
       "<footer>\n<p>Gearwright{}. The geometry is the nominal geometry of the teeth as cut by the "
       "given {}. Symbols and terms are those of ISO 21771. Lengths are in mm and angles in "
       "degrees; “{}” means that there is no such value.{}</p>\n<p>Numbers are computed in double "
-      "precision, by closed formulas or by iteration to rounding, and are shown rounded to {} "
-      "decimals of a millimetre and {} of a degree. Outlines of teeth follow the exact curves "
-      "within {:g} normal modules. Manufacturing deviations{} temperature are not "
-      "considered{}.</p>\n</footer>\n",
+      "precision, by closed formulas, or by iteration until only rounding errors remain. They are "
+      "shown with {} decimals of a millimetre and {} of a degree. Outlines of teeth follow the "
+      "exact curves within {:g} normal modules. Manufacturing deviations and temperature are not "
+      "considered.{}{}</p>\n</footer>\n",
       version, by_pinion ? "racks and pinion cutters" : "racks", kNoValue,
-      crossed ? " On crossed axes teeth touch in points, and the contact ratio counts these points "
-                "along the line of action."
+      crossed ? " On crossed axes, teeth touch at points. The contact ratio is the mean number of "
+                "these points on the line of action."
               : "",
       kLengthDigits, kAngleDigits, kOutlineTolerance,
-      input.load ? " and, except in the part under load, load, deflection and"
-                 : ", load, deflection and",
-      input.rating ? ", except in the rating" : ", nor is strength");
+      input.load ? " Load and deflection are considered only in the part under load."
+                 : " Load and deflection are not considered.",
+      input.rating ? " Strength is considered only in the rating."
+                   : " Strength is not considered.");
 }
 
 }  // namespace
@@ -227,7 +229,7 @@ std::string report_html(const ReportInput& input) {
                                   : input.rack ? "Rack and pinion"
                                                : ""),
       picture_hint());
-  // The decisive parts come first, then the data sheets of the gears.
+  // The most important sections come first, and the data sheets of the gears later.
   std::string sections;
   if (input.pair) {
     sections += input.pair->visit(

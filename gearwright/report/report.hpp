@@ -1,8 +1,8 @@
 // Writes one HTML page about the gears and their pair, for users: words, tables and pictures in one
 // self-contained file.
 //
-// The page depends only on its input, not on a clock, a random number or a path. Every value is
-// taken from the gears and the pair and rounded to the digits of a drawing.
+// The page depends only on its input, not on a clock, a random number or a path. Every value comes
+// from the gears and the pair. It is rounded to the digits of a drawing.
 #pragma once
 
 #include <array>
@@ -29,32 +29,35 @@ namespace gearwright {
 struct ReportFile {
   std::string name;  ///< relative to the report, "gear1.step"
   std::string what;  ///< "STEP AP242 solid of gear 1"
-  std::string note;  ///< numbers about it, may be empty: "within 0.9 µm"
+  std::string note;  ///< numbers about the file, such as "within 0.9 µm"; may be empty
 };
 
 struct ReportInput {
   std::string title;               ///< if empty, a title is made from the tooth numbers
   DrawingInput drawing;            ///< the title block; may be empty
-  std::vector<const Gear*> gears;  ///< one or two; with a pair, its gears
+  std::vector<const Gear*> gears;  ///< one or two; if there is a pair, its gears
   std::array<std::optional<Halves>, 2>
-      halves{};                    ///< of double-helical gears, whose `gears` are halves
+      halves{};                    ///< if gears are double-helical; `gears` then contains a half of
+                                   ///< each
   std::optional<Pair> pair;        ///< none if the gears are not mounted
-  const RackPair* rack = nullptr;  ///< the rack of the pinion, which is then the only gear; null if
-                                   ///< none
-  std::vector<ValueRecord> pair_ends;  ///< at the ends of tolerances: least backlash, greatest
-                                       ///< backlash; may be empty
-  std::vector<ValueRecord> measures;   ///< of the gears; may be empty
-  std::vector<std::vector<ValueRecord>> measure_ends;  ///< at the ends of tolerances; may be empty
-  std::vector<KDiagram> k_diagrams;            ///< of modified or graded flanks; may be empty
+  const RackPair* rack = nullptr;  ///< null if there is no rack; with a rack, the only gear is its
+                                   ///< pinion
+  /// At the ends of the tolerances, with the least and with the greatest backlash; may be empty.
+  std::vector<ValueRecord> pair_ends;
+  std::vector<ValueRecord> measures;                   ///< one for each gear; may be empty
+  std::vector<std::vector<ValueRecord>> measure_ends;  ///< values at the ends of the tolerances;
+                                                       ///< may be empty
+  std::vector<KDiagram> k_diagrams;            ///< for flanks with modifications or a grade; may be
+                                               ///< empty
   const ContactReport* contact = nullptr;      ///< null if the spec requests no contact
   const LoadScene* load = nullptr;             ///< null if the spec requests no load
   const CompensateView* compensate = nullptr;  ///< null if the spec requests no corrections
   const ScatterView* scatter = nullptr;        ///< null if the spec has no [scatter]
   const RatingView* rating = nullptr;          ///< null if the spec requests no rating
-  Verdict verdict;                             ///< over gears, pair and contact
+  Verdict verdict;                             ///< on the gears, the pair and the contact
   std::vector<ReportFile> files;
   std::string spec_text;  ///< the spec, verbatim; omitted if empty
-  std::string version;    ///< of the program
+  std::string version;    ///< version of the program
 };
 
 /// The page, UTF-8.

@@ -22,7 +22,7 @@ std::string arcsec(const ContactScore& s) {
   return s.nothing_touches() ? "no contact" : fixed(s.peak_to_peak.arcsec(), 4);
 }
 
-// The result under load, at the torque that is worst before correction.
+// A sentence about the result under load, for the torque with the worst result before correction.
 std::string finding_under_load(const CompensateView& v) {
   const bool pressure = v.aim == CompensateAim::pressure;
   const auto aimed = [&](const LoadedScore& s) {
@@ -48,15 +48,15 @@ std::string finding(const CompensateView& v) {
         "There is nothing to correct, because none of these corrections improves the pair by {}.",
         least_gain(v.aim));
   if (!v.loads.empty()) return finding_under_load(v);
-  // The position of the pattern along the face, or along the profile if that is the aim.
+  // Position of the contact pattern along the face, or along the profile if that is the objective.
   const bool face = v.before.along_face != 0.0 || v.after.along_face != 0.0;
   const auto place = [&](const ContactScore& s) {
     return percent(face ? s.along_face : s.along_profile);
   };
   return fmt::format(
-      "With these corrections and the worst of the errors, the peak-to-peak transmission error is "
-      "{}″ instead of {}″, the contact is {} % off the middle of the {} instead of {} %, and an "
-      "edge touches at {} % of the positions instead of {} %.",
+      "With these corrections, and for the worst combination of errors, the peak-to-peak "
+      "transmission error is {}″ instead of {}″, the contact is {} % off the middle of the {} "
+      "instead of {} %, and an edge touches at {} % of the positions instead of {} %.",
       arcsec(v.after), arcsec(v.before), place(v.after), face ? "face" : "profile", place(v.before),
       percent(v.after.edge_share), percent(v.before.edge_share));
 }
@@ -64,17 +64,17 @@ std::string finding(const CompensateView& v) {
 const char* aim_words(CompensateAim aim) {
   switch (aim) {
     case CompensateAim::loaded_transmission_error:
-      return "The objective is the transmission error of the loaded teeth under the worst of the "
-             "torques.";
+      return "The objective is the transmission error of the loaded teeth at the worst torque.";
     case CompensateAim::pressure:
-      return "The objective is the greatest pressure on the flanks under the worst of the torques.";
+      return "The objective is the greatest pressure on the flanks at the worst torque.";
     case CompensateAim::transmission_error: break;
   }
   return "The objective is the transmission error and, if it is equal, the contact nearest to the "
          "middle of the flank.";
 }
 
-// "crossing_deg = -0.01, axial_1_mm = 2" in words for the user; "as given" is unchanged.
+// Converts keys and values such as "crossing_deg = -0.01, axial_1_mm = 2" to words. The text "as
+// given" remains unchanged.
 std::string in_words(std::string_view errors) {
   std::string text;
   while (!errors.empty()) {
@@ -106,7 +106,7 @@ std::string corrections(const CompensateView& v) {
 std::string scores(const CompensateView& v) {
   const auto& quantities = score_quantities();
   const auto& loaded = loaded_score_quantities();
-  TableBuilder t("Results for the worst of the errors", {"Before", "After"});
+  TableBuilder t("Results for the worst combination of errors", {"Before", "After"});
   for (const AimedLoad& l : v.loads) {
     t.group(fmt::format("Under {:.6g} N m", l.torque / kMmPerM));
     for (const TextGroup& g :
@@ -129,7 +129,7 @@ std::string scores(const CompensateView& v) {
   return t.str();
 }
 
-// The additional results in closed form for circular-arc teeth.
+// Additional results for circular-arc teeth, computed in closed form.
 std::string closed_forms(const CompensateView& v) {
   if (!v.setting && !v.lead) return {};
   TableBuilder t("Results in closed form", {"Value"});
@@ -189,14 +189,14 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
     interval.groups(differing);
     text += interval.str();
   }
-  return "<section>\n<h2>Measuring</h2>\n" + text + k_figures(diagrams) + "</section>\n";
+  return "<section>\n<h2>Inspection</h2>\n" + text + k_figures(diagrams) + "</section>\n";
 }
 
 std::string compensate_section(const CompensateView& view) {
   GW_EXPECTS(!view.before.nothing_touches() && !view.corrections.empty());
   const std::string what = fmt::format(
-      "\n<p>These changes in the workshop compensate the errors of this pair. {} <code>gearwright "
-      "compensate --take</code> prints the specification with the "
+      "\n<p>The following changes of the gears compensate the errors of this pair. {} "
+      "<code>gearwright compensate --take</code> prints the specification with the "
       "corrections.</p>\n<p><strong>{}</strong></p>\n{}",
       aim_words(view.aim), finding(view), corrections(view));
   return "<section class=\"compensate\">\n<h2>Corrections</h2>\n" +
@@ -208,7 +208,7 @@ std::string rating_section(const RatingView& view) {
   const std::string method =
       fmt::format("{}{}", name(view.rating.edition), plastic ? "" : ", method B");
   return fmt::format(
-      "<section class=\"rating\">\n<h2>Strength</h2>\n<p>Rated by {}. Scuffing and "
+      "<section class=\"rating\">\n<h2>Strength</h2>\n<p>The strength is rated by {}. Scuffing and "
       "micropitting are not rated{}.</p>\n<p><strong>{}</strong></p>\n{}</section>\n",
       method, plastic ? ", and wear and deformation are not rated either" : "",
       finding(view.rating), table(view));
@@ -218,7 +218,7 @@ std::string halves_part(std::string_view shared, std::string_view alike,
                         const std::vector<std::string>& pictures) {
   constexpr std::array kNames{"Half at z &gt; 0", "Half at z &lt; 0"};
   std::string text = fmt::format(
-      "<p>The results above are those of the whole gears. One of them floats along its axis, so "
+      "<p>The results above are those of the whole gears. One gear can move along its axis, so "
       "{}.{}</p>\n",
       shared, pictures.size() == 1 ? fmt::format(" {}", alike) : "");
   for (std::size_t i = 0; i < pictures.size(); ++i)

@@ -1,5 +1,5 @@
 // The sections of the page, each in HTML from <section> to </section>. `shapes` are the names of
-// the gears' definitions (gear_shape.hpp).
+// the SVG definitions of the gears (gear_shape.hpp).
 #pragma once
 
 #include <array>
@@ -19,70 +19,72 @@
 
 namespace gearwright {
 
-/// The findings, worst first. `whole` is the subject of findings that belong to no gear.
+/// The findings, worst first. If a finding does not belong to a single gear, its subject is
+/// `whole`.
 std::string finding_list(const Verdict& verdict, std::string_view whole);
 
 /// A pair of involute gears: pictures, quantities, interference.
 std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes);
 std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>& shapes);
 
-/// The text `shared` about the results of both halves of a double-helical pair, and the pictures of each
-/// half under its heading. If there are pictures of one half only, the sentence `alike` is added.
+/// The text `shared` about both halves of a double-helical pair, followed by the pictures of each
+/// half under a heading. If there are pictures of one half only, the sentence `alike` is added.
 std::string halves_part(std::string_view shared, std::string_view alike,
                         const std::vector<std::string>& pictures);
 
-/// The files that accompany the page. Empty if there are none.
+/// Links to the files that were written together with the page. Empty if there are none.
 std::string file_section(const std::vector<ReportFile>& files);
 
-/// The inspection dimensions, with a column per gear. They contain the records of
-/// catalogue/measure_quantities.hpp, both ends for gears with tolerances, and the K-diagrams of
-/// flanks. Empty if there are none.
+/// The inspection dimensions, with a column for each gear: the records of
+/// catalogue/measure_quantities.hpp, the values at both ends of the tolerances if there are any,
+/// and the K-diagrams. Empty if there are no dimensions.
 std::string measure_section(const std::vector<ValueRecord>& measures,
                             const std::vector<std::vector<ValueRecord>>& ends,
                             const std::vector<KDiagram>& diagrams);
 
-/// A pair of circular-arc gears: its quantities, and each contact in the transverse section through
-/// it.
+/// A pair of circular-arc gears: its quantities, and a picture of each contact in the transverse
+/// section through the contact point.
 std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes);
 
-/// The rotations of the gears in the section through a contact, as counter-clockwise angles of
-/// their x axes, rad.
+/// The rotations of both gears in the transverse section through a contact point, as
+/// counter-clockwise angles of their x axes, rad.
 std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContact& contact);
 
-/// Tooth contact: pictures, and text for users without experience of such an analysis.
+/// Tooth contact: pictures, and text for users without experience of contact analysis.
 ///
-/// Domain    two gears with teeth; results of the same positions over one pitch, at least one of
-///           which has contact; rasters of at least 2 × 2 nodes (contract)
+/// Domain    two gears with teeth; `driving` and `other` have the same positions over one pitch,
+///           and `driving` has contact at some position; rasters of at least 2 × 2 nodes (contract)
 std::string contact_section(const ContactReport& report);
 
-/// Teeth under load, with one paragraph and its pictures for each subject.
+/// Teeth under load. Each subject has one paragraph and its pictures.
 ///
-/// Domain    at least one torque; positions evenly spaced over one pitch, some of which have
-///           contact (contract)
+/// Domain    at least one torque; positions evenly spaced over one pitch, with contact at some of
+///           them (contract)
 std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes);
 
-/// The root stress, along the drawn fillet of each gear and over the face; empty if there is none.
+/// Two kinds of figures of the root stress: along the fillet of each gear, and over the face. Empty
+/// if root stresses were not computed.
 std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes);
 
-/// Corrections: the changes for a workshop, and their effect on each objective.
+/// Corrections: the changes to make, and their effect on each objective.
 ///
-/// Domain    the pair of `before` has contact at some position (contract)
+/// Domain    `before` has contact at some position (contract)
 std::string compensate_section(const CompensateView& view);
 
-/// Effect of tolerances on the pair: percentiles, figures of the distributions, and the share of
-/// each tolerance.
+/// The effect of tolerances on the pair: percentiles, figures of the distributions, and the
+/// influence of each tolerance.
 ///
 /// Domain    a scatter with samples (contract)
 std::string scatter_section(const ScatterView& view);
-/// The samples of a quantity with its percentiles; none if it does not vary. `id` is that of its
-/// figures.
+/// The samples of a quantity with its percentiles. None if the quantity is the same in all samples.
+/// `id` is the id of the figures.
 std::optional<DistributionScene> distribution_scene(const ScatterView& view,
                                                     ScatterQuantity quantity, const char* id);
-/// The figures of a scatter, for the report, the page and notebooks: distributions that vary, and
-/// the density of patterns if the view has it.
+/// The figures of a scatter, for the report, the web page and notebooks: one or more for each
+/// quantity that varies, and the density of contact patterns if the view contains it.
 std::vector<Figure> scatter_figures(const ScatterView& view);
 
-/// Strength: inputs, factors, stresses and safeties, each with its clause in the standard.
+/// Strength: inputs, factors, stresses and safeties, each with its clause of the standard.
 std::string rating_section(const RatingView& view);
 
 }  // namespace gearwright

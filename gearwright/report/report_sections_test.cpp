@@ -15,7 +15,8 @@ ContactScore score(double arcsec) {
   return s;
 }
 
-// The errors of a range have the keys of the spec. The report contains words and units instead.
+// The input names the errors of a range by the keys of the spec. The report contains words and
+// units instead.
 TEST(CompensateSection, NamesTheErrorsOfARangeInWords) {
   CompensateView view;
   view.before = score(3.0);

@@ -21,16 +21,16 @@ std::string length(const std::optional<double>& mm) { return fixed(mm, kLengthDi
 std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
 std::string none() { return std::string(kNoValue); }
 
-// A factor as given, with no more digits than in the input.
+// A factor with the digits of the input.
 std::string given(double value) { return fmt::format("{:.10g}", value); }
 
-constexpr int kRackDigits = 6;  // for arcs, in modules or degrees
+constexpr int kRackDigits = 6;  // digits of the data of arcs, in modules or degrees
 
 std::optional<double> unless_zero(double value) {
   return value != 0.0 ? std::optional(value) : std::nullopt;
 }
 
-// Rows without a value for any rack are omitted. A gear cut by a pinion cutter has no rack.
+// Rows without a value for any gear are omitted. A gear cut by a pinion cutter has no rack.
 void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
   struct Row {
     const char *words, *symbol, *unit;
@@ -72,7 +72,8 @@ void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
   }
 }
 
-// Adds one row for each arc of a rack: signed radius, centre, start angle and end angle.
+// Adds four rows for each arc of a rack: the signed radius, the two coordinates of the centre, and
+// the range of the normal angle.
 void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
   std::size_t most = 0;
   for (const Gear* g : gears) most = std::max(most, g->arcs() ? g->arcs()->rack.arcs.size() : 0);
@@ -113,10 +114,10 @@ std::vector<TextGroup> gear_groups(const std::vector<const Gear*>& gears,
   return text_groups(gear_quantities().table(), records, kPage);
 }
 
-// The parts that were checked, if no interference was found.
+// A sentence about what was checked, for a pair without interference.
 std::string nothing_strikes(const InvolutePair& p) {
   if (p.overlap && p.crossed_inside()) {
-    return "<p>There is no interference of tips, which keep clear of roots, fillets and flanks. "
+    return "<p>There is no interference of tips. They keep clear of roots, fillets and flanks. "
            "Whether the flanks overlap beside the line of action depends on the lead "
            "crowning.</p>\n";
   }
@@ -168,7 +169,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions) {
   return rows;
 }
 
-// The rows that do not already occur among those of the overlap.
+// The rows of `named` that do not already occur among the rows of the overlap.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                   const std::vector<CollisionRow>& listed) {
   std::vector<CollisionRow> rows;
@@ -196,7 +197,7 @@ std::vector<std::string> gear_headings(std::size_t gears) {
 std::string gear_table(const std::vector<const Gear*>& gears,
                        const std::array<std::optional<Halves>, 2>& halves) {
   using namespace gear_group;
-  // The rows of gears with few teeth are in a table of their own.
+  // Gears with few teeth have additional rows, which are in a separate table.
   std::vector<TextGroup> common, cutter;
   for (TextGroup& g : gear_groups(gears, halves)) {
     if (g.title == kCutter)
@@ -264,8 +265,8 @@ std::string path_table(const InvolutePair& p) {
                     length((mark.rho1 - m.rho1_C) / m.line_cosine), length(mark.rho1),
                     length(m.rho2(mark.rho1)), ratio(s.zeta_1), ratio(s.zeta_2)});
   }
-  return value_table(crossed ? "Points of the line of action; ζ is the sliding in mm per mm that "
-                               "the contact travels on the flank"
+  return value_table(crossed ? "Points of the line of action; ζ is the sliding distance divided "
+                               "by the distance that the contact travels on the flank"
                              : "Points of the path of contact",
                      {"Point", "from C, mm", symbol_html("ρ_1") + ", mm",
                       symbol_html("ρ_2") + ", mm", symbol_html("ζ_1"), symbol_html("ζ_2")},
@@ -277,7 +278,8 @@ std::string interference_table(const InvolutePair& p) {
       p.overlap ? rows_of(*p.overlap) : std::vector<CollisionRow>{};
   if (overlap.empty() && p.interference.empty() && p.beyond_flank.empty())
     return nothing_strikes(p);
-  return strike_rows("Overlap of the outlines in the middle of the backlash", overlap) +
+  return strike_rows("Overlap of the outlines, with the teeth in the middle of the backlash",
+                     overlap) +
          strike_rows(p.overlap ? "Causes of the overlap" : "Interference",
                      rows_of(p.interference, overlap)) +
          strike_rows("Contact beyond the flanks, before the flanks touch", rows_of(p.beyond_flank));

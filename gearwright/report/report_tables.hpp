@@ -1,5 +1,5 @@
-// The tables of the page, for gears side by side and for the pair. Numbers of digits are in
-// html_text.hpp.
+// The tables of the page, for gears side by side and for the pair. html_text.hpp defines the
+// numbers of digits.
 #pragma once
 
 #include <array>
@@ -15,22 +15,22 @@ namespace gearwright {
 /// "Gear 1", "Gear 2"
 std::vector<std::string> gear_headings(std::size_t gears);
 
-/// Gears side by side: the data of the drawing, the derived values, and how the gears are cut. For
-/// double-helical gears, `gears` are halves.
+/// Gears side by side: the data of the drawing, the derived values, and how the gears are cut. If a
+/// gear is double-helical, `gears` contains one of its halves.
 std::string gear_table(const std::vector<const Gear*>& gears,
                        const std::array<std::optional<Halves>, 2>& halves);
 
-/// Additional data of gears with few teeth: the points F, C and J, and circular fillets (symbols in
-/// gear_figures.hpp). Empty if no gear has any.
+/// Additional data of gears with few teeth: the points F, C and J, and the circular fillets. The
+/// symbols are those of gear_figures.hpp. Empty if no gear has such data.
 std::string few_teeth_table(const std::vector<const Gear*>& gears);
 
-/// The catalogue's quantities of a pair, under their headings.
+/// The quantities of a pair in the catalogue, under their headings.
 std::string pair_table(const Pair& pair);
 
-/// Points A … E: distance from the pitch point, radii of curvature, sliding.
+/// The points A to E: distance from the pitch point, radii of curvature, sliding.
 std::string path_table(const InvolutePair& pair);
 
-/// Interference by name and amount, or the sentence that none was found.
+/// Interference by name and amount, or a sentence if none was found.
 std::string interference_table(const InvolutePair& pair);
 
 }  // namespace gearwright

@@ -31,7 +31,7 @@ std::string printed(double value, int decimals) {
   return text;
 }
 
-// The values of the first table row that begins with these words.
+// The values of the first table row whose heading begins with these words.
 std::vector<std::string> row(const std::string& page, const std::string& words) {
   const std::size_t at = page.find("<tr><th scope=\"row\">" + words + "</th>");
   if (at == page.npos) return {"no such row"};
@@ -71,7 +71,8 @@ TEST(StrictHtml, SeesWhatIsBroken) {
   }
 }
 
-// With tolerances the backlash has two ends. The other key figures remain those of the drawing.
+// The tolerances apply to the backlash, which therefore has a value at each end. The other key
+// figures have nominal values.
 TEST(Report, KeyFiguresHaveTheBacklashAtBothEnds) {
   const auto pair_at = [](double distance) {
     return sample_pair(sample_gear(21, 2, 0, 0), sample_gear(40, 2, 0, 0), distance);
@@ -113,7 +114,8 @@ TEST(Report, SameInputSameBytes) {
 TEST(Report, GearNumbersAreTheGears) {
   const ParallelPair pair = helical_pair();
   const std::string page = report_html(report_input(pair));
-  // d = z m_n/cos β and d_b = d cos α_t are computed here. The other values are those of the gears.
+  // The test computes d = z m_n/cos β and d_b = d cos α_t. All other values are taken from the
+  // gears.
   const double pi = std::numbers::pi;
   const double cos_beta = std::cos(15 * pi / 180);
   const double cos_t = std::cos(std::atan(std::tan(20 * pi / 180) / cos_beta));
@@ -170,8 +172,8 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
   const CrossedPair pair = crossed_pair();
   const std::string page = report_html(report_input(pair));
   const Mesh<double>& m = pair.mesh;
-  // Shaft angle, least distance and contact ratio of the example, to the digits of its reference
-  // values.
+  // Shaft angle, least centre distance and contact ratio of the example agree with its reference
+  // values to their last digit.
   EXPECT_EQ(row(page, "Shaft angle"), (Values{"90.00000"}));
   EXPECT_EQ(row(page, "Centre distance"), (Values{"50.0100"}));
   EXPECT_EQ(row(page, "Working normal pressure angle"), (Values{"18.68383"}));
@@ -181,8 +183,8 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
                     printed(pair.face_widths.one_flank[1], 4)}));
   const std::string least = page.substr(page.find("Minimum centre distance, free of backlash"));
   EXPECT_EQ(row(least, "Shaft angle"), (Values{"90.01272"}));
-  // The points of the path are measured along the line, which is inclined to the transverse section
-  // by β_b1.
+  // The points of the path are measured along the line of action, which is inclined to the
+  // transverse section by β_b1.
   const double pitch = pair.gears[0].reference().base_pitch_normal;
   const double A =
       std::stod(row(page, "<strong>A</strong> start of contact, at the tip of gear 2")[0]);
@@ -252,7 +254,7 @@ TEST(Report, TextIsText) {
   EXPECT_EQ(facts.elements.at("script"), 1);
   EXPECT_EQ(facts.elements.at("pre"), 1);
   EXPECT_EQ(facts.elements.at("b"),
-            // One for the verdict and one for each finding.
+            // One level for the verdict and one for each finding.
             static_cast<int>(1 + input.verdict.findings.size()));
   EXPECT_EQ(page.find("<script>alert"), page.npos);
   EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt;&quot;&#39;&amp;"), page.npos);

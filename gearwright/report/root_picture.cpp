@@ -15,11 +15,10 @@ namespace gearwright {
 namespace {
 
 constexpr double kWidth = 520.0;
-constexpr double kAspect = 1.0;    // of the plot
-constexpr double kMargin = 0.055;  // of its height and width, around the essential part
+constexpr double kAspect = 1.0;    // width over height of the plot
+constexpr double kMargin = 0.055;  // margin around the essential part, as a fraction of its height
+                                   // and width
 constexpr int kFewTeeth = 12;      // with more teeth, a root without undercut looks like any other
-
-// Points are marked on the right of the tooth, the side y > 0 of the gear frame.
 
 const Arc& flank_of(const Gear& gear) {
   const Arc* flank = gear.tooth->outline.find(ArcName::flank);
@@ -37,14 +36,15 @@ Vec2 root_center(const Gear& gear) {
   return center_of(*gear.tooth->root_fillet, kPi / gear.spec.teeth);
 }
 
-// True if F lies on this tooth. Beyond the middle of the space, F would lie in the neighbouring tooth.
+// True if F lies on this tooth. Beyond the middle of the space, F would lie on the neighbouring
+// tooth.
 bool shows_limit(const Gear& gear) {
   return gear.reference().base_tooth_thickness / gear.reference().base_diameter <
          kPi / gear.spec.teeth;
 }
 
-// The essential part, mm: the whole tooth if its tip matters, otherwise the root on the right, up
-// to slightly above the start of the flank.
+// The essential part, mm. If the tip matters, it is the whole tooth. Otherwise it is the root on
+// the right, up to slightly above the start of the flank.
 std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack) {
   const bool whole = gear.tooth->tip_fillet || (rack && gear.spec.teeth <= 4);
   const double start = std::max(gear.base_radius(), gear.root_form_radius().value_or(0.0));
@@ -74,7 +74,7 @@ Bounds window(const Gear& gear, const std::optional<Gear>& rack) {
   return {middle - half, middle + half};
 }
 
-// The flank that undercut removed, from the base circle to the present start of the flank.
+// Draws the flank that undercut removed, from the base circle to the start of the remaining flank.
 void add_lost_flank(Figure& f, const Gear& gear) {
   const Involute flank(gear.base_radius(),
                        gear.reference().base_tooth_thickness / gear.reference().base_diameter);
@@ -89,10 +89,12 @@ void add_lost_flank(Figure& f, const Gear& gear) {
   f.line(std::move(left), "before");
 }
 
-// The circle of an arc, with its centre and the radius to the point at which it touches the flank.
+// Draws the circle of a fillet with its centre, and the radius to the point at which it touches the
+// flank.
 void add_fillet(Figure& f, const FilletArc& arc, const Vec2& center, const Vec2& touch,
                 const char* symbol) {
-  constexpr double kReadable = 0.085;  // of the width of the plot; a shorter line has no name
+  constexpr double kReadable = 0.085;  // fraction of the width of the plot; a shorter radius has no
+                                       // label
   f.circle(center, arc.radius, "thin dot", -1);
   f.line({center, touch}, "thin");
   f.dot(center, 2.2, "mark hollow");
@@ -187,12 +189,10 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
   if (!root_is_worth_a_picture(gear)) return {};
   const std::optional<Gear> rack = by_rack_alone(gear);
   std::string words = behind_words(gear, rack);
-  words +=
-      fmt::format("At <b>F</b>, {}.", gear.involute()->undercut_l < 0.0
-                                          ? "the flank could begin at the earliest, but the rack "
-                                            "does not reach this point, so there is no undercut"
-                                          : "the flank could begin at the earliest, but the rack "
-                                            "reaches this point and undercuts the flank");
+  words += fmt::format("<b>F</b> is the lowest possible start of the flank. {}.",
+                       gear.involute()->undercut_l < 0.0
+                           ? "The rack does not reach this point, so there is no undercut"
+                           : "The rack reaches this point and undercuts the flank");
   if (gear.tooth->root_fillet) {
     words += fmt::format(" At <b>C</b>, the root fillet with {} = {} mm touches the flank.",
                          symbol_html("r_r"), fixed(gear.tooth->root_fillet->radius, kLengthDigits));

@@ -19,7 +19,7 @@ TEST(RootPicture, OnlyWhereItSaysSomething) {
   EXPECT_TRUE(root_is_worth_a_picture(sample_gear(14, 2, 0, 0)));  // undercut
   EXPECT_TRUE(root_is_worth_a_picture(sample_gear(12, 2, 0, 0.5)));
   EXPECT_FALSE(root_is_worth_a_picture(sample_gear(13, 2, 0, 0.5)));
-  EXPECT_FALSE(root_is_worth_a_picture(sample_gear(3, 2, 0, -0.6)));  // no gear
+  EXPECT_FALSE(root_is_worth_a_picture(sample_gear(3, 2, 0, -0.6)));  // this gear does not exist
   EXPECT_FALSE(root_is_worth_a_picture(sample_gear(-60, 2, 0, 0)));
   EXPECT_FALSE(root_is_worth_a_picture(testing::pinion_in_cut_ring().gears[1]));
   EXPECT_FALSE(root_is_worth_a_picture(testing::two_and_sixty().gears[1]));
@@ -43,7 +43,7 @@ TEST(RootPicture, UndercutBeginsWhereTheFlankMeetsTheBaseCircle) {
   for (const Gear& gear : {testing::two_teeth(), sample_gear(12, 2, 15, 0.4, 0.0, -0.05)}) {
     const Vec2 F = undercut_limit_point(gear);
     EXPECT_NEAR(F.norm(), gear.base_radius(), 1e-13 * gear.base_radius());
-    // The actual flank, extended back to ξ = 0.
+    // The involute of the flank, extended back to ξ = 0.
     const Arc* flank = gear.tooth->outline.find(ArcName::flank);
     EXPECT_LT((flank->curve->point(0.0) - F).norm(), 1e-12);
   }
@@ -52,16 +52,17 @@ TEST(RootPicture, UndercutBeginsWhereTheFlankMeetsTheBaseCircle) {
 TEST(RootPicture, ShowsBothRootsAndThePoints) {
   const std::string page = root_figure(testing::two_teeth(), "gear1", "Gear 1");
   EXPECT_GT(count_of(page, "class=\"before\""), 4u);  // the tooth cut by the rack, both flanks
-  EXPECT_EQ(count_of(page, "class=\"arc c-root-fillet\""), 2u);  // those of the gear
+  EXPECT_EQ(count_of(page, "class=\"arc c-root-fillet\""), 2u);  // one fillet on each side
   for (const char* letter : {">F<", ">C<", ">J<"})
     EXPECT_NE(page.find(letter), page.npos) << letter;
-  // The values of table 1 of the paper are l 0.236 and 0.246, radii 1.045 and 0.332.
+  // Table 1 of the paper gives l = 0.236 and 0.246, and the radii 1.045 and 0.332.
   for (const char* value : {" 0.2359<", " 0.2459<", " 1.9008<", "= 1.0454 mm", "= 0.3320 mm"})
     EXPECT_NE(page.find(value), page.npos) << value;
   EXPECT_NE(page.find("the undercut tooth as cut by the rack alone"), page.npos);
 
   const std::string undercut = root_figure(sample_gear(8, 2, 0, 0), "gear1", "Gear 1");
-  EXPECT_EQ(count_of(undercut, "class=\"before\""), 2u);  // the lost flank, both sides
+  EXPECT_EQ(count_of(undercut, "class=\"before\""), 2u);  // the flank that undercut removed, both
+                                                          // sides
   EXPECT_NE(undercut.find("flank removed by undercut"), undercut.npos);
   EXPECT_EQ(undercut.find(">C<"), undercut.npos);
   const std::string sound = root_figure(sample_gear(10, 2, 0, 0.6), "gear1", "Gear 1");

@@ -18,7 +18,7 @@ std::string shown(const SpreadEntry& entry, double value) {
   return fixed(entry.shown(value), entry.digits);
 }
 
-// Rows of the quantities that have a distribution.
+// A table of the quantities that have a distribution.
 template <class Spreads>
 std::string distribution_table(const ScatterView& view, const std::string& title,
                                const Spreads& spreads) {
@@ -68,7 +68,7 @@ std::string index_part(const ScatterView& view) {
   return html_of(index_figure(scene)) + "<p>" + names + ".</p>\n";
 }
 
-// The percentiles of the quantities under each torque, without and with the corrections.
+// The percentiles of the quantities under each torque, with and without the corrections.
 std::string robust_load_part(const RobustView& r) {
   std::string part;
   for (std::size_t k = 0; k < r.before.loaded.size(); ++k) {
@@ -99,11 +99,10 @@ std::string robust_part(const ScatterView& view) {
     return shown(scatter_entries()[0], j.family->percentile().estimate.value);
   };
   return fmt::format(
-             "<p>These corrections lower the {} % point of the {}: {}. The point is then {}″ "
-             "instead of {}″, computed with samples that the search did not use.</p>\n",
+             "<p>The following corrections lower the {} % point of the {}: {}. This point is then "
+             "{}″ instead of {}″ for samples that the search did not use.</p>\n",
              format_number(r.percent),
-             r.under_load ? "transmission error under the worst of the torques"
-                          : "transmission error",
+             r.under_load ? "transmission error at the worst torque" : "transmission error",
              escaped(list), percentile(r.after), percentile(r.before)) +
          robust_load_part(r);
 }

@@ -39,7 +39,7 @@ std::string kind_of(const SearchProblem& problem) {
   return kind;
 }
 
-// "by contact ratio"; for several objectives, "by size, the Pareto front over size and contact
+// "by contact ratio", or for several objectives "by size, the Pareto front over size and contact
 // ratio first".
 std::string order_in_words(const SearchProblem& problem) {
   const auto& objectives = problem.objectives;
@@ -91,12 +91,12 @@ std::string table_section(const SearchReport& report) {
                                       [](const DesignRow& row) { return row.interference; });
   const bool all = static_cast<std::int64_t>(shown) == answer.counts.feasible;
   return fmt::format(
-      "<section>\n<h2>Designs</h2>\n<p>{} {}; profile shifts are in modules.{}<span "
+      "<section>\n<h2>Designs</h2>\n<p>{} {}. Profile shifts are in modules.{}<span "
       "id=\"sort-hint\" hidden> Click a heading to sort by its column, and click again to reverse "
       "the order.</span></p>\n{}{}</section>\n",
-      all ? fmt::format("All {}", counted(answer.counts.feasible))
-          : fmt::format("The best {} of {}", counted(static_cast<std::int64_t>(shown)),
-                        counted(answer.counts.feasible)),
+      all ? fmt::format("All {} designs, sorted", counted(answer.counts.feasible))
+          : fmt::format("The best {} of {} designs, sorted",
+                        counted(static_cast<std::int64_t>(shown)), counted(answer.counts.feasible)),
       escaped(order_in_words(problem)),
       interferes ? "" : " None of these designs has interference.",
       design_table(problem, answer, report.rows), design_table_key(problem, answer, report.rows));
@@ -132,7 +132,7 @@ std::string thumbnail_section(const SearchReport& report) {
 std::string chart_section(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
   const DesignRow* best = report.answer.designs.empty() ? nullptr : &report.answer.designs.front();
-  Trial trial;  // for the first rack and helix, if there is no design
+  Trial trial;  // if there is no design, the first rack and helix angle
   trial.helix = {problem.helix.front(), Angle()};
   if (best != nullptr) trial = best->trial;
   return "<section>\n<h2>Limits for each number of teeth</h2>\n" + (best ? "" : picture_hint()) +

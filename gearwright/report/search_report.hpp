@@ -1,8 +1,8 @@
-// Writes one HTML page about a design search, for users: the tried candidates, the best designs in
+// Writes one HTML page about a design search, for users: the number of trials, the best designs in
 // a sortable table, and pictures of their objectives and of the regions of their profile shifts.
 //
-// Like the report of a pair (report/report.hpp), it depends only on its input and is one
-// self-contained file.
+// Like the report of a pair (report/report.hpp), the page is one self-contained file and depends
+// only on its input.
 #pragma once
 
 #include <string>
@@ -17,18 +17,20 @@ struct SearchReport {
   std::string spec_text;  ///< the spec, verbatim; omitted if empty
   const Search& search;
   const SearchAnswer& answer;
-  std::vector<std::string> reasons;  ///< plain text: the reasons if nothing fits, changes that
-                                     ///< would help, warnings
+  std::vector<std::string> reasons;  ///< plain text: warnings, and if no design is feasible, the
+                                     ///< reasons and changes that would help
   std::size_t rows = 200;            ///< number of designs in the table
-  std::string version;               ///< of the program
+  std::string version;               ///< version of the program
 };
 
-inline constexpr std::size_t kRegionPictures = 20;  ///< for the best designs
+inline constexpr std::size_t kRegionPictures = 20;  ///< number of the best designs that have a
+                                                    ///< picture
 
-/// The numbers of candidates and the best design in two or three sentences (HTML).
+/// The numbers of trials and feasible designs, and the best design, in two or three sentences
+/// (HTML).
 std::string search_verdict(const SearchReport& report);
 
-/// Everything between the head of the page and the spec.
+/// The part of the page between the head and the spec.
 std::string search_sections(const SearchReport& report);
 
 /// The page, UTF-8.

@@ -43,7 +43,7 @@ TEST(SearchReport, CountsInWords) {
   EXPECT_FALSE(has(page, "specific sliding too great"));  // this limit rejected no trial
   const DesignRow& best = sample.answer->designs.front();
   EXPECT_TRUE(has(page, "contact ratio " + fixed(best.contact_ratio, 3) + "."));
-  EXPECT_TRUE(has(page, "All 56 by contact ratio"));
+  EXPECT_TRUE(has(page, "All 56 designs, sorted by contact ratio"));
   EXPECT_TRUE(has(search_report(sample.report(30)), "The best 30 of 56"));
 }
 
@@ -58,7 +58,7 @@ TEST(SearchReport, TheBestTwentyHaveTheirRegions) {
   for (const char* picture :
        {"id=\"region\"", "id=\"designs-plot\"", "id=\"chart-limits\"", "id=\"chart-identical\""})
     EXPECT_EQ(count_of(page, picture), 1u) << picture;
-  // With fewer rows, no picture links to a row that is missing.
+  // The page has fewer rows here. No picture links to a row that is not in the table.
   const std::string few = search_report(sample.report(5));
   EXPECT_EQ(count_of(few, "href=\"#design-"), 5u);
 }
@@ -97,7 +97,7 @@ TEST(SearchReport, SeveralObjectivesAreSaid) {
   const std::string page = search_report(testing::pareto_search().report());
   EXPECT_TRUE(has(page,
                   "the Pareto front over size m²(z₁² + z₂²), contact ratio and area of the "
-                  "region first"));
+                  "region of profile shifts first"));
   EXPECT_TRUE(has(page, "The best design by size"));
 }
 

@@ -15,8 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The quantities in the order of the page: the design, its rank, its values. A quantity includes
-// the meaning of its column if the text for the page differs from that for documents.
+// The quantities in the order of the page: first the design, then its rank, then its values. If the
+// documents' text for a column does not suit the page, the entry has a text of its own.
 struct Entry {
   std::string_view key;
   std::optional<std::string_view> meaning;
@@ -32,8 +32,8 @@ constexpr Entry kEntries[] = {
     {"center_distance_mm", ""},
     {"profile_shift", "in modules"},
     {"point",
-     "balanced is on the line where the teeth of both gears are about equally strong; middle is in "
-     "the middle of the region, if the line misses the region"},
+     "“balanced” is a point on the line on which the teeth of both gears are about equally strong; "
+     "“middle” is the middle of the region, used if that line does not cross the region"},
     {"contact_ratio", "from tip to tip, by the formula"},
     {"contact_ratio_true", "for the part of the path on which both flanks are usable"},
     {"overlap_ratio", ""},
@@ -53,13 +53,13 @@ constexpr Entry kEntries[] = {
 
 struct Cell {
   std::string text;
-  std::optional<double> key;  // value by which the column is sorted; rows without one come last
+  std::optional<double> key;  // value by which the column is sorted; rows without a value come last
 };
 
 struct Column {
   const QuantityInfo* info;
   std::string_view meaning;
-  std::optional<std::size_t> gear;  // for quantities with a value for each gear
+  std::optional<std::size_t> gear;  // the gear, if each gear has its own value
 };
 
 Cell mark(bool is, const char* text) { return {is ? text : "", is ? 1.0 : 0.0}; }
@@ -83,7 +83,7 @@ Cell cell_of(const Column& column, const ValueRecord& record) {
   return {text_of(*column.info, v), v.number()};
 }
 
-// Columns without a value for any design are omitted.
+// The columns of the table. A column without a value for any design is omitted.
 std::vector<Column> columns_of(const std::vector<ValueRecord>& records) {
   std::vector<Column> columns;
   for (const Entry& entry : kEntries) {
@@ -112,7 +112,7 @@ std::vector<ValueRecord> records_of(const SearchProblem& problem, const SearchAn
   return records;
 }
 
-// The symbol with the number of the gear, or the words of a quantity that has no symbol.
+// The symbol with the number of the gear. A quantity without a symbol is shown by its words.
 std::string symbol_of(const Column& c) {
   if (c.info->symbol.empty()) return c.info->key;
   if (!c.gear) return symbol_html(c.info->symbol);

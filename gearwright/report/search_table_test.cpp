@@ -20,7 +20,7 @@ struct Cell {
   std::string key, text;
 };
 
-// The cells of row `n`, rank included.
+// The cells of row `n`, including the rank.
 std::vector<Cell> cells(const std::string& table, int n) {
   const std::size_t at = table.find("<tr id=\"design-" + std::to_string(n) + "\"");
   if (at == table.npos) return {};
@@ -65,7 +65,7 @@ TEST(SearchTable, ARowIsItsDesign) {
     EXPECT_EQ(c[18].text, fixed(row.tip_clearance[1], 3));
     EXPECT_EQ(c[19].text, fixed(row.max_sliding(), 3));
     EXPECT_EQ(c[20].text, fixed(row.area, 4));
-    // Columns sort by more digits than they show.
+    // The table sorts by more digits than it shows.
     EXPECT_NEAR(std::stod(c[11].key), row.contact_ratio, 1e-11);
     EXPECT_EQ(c[19].key.empty(), !row.max_sliding());
   }
@@ -92,7 +92,7 @@ TEST(SearchTable, InterferenceComesFirstAndOnlyWhereSomethingInterferes) {
   EXPECT_EQ(table_of(clean).find("interference"), std::string::npos);
 }
 
-// The text of the page contains no key of a file and no number of an equation.
+// The text of the page contains no keys of result files and no equation numbers.
 TEST(SearchTable, TheKeySpeaksToReadersOfThePage) {
   for (const SearchSample& sample : testing::all_searches()) {
     const std::string key = design_table_key(sample.search->problem(), *sample.answer, 200);
@@ -120,7 +120,7 @@ TEST(SearchTable, EveryRowHasACellForEveryHeadingAndEveryHeadingWords) {
     for (int i = 1; i <= n; ++i) EXPECT_EQ(cells(table, i).size(), headings);
     EXPECT_EQ(count_of(table, "<tr id="), static_cast<std::size_t>(n));
     const std::string key = design_table_key(sample.search->problem(), *sample.answer, 200);
-    EXPECT_EQ(count_of(key, "<dt>"), headings - 1);  // the rank needs no explanation
+    EXPECT_EQ(count_of(key, "<dt>"), headings - 1);  // the rank column has no explanation
     EXPECT_EQ(count_of(table, "aria-sort=\"ascending\""), 1u);
   }
 }

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// The order is that of Limit.
+// The order is the order of the enumerators of Limit.
 constexpr std::array<std::string_view, kLimits> kLimitWords{
     "no profile shift without undercut or a thin tip",
     "centre distance out of reach",
@@ -36,7 +36,7 @@ ObjectiveWords words_of(Objective objective) {
     case Objective::ratio: return {"error of the ratio", "", "", false};
     case Objective::size: return {"size m²(z₁² + z₂²)", "", "mm²", false};
     case Objective::shift: return {"sum of profile shifts", "Σx", "modules", false};
-    case Objective::area: return {"area of the region", "", "modules²", true};
+    case Objective::area: return {"area of the region of profile shifts", "", "modules²", true};
     case Objective::sliding: return {"greatest specific sliding", "ζ", "", false};
     case Objective::mass: return {"mass", "m", "kg", false};
     case Objective::safety: return {"least ratio of safety to required safety", "", "", true};
@@ -46,7 +46,8 @@ ObjectiveWords words_of(Objective objective) {
 
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective) {
-  // Only ranked designs have a cost. For a plot, any point of a region can be used.
+  // Only a ranked (balanced) design has a cost. A plot needs a value for every design, so the row
+  // is treated as balanced.
   DesignRow any = row;
   any.balanced = true;
   const auto value = cost(problem, any, objective);

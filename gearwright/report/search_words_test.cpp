@@ -36,8 +36,8 @@ TEST(SearchWords, EveryLimitHasWordsOfItsOwn) {
   EXPECT_EQ(words_of(Limit::interference), "interference");
 }
 
-// A value increases with the quantity itself, and a cost increases with the rank. Designs without a
-// rank have values too.
+// The value of an objective has the sign of its quantity. A lower cost is always better. Designs
+// without a rank have values, too.
 TEST(SearchWords, ValuesAreCostsWithTheirNaturalSign) {
   const SearchProblem problem = testing::spur_problem();
   DesignRow row;
@@ -53,7 +53,7 @@ TEST(SearchWords, ValuesAreCostsWithTheirNaturalSign) {
   EXPECT_NEAR(*value_of(problem, row, Objective::ratio), 0.05, 1e-12);
   EXPECT_EQ(value_of(problem, row, Objective::size), 2.5 * 2.5 * (20 * 20 + 41 * 41));
   EXPECT_NEAR(*value_of(problem, row, Objective::shift), 0.3, 1e-15);
-  EXPECT_FALSE(value_of(problem, row, Objective::sliding));  // the problem has no limit of ζ
+  EXPECT_FALSE(value_of(problem, row, Objective::sliding));  // the problem sets no limit for ζ
 }
 
 TEST(SearchWords, NamesAndCounts) {

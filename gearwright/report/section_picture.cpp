@@ -16,9 +16,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kPlot = 480.0;                // px, its width without the columns of names
-constexpr double kLow = 220.0, kHigh = 460.0;  // px, of the height
-constexpr int kSteps = 500;                    // points of a quarter of an ellipse
+constexpr double kPlot = 480.0;                // px, width of the plot without the columns of names
+constexpr double kLow = 220.0, kHigh = 460.0;  // px, limits of its height
+constexpr int kSteps = 500;                    // number of points on a quarter of an ellipse
 
 Bounds box_of_lines(const InvolutePair& pair, Lines lines) {
   Bounds box;
@@ -29,8 +29,8 @@ Bounds box_of_lines(const InvolutePair& pair, Lines lines) {
   return box;
 }
 
-// With nearly parallel axes, the lines are far apart along the teeth. The trailing one is omitted
-// if it would make the picture much smaller.
+// If the axes are nearly parallel, the lines of action are far apart along the teeth. The trailing
+// line is omitted if it would make the picture much smaller.
 Lines lines_shown(const InvolutePair& pair) {
   const double one = box_of_lines(pair, Lines::leading).size().x();
   return box_of_lines(pair, Lines::both).size().x() > 3 * one ? Lines::leading : Lines::both;
@@ -44,7 +44,8 @@ Bounds window(const InvolutePair& pair) {
   const double m = pair.gears[0].spec.normal_module;
   const Vec2 size = box.size().cwiseMax(Vec2(2 * m, 2 * m));
   const double scale = std::min((kPlot - 60) / size.x(), (kHigh - 110) / size.y());  // px/mm
-  // The height is only as large as the lines require, with letters and a part of the cylinders.
+  // The height is no greater than needed for the lines of action with their letters, and a part of
+  // the cylinders.
   const Vec2 half = 0.5 / scale * Vec2(kPlot, std::max(kLow, scale * size.y() + 110.0));
   const Vec2 center = (box.lo + box.hi) / 2;
   return {center - half, center + half};
@@ -54,13 +55,13 @@ bool inside(const Figure& f, const Vec2& p) {
   return p.x() >= f.x.lo && p.x() <= f.x.hi && p.y() >= f.y.lo && p.y() <= f.y.hi;
 }
 
-// Adds the part of the ellipse within the plot. Its name is at the point where the ellipse leaves the
-// plot, on the way from the mesh to the `side` (+1 right).
+// Draws the part of the ellipse within the plot. Starting at the mesh and going towards `side` (+1
+// to the right), the name is at the point where the ellipse leaves the plot.
 void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const NamedCircle& cut,
                   double side) {
   const SectionEllipse e = section_of_cylinder(pair, i, cut.radius);
-  // Gear 1 is below the mesh, so the mesh is at its top. If gear 2 is internal, the mesh is at the bottom
-  // of both gears.
+  // Gear 1 is below the mesh, so the mesh is at the top of gear 1. If gear 2 is internal, the mesh
+  // is at the bottom of both gears.
   const double up = i == 0 ? pair.side() : -1.0;
   const auto at = [&](int k, double to) {
     const double angle = up * kHalfPi * (1.0 - to * k / kSteps);

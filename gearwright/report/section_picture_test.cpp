@@ -10,7 +10,7 @@
 namespace gearwright {
 namespace {
 
-// (h/half width)² + (x/half height)² about the centre, which is 1 on the ellipse.
+// The value of (h/half width)² + (x/half height)² relative to the centre; it is 1 on the ellipse.
 double level(const SectionEllipse& e, const Vec2& p) {
   return std::pow((p.x() - e.center.x()) / e.half_width, 2) +
          std::pow((p.y() - e.center.y()) / e.half_height, 2);
@@ -27,8 +27,8 @@ TEST(SectionPicture, LineOfActionAtItsTrueLengthAndAngle) {
   }
 }
 
-// The sections of the cylinders are exact. The tips pass through A and E, and the line touches the
-// base cylinders at T_1 and T_2.
+// The sections of the cylinders are exact: the tip cylinders pass through A and E, and the leading
+// line is tangent to the base cylinders at T_1 and T_2.
 TEST(SectionPicture, CylindersPassThroughTheEndsOfTheLine) {
   for (const CrossedPair& pair : testing::crossed_pairs()) {
     const Mesh<double>& m = pair.mesh;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSoundContactRatio = 1.2;  // the usual least contact ratio of spur gears
 
-// Functions over the tooth numbers of the charts.
+// Sets up the axis of tooth numbers, which both charts share.
 Figure over_teeth(Figure f) {
   f.x = {.words = "number of teeth", .unit = {}, .lo = kChartMin, .hi = kChartMax, .symbol = "z"};
   f.x.log = true;
@@ -24,8 +24,8 @@ Figure over_teeth(Figure f) {
   return f;
 }
 
-// The shifts within the limits of the problem, with a piece for each run of tooth numbers for which
-// shifts exist.
+// The area of the shifts within the limits of the problem, with one piece for each run of tooth
+// numbers for which such shifts exist.
 std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   std::vector<std::vector<Vec2>> pieces;
   std::vector<Vec2> below, above;
@@ -98,8 +98,8 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
   for (std::size_t i = 0; i < kChartTips.size(); ++i) {
     const auto meet = where_limits_meet(chart, i);
     if (!meet) continue;
-    // The labels are stacked at the bottom, below the limit of undercut, where nothing else is
-    // drawn.
+    // The labels are stacked at the bottom of the chart, below the undercut limit, where nothing
+    // else is drawn.
     const double level = f.y.lo + (0.05 + 0.09 * static_cast<double>(i)) * (f.y.hi - f.y.lo);
     f.line({{meet->teeth, meet->shift}, {meet->teeth, level}}, "thin dash");
     f.dot({meet->teeth, meet->shift}, 4.0, "mark");
@@ -120,9 +120,10 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
            {9.0, i == 0 ? -8.0 : 18.0});
   }
   f.caption = fmt::format(
-      " of the rack of gear 1{}. Below the line “undercut” the cutter undercuts the root. Above "
-      "the tip lines the tip of the tooth is thinner than 0, 0.2 and 0.4 modules. The lines meet "
-      "at the least number of teeth that can be made{}{}.{}",
+      " of the rack of gear 1{}. Below the line “undercut”, the cutter undercuts the root. On the "
+      "line “pointed”, the tooth ends in a point. Above the lines “tip 0.2” and “tip 0.4”, the tip "
+      "is thinner than 0.2 and 0.4 modules. Each of these lines meets the line “undercut” at the "
+      "least number of teeth that can be made{}{}.{}",
       helix_words(trial), fewest.empty() ? "" : ": ", fewest,
       design != nullptr ? " The rings mark the best design." : "");
   return figure_html(f);
@@ -144,7 +145,7 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
   constexpr std::array kNames{"least shift", "¼ of the way", "½", "¾", "greatest shift"};
   double lowest = 1.0;
   double highest = 1.8;
-  std::optional<int> first;  // the least tooth number that reaches 1.2, at the least shift
+  std::optional<int> first;  // least number of teeth that reaches 1.2 at the least shift
   for (std::size_t k = 0; k < kNames.size(); ++k) {
     std::vector<Vec2> points;
     for (const IdenticalGears& row : chart) {
@@ -174,10 +175,10 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
            "halo", {6.0, -10.0});
   }
   f.caption = fmt::format(
-      "{}, at profile shifts 0, ¼, ½, ¾ and 1 of the way from the least to the greatest shift that "
-      "this search allows. The straight line marks a contact ratio of 1.2, below which spur gears "
-      "require unusual care{}. {}A smaller profile shift gives a greater contact ratio. With few "
-      "teeth, profile shift and contact ratio are limited.",
+      "{}. The curves are for five profile shifts, in equal steps from the least to the greatest "
+      "shift that this search allows. The straight line marks a contact ratio of 1.2, below which "
+      "spur gears require unusual care{}. {}A smaller profile shift gives a greater contact ratio. "
+      "With few teeth, profile shift and contact ratio are limited.",
       helix_words(trial),
       asked != kSoundContactRatio
           ? fmt::format(". The dashed line marks the required contact ratio of {:g}", asked)

@@ -62,7 +62,7 @@ TEST(ShiftChartPictures, IdenticalGearsSayNothingOfRingsAndCrossedAxes) {
   EXPECT_NE(helical.find("helix angle"), helical.npos);
 }
 
-// Limits that allow no shift at any tooth number, and no limits at all.
+// The limits allow no shift for any tooth number, or there are no limits at all.
 TEST(ShiftChartPictures, LimitsThatLeaveNothingDrawNothing) {
   SearchProblem problem = testing::spur_problem();
   problem.limits.min_shift = 1.0;

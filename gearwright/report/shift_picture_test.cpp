@@ -19,7 +19,8 @@ TEST(ShiftPicture, OnlyWhereItSaysSomething) {
   EXPECT_TRUE(shift_is_worth_a_picture(testing::two_teeth()));
   EXPECT_TRUE(shift_is_worth_a_picture(sample_gear(8, 2, 0, 0)));
   EXPECT_FALSE(shift_is_worth_a_picture(sample_gear(9, 2, 0, 0)));
-  EXPECT_FALSE(shift_is_worth_a_picture(sample_gear(8, 2, 0, 0.7)));  // no undercut, no fillet
+  EXPECT_FALSE(shift_is_worth_a_picture(sample_gear(8, 2, 0, 0.7)));  // no undercut and no circular
+                                                                      // fillet
   EXPECT_FALSE(shift_is_worth_a_picture(sample_gear(3, 2, 0, -0.6)));
   EXPECT_FALSE(shift_is_worth_a_picture(testing::two_and_sixty().gears[1]));
   EXPECT_EQ(shift_figures(sample_gear(20, 2, 0, 0), "gear1", "Gear 1"), "");
@@ -41,7 +42,7 @@ TEST(ShiftPicture, UndercutEndsAtTheLimit) {
       ASSERT_TRUE(t.rounded);
       EXPECT_FALSE(t.rounded->undercut);
       EXPECT_TRUE(t.rounded->tooth->root_fillet);
-      // The flank begins at the end of the gear's own fillet, beyond F.
+      // The flank begins at the end of the given root fillet, beyond F.
       const double l_F = std::max(0.0, *t.rounded->involute()->undercut_l);
       const double offset = gear.spec.root_fillet ? gear.spec.root_fillet->offset : 0.0;
       EXPECT_NEAR(*t.rounded->involute()->point_c_l, l_F + offset, 1e-12);

@@ -14,9 +14,10 @@ constexpr double kWidth = 640.0;
 constexpr double kAspect = 554.0 / 450.0;
 constexpr double kSmallWidth = 240.0;
 constexpr double kSmallAspect = 200.0 / 170.0;
-// Fraction of the rectangle; if a region is at least this long, the whole rectangle is shown.
+// If the region extends over at least this fraction of the rectangle, the whole rectangle is shown.
 constexpr double kFairPart = 0.62;
-// The same for the small pictures, where a common scale is preferred.
+// The corresponding fraction for small pictures. It is lower, because they should have the same
+// scale.
 constexpr double kSmallFairPart = 0.12;
 
 Vec2 design_of(const DesignRow& row) { return {row.shift[0], row.shift[1]}; }
@@ -38,16 +39,15 @@ std::string caption(const ShiftGraph& graph, const ShiftRegion& region) {
                           : std::string("no area, because the limits leave only a line or a point");
   const std::string line =
       problem.internal()
-          ? std::string("the line on which the pinion has the whole profile shift")
+          ? std::string("the line on which only the pinion has a profile shift")
           : fmt::format(
                 "the line on which the teeth of both gears are about equally strong ({} = {:g})",
                 symbol_html("λ"), problem.lambda);
   return fmt::format(
       ". The filled region has {}, in normal modules. The faint rectangle shows the limits of the "
-      "profile shifts. {}The dashed line is {}; its feasible part is thick. The dots are the "
-      "middles of the region along the lines with the least and with the greatest {}. The ring "
-      "marks the design. Edges "
-      "of the region:",
+      "profile shifts. {}The dashed line is {}; its feasible part is thick. The dots mark "
+      "the middle of the region on its lines of least and greatest {}. The ring marks the design. "
+      "Edges of the region:",
       area, problem.center_distance ? "The thin lines are centre distances in mm. " : "", line,
       symbol_html("Σx"));
 }

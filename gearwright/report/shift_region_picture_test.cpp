@@ -22,7 +22,7 @@ std::string figure_of(const SearchSample& sample, const DesignRow& row) {
   return shift_region_figure(sample.search->graph(row.trial), row);
 }
 
-// The region of a single pair of tooth numbers.
+// A search over a single pair of tooth numbers.
 SearchSample one_pair(int z1, int z2, double least, double greatest) {
   SearchProblem p = testing::spur_problem();
   p.ratio = {static_cast<double>(z2) / z1, static_cast<double>(z2) / z1};
@@ -76,8 +76,8 @@ TEST(ShiftRegionPicture, NumbersAreThoseOfTheRegion) {
   EXPECT_EQ(figure, figure_of(sample, row));
 }
 
-// Without shifts, 2 · 33:67 has the centre distance 100 mm, in the middle of the band, so both
-// limits of the band bound the region.
+// Without profile shifts, 2 · 33:67 has the centre distance 100 mm, which is in the middle of the
+// permitted range. Both ends of this range therefore bound the region.
 TEST(ShiftRegionPicture, WordsStandBesideTheEdgesOfABand) {
   const SearchSample sample = testing::spur_search();
   for (const DesignRow& row : sample.answer->designs) {
@@ -86,7 +86,7 @@ TEST(ShiftRegionPicture, WordsStandBesideTheEdgesOfABand) {
     for (const char* words : {"least centre distance", "greatest centre distance",
                               "gear 1 least shift", "gear 2 least shift"})
       EXPECT_EQ(count_of(figure, std::string(">") + words + "<"), 2u)
-          << words;  // next to the edge and in the key
+          << words;  // at the edge and in the legend
     EXPECT_EQ(count_of(figure, "class=\"distance-line\""), 2u);
     return;
   }
@@ -103,8 +103,8 @@ TEST(ShiftRegionPicture, OneExactDistanceIsALine) {
   EXPECT_NE(figure.find("no area"), figure.npos);
 }
 
-// The least sum of both shifts is -1. At 59 mm, the range of centre distances and this corner have
-// one point in common.
+// The least possible sum of the shifts is -1. At 59 mm, this corner is the only point that the
+// range of centre distances contains.
 TEST(ShiftRegionPicture, APointATinyCornerAndAWholeRectangle) {
   const SearchSample point = one_pair(40, 80, 58.0, 59.0);
   ASSERT_EQ(point.answer->designs.size(), 1u);
@@ -125,8 +125,8 @@ TEST(ShiftRegionPicture, APointATinyCornerAndAWholeRectangle) {
   EXPECT_EQ(all.find("class=\"region-map\""), all.npos);
 }
 
-// If interference is excluded, an internal gear of 60 teeth with a pinion of 40 has two separate
-// regions.
+// If designs with interference are excluded, an internal gear with 60 teeth and a pinion with 40
+// teeth have two separate regions.
 TEST(ShiftRegionPicture, ARegionInTwoPieces) {
   SearchProblem p = testing::spur_problem();
   p.ratio = {-1.5, -1.5};
@@ -164,7 +164,7 @@ TEST(ShiftRegionPicture, ThumbnailsHaveNoLabelsAndLeadToTheirRow) {
 TEST(ShiftRegionPicture, ARingsPinionTakesAllOfTheShift) {
   const SearchSample sample = testing::ring_search();
   const std::string figure = figure_of(sample, sample.answer->designs.front());
-  EXPECT_NE(figure.find("the line on which the pinion has the whole profile shift"), figure.npos);
+  EXPECT_NE(figure.find("the line on which only the pinion has a profile shift"), figure.npos);
   EXPECT_EQ(figure.find(">balanced<"), figure.npos);
 }
 

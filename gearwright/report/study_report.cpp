@@ -36,8 +36,8 @@ std::string table_of(const StudyReport& report) {
   }
   text += "</tbody></table></div>\n";
   if (count < report.rows.size())
-    text += fmt::format("<p>{} more are in the files.</p>\n", report.rows.size() - count);
-  text += "<details class=\"column-key\"><summary>What the columns mean</summary>\n<dl>\n";
+    text += fmt::format("<p>The files contain {} more designs.</p>\n", report.rows.size() - count);
+  text += "<details class=\"column-key\"><summary>Meaning of the columns</summary>\n<dl>\n";
   for (const StudyReport::Column& c : report.columns)
     text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(c.head), escaped(c.meaning));
   return text + "</dl></details>\n";
@@ -56,7 +56,8 @@ std::string figure_of(const StudyReport& report) {
 
 std::string refused_section(const StudyReport& report) {
   if (report.refused.empty()) return {};
-  std::string text = "<section>\n<h2>Designs without a scatter</h2>\n<ul class=\"reasons\">\n";
+  std::string text =
+      "<section>\n<h2>Designs without scatter results</h2>\n<ul class=\"reasons\">\n";
   for (const std::string& line : report.refused) text += "<li>" + escaped(line) + "</li>\n";
   return text + "</ul>\n</section>\n";
 }
@@ -66,15 +67,15 @@ std::string refused_section(const StudyReport& report) {
 std::string study_report(const StudyReport& report) {
   std::string page = page_head(report.title, report.version, search_style());
   page += fmt::format(
-      "<body>\n<header>\n<p class=\"kind\">Designs under their tolerances</p>\n<h1>{}</h1>\n<p "
+      "<body>\n<header>\n<p class=\"kind\">Designs ranked under tolerances</p>\n<h1>{}</h1>\n<p "
       "class=\"verdict\">{}</p>\n</header>\n<main>\n",
       escaped(report.title), escaped(report.sentence));
   page += with_contents("<section>\n<h2>Ranking</h2>\n" + figure_of(report) + table_of(report) +
                         "</section>\n" + refused_section(report) + spec_section(report.spec_text)) +
           "</main>\n";
   page += fmt::format(
-      "<footer>\n<p>Gearwright{}. Rigid teeth; the samples of every design are computed as by the "
-      "verb scatter.</p>\n</footer>\n",
+      "<footer>\n<p>Gearwright{}. The teeth are rigid. The samples of every design are "
+      "computed as for the verb scatter.</p>\n</footer>\n",
       report.version.empty() ? "" : " " + escaped(report.version));
   return page + page_end(sort_script());
 }

@@ -1,6 +1,6 @@
 // Writes one HTML page about designs that are ranked by a percentile of their scatter: a sortable
-// table and a figure of the percentiles with their intervals. One self-contained file that depends
-// only on its input.
+// table, and a figure of the percentiles with their confidence intervals. The page is one
+// self-contained file and depends only on its input.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace gearwright {
 struct StudyReport {
   std::string title, sentence;
   std::string spec_text;   ///< the spec, verbatim; omitted if empty
-  std::string version;     ///< of the program
+  std::string version;     ///< version of the program
   std::string percentile;  ///< "95 %"
   struct Column {
     std::string head, unit, meaning;
@@ -20,7 +20,7 @@ struct StudyReport {
   std::vector<Column> columns;
   struct Cell {
     std::string text;
-    std::optional<double> key;  ///< by which the column is sorted
+    std::optional<double> key;  ///< value by which the column is sorted
   };
   struct Row {
     std::vector<Cell> cells;  ///< one for each column
@@ -29,10 +29,10 @@ struct StudyReport {
     std::string words;  ///< "design 3, 23:45 teeth, module 3"
   };
   std::vector<Row> rows;             ///< best first
-  std::vector<std::string> refused;  ///< designs with the reason why they have no scatter
+  std::vector<std::string> refused;  ///< designs that have no scatter results, with the reason
 };
 
-/// Rows of the table and entries of the figure, at most.
+/// Greatest numbers of rows in the table and of entries in the figure.
 inline constexpr std::size_t kStudyRows = 500, kStudyDots = 80;
 
 /// The page, UTF-8. All texts are plain and may contain any character.

@@ -42,7 +42,8 @@ void TableBuilder::open_row(std::string_view words, std::string_view symbol,
         (rows_ > 1 ? "; " : ": ") + (symbol.empty() ? with_symbols(words) : symbol_html(symbol));
 }
 
-// A number is never broken into two lines. A range or a list may break between its numbers.
+// A single number is never broken into two lines. A range or a list may be broken between its
+// numbers.
 void TableBuilder::cell(const std::string& value, std::size_t columns) {
   const bool several = value.find(" … ") != value.npos || value.find(", ") != value.npos;
   text_ +=

@@ -1,4 +1,4 @@
-// An HTML table of quantities: words, symbol, unit, then one value per column.
+// Builds an HTML table of quantities: words, symbol, unit, then one value in each column.
 #pragma once
 
 #include <optional>
@@ -16,39 +16,41 @@ class TableBuilder {
   TableBuilder(std::string_view caption, const std::vector<std::string>& columns);
 
   void group(std::string_view title);
-  /// Adds one value per column. The symbol is written as in html_text.hpp and may be empty.
+  /// Adds a row with one value for each column. The symbol is written as in figure/markup.hpp and
+  /// may be empty.
   void row(std::string_view words, std::string_view symbol, std::string_view unit,
            const std::vector<std::string>& values);
   void row(const QuantityInfo& info, const std::vector<std::string>& values);
-  /// Adds one value common to all columns, or to all except the last, which then contains a note.
+  /// Adds a row with a single value, which spans all columns. If there is a note, it takes the last
+  /// column.
   void common(std::string_view words, std::string_view symbol, std::string_view unit,
               const std::string& value, const std::optional<std::string>& note = {});
   void common(const QuantityInfo& info, const std::string& value,
               const std::optional<std::string>& note = {});
-  /// Adds the rows of the catalogue without the heading of the group, with a value per column or
-  /// one that is common to all. The table has as many columns as there are records, or two for one
-  /// record (a pair).
+  /// Adds the rows of a group of the catalogue, without the heading of the group. A row has one
+  /// value for each column, or one value for all columns. The table has as many columns as there
+  /// are records. For a single record (a pair) it may also have two.
   void rows(const TextGroup& group);
-  /// Adds the same rows under their headings.
+  /// Adds the rows of each group under its heading.
   void groups(const std::vector<TextGroup>& groups);
 
-  /// Replaces the first values by these words, with symbols, next to the caption of a folded table.
+  /// Next to the caption of a folded table, these words with symbols replace the first values.
   void decisive(std::string_view words);
 
-  /// Returns the table. On screen, a long table is folded behind its caption and its first values.
-  /// On paper it is unfolded.
+  /// Returns the table. On screen, only the caption and the first values of a long table are
+  /// visible until the user unfolds it. On paper the whole table is visible.
   std::string str() const;
 
  private:
   void open_row(std::string_view words, std::string_view symbol, std::string_view unit);
   void cell(const std::string& value, std::size_t columns);
 
-  static constexpr int kLong = 10;  ///< rows; a table with more is folded
-  static constexpr int kFirst = 3;  ///< values next to the caption of a folded table
+  static constexpr int kLong = 10;  ///< a table with more rows is folded
+  static constexpr int kFirst = 3;  ///< number of values next to the caption of a folded table
 
   std::string caption_;
-  std::string first_;     ///< values, HTML
-  std::string decisive_;  ///< words that replace them, HTML; empty if they are used
+  std::string first_;     ///< the first values, HTML
+  std::string decisive_;  ///< words shown instead of the first values, HTML; may be empty
   bool row_has_value_ = false;
   int rows_ = 0;
   std::size_t columns_;

@@ -19,7 +19,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kWidth = 520.0;
-constexpr double kAspect = 400.0 / 360.0;  // of the plot
+constexpr double kAspect = 400.0 / 360.0;  // width over height of the plot
 
 std::vector<NamedCircle> circles_of(const Gear& gear) {
   std::vector<NamedCircle> circles;
@@ -34,13 +34,13 @@ std::vector<NamedCircle> circles_of(const Gear& gear) {
   return circles;
 }
 
-// The window, mm, shows one tooth and a quarter pitch on both sides, with a part of the body behind
-// its root. The tooth of an internal gear points down.
+// The window shows one tooth and a quarter pitch on either side, with a part of the body behind its
+// root, mm. The tooth of an internal gear points down.
 Bounds window(const Gear& gear) {
   const double r_f = gear.tooth->root_radius;
   const double r_a = gear.tooth->tip_radius;
   const double m = gear.spec.normal_module;
-  const double out = gear.side();  // from root to tip
+  const double out = gear.side();  // direction from root to tip
   const double pitch = gear.transverse_module * kPi;
   const double body = gear.internal() ? 0.9 * m : std::min(0.9 * m, 0.8 * r_f);
   const double tall = std::abs(r_a - r_f) + body + 0.5 * m;
@@ -50,8 +50,8 @@ Bounds window(const Gear& gear) {
   return {Vec2(0.0, middle) - half, Vec2(0.0, middle) + half};
 }
 
-// The number of digits is limited so that they fit next to the plot on a narrow screen. The table
-// has all digits.
+// The number of digits is limited so that the text fits next to the plot on a narrow screen. The
+// table shows all digits.
 std::string shown_diameter(double d) {
   const int before = d < 1000.0 ? 3 : static_cast<int>(std::log10(d)) + 1;
   return fixed(d, std::max(0, std::min(kLengthDigits, 7 - before)));
@@ -82,11 +82,12 @@ std::string why_no_outline(const Gear& gear) {
 
 constexpr int kMaxTeeth = 8;
 constexpr std::array<double, 5> kShifts{0.3, 0.5, 0.7, 0.9, 1.0};
-constexpr double kSameShift = 1e-6;  // shifts within this difference are equal
+constexpr double kSameShift = 1e-6;  // shifts are equal if they differ by less
 constexpr double kSmallWidth = 240.0;
 constexpr double kSmallAspect = 240.0 / 230.0;
-constexpr double kMargin = 0.05;  // of the width and of the height, at the sides and at the top
-constexpr double kChords = 1e-3;  // m_n, a tenth of a pixel of these small pictures
+constexpr double kMargin = 0.05;  // margin at the sides and at the top, as a fraction of width and
+                                  // height
+constexpr double kChords = 1e-3;  // m_n; a tenth of a pixel in these small pictures
 
 std::vector<Vec2> tooth_points(const Gear& gear) {
   std::vector<Vec2> points;
@@ -97,8 +98,8 @@ std::vector<Vec2> tooth_points(const Gear& gear) {
   return points;
 }
 
-// One window for all teeth, mm, from the lowest root to the highest tip, with the width of the
-// widest.
+// One window for all teeth, mm. It extends from the lowest root to the highest tip and is as wide
+// as the widest tooth.
 Bounds window(const std::vector<ShiftedTooth>& teeth) {
   Bounds box;
   const auto contain = [&](const Gear& gear) {
@@ -120,7 +121,7 @@ Bounds window(const std::vector<ShiftedTooth>& teeth) {
   return {Vec2(0.0, middle) - half, Vec2(0.0, middle) + half};
 }
 
-// The tooth over its own pitch, filled down to the axis.
+// The outline of one tooth over its pitch, closed through the axis.
 std::vector<Vec2> slice_of(const Gear& gear) {
   const std::vector<Vec2> side = tooth_points(gear);
   std::vector<Vec2> slice{Vec2::Zero()};
@@ -137,7 +138,8 @@ Figure tooth_of(const ShiftedTooth& t, const Bounds& window, const std::string& 
   if (rounded || cut) f.area(slice_of(rounded ? *t.rounded : t.rack_cut), "slice");
   f.circle(Vec2::Zero(), t.rack_cut.base_radius(), "thin dash", -1, "", "base circle");
   f.line({{0.0, window.lo.y()}, {0.0, window.hi.y()}}, "thin dashdot");
-  // The rounded tooth is drawn last, so that it covers the dashes of the common part.
+  // The tooth with the circular fillet is drawn last and covers the dashed lines of the common
+  // part.
   if (cut) add_upright_arcs(f, t.rack_cut, [](ArcName) { return "before"; });
   if (rounded)
     add_upright_arcs(f, *t.rounded, [](ArcName name) {
@@ -194,7 +196,7 @@ void add_upright_arcs(Figure& f, const Gear& gear,
 }
 
 void lead_circle(Figure& f, double radius, std::string markup) {
-  constexpr double kSteepest = 0.94;  // of the radius, for a circle that does not leave the plot
+  constexpr double kSteepest = 0.94;  // fraction of the radius, if the circle lies within the plot
   const double x = std::min(f.x.hi, kSteepest * radius);
   const double y = std::sqrt(std::max(0.0, (radius - x) * (radius + x)));
   if (y > f.y.lo && y < f.y.hi) f.leaders.push_back({{x, y}, std::move(markup)});
@@ -258,10 +260,10 @@ std::vector<ShiftedTooth> shifted_teeth(const Gear& gear) {
     spec.root_fillet.reset();
     spec.tip_fillet.reset();
     auto cut = make_gear(spec);
-    if (!cut) continue;  // beyond the limits of a spec
+    if (!cut) continue;  // this shift is outside the limits of a spec
     ShiftedTooth t{x, x == own, std::move(cut).take(), std::nullopt};
     spec.root_fillet = gear.spec.root_fillet.value_or(RootFilletSpec{});
-    // The tooth has its own tip fillet if that fits, otherwise the tip of the rack.
+    // The tooth gets the given tip fillet if it fits, otherwise the tip that the rack leaves.
     spec.tip_fillet = gear.spec.tip_fillet;
     auto rounded = make_gear(spec);
     if (!rounded && spec.tip_fillet) {
@@ -280,12 +282,13 @@ std::string shift_figures(const Gear& gear, const std::string& shape, const std:
   if (teeth.empty()) return {};
   const Bounds view = window(teeth);
   std::string text = fmt::format(
-      "<h3>{}: profile shift and root</h3>\n<p>The same tooth cut at other profile shifts, to the "
-      "same scale. {} {} from {}the undercut limit on. The dashed circle is the base "
-      "circle.</p>\n<div class=\"multiples\">\n",
+      "<h3>{}: profile shift and root</h3>\n<p>The pictures show the same tooth, cut at other "
+      "profile shifts, to the same scale. {} {} that begins {}the undercut limit. The dashed "
+      "circle is the base circle.</p>\n<div class=\"multiples\">\n",
       name, caption_key("before", "as the rack cuts it"),
       caption_key("c-root-fillet", "circular root fillet"),
-      gear.spec.root_fillet ? fmt::format("{:.4g} mm beyond ", gear.spec.root_fillet->offset) : "");
+      gear.spec.root_fillet ? fmt::format("{:.4g} mm beyond ", gear.spec.root_fillet->offset)
+                            : "at ");
   for (std::size_t i = 0; i < teeth.size(); ++i) {
     const ShiftedTooth& t = teeth[i];
     const std::string words = words_of(t);

@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kSteps = 120;  // number per pitch of slider positions and of arrow key steps
+constexpr int kSteps = 120;  // steps per pitch, of the slider and of the arrow keys
 
 }  // namespace
 

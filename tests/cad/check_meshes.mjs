@@ -1,9 +1,10 @@
-// Reads mesh files with independent software and prints their errors.
+// Checks mesh files with independent software and prints the errors that it finds.
 //
 //   node check_meshes.mjs FILE.glb FILE.stl FILE.3mf …     [--modules FOLDER]
 //
-// .glb        the Khronos validator: no error, no warning
-// .stl, .3mf  manifold-3d: every body (3MF object, STL part) is an oriented manifold of positive volume
+// .glb        The Khronos validator reports no error and no warning.
+// .stl, .3mf  For manifold-3d, every body (3MF object, STL part) is an oriented manifold of positive volume.
+//
 // Exit status 0: no errors; 1: errors; 77: the npm packages are not installed (npm ci here).
 import {existsSync, readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
@@ -109,6 +110,6 @@ for (const file of args) {
   if (file.endsWith('.glb')) await checkGlb(file);
   else if (file.endsWith('.stl')) checkStl(file);
   else if (file.endsWith('.3mf')) check3mf(file);
-  else expect(false, file, 'neither .glb nor .stl nor .3mf');
+  else expect(false, file, 'not a .glb, .stl or .3mf file');
 }
 process.exit(failed);

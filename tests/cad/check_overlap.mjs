@@ -1,15 +1,16 @@
-// Computes the volume in which two mounted gears overlap, by manifold-3d.
+// Computes the volume in which two mounted gears overlap, with manifold-3d.
 //
 //   node check_overlap.mjs GEAR1.stl GEAR2.stl Z1 Z2 PHASES A [A …]     [--shaft DEG] [--enough MM3]
 //                                                                       [--modules FOLDER]
 //
-// Each gear is in its own frame. Gear 2 is placed at the distance A with space 0 at the mesh and
-// its axis along (0, sin Σ, cos Σ), and both gears are turned through one pitch in PHASES steps. An
-// internal gear (Z2 < 0) turns in the same direction as its pinion, and its mesh lies at −x,
-// towards which tooth 0 of the pinion is turned. The script prints {"overlap_mm3": greatest volume}
-// for every A, as one JSON list. A volume of more than MM3 ends the search for an A. For external
-// gears, only the teeth near the mesh, which can reach the other gear, are intersected. Exit status
-// 77: manifold-3d is not installed.
+// Each file contains a gear in its own frame. Gear 2 is placed at the centre distance A, with its space 0 at
+// the mesh and its axis along (0, sin Σ, cos Σ). Both gears are turned through one pitch in PHASES steps. An
+// internal gear (Z2 < 0) turns in the same direction as its pinion. Its mesh is at −x, so tooth 0 of the
+// pinion points to −x.
+//
+// The script prints a JSON list with {"overlap_mm3": greatest volume} for every A. As soon as a volume
+// exceeds MM3, the computation for this A ends. For external gears, only the teeth near the mesh are
+// intersected. Exit status 77: manifold-3d is not installed.
 import {existsSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
@@ -47,9 +48,8 @@ const distances = args.slice(5).map(Number);
 const turned1 = (turn) => (z2 < 0 ? 180 : 0) - turn;
 const turned2 = (turn) => 180 - 180 / Math.abs(z2) + turn * z1 / z2;
 
-// Returns the part of a gear that can reach x > least in the frame of the housing at any phase,
-// where its own x exceeds least up to half a pitch of rotation from the middle one. Gear 2 faces
-// the other way.
+// Returns the part of a gear that reaches x > least in the housing frame at some phase. `turned` gives the
+// rotation of the gear at a phase, and `sense` is −1 for gear 2, which faces the other way.
 function near({solid, radius}, least, teeth, turned, sense) {
   if (z2 < 0) return solid;
   const half = Math.PI / teeth, middle = turned(180 / z1);

@@ -1,10 +1,11 @@
 // Reads 3MF files with lib3mf, the library of the 3MF consortium, and prints the errors that it
 // finds.
 //
-//   lib3mf_read_test FILE.3mf …     exit status 0: every file was read without a warning, and every
-//   object in it is a manifold and oriented mesh placed by one build item
+//   lib3mf_read_test FILE.3mf …
 //
-// test_meshes.py compiles this with lib3mf 1.8 (the COM-style interface) if that is installed.
+// Exit status 0: every file was read without a warning, and every object in it is a manifold and
+// oriented mesh with one build item. If lib3mf 1.8 (the COM-style interface) is installed,
+// test_meshes.py compiles this file.
 #include <Model/COM/NMR_DLLInterfaces.h>
 
 #include <cstdio>
@@ -13,12 +14,13 @@ namespace {
 
 bool ok(LIB3MFRESULT result) { return result == 0; }
 
-// Returns a reason, or null.
+// Returns the reason why a file is invalid, or null if it is valid.
 const char* fault(const char* path) {
   NMR::PLib3MFModel* model = nullptr;
   NMR::PLib3MFModelReader* reader = nullptr;
-  if (!ok(NMR::lib3mf_createmodel(&model))) return "lib3mf makes no model";
-  if (!ok(NMR::lib3mf_model_queryreader(model, "3mf", &reader))) return "lib3mf makes no reader";
+  if (!ok(NMR::lib3mf_createmodel(&model))) return "lib3mf makes no 3MF model";
+  if (!ok(NMR::lib3mf_model_queryreader(model, "3mf", &reader)))
+    return "lib3mf makes no 3MF reader";
   if (!ok(NMR::lib3mf_reader_readfromfileutf8(reader, path))) return "not readable";
   DWORD warnings = 1;
   if (!ok(NMR::lib3mf_reader_getwarningcount(reader, &warnings)) || warnings > 0) return "warnings";
@@ -50,7 +52,7 @@ const char* fault(const char* path) {
   for (BOOL more = false; ok(NMR::lib3mf_builditemiterator_movenext(items, &more)) && more;
        ++placed) {
   }
-  return placed == count ? nullptr : "not one build item per object";
+  return placed == count ? nullptr : "the numbers of build items and objects differ";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Reads a binary STL as vertices and triangles. Corners with the same twelve bytes are one vertex.
+// Reads a binary STL file as vertices and triangles. Corners with the same twelve bytes are one vertex.
 import {readFileSync} from 'node:fs';
 
 export function readStl(file) {

@@ -1,12 +1,12 @@
 """Tests workshop drawings with independent readers.
 
-    PDF   pdftotext finds the words, the Greek letters and a page for each gear
-    SVG   well-formed, in mm; the paths of the gear lie on the sheet
-    DXF   ezdxf finds nothing to correct; layers, line types and words are there, and the gear's
-          outline at the scale that the title block says
-    all   the same bytes at every run
+PDF   pdftotext finds the words and the Greek letters, and one page for each gear
+SVG   the file is well-formed and in mm, and the paths of the gear are on the sheet
+DXF   ezdxf finds nothing to correct; layers, line types and words exist; the outline of the gear has the
+      scale in the title block
+all   every run gives the same bytes
 
-Exits 77 without ezdxf or pdftotext.
+Exit status 77: ezdxf or pdftotext is not installed.
 """
 
 import math
@@ -75,16 +75,16 @@ def words_of_pdf(path):
 def check_pdf(folder):
     path = export(folder, "both.pdf")
     text = words_of_pdf(path)
-    check(text.count("\f") == 2, "a page for each gear")
+    check(text.count("\f") == 2, "the PDF must have a page for each gear")
     first, second, _ = text.split("\f")
     for words in ("Normal module", "αn", "β", "Span over 3 teeth", "19.527 … 19.5646", "class 6", "Mating gear", "Ø20", "22.8",
                   "Keyway 6 wide", "GW-0017", "18CrNiMo7-6", "Ritzel <β> & Rad, Größe 3, gear 1", "1:1", "1/2", "Fα"):
-        check(words in first, f"the PDF says {words}\n{first}")
-    check("gear 2" in second and "1:2" in second and "left" in second, "gear 2 on its own page")
+        check(words in first, f"the PDF must contain {words}\n{first}")
+    check("gear 2" in second and "1:2" in second and "left" in second, "gear 2 must have its own page")
     info = subprocess.run(["pdfinfo", str(path)], check=True, stdout=subprocess.PIPE).stdout.decode()
     check(re.search(r"Title:\s+Ritzel <β> & Rad, Größe 3$", info, re.M), info)
     check("PDF version:     1.4" in info and "(A4)" in info, info)
-    check("Date" not in info, "no date that nobody gave")
+    check("Date" not in info, "the PDF must not contain a date, because none is given")
     a3 = subprocess.run(["pdfinfo", str(export(folder, "a3.pdf", "--sheet", "A3", "--gear", "1"))], check=True,
                         stdout=subprocess.PIPE).stdout.decode()
     check("Pages:           1" in a3 and "(A3)" in a3, a3)
@@ -92,13 +92,13 @@ def check_pdf(folder):
 
 def check_svg(folder):
     root = ET.parse(export(folder, "one.svg", "--gear", "1")).getroot()
-    check(root.get("width") == "210mm" and root.get("viewBox") == "0 0 210 297", "an A4 sheet in mm")
+    check(root.get("width") == "210mm" and root.get("viewBox") == "0 0 210 297", "the SVG must be an A4 sheet in mm")
     texts = [e.text for e in root.iter("{http://www.w3.org/2000/svg}text")]
     for words in ("Normal module", "α", "Ø50.4992", "19.527 … 19.5646", "Ritzel <β> & Rad, Größe 3, gear 1"):
-        check(words in texts, f"the SVG says {words}")
+        check(words in texts, f"the SVG must contain {words}")
     for path in root.iter("{http://www.w3.org/2000/svg}path"):
         for x, y in re.findall(r"[ML](-?[\d.]+) (-?[\d.]+)", path.get("d")):
-            check(0 <= float(x) <= 210 and 0 <= float(y) <= 297, "all paths lie on the sheet")
+            check(0 <= float(x) <= 210 and 0 <= float(y) <= 297, "all paths must be on the sheet")
 
 
 def check_dxf(folder):
@@ -111,18 +111,18 @@ def check_dxf(folder):
     check(document.header["$INSUNITS"] == 4, "millimetres")
     model = document.modelspace()
     check({e.dxf.layer for e in model} == {"OUTLINE", "HATCH", "AXIS", "DIMENSION", "DATA", "FRAME"}, "the layers")
-    check(document.layers.get("AXIS").dxf.linetype == "CENTER", "axes are chain lines")
-    check(document.layers.get("OUTLINE").dxf.lineweight == 50, "outlines are 0.5 mm wide")
+    check(document.layers.get("AXIS").dxf.linetype == "CENTER", "axes must be chain lines")
+    check(document.layers.get("OUTLINE").dxf.lineweight == 50, "outlines must be 0.5 mm wide")
     texts = [decode_dxf_unicode(e.dxf.text) for e in model.query("TEXT")]
     for words in ("Normal module", "α", "Ø50.4992", "19.527 … 19.5646", "Ritzel <β> & Rad, Größe 3, gear 1", "Scale"):
-        check(words in texts, f"the DXF says {words}: {texts}")
-    check({e.dxf.style for e in model.query("TEXT")} == {"SHEET"}, "words have a style of their own")
-    # On each sheet, the outline about the reference circle is the gear at the scale of the sheet.
+        check(words in texts, f"the DXF must contain {words}: {texts}")
+    check({e.dxf.style for e in model.query("TEXT")} == {"SHEET"}, "all texts must have the style SHEET")
+    # On each sheet, the outline in the circle of the axis layer must be the gear at the scale of the sheet.
     for low, high, scale, tip in ((0, 210, 1.0, 50.4992), (230, 440, 0.5, 116.2922)):
         outlines = [e for e in model.query('LWPOLYLINE[layer=="OUTLINE"]') if e.closed and low < e[0][0] < high]
         middle = [e.dxf.center for e in model.query('CIRCLE[layer=="AXIS"]') if low < e.dxf.center.x < high][0]
         reach = max(math.hypot(x - middle.x, y - middle.y) for x, y in max(outlines, key=len).get_points("xy"))
-        check(abs(2 * reach - tip * scale) < 1e-3, f"tip diameter {2 * reach} on paper")
+        check(abs(2 * reach - tip * scale) < 1e-3, f"the tip diameter on paper is {2 * reach}")
 
 
 def main():
@@ -133,8 +133,8 @@ def main():
         check_dxf(folder)
         for ending in ("pdf", "svg", "dxf"):
             first = export(folder, f"a.{ending}").read_bytes()
-            check(first == export(folder, f"b.{ending}").read_bytes(), f"the same bytes: {ending}")
-    print("drawings: PDF, SVG and DXF hold")
+            check(first == export(folder, f"b.{ending}").read_bytes(), f"two exports must be identical: {ending}")
+    print("drawings: PDF, SVG and DXF are correct")
 
 
 main()

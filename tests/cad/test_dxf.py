@@ -1,14 +1,15 @@
 """Tests DXF files of gears with an independent reader.
 
-    audit     ezdxf finds nothing to correct and nothing wrong
-    units     millimetres, said by $INSUNITS; AutoCAD 2000
-    closed    PROFILE is one closed chain: a closed polyline with bulges, or splines and arcs whose
-              ends meet; counter-clockwise, once round the axis
-    bore      a circle or a closed polyline on the layer BORE, inside the profile (a ring's: around it)
+audit     ezdxf finds nothing to correct and no errors
+units     $INSUNITS is millimetres; the version is AutoCAD 2000
+closed    the layer PROFILE is one closed chain, counter-clockwise and once around the axis: a closed polyline
+          with bulges, or splines and arcs whose ends meet
+bore      the layer BORE is a circle or a closed polyline inside the profile, or around it for an internal
+          gear
 
-Usage: test_dxf.py [FILE.dxf ...]. Without files, the program (GW_BIN) exports sample gears, and the
-script checks those. Each check is first applied to a drawing that breaks it. The script exits with
-77 without ezdxf.
+Usage: test_dxf.py [FILE.dxf ...]. Without files, the program (GW_BIN) exports sample gears, and the script
+checks these. First, each check is applied to a drawing that must fail it. Exit status 77: ezdxf is not
+installed.
 """
 
 import math
@@ -26,7 +27,7 @@ except ImportError:
     print("skipped: no ezdxf (Debian: python3-ezdxf)")
     sys.exit(77)
 
-MEET = 1e-12  # relative to the radius; angles in degrees lose this much in a double
+MEET = 1e-12  # gap relative to the radius; a double in degrees has this rounding error
 SPECS = {
     "spur": "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n",
     "bored": "[gear1]\nteeth = 31\nnormal_module_mm = 1.5\nhelix_angle_deg = 18\nface_width_mm = 10\n"
@@ -38,7 +39,7 @@ SPECS = {
 
 
 class Edge:
-    """A directed edge: its ends and the points between them."""
+    """A directed edge with its end points and the points between them."""
 
     def __init__(self, points):
         self.points = points
@@ -88,8 +89,7 @@ def area_and_turn(edges):
 
 
 def chain_faults(name, entities):
-    """Returns the reason why the entities, in their order, are not one closed chain about the
-    axis."""
+    """Returns the reasons why the entities, in their order, are not one closed chain about the axis."""
     if any(e.dxftype() == "LWPOLYLINE" and not e.closed for e in entities):
         return [f"{name}: the polyline is not closed"]
     edges = [edge for e in entities for edge in edges_of(e)]
@@ -103,7 +103,7 @@ def chain_faults(name, entities):
     if len(splines) == len(entities):
         for a, b in zip(splines, splines[1:] + splines[:1]):
             if tuple(a.control_points[-1]) != tuple(b.control_points[0]):
-                faults.append(f"{name}: neighbouring splines end in different numbers")
+                faults.append(f"{name}: neighbouring splines have different end points")
     area, turns = area_and_turn(edges)
     if area <= 0 or abs(turns - 1) > 1e-9:
         faults.append(f"{name}: {turns:.3f} turns about the axis, area {area:.3f} mm²")
@@ -142,7 +142,7 @@ def faults_of(path):
 
 
 def try_the_checks(folder):
-    """Checks that each check detects the drawing that breaks it."""
+    """Checks that each check rejects a drawing that has the error."""
     def drawing(units=4, version="R2000", close=True, bulge=1.0, gap=0.0, bore=None):
         document = ezdxf.new(version, units=units)
         for layer in ("PROFILE", "BORE"):
@@ -162,10 +162,10 @@ def try_the_checks(folder):
 
     def expect(what, faults, word):
         if not any(word in f for f in faults):
-            raise SystemExit(f"a blind check: {what} gives {faults}")
+            raise SystemExit(f"a check missed its error: {what} gives {faults}")
 
     if drawing() or drawing(bore=5):
-        raise SystemExit(f"a sound drawing is refused: {drawing()} {drawing(bore=5)}")
+        raise SystemExit(f"a correct drawing is rejected: {drawing()} {drawing(bore=5)}")
     expect("inches", drawing(units=1), "$INSUNITS")
     expect("another version", drawing(version="R2010"), "AC1015")
     expect("an open polyline", drawing(close=False), "not closed")
@@ -184,7 +184,7 @@ def exported(folder):
         done = subprocess.run([program, "export", str(toml), "--gear", "1", "--dxf", str(dxf)],
                               capture_output=True, text=True)
         if done.returncode != 0:
-            raise SystemExit(f"export of {name} ends in {done.returncode}: {done.stderr.strip()}")
+            raise SystemExit(f"export of {name} has exit status {done.returncode}: {done.stderr.strip()}")
         yield dxf
 
 
@@ -199,7 +199,7 @@ def main():
             for fault in faults:
                 print(f"{path.name}: {fault}")
             bad += bool(faults)
-        print(f"{len(files)} drawings, {bad} with faults")
+        print(f"{len(files)} drawings, {bad} with errors")
         return 1 if bad else 0
 
 

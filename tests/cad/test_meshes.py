@@ -2,15 +2,17 @@
 
   test_meshes.py [FILE.stl FILE.glb FILE.3mf ...]
 
-Without files, the program ($GW_BIN) writes pairs, together and gear by gear: a helical one with a keyway, two teeth with
-the wheel that they cut, a tooth alone with its wheel, a ring cut by a pinion, double circular arcs.
+Without files, the program ($GW_BIN) writes pairs, each pair as one file and as one file for each gear: a
+helical pair with a keyway, a gear with two teeth and the wheel that it cuts, a gear with one tooth and its
+wheel, an internal gear cut by a pinion cutter, and double circular arcs.
 
-  .stl  admesh: every edge shared, nothing degenerate, nothing to repair; parts as many as gears
+  .stl  admesh: every edge is shared, no facet is degenerate, nothing is repaired, and there is one part for
+        each gear
   .3mf  lib3mf 1.8 through lib3mf_read_test.cpp, and Python's zipfile
-  .glb  the Khronos validator, and manifold-3d for the two others: check_meshes.mjs
+  .glb  check_meshes.mjs: the Khronos validator; manifold-3d for .stl and .3mf
 
-A reader that is not installed is reported and skipped. Exit status 0: no errors; 1: errors; 77: no
-reader is installed.
+A reader that is not installed is reported and skipped. Exit status 0: no errors; 1: errors; 77: no reader
+is installed.
 """
 
 import os
@@ -116,8 +118,7 @@ def fault(file, message):
 
 
 def run(command, **options):
-    # admesh 0.98.4 prints bytes of its own memory after the 80 of the header, which need not be
-    # text.
+    # After the header of 80 bytes, admesh 0.98.4 prints bytes of its own memory, which are not always text.
     return subprocess.run([str(c) for c in command], capture_output=True, text=True, errors="replace", **options)
 
 
@@ -145,7 +146,7 @@ def check_stl(files):
         print("admesh: not installed")
         return
     readers += 1
-    # Names as printed by admesh 0.98, and their required values before any repair.
+    # Values that admesh 0.98 prints before any repair. All of them must be 0.
     zero = ("Total disconnected facets", "Degenerate facets", "Edges fixed", "Facets removed",
             "Facets added", "Facets reversed", "Backwards edges", "Normals fixed")
     for file in files:

@@ -1,18 +1,20 @@
-"""Tests the mounted pair, as exported, on parallel and on crossed axes, including gears cut by gears. There is no
-overlap at the backlash-free distance, but an overlap if the gears are 0.05 mm closer.
+"""Tests exported pairs on parallel and on crossed axes, including gears cut by gears. The mounted gears
+must not overlap at the centre distance without backlash. If they are 0.05 mm closer, they must
+overlap.
 
-The meshes are turned through a pitch in five steps and intersected by manifold-3d. Flanks are convex, so
-their chords lie inside the tooth and touching flanks leave no common volume but that of the coordinates'
-rounding (float32, about 2 nm, times some square millimetres); 0.05 mm closer the flanks overlap by
-0.05 sin α = 0.017 mm along at least the face width times a tenth of a millimetre. Crossed flanks overlap in
-a lens of that depth h: π h² ρ with ρ the radius of its curvature, some millimetres at least.
+The meshes are turned through one pitch in five steps and intersected by manifold-3d. Chords of convex
+flanks are inside the tooth, so touching flanks have no common volume except for rounding of the
+coordinates (float32, about 2 nm, times some square millimetres). If the gears are 0.05 mm closer, the
+flanks overlap by h = 0.05 sin α = 0.017 mm on an area of at least the face width times 0.1 mm. Flanks on
+crossed axes overlap in a lens of the depth h and the volume π h² ρ. Its radius of curvature ρ is at least
+some millimetres.
 
-The flanks of an internal gear are concave. Their chords extend out of the tooth by up to h, the
-tolerance of the mesh, and touching flanks share a sliver of that height and the width 2 √(2 ρ h),
-1/ρ = 1/ρ1 - 1/ρ2. At most four flanks touch.
+The flanks of an internal gear are concave. Their chords extend out of the tooth by up to h, the tolerance
+of the mesh. Touching flanks share a sliver of this height and the width 2 √(2 ρ h), where 1/ρ = 1/ρ1 -
+1/ρ2. At most four flanks touch.
 
-A concave circular-arc flank touches in a point. The two flanks share a lens of the height h with
-the relative curvatures k1, k2 there, π h²/√(k1 k2). Both flanks of the teeth in mesh touch, at most
+Concave circular-arc flanks touch at points. Two flanks share a lens of the height h and the volume π
+h²/√(k1 k2), where k1 and k2 are the relative curvatures. Both flanks of the teeth in mesh touch, at most
 two pairs of them.
 """
 
@@ -26,8 +28,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 BIN, NODE = os.environ["GW_BIN"], os.environ.get("GW_NODE") or "node"
-TOLERANCE = 0.0005  # mm, of the meshes
-# mm, for gears on crossed axes, which are convex and wide; gives a quarter of the triangles
+TOLERANCE = 0.0005  # mm, tolerance of the meshes
+# mm, for gears on crossed axes, which are convex and wide. It reduces the number of triangles to a quarter.
 SCREW_TOLERANCE = 0.002
 
 PAIRS = {
@@ -39,14 +41,14 @@ PAIRS = {
     "double helical, staggered": dict(z=(13, 29), m=2, beta=-25, x=(0.4, 0.5), b=14,
                                       halves="double_helical = { gap_mm = 4, stagger_pitches = 0.5 }"),
     "screws at 90 deg": dict(z=(12, 18), m=2, beta=(45, 45), x=(0.2, 0.1), b=22, shaft=90),
-    "screws, off their least distance": dict(z=(11, 23), m=2, beta=(50, -20), x=(0.3, 0.2), b=30, shaft=29),
+    "screws, above their least distance": dict(z=(11, 23), m=2, beta=(50, -20), x=(0.3, 0.2), b=30, shaft=29),
     "left-hand screws": dict(z=(9, 15), m=2, beta=(-50, -38), x=(0.3, 0.2), b=24, shaft=-88),
 }
 
 
-# Two teeth and the wheel cut by them, one tooth and its wheel, and an internal gear cut by a pinion
-# cutter. Cutters are longer than the gears, because fillets that touch all along would be chords
-# against concave arcs.
+# A gear with two teeth and the wheel that it cuts, a gear with one tooth and its wheel, and an internal gear
+# cut by a pinion cutter. The cutters have longer teeth than the gears, because otherwise the fillets would
+# touch over their whole length, and their chords would overlap the concave arcs.
 FILLETED = """
 teeth = {z}
 profile_shift = {x}
@@ -92,12 +94,12 @@ TWO_TEETH = dict(m=1.75, beta=30, b=5, a=61.33509, z2=60, tip1=8.16, tip2=119.66
 ONE_TOOTH = dict(m=2, beta=55, b=5, a=54.0468, z2=30, tip1=10.0, tip2=106.4,
                  pinion=FILLETED.format(z=1, x=0.75, offset=0.05, radius=0.5))
 PAIRS |= {
-    "two teeth and the wheel they cut": dict(z=(2, 60), b=5, spec=FEW_TEETH.format(**TWO_TEETH)),
-    "a tooth and the wheel it cuts": dict(z=(1, 30), b=5, spec=FEW_TEETH.format(**ONE_TOOTH)),
-    "ring cut by a pinion": dict(z=(18, -49), b=5, spec=RING),
+    "gear with two teeth and the wheel that it cuts": dict(z=(2, 60), b=5, spec=FEW_TEETH.format(**TWO_TEETH)),
+    "gear with one tooth and the wheel that it cuts": dict(z=(1, 30), b=5, spec=FEW_TEETH.format(**ONE_TOOTH)),
+    "internal gear cut by a pinion": dict(z=(18, -49), b=5, spec=RING),
 }
 
-# Convex teeth against concave ones, without backlash at the sum of the pitch radii.
+# Convex and concave teeth without backlash. The centre distance is the sum of the pitch radii.
 ARCS = """
 [gear1]
 teeth = 12
@@ -154,7 +156,7 @@ def main():
                 subprocess.run([BIN, "export", file, "--gear", str(gear), "--stl", f"{folder}/{gear}.stl",
                                 "--mesh-tolerance", str(SCREW_TOLERANCE if "shaft" in p else TOLERANCE)], check=True, capture_output=True)
             a = pair["backlash_free_center_distance_mm"] or pair["reference_center_distance_mm"]
-            # a pinion moves outward to come closer to its internal gear
+            # To move closer to its internal gear, a pinion moves outward.
             closer_by = 0.05 if p["z"][1] > 0 else -0.05
             least = 3.14 * 0.017**2 * 1.0 if "shaft" in p else 0.017 * 0.1 * p["b"]
             modules = ["--modules", os.environ["GW_MODULES"]] if os.environ.get("GW_MODULES") else []
@@ -167,11 +169,11 @@ def main():
                 sys.exit(run.returncode)
             touching, closer = (r["overlap_mm3"] for r in json.loads(run.stdout))
             allowed = allowed_overlap(p, pair)
-            print(f"{name}: {touching:.2e} mm3 touching (allowed {allowed:.1e}), {closer:.3f} mm3 at 0.05 mm closer")
+            print(f"{name}: {touching:.2e} mm3 of overlap (allowed {allowed:.1e}), {closer:.3f} mm3 if 0.05 mm closer")
             if touching > allowed:
-                faults.append(f"{name}: {touching} mm3 overlap at the backlash-free distance")
+                faults.append(f"{name}: overlap of {touching} mm3 at the centre distance without backlash")
             if closer < least:
-                faults.append(f"{name}: only {closer} mm3 overlap 0.05 mm closer")
+                faults.append(f"{name}: overlap of only {closer} mm3 if 0.05 mm closer")
     for f in faults:
         print(f)
     return 1 if faults else 0

@@ -1,4 +1,4 @@
-"""Runs the built program in a folder of its own. The tests of the command line share it."""
+"""Runs the program in a new folder. All tests of the command line use this module."""
 import atexit
 import json
 import os
@@ -10,7 +10,7 @@ import unittest
 
 BIN = os.environ["GW_BIN"]
 SOURCE = pathlib.Path(os.environ["GW_SOURCE"])
-# Every spec that a test runs, with its result. tests/schema validates them with an independent
+# File to which each run appends its spec and result. tests/schema checks these specs with an independent
 # validator.
 SPECS = pathlib.Path(os.environ["GW_SPECS"]) if "GW_SPECS" in os.environ else None
 if SPECS:
@@ -42,7 +42,8 @@ def new_folder():
 
 
 class Run:
-    """One run: exit status, stdout, stderr, parsed JSON or None, and the folder it ran in."""
+    """One run of the program: exit status, stdout, stderr, the parsed JSON or None, and the folder of the
+    run."""
 
     def __init__(self, verb, spec=PAIR, *args, name="case.toml", folder=None, stdout=subprocess.PIPE):
         self.folder = pathlib.Path(folder or new_folder())
@@ -62,7 +63,8 @@ class Run:
         self._keep(verb)
 
     def _keep(self, verb):
-        if not SPECS or not self.spec.is_file() or self.spec.stat().st_size > 1 << 16:  # no spec is that long
+        if not SPECS or not self.spec.is_file() or self.spec.stat().st_size > 1 << 16:  # specs are
+                                                                                        # shorter
             return
         kept = {"verb": verb, "name": self.spec.name, "text": self.spec.read_bytes().decode(errors="replace"),
                 "status": self.status, "message": self.err}
@@ -70,7 +72,7 @@ class Run:
             file.write(json.dumps(kept) + "\n")
 
     def files(self):
-        """Returns the files without the list of files that `run` keeps."""
+        """Returns the files of the run, except for the list of files that the verb run writes."""
         files = (f for f in self.folder.rglob("*") if f.is_file() and f.name != ".gearwright_files")
         return sorted(str(f.relative_to(self.folder)) for f in files)
 
@@ -80,8 +82,8 @@ def raw(*args):
 
 
 class Asked(unittest.TestCase):
-    """Runs the program and expects an answer, or an error that contains the key and leaves no
-    file behind."""
+    """Runs the program and checks that it returns a result, or an error that contains the key and leaves
+    no file."""
 
     def ok(self, verb, spec, *args):
         r = Run(verb, spec, "--json", *args)

@@ -1,5 +1,5 @@
-"""Tests each kind of wrong input: the exit status of the interface, a message with the key, no
-half-written file."""
+"""Tests each kind of invalid input. The program returns the documented exit status and a message with the
+key, and writes no incomplete file."""
 import os
 import subprocess
 import unittest
@@ -43,7 +43,7 @@ class BadInput(unittest.TestCase):
                      "normal_module_mm", verb="gear")
         self.refused(GEAR + "helix_angle_deg = 10\nlead_angle_deg = 70\nhand = \"right\"", "gear1.lead_angle_deg",
                      "helix_angle_deg", verb="gear")
-        # a value that is given twice is accepted if both agree
+        # if a value is given twice, both must agree
         self.assertEqual(Run("gear", GEAR + "normal_diametral_pitch_per_in = 12.7").status, 0)
 
     def test_impossible_pairs(self):
@@ -78,7 +78,7 @@ class BadInput(unittest.TestCase):
         gear = r.json["gears"][0]
         self.assertTrue(gear["severed"] or gear["through_axis"])
         self.assertEqual(Run("outline", GEAR.replace("20", "3") + "profile_shift = -1").status, 1)
-        # run: the report gives the reason why there is no gear, and there are no CAD files
+        # run: the report gives the reason why the gear does not exist, and there are no CAD files
         r = Run("run", GEAR.replace("20", "3") + "profile_shift = -1")
         self.assertEqual(r.status, 0, r.err)
         self.assertEqual(r.files(), ["case.toml", "case_out/report.html", "case_out/result.json"])
@@ -204,7 +204,7 @@ class BadInput(unittest.TestCase):
         self.assertEqual(p.returncode, 3)
 
     def test_full_disk_leaves_no_half_file(self):
-        # A file size limit has the effect of a disk that fills up in the middle of a file.
+        # A limit of the file size has the same effect as a full disk.
         r = Run("gear", PAIR)
         p = subprocess.run(["bash", "-c", f"ulimit -f 8; trap '' XFSZ; exec '{BIN}' run '{r.spec}' --out '{r.folder}/o'"],
                            capture_output=True, text=True)

@@ -1,5 +1,5 @@
-"""Tests circular-arc gears as a user specifies them: racks F and P, double arcs, any arcs, and
-every kind of error."""
+"""Tests circular-arc gears as a user specifies them: racks F and P, double arcs, racks given arc by arc,
+and every kind of error."""
 import json
 import math
 import unittest
@@ -101,7 +101,7 @@ class Gears(Asked):
             self.refused(lines, f"gear1.rack.{key}", "missing", verb="gear")
 
     def test_any_arcs(self):
-        # This is rack F again, arc by arc.
+        # These arcs describe rack F.
         joint = math.asin((0.243893 - 0.3 + 0.35) / 1.75)
         y = -0.422436 + 1.75 * math.cos(joint)
         top = math.degrees(math.acos(0.422436 / 1.4))

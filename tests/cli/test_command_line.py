@@ -1,5 +1,5 @@
-"""Tests the command line as users type it: typing errors in verbs, pipes, tables for a
-spreadsheet, reused folders, batches."""
+"""Tests the command line as users type it: misspelt verbs, pipes, tables for a spreadsheet, reused
+folders, and batches."""
 import csv
 import io
 import json
@@ -76,7 +76,8 @@ class Pipes(unittest.TestCase):
         p = piped(GEAR + "x_y = 1\n", "gear", "-", "--json")
         self.assertEqual(p.returncode, 1)
         self.assertIn("standard input:5:1: gear1.x_y", p.stderr)
-        self.assertEqual(piped(GEAR, "run", "-").returncode, 2)  # there is no name for the folder
+        self.assertEqual(piped(GEAR, "run", "-").returncode, 2)  # the folder needs the name of a
+                                                                 # file
         self.assertEqual(piped("", "gear", "-").returncode, 1)
 
     def test_what_take_prints_pipes_back(self):
@@ -181,7 +182,7 @@ class Folders(unittest.TestCase):
         run(GEAR, "--only", "svg")
         self.assertEqual(sorted(f.name for f in out.iterdir()),
                          [".gearwright_files", "gear1.svg", "gear2.dxf", "gear2.svg", "notes.txt"])
-        # a run that fails removes nothing
+        # if a run fails, it removes no file
         Run("run", GEAR.replace("20", "-20") + "tip_diameter_mm = -1\n", "--out", folder + "/o", folder=folder)
         self.assertTrue((out / "gear1.svg").exists())
 
@@ -210,7 +211,7 @@ class Batches(unittest.TestCase):
             file.write(text)
             file.flush()
             self.assertEqual(piped("", "batch", file.name).stdout, p.stdout)
-        # the last line needs no line feed
+        # the last line may have no line feed
         self.assertEqual(len(piped(lines[0] + "\n" + lines[1], "batch", "-").stdout.splitlines()), 2)
 
     def test_the_answers_are_those_of_the_verb(self):

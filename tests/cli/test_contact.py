@@ -1,5 +1,5 @@
-"""Tests the verbs contact and compensate as a user meets them: keys, kinds of contact, errors,
-laws of the results."""
+"""Tests the verbs contact and compensate as a user calls them: keys, kinds of contact, errors, and laws
+of the results."""
 
 import json
 import math
@@ -95,7 +95,7 @@ class Contact(unittest.TestCase):
         j = self.ok("contact", self.spec(rest="[errors]\ncrossing_deg = 0.05"))["contact"]
         self.assertTrue({p["kind"] for p in j["positions"]} <= {"face2", "corner"})
         aligned = self.ok("contact", self.spec())["contact"]
-        # The shift is Δγ b/(2 r_w2) to first order.
+        # To first order, the shift is Δγ b/(2 r_w2).
         pair = self.ok("pair", self.spec())["pair"]
         r_w2 = pair["working_pitch_diameter_mm"][1] / 2
         shift = j["positions"][0]["transmission_error_arcsec"] - aligned["positions"][0]["transmission_error_arcsec"]
@@ -170,8 +170,8 @@ class Contact(unittest.TestCase):
         self.assertEqual([c["key"] for c in j["corrections"]], ["tool_setting_mm", "cutter_lead1_deg"])
 
     def test_the_lead_that_takes_out_the_slope(self):
-        """Example 2 of Litvin and Tsay: axes crossed by 0.1 degrees at a lead angle of 75
-        degrees require 0.093 degrees."""
+        """Example 2 of Litvin and Tsay: if the axes are crossed by 0.1 degrees and the lead angle is 75
+        degrees, the correction is 0.093 degrees."""
         j = self.ok("compensate", ARCS.format(rest="[errors]\ncrossing_deg = 0.1"))["compensate"]["lead"]
         first_order = 0.1 * math.sin(math.radians(75)) ** 2  # [T8.22]
         self.assertAlmostEqual(j["first_order1_deg"], first_order, places=9)
@@ -209,8 +209,8 @@ class Contact(unittest.TestCase):
         self.assertLess(c["after"]["peak_to_peak_arcsec"], 0.3 * c["before"]["peak_to_peak_arcsec"])
 
     def test_the_example_gets_no_louder(self):
-        """The value once rose from 2.9278 to 2.9728 arcsec because the pattern was centred
-        without a request."""
+        """Regression: the value rose from 2.9278 to 2.9728 arcsec, because the pattern was centred
+        although the spec did not request it."""
         spec = (SOURCE / "examples" / "misaligned_pair.toml").read_text()
         c = self.ok("compensate", spec)["compensate"]
         self.assertLess(c["after"]["peak_to_peak_arcsec"], c["before"]["peak_to_peak_arcsec"])
@@ -290,7 +290,7 @@ class Contact(unittest.TestCase):
         m = self.ok("contact", self.spec(HELICAL, rest))["contact"]["map"]
         self.assertEqual([len(m["x_values"]), len(m["y_values"])], [5, 3])
         self.assertEqual([len(r) for r in m["peak_to_peak_arcsec"]], [5, 5, 5])
-        self.assertLess(m["peak_to_peak_arcsec"][0][2], 1e-6)  # without any error
+        self.assertLess(m["peak_to_peak_arcsec"][0][2], 1e-6)  # at the node without errors
         self.assertGreater(m["peak_to_peak_arcsec"][0][4], 0.1)
 
     def test_the_pattern_of_a_crowned_pair(self):
@@ -303,7 +303,7 @@ class Contact(unittest.TestCase):
             self.assertEqual(len(row), len(r["height_mm"]))
             self.assertEqual((r["height_mm"][0], r["height_mm"][-1]), (-face / 2, face / 2))
             self.assertLess(row[len(row) // 2], 1e-5)
-            # Crowning opens the gap as 4 C (z/b)².
+            # The gap that crowning adds is 4 C (z/b)².
             z = r["height_mm"][8]
             self.assertAlmostEqual(row[8], 4 * 0.03 * (z / 20) ** 2, delta=2e-4)
             self.assertTrue(0.2 < r["marked"] < 0.7)
@@ -340,20 +340,20 @@ class Contact(unittest.TestCase):
             return [w for w in warnings if w["code"] == "fillet_contact"]
         errors = "[errors]\ncrossing_deg = 0.005\ncenter_distance_mm = "
         near = told(84, errors + "-0.1")
-        # For the working flanks and for the non-working ones.
+        # There is one warning about the working flanks and one about the non-working flanks.
         self.assertEqual([w["gear"] for w in near], [1, 1])
         self.assertIn("the tip of gear 2 touches the root fillet of gear 1 0.01965 mm before the flanks touch", near[0]["message"])
         self.assertIn("non-working", near[1]["message"])
-        # With ten times as many positions, every tenth is checked. These are the same 64, each
-        # against its own flanks.
+        # With ten times as many positions, only every tenth is checked. These are the same 64 positions, but
+        # each is compared with its own flanks.
         self.assertEqual(told(84, errors + "-0.1\n[contact]\npositions = 640"), near)
-        # With many pitches, the first one is checked.
+        # If there are many pitches, the first one is checked.
         far = told(84, errors + "-0.1\n[contact]\npitches = 64")
         self.assertEqual([w["gear"] for w in far], [1, 1])
         self.assertIn("0.01965 mm before", far[0]["message"])
         self.assertEqual(told(84, errors + "0.1"), [])
         self.assertEqual(told(83, errors + "-0.1"), [])
-        self.assertEqual(told(84.3, ""), [])  # without errors, the pair itself reports it
+        self.assertEqual(told(84.3, ""), [])  # if there are no errors, the verb pair reports it
 
     def test_fillets_that_jam_though_flanks_have_play_are_told(self):
         def told(allowance):

@@ -1,12 +1,12 @@
-"""Tests crossed pairs as a user specifies them: gears by their base cylinders, any shaft angle,
-fit, measure, other racks."""
+"""Tests crossed pairs as a user specifies them: gears given by their base cylinders, any shaft angle, the
+verbs fit and measure, and gears with different racks."""
 import json
 import math
 import unittest
 
 from cli import Run
 
-# The pair of the paper, z 9/15, with each gear given by its base cylinder.
+# The pair 9/15 of the paper. Each gear is given by its base cylinder.
 BASIC = """[gear1]
 teeth = 9
 tip_diameter_mm = 46.65
@@ -27,7 +27,7 @@ base_helix_angle_deg = 36.595
 {}
 """
 WISH = "[gear1]\nteeth = 12\nnormal_module_mm = 1.5\nface_width_mm = 12\n{}\n[gear2]\nteeth = 24\nnormal_module_mm = 1.5\nface_width_mm = 12\n{}\n[pair]\n{}\n"
-# A pinion in an internal gear, its axis crossed by 10°.
+# A pinion in an internal gear, with axes crossed by 10°.
 RING = """[gear1]
 teeth = 20
 normal_module_mm = 2
@@ -78,7 +78,7 @@ class Crossed(unittest.TestCase):
         self.assertEqual(plain.status, 0, plain.err)
         p = plain.json["pair"]
         self.assertEqual((p["kind"], p["gear_ratio"]), ("crossed", -61 / 20))
-        # Both gears lie on one rack, so their pitch cylinders are the reference cylinders.
+        # Both gears have the same rack, so their pitch cylinders are the reference cylinders.
         self.assertAlmostEqual(p["working_normal_pressure_angle_deg"], 20, places=10)
         self.assertAlmostEqual(p["center_distance_mm"], 61 / math.cos(math.radians(10)) - 20 / math.cos(math.radians(20)), places=9)
         self.assertAlmostEqual(p["backlash"]["normal_mm"], 0.1, places=10)
@@ -92,7 +92,8 @@ class Crossed(unittest.TestCase):
             crowned = f"[gear1.modifications]\nlead_crowning_um = {share * needed[0]}"
             r = Run("pair", RING.format(crowned, "shaft_angle_deg = 10"), "--json")
             self.assertEqual([w["code"] for w in r.json["warnings"] if w["code"] == "saddle_gap"], codes)
-        # Without crowning the edges lead by about the crowning; with crowning, flanks touch inside.
+        # Without crowning, an edge touches first, by about the crowning that is needed. With crowning, the
+        # flanks touch inside their limits.
         lead = {}
         for crowning in (0, 3 * needed[0]):
             text = RING.format(f"[gear1.modifications]\nlead_crowning_um = {crowning}", "shaft_angle_deg = 10")
@@ -158,7 +159,8 @@ class Crossed(unittest.TestCase):
         self.assertAlmostEqual(Run("gear", BASIC.format(""), "--as-rack", "3,", "--json").json["gears"][1]["as_rack"]["normal_pressure_angle_deg"], 20, places=9)
         self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", "3,21").status, 1)
         self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", ",50").status, 1)
-        for module in ("1e16", "1e17", "1e300", "50"):  # beyond 60°; an angle of 90° is impossible
+        for module in ("1e16", "1e17", "1e300", "50"):  # these helix angles exceed 60°; 90° is
+                                                        # impossible
             r = Run("gear", BASIC.format(""), "--as-rack", module + ",")
             self.assertEqual(r.status, 1, r.err)
             self.assertIn("60°", r.err)
@@ -243,7 +245,7 @@ class Crossed(unittest.TestCase):
         text = WISH.format("helix_angle_deg = 45\nprofile_shift = 0.1", "helix_angle_deg = 45", "center_distance_mm = 38.4\nshaft_angle_deg = 90")
         p = Run("pair", text, "--json").json
         self.assertAlmostEqual(p["pair"]["backlash"]["normal_base_mm"], 0, places=11)
-        # without the angle, the pair for which this is the minimum centre distance
+        # without a shaft angle, the given centre distance is the minimum one of the pair
         text = WISH.format("helix_angle_deg = 46\nprofile_shift = 0.1", "helix_angle_deg = 45", "center_distance_mm = 38.4\nshaft_angle_deg = 90")
         r = Run("pair", text.replace("shaft_angle_deg = 90", ""), "--json")
         self.assertAlmostEqual(r.json["pair"]["minimum_center_distance"]["center_distance_mm"], 38.4, places=10)

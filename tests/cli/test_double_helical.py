@@ -1,5 +1,5 @@
-"""Double-helical gears: the verbs gear, pair and measure compute one half, run and export write the whole gears,
-and the verbs for gears of one helix reject the table."""
+"""Tests double-helical gears. The verbs gear, pair and measure compute one half, and run and export write
+the whole gears. Verbs that support only gears with one helix reject the table."""
 
 import json
 import re
@@ -50,7 +50,8 @@ class TwoHalves(unittest.TestCase):
         return json.loads(run.out)["rating"]
 
     def test_the_halves_share_the_load(self):
-        """ISO 6336: b = 2 b_B, and the overlap ratio of one half: the rating of a half under half of the torque."""
+        """The rating by ISO 6336 with b = 2 b_B and the overlap ratio of one half equals the rating of one half
+        under half of the torque."""
         both = self.rated(PAIR.format(""), 4000)
         half = PAIR.format("").replace("[gear1.double_helical]\ngap_mm = 30\n", "")
         half = half.replace("[gear2.double_helical]\ngap_mm = 30\n", "").replace("150", "60")
@@ -66,7 +67,8 @@ class TwoHalves(unittest.TestCase):
                       "[rating]\ntorque_Nm = 4000\nspeed_rpm = 1200\nquality = 6\nface_load_factor = 1.2\n").out)
 
     def test_the_halves_share_the_load_at_the_ends_of_the_tolerances(self):
-        """The least safety is 1.15 as drawn; with the load on one half alone it would be 0.8."""
+        """The least safety of the nominal pair is 1.15. If one half carried the whole load, the safety
+        would be 0.8."""
         both = PAIR.format("") + "".join(f'[gear{n}.tolerance]\nthickness_series = "cd25"\n' for n in (1, 2))
         run = Run("rate", both + '[pair]\ncenter_distance_tolerance = "js7"\n[gear1.material]\nname = "18CrNiMo7-6"\n'
                   "[rating]\ntorque_Nm = 2500\nspeed_rpm = 1200\nquality = 6\nface_load_factor = 1.2\n", "--json")
@@ -112,10 +114,12 @@ class TwoHalves(unittest.TestCase):
             a, b = (half["positions"][k]["transmission_error_arcsec"] for half in (first, second))
             self.assertAlmostEqual(whole["transmission_error_arcsec"], (a + b) / 2, 9)
             self.assertIsNone(whole["point_mm"])
-            self.assertGreater(first["positions"][k]["point_mm"][2], 14.999)  # the half from 15 to 75 mm
+            self.assertGreater(first["positions"][k]["point_mm"][2], 14.999)  # the half at z from
+                                                                              # 15 to 75 mm
             self.assertLess(second["positions"][k]["point_mm"][2], -14.999)
         self.assertEqual(len(found["axial_float_um"]), len(found["positions"]))
-        # The map has the errors of the spec between its points, and is symmetric under the mirror.
+        # The errors of the spec lie between the points of the map. The map is symmetric about the mirror
+        # plane.
         rows = found["map"]["peak_to_peak_arcsec"]
         self.assertAlmostEqual(rows[0][0], rows[2][2], 6)
         self.assertAlmostEqual(rows[0][2], rows[2][0], 6)
@@ -159,7 +163,8 @@ class TwoHalves(unittest.TestCase):
             report = (Path(folder) / "report.html").read_text()
             for words in ("Double-helical gear pair", "150.0000", "Groove diameter"):
                 self.assertTrue(words in report, words)
-            for gear in (1, 2):  # 84 bytes, then 50 a triangle: the faces end at ±75 mm, and the groove at ±15 mm
+            for gear in (1, 2):  # 84 bytes and 50 per triangle: the faces end at ±75 mm, and the
+                                 # groove at ±15 mm
                 data = (Path(folder) / f"gear{gear}.stl").read_bytes()[84:]
                 heights = {round(struct.unpack_from("<f", data, at + 20)[0], 3) for at in range(0, len(data), 50)}
                 self.assertEqual((min(heights), max(heights)), (-75, 75))
@@ -217,7 +222,7 @@ class TwoHalves(unittest.TestCase):
         self.assertIn("gear1.double_helical.gap_mm = 0", run.err)
 
     def test_face_widths_include_both_halves_and_the_gap(self):
-        """With the face width for an overlap ratio of 1, one half has an overlap ratio of 1."""
+        """The remedy is the face width for which one half has an overlap ratio of 1."""
         pair = Run("pair", PAIR.format(""), "--json").json["pair"]
         face = pair["needed_face_width_mm"]["whole_overlap_1"]
         self.assertAlmostEqual(face, 2 * pair["needed_face_width_mm"]["overlap_1"] + 30, 9)

@@ -1,5 +1,5 @@
-"""Tests run and export on drives: every example is green and has its files, and errors of drives
-contain a remedy."""
+"""Tests the verbs run and export for drives. Every example is green and has its files. Errors contain a
+remedy."""
 import json
 import re
 import unittest
@@ -33,10 +33,10 @@ class Examples(unittest.TestCase):
                                      {name.rsplit("/", 1)[-1] for name in names})
                 page = (r.folder / "o/report.html").read_text()
                 ids = re.findall(r' id="([^"]*)"', page)
-                self.assertEqual(len(ids), len(set(ids)), "names of pictures are unique")
+                self.assertEqual(len(ids), len(set(ids)), "ids in the page must be unique")
                 for used in re.findall(r'href="#([^"]*)"|url\(#([^)]*)\)', page):
                     self.assertIn(used[0] or used[1], ids)
-                self.assertIn("window.figureZoom =", page, "the script of the page calls it")
+                self.assertIn("window.figureZoom =", page, "the script of the page must call figureZoom")
                 self.assertIn('id="scheme"', page)
                 self.assertIn('id="power"', page)
                 self.assertIn('id="section-1"', page)
@@ -76,7 +76,7 @@ class Files(unittest.TestCase):
         self.assertEqual([n["name"] for n in scene["nodes"]], ["sun", "planet 1", "planet 2", "planet 3", "ring"])
         self.assertEqual([n["mesh"] for n in scene["nodes"]], [0, 1, 1, 1, 2])
         self.assertEqual(len(scene["meshes"]), 3)
-        # Planet 2 is at a third of a turn about the sun, at the centre distance of 45 mm.
+        # Planet 2 has turned by a third of a turn about the sun. The centre distance is 45 mm.
         at = scene["nodes"][2]["matrix"][12:15]
         self.assertAlmostEqual(at[0], -0.0225, places=9)
         self.assertAlmostEqual(at[1], 0.045 * 3 ** 0.5 / 2, places=9)
@@ -86,7 +86,7 @@ class Files(unittest.TestCase):
             model = z.read("3D/3dmodel.model").decode()
         items = [list(map(float, t.split())) for t in re.findall(r'<item [^>]*transform="([^"]*)"', model)]
         self.assertEqual(len(items), 5)
-        self.assertEqual({t[11] for t in items}, {10.0})  # half a face of 20 mm
+        self.assertEqual({t[11] for t in items}, {10.0})  # half of the face width of 20 mm
         tips = [22.0, 27.0, 27.0, 27.0, 77.5]
         for i, a in enumerate(items):
             for k in range(i):

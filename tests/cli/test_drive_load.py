@@ -1,5 +1,5 @@
-"""Tests drives under load: shares of the planets and K_γ, the loaded transmission error of a mesh against the verb load,
-and the messages for specs that have no such load."""
+"""Tests drives under load: load shares of the planets and K_γ, the loaded transmission error of a mesh
+compared with the verb load, and the errors for specs without a load."""
 import unittest
 
 from cli import SOURCE, Run
@@ -45,8 +45,8 @@ class Shares(unittest.TestCase):
         self.assertGreater(of_set["displacement_um"], 5)
 
     def test_a_mesh_has_the_curve_of_the_verb_load(self):
-        """Without shifts and allowances, the loaded flanks touch at the pitch point a quarter of a period from the centre line, so both
-        verbs compute the same positions."""
+        """If there are no shifts and allowances, the loaded flanks touch at the pitch point a quarter of
+        a period from the centre line. Both verbs then compute the same positions."""
         fine = '[load]\npositions = 128\naccuracy = "draft"\n'
         text = STAGE.replace("thickness_allowance_mm = -0.05\n", "") + fine
         drive = Run("drive", text, "--json").json["drive"]["load"]
@@ -56,7 +56,7 @@ class Shares(unittest.TestCase):
         self.assertAlmostEqual(drive["output_arcsec_peak_to_peak"] / at["peak_to_peak_arcsec"], 1, 9)
 
     def test_the_spec_of_a_mesh_has_its_driver_and_resolution(self):
-        """With the carrier driving, the planet drives the sun, which is gear 1."""
+        """If the carrier drives, the planet drives the sun, which is gear 1."""
         text = SET.replace("planets = 3", 'planets = 3\ninput = "carrier"\noutput = "sun"') + DRAFT
         sun, ring = (Run("drive", text, "--take", n).out for n in ("1", "2"))
         for spec, drivers in ((sun, 2), (ring, 2)):

@@ -1,5 +1,5 @@
-"""Tests the meshes of a drive as pairs: the spec that `drive --take` prints has the numbers of the drive, and a
-double-helical mesh has those of one half."""
+"""Tests the meshes of a drive as pairs. The spec that `drive --take` prints has the numbers of the drive.
+For a double-helical mesh, these are the numbers of one half."""
 import math
 import re
 import unittest
@@ -26,12 +26,13 @@ class Meshes(unittest.TestCase):
         self.assertGreaterEqual(compared, 12)
 
     def test_a_mesh_carries_its_torque(self):
-        """Three planets share the torque of the sun, and the ring's mesh has the same tooth force as the sun's."""
+        """Three planets share the torque of the sun. The tooth force of the mesh with the ring equals
+        that of the mesh with the sun."""
         sun = Run("drive", SET + "torque_Nm = 60\n", "--take", "1").out
         ring = Run("drive", SET + "torque_Nm = 60\n", "--take", "2").out
         torque = [float(re.search(r"torque_Nm = (\S+)", spec).group(1)) for spec in (sun, ring)]
         self.assertAlmostEqual(torque[0], 20, 9)
-        self.assertAlmostEqual(torque[1], 20 * 25 / 20, 0)  # less the loss of the first mesh
+        self.assertAlmostEqual(torque[1], 20 * 25 / 20, 0)  # minus the loss in the first mesh
         self.assertEqual(Run("load", sun, "--json").status, 0)
 
     def test_a_mesh_without_load_has_no_torque(self):
@@ -43,7 +44,7 @@ class Meshes(unittest.TestCase):
         self.assertNotIn("[load]", still.out)
 
     def test_the_head_of_a_mesh_gives_faults_of_the_drive(self):
-        """A Wolfrom set with a high ratio locks itself backwards; with its ring driving it locks."""
+        """A Wolfrom set with a high ratio is self-locking if the ring drives."""
         locked = """
 [planetary]
 sun = 12
@@ -71,7 +72,8 @@ torque_Nm = 5
         self.assertTrue(all(line.startswith("# ") and len(line) <= 80 for line in spec.out.split("title")[0].splitlines()))
 
     def test_a_mesh_carries_its_rating(self):
-        """The safeties of a mesh are those of the drive; of the gear with the fewer engagements they are lower."""
+        """The safeties of a mesh equal those of the drive. They are lower for the gear with fewer load
+        cycles."""
         rating = ('\n[rating]\ntorque_Nm = 40\nspeed_rpm = 1450\nlife_h = 20000\nquality = 6\nface_load_factor = 1.3\n'
                   'lubricant_viscosity_40C_mm2_s = 220\nmaterial = { name = "16MnCr5" }\n')
         train = (SOURCE / "examples/drives/two_stage_gearbox.toml").read_text() + rating
@@ -127,7 +129,8 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
 """
 
     def test_a_rack_moves(self):
-        """In a turn per second the rack moves by the pitch circle of its pinion, and its force has the arm of d/2."""
+        """At one turn per second, the rack moves by the pitch circumference of its pinion every second.
+        Its force acts at the radius d/2."""
         drive = Run("drive", self.LIFT, "--json").json
         d = 20 * 2 / math.cos(math.radians(10))
         bar = drive["drive"]["bodies"]["bar"]
@@ -172,7 +175,7 @@ STAGE = "[[stage]]\ngears = [{{ {}{} }}, {{ {}{} }}]\nspeed_rpm = 1500\ntorque_N
 
 
 class DoubleHelical(unittest.TestCase):
-    """A half of a double-helical gear is a helical gear of its own face under half of the torque."""
+    """A half of a double-helical gear is a helical gear with its own face width under half of the torque."""
 
     def stage(self, pinion=HALVES, wheel=HALVES):
         return STAGE.format(GEAR.format(21, 25), pinion, GEAR.format(64, -25), wheel)
@@ -208,8 +211,8 @@ class DoubleHelical(unittest.TestCase):
         spec = Run("drive", stage, "--take", "1").out
         for table in ("[load]", "[errors]", "[gear2.double_helical]"):
             self.assertIn(table, spec)
-        # The transmission error of the drive is that of the whole gears, and not of a half.
-        # The input turns counter-clockwise, so the flanks that work are the other ones of `contact`.
+        # The transmission error of the drive is that of the whole gears, not of one half. The input turns
+        # counter-clockwise, so its working flanks are the non-working flanks of the verb contact.
         drive = Run("drive", stage, "--json").json["drive"]["transmission_error"]["output_arcsec_peak_to_peak"]
         contact = Run("contact", spec, "--json").json["contact"]
         self.assertAlmostEqual(drive, contact["non_working_flank"]["peak_to_peak_arcsec"], 8)

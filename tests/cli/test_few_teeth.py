@@ -1,5 +1,5 @@
-"""Tests gears with few teeth as a user specifies them: circular fillets, gears cut by gears, and
-every kind of error."""
+"""Tests gears with few teeth as a user specifies them: circular fillets, gears cut by gears, and every
+kind of error."""
 import math
 import re
 import unittest
@@ -56,7 +56,8 @@ class Fillets(Asked):
         for before, after in zip(arcs, arcs[1:]):
             self.assertEqual(before["points"][-1], after["points"][0])
         root, tip = arcs[0]["points"], arcs[2]["points"]
-        self.assertAlmostEqual(root[0][0], 0, places=14)  # the middle of the space is at 90°
+        self.assertAlmostEqual(root[0][0], 0, places=14)  # the middle of the space is at 90° to the
+                                                          # tooth
         self.assertEqual(tip[-1][1], 0)
         for x, y in root:
             self.assertAlmostEqual(math.dist((x, y), (0, 2.148140708140892)), 1.0453973845897083, places=12)
@@ -68,7 +69,7 @@ class Fillets(Asked):
         message = self.refused(spec.replace("0.332", "9"), "gear1.tip_fillet.radius_mm", "no circle of this radius", verb="gear")
         largest = float(re.search(r"at most ([0-9.]+)", message).group(1))
         bare = re.sub(r"\[gear1\.root_fillet\][^\[]*", "", spec)
-        # A value that is printed with six digits fits exactly as printed.
+        # The printed value has six digits and must itself be permitted.
         self.ok("gear", bare.replace("0.332", repr(largest)))
         self.refused(bare.replace("0.332", repr(largest * (1 + 2e-5))), "gear1.tip_fillet.radius_mm", verb="gear")
 
@@ -100,7 +101,7 @@ class Fillets(Asked):
 
     def test_clearance(self):
         gears = "[gear1]\nteeth = 20\nnormal_module_mm = 3\nface_width_mm = 20\n[gear1.tip_fillet]\n{}\n[gear2]\nteeth = 40\nnormal_module_mm = 3\nface_width_mm = 20\n"
-        # by the rule 0.2 m + 0.05 mm
+        # without a given clearance, the rule 0.2 m + 0.05 mm applies
         for line, wanted in (("clearance_mm = 0.9", 0.9), ("", 0.65)):
             p = self.ok("pair", gears.format(line))
             self.assertAlmostEqual(p["pair"]["tip_clearance_mm"][0], wanted, places=12)
@@ -165,7 +166,7 @@ class CutBy(Asked):
         for key in named:
             if isinstance(named[key], float):
                 self.assertAlmostEqual(named[key], table[key], places=11, msg=key)
-        # a single gear with a cutter needs no mating gear
+        # a single gear with a separate cutter needs no mating gear
         alone = self.ok("gear", (WHEEL + "profile_shift_pair = -0.7\n" + cutter).replace("gear2", "gear1"))["gears"][0]
         self.assertAlmostEqual(alone["root_diameter_mm"], named["root_diameter_mm"], places=11)
 
@@ -174,7 +175,7 @@ class CutBy(Asked):
         ring = SPUR.replace("face", "helix_angle_deg = 20\nface") + RING + own + "[gear2.cut_by]\nteeth = 25\n"
         g = self.ok("gear", ring)["gears"][1]
         self.assertEqual((g["normal_module_mm"], g["helix_angle_deg"], g["cutter_teeth"]), (2, 20, 25))
-        # All taken from the mating gear.
+        # The gear takes all other data from its mating gear.
         g = self.ok("gear", SPUR + RING + "[gear2.cut_by]\nteeth = 25\n")["gears"][1]
         self.assertEqual((g["normal_module_mm"], g["helix_angle_deg"]), (2, 0))
 
@@ -248,7 +249,7 @@ class CutByErrors(Asked):
         message = self.refused(PINION + CUT + "[pair]\ncenter_distance_mm = 50\n", "pair.center_distance_mm", "greater than")
         least = float(re.search(r"greater than ([0-9.]+)", message).group(1))
         self.assertAlmostEqual(least, 1.8628891263196041418 * 31, places=3)
-        # If the values are close, the message has enough digits to distinguish them.
+        # If two values are close, the message contains enough digits to distinguish them.
         message = self.refused(PINION + CUT + "[pair]\ncenter_distance_mm = 57.7495629\n", "pair.center_distance_mm")
         least = float(re.search(r"greater than ([0-9.]+)", message).group(1))
         self.assertAlmostEqual(least, 1.8628891263196041418 * 31, places=6)
@@ -264,7 +265,7 @@ class CutByErrors(Asked):
             self.refused(PINION + WHEEL + bad.replace(*change), "gear2.cut_by." + key)
 
     def test_a_pair_of_which_neither_waits(self):
-        # Both gears have cutters of their own.
+        # Each gear has a separate cutter.
         own = "[gear{0}]\nteeth = {1}\nface_width_mm = 10\nprofile_shift = 0\n[gear{0}.cut_by]\nteeth = 25\nnormal_module_mm = 2\n"
         j = self.ok("pair", own.format(1, 20) + own.format(2, 40))
         self.assertAlmostEqual(j["pair"]["center_distance_mm"], 60, places=11)

@@ -1,5 +1,5 @@
-"""Tests the first experience of a new user: typing errors in keys and verbs, wrong hands, and
-the resulting messages."""
+"""Tests the first experience of a new user: misspelt keys and verbs, wrong hands of helix, and the
+resulting messages."""
 import json
 import os
 import pathlib
@@ -58,7 +58,7 @@ class Keys(Asked):
         for text, name in ((toml, "case.toml"), (tree, "case.json")):
             start = time.monotonic()
             self.assertEqual(Run("gear", text, name=name).status, 1)
-            self.assertLess(time.monotonic() - start, 6, name)  # it took over 30 s
+            self.assertLess(time.monotonic() - start, 6, name)  # Regression: it took over 30 s
 
     def test_slips_in_a_map_are_named(self):
         head = PAIR + '[contact.map]\nx = "crossing_deg"\nx_range = [-1, 1]\ny = "axial_mm"\ny_range = [-1, 1]\n'
@@ -72,7 +72,7 @@ class Keys(Asked):
         ring = "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = -60\n"
         for d in (-44, -120):
             self.refused(ring + f"tip_diameter_mm = {d}\n", "gear2.tip_diameter_mm", "greater than 0")
-        # this tip diameter was not given; it follows from the given shift
+        # the tip diameter follows from the given profile shift, so the error names the shift
         self.refused(ring + "profile_shift = 40\n", "gear2.profile_shift", "tip_diameter_mm", verb="gear")
         self.refused("[gear1]\nteeth = -10\nnormal_module_mm = 2\n[gear1.rack]\naddendum = 6\n", "gear1.rack.addendum",
                      "tip_diameter_mm", verb="gear")
@@ -91,9 +91,9 @@ class Places(unittest.TestCase):
     def test_errors_say_file_line_and_column(self):
         toml = GEAR + "  profile_shfit = 1\n[gear2]\nteeth = 30\n[gear2.rack]\ndedendum = 9\n"
         self.assertEqual(self.place(toml, "a.toml"), (5, 3))
-        # Found only when the spec is solved.
+        # This error is found only when the spec is solved.
         self.assertEqual(self.place(toml.replace("shfit", "shift"), "a.toml"), (9, 1))
-        # For a missing key, the position is that of the table.
+        # If a key is missing, the position is that of its table.
         self.assertEqual(self.place(GEAR + "[gear2]\nnormal_module_mm = 2\n", "a.toml"), (5, 2))
         self.assertEqual(self.place(GEAR, "a.toml"), (None, None))
         tree = '{"gear1": {"teeth": 20,\n  "normal_module_mm": 2},\n "gear2": {"teeth": 30, "rack": {"kind": "straight",\n     "dedendum": 9}}}'
@@ -106,7 +106,7 @@ class Places(unittest.TestCase):
 
 
 class Slips(Asked):
-    """Tests typical errors in a first spec and the message that leads to a correction."""
+    """Tests typical mistakes in a first spec. The message leads to the correction."""
 
     def test_a_decimal_comma(self):
         self.assertIn("use a point as the decimal mark, 2.5", Run("gear", "[gear1]\nteeth = 17\nnormal_module_mm = 2,5\n").err)
@@ -158,7 +158,7 @@ class Hands(Asked):
         self.assertEqual(self.ok("pair", crossed)["pair"]["kind"], "crossed")
         lead = same.replace("helix_angle_deg = 15", 'lead_angle_deg = 75\nhand = "left"')
         self.refused(lead, "gear2.lead_angle_deg", "helix_angle_deg = -15", 'hand = "right"')
-        # different angles of the same hand are not a typing error
+        # different helix angles of the same hand are not a mistake
         self.assertEqual(self.ok("pair", same.replace("helix_angle_deg = 15", "helix_angle_deg = 20", 1))["pair"]["kind"], "crossed")
 
 
@@ -219,7 +219,7 @@ class Backlash(Asked):
             gears = self.ok("pair", PAIR + "[pair]\nbacklash_mm = 0.1\n" + split)["gears"]
             thinner = [n - g["reference_tooth_thickness_normal_mm"] for n, g in zip(nominal, gears)]
             self.assertAlmostEqual(thinner[0] / sum(thinner), share, places=9)
-            # `gear` and `pair` report the same data for a gear
+            # the verbs gear and pair report the same data for a gear
             alone = self.ok("gear", PAIR + "[pair]\nbacklash_mm = 0.1\n" + split)["gears"]
             self.assertEqual(gears, alone)
 

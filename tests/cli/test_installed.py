@@ -1,5 +1,5 @@
-"""Tests the content of the installation: program, completion, manual page, documents, and only
-what was built."""
+"""Tests the content of the installation: program, completion, manual page and documents, but nothing that
+was not built."""
 import gzip
 import os
 import pathlib
@@ -50,8 +50,7 @@ class Installed(unittest.TestCase):
         self.assertTrue((folder / "a.step").read_text().startswith("ISO-10303-21"))
 
     def test_what_was_not_built_is_not_asked_for(self):
-        # `make demo` builds only the program, so the install script must not need the other
-        # targets.
+        # `make demo` builds only the program, so the install script must not require other targets.
         script = (BUILD / "cmake_install.cmake").read_text()
         programs = [l for l in script.splitlines() if "TYPE EXECUTABLE" in l and "gearwright-mpi" in l]
         for line in programs:

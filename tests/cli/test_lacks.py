@@ -1,6 +1,6 @@
-"""Tests that all missing values of a spec are reported at once and before any computation, that values inherited
-by gear 2 or chosen by the program are reported, and that unsupported keys and wrong words get specific messages
-with suggestions."""
+"""Tests missing and unknown input. All missing values are reported at once, before any computation. The
+program reports values that gear 2 inherits and values that it chooses. Unsupported keys and wrong
+words have specific messages with suggestions."""
 import time
 import unittest
 
@@ -42,7 +42,7 @@ class Lacking(Asked):
         spec = TWO.format("face_width_mm = 25", "face_width_mm = 25") + LOAD + RATING.replace("quality = 6\n", "")
         start = time.monotonic()
         message = self.refused("run", spec, "gear1.material", "rating.quality (", "quality = 6")
-        self.assertLess(time.monotonic() - start, 2.0)  # the loaded contact alone takes longer
+        self.assertLess(time.monotonic() - start, 2.0)  # loaded contact alone takes longer
         self.assertNotIn("load", message.replace("face load", "").replace("face_load", ""))
 
     def test_every_verb_says_all_at_once(self):
@@ -54,8 +54,8 @@ class Lacking(Asked):
         aim = '[compensate]\naim = "pressure"\n[rating]\n'
         self.refused("compensate", gears + aim, "load.torque_Nm", none=("rating",))
         self.refused("run", gears + aim, "load.torque_Nm", *KEYS)
-        # For a single gear or an empty file, the values missing in the gears are reported with
-        # those that the verb needs.
+        # For a single gear or an empty file, the message lists the missing data of the gears and the missing
+        # data for the verb.
         alone = "[gear1]\nteeth = 17\n"
         self.refused("rate", alone, "gear1.normal_module_mm", "gear2 (", *KEYS.values())
         self.refused("load", alone, "gear1.normal_module_mm", "gear2 (", "torque_Nm = 100")
@@ -65,7 +65,7 @@ class Lacking(Asked):
         self.refused("pair", ByName.GEAR + "[gear2]\n", "gear2.teeth", none=("module",))
         self.refused("rate", gears + "[rating]\npower_kW = 5\n", "rating.speed_rpm", "rating.quality (", "gear1.material",
                      none=("rating.torque_Nm",))
-        # Any other error is reported alone.
+        # If there is any other error, only this error is reported.
         self.refused("rate", gears + "[rating]\nquality = 13\n", "rating.quality", none=("missing",))
 
     def test_what_no_rating_is_for_lacks_nothing(self):
@@ -101,7 +101,7 @@ class Inherited(Asked):
         self.assertEqual(one["rating"], both["rating"])
         self.assertEqual(self.notes(one, "inherited"), [(2, "These values are absent and therefore those of gear 1: material 16MnCr5.")])
         self.assertEqual(self.notes(both, "inherited"), [])
-        # The accuracy grade may be in the table of a gear, in its tolerances, or in [rating].
+        # The accuracy grade may be in three tables: that of the gear, its tolerances, or [rating].
         rating = RATING.replace("quality = 6\n", "")
         for words in ("quality = 6", "[gear1.tolerance]\nquality = 6"):
             given = self.answer("rate", TWO.format(words, "") + STEEL.format(1, "16MnCr5") + rating)
@@ -187,7 +187,7 @@ class ByName(Asked):
                 (gear + "[gear1.measured]\nhelix_deg = 15\n", "gear1.measured.helix_deg", "helix_angle_deg")):
             for verb in ("gear", "pair", "run"):
                 self.refused(verb, spec, key, *words, none=("did you mean", "nearest", "unknown key", "missing"))
-        # A known key keeps its own message.
+        # A misspelt key that is close to a known key has the usual message.
         self.refused("gear", gear + "teethh = 3\n", "gear1.teethh", "the nearest known key is teeth")
 
     def test_a_word_that_is_meant(self):
@@ -200,7 +200,7 @@ class ByName(Asked):
         for wrong in ("brass", "unobtainium"):
             self.refused("rate", self.GEAR + STEEL.format(1, wrong), "gear1.material.name", "18CrNiMo7-6", "sigma_Hlim_MPa",
                          "youngs_modulus_MPa", none=("did you mean",))
-        for wrong in ("POM", "PA66"):  # no row of the table is a plastic
+        for wrong in ("POM", "PA66"):  # the table of materials contains no plastics
             self.refused("rate", self.GEAR + STEEL.format(1, wrong), "gear1.material.name", "is a plastic", "sigma_Hlim_MPa",
                          "youngs_modulus_MPa", none=("did you mean", "18CrNiMo7-6"))
         for wrong, near in (("C45", "C45N"), ("16mncr5", "16MnCr5"), ("18CrNiMo7", "18CrNiMo7-6")):

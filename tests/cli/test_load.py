@@ -1,5 +1,5 @@
-"""Tests the verb load as a user meets it: keys, errors by key, the form of the answer, laws of
-the results."""
+"""Tests the verb load as a user calls it: keys, errors by key, the form of the result, and laws of the
+results."""
 
 import json
 import tempfile
@@ -69,7 +69,8 @@ class Load(unittest.TestCase):
     def test_a_narrow_face_has_fewer_slices(self):
         answer = self.answer(gear1="helix_angle_deg = 20", gear2="helix_angle_deg = -20",
                              rest='[load]\npositions = 4\naccuracy = "draft"\ntorque_Nm = 100\n')
-        self.assertEqual(len(answer["torques"][0]["face_load_N_per_mm"]), 23)  # 28 mm in 0.4 modules
+        self.assertEqual(len(answer["torques"][0]["face_load_N_per_mm"]), 23)  # 28 mm in slices of
+                                                                               # 0.4 modules
         run = load(gear1="helix_angle_deg = 20", gear2="helix_angle_deg = -20",
                    rest='[load]\npositions = 4\naccuracy = "draft"\ntorque_Nm = 100\nslices = 40\n')
         self.assertEqual(run.status, 1)
@@ -97,7 +98,7 @@ class Load(unittest.TestCase):
             self.assertIn(">Under load</h2>", page)
             self.assertIn("Harris map", page)
             self.assertIn("Transverse load factor", page)
-            # The answer has the given rotations, but the page always turns through one pitch.
+            # The result contains only the given rotations, but the page always shows a whole pitch.
             some = rest.replace("positions = 4", "rotation1_deg = [0.0, 1.0]")
             result, page = self.run_of(folder, some)
             self.assertEqual(result["load"], self.answer(rest=some))
@@ -105,14 +106,14 @@ class Load(unittest.TestCase):
 
     def test_run_without_load_has_none(self):
         with tempfile.TemporaryDirectory() as folder:
-            for rest in ("", DRAFT):  # [load] without a torque, whose other keys [rating] may use
+            for rest in ("", DRAFT):  # [load] without a torque; [rating] may use its other keys
                 result, page = self.run_of(folder, rest)
                 self.assertNotIn("load", result)
                 self.assertNotIn(">Under load</h2>", page)
 
     def test_run_says_why_there_is_none(self):
         with tempfile.TemporaryDirectory() as folder:
-            # An internal gear without a known cutter has no outline.
+            # An internal gear has no outline if its cutter is unknown.
             def bare_ring(rest):
                 text = PAIR.format(gear1="profile_shift = 0.5", gear2="profile_shift = -1.2", rest=DRAFT + rest)
                 text = text.replace("teeth = 25", "teeth = 8").replace("teeth = 43", "teeth = -30")
@@ -140,7 +141,7 @@ class Load(unittest.TestCase):
         worst = [max(l[when]["max_pressure_MPa"] for l in answer["under_load"]) for when in ("before", "after")]
         self.assertLess(worst[1], 0.8 * worst[0])
         self.assertEqual(answer["corrections"][0]["spec_key"], "gear1.modifications.right_lead_slope_um")
-        # The values before the correction are those of load.
+        # The values before the correction equal the results of the verb load.
         load = self.compensated("", verb="load").json["load"]["torques"]
         for l, t in zip(answer["under_load"], load):
             self.assertEqual(l["before"]["max_pressure_MPa"], t["max_pressure_MPa"])
@@ -259,7 +260,7 @@ class Points(unittest.TestCase):
                     self.assertAlmostEqual(k["pressure_MPa"] * area, 1.5 * k["force_N"], delta=1e-4 * whole)
         low, high = answer["torques"]
         self.assertGreater(high["max_pressure_MPa"], low["max_pressure_MPa"])
-        # A Hertz contact point becomes stiffer under load.
+        # The contact stiffness of a Hertz contact point increases with the load.
         self.assertGreater(high["contact_stiffness_N_per_um"]["mean"], low["contact_stiffness_N_per_um"]["mean"])
 
     def test_double_arcs_touch_at_two_places(self):
@@ -287,7 +288,7 @@ gear2 = {{ teeth = 50, normal_module_mm = 4, helix_angle_deg = -22, face_width_m
         self.assertEqual(run.json["error"]["key"], "load.deflection_bow_um")
 
 
-# Gear 1 is pointed below its tip diameter.
+# The flanks of gear 1 meet below its tip diameter.
 POINTED = """
 [gear1]
 teeth = 14

@@ -1,4 +1,4 @@
-"""Compares the deflection of helical teeth along the face with bricks of CalculiX
+"""Compares the deflection of helical teeth along the face width with finite elements of CalculiX
 (tests/oracle/bricks)."""
 import importlib.util
 import json
@@ -7,11 +7,12 @@ import unittest
 from cli import SOURCE, Run
 
 FROM = SOURCE / "tests/oracle/bricks/tooth_bricks.py"
-# Relative to the greatest value of the row, under the load, where the bumps of the bricks are
-# replaced by a strip.
+# Limit of the error relative to the greatest value of the row. This value is under the load, where a strip
+# replaces the loaded elements.
 OF_ALL = 0.02
-AWAY = 1.25  # m_n from the middle of the load, where strip or bump has no effect
-OF_AWAY = 0.05  # relative to the greatest value there
+AWAY = 1.25  # m_n from the middle of the load; farther away, strip and loaded elements give the
+             # same result
+OF_AWAY = 0.05  # limit of the error there, relative to the greatest value there
 MODULE = 3.0
 MODULUS = 200000.0
 
@@ -24,7 +25,7 @@ def bricks():
 
 
 def probes(data, gear):
-    """Returns E u m_n / F from the program, with a row for each load."""
+    """Returns E u m_n / F as the program computes it, with a row for each load."""
     half = data["face_width"] / 2
     text = f"""
 [gear1]
@@ -60,7 +61,7 @@ class Bricks(unittest.TestCase):
                 of_all = max(error) / max(load["strip"])
                 of_away = max(e for e, f in zip(error, far) if f) / max(u for u, f in zip(load["bumps"], far) if f)
                 where = f"{gear['helix_angle_deg']} deg, d = {load['diameter']:.2f} m_n, z = {load['z']}"
-                print(f"{where}: {100 * of_all:.1f} % of the row, away from the load {100 * of_away:.1f} %")
+                print(f"{where}: {100 * of_all:.1f} % of the greatest value, {100 * of_away:.1f} % away from the load")
                 with self.subTest(where):
                     self.assertLess(of_all, OF_ALL)
                     self.assertLess(of_away, OF_AWAY)
@@ -68,7 +69,7 @@ class Bricks(unittest.TestCase):
     def test_calculix_gives_the_data_again(self):
         oracle = bricks()
         if not oracle.installed():
-            self.skipTest("ccx is not here (Debian: calculix-ccx)")
+            self.skipTest("ccx is not installed (Debian: calculix-ccx)")
         data = json.loads(FROM.with_suffix(".json").read_text())
         kept = data["gears"][-1]
         anew = oracle.made(kept["helix_angle_deg"], oracle.LOADS[:1])

@@ -1,5 +1,5 @@
-"""Tests the measurement of a gear as a workshop requires it: tools, tolerances, and the
-identification of the gear."""
+"""Tests the inspection of a gear as a workshop needs it: tools, tolerances, and the identification of the
+gear."""
 import json
 import math
 import tomllib
@@ -155,7 +155,7 @@ class Measuring(Asked):
             self.assertAlmostEqual(flank["active_root_diameter_mm"], root, 9)
             self.assertAlmostEqual(flank["active_tip_roll_length_mm"], flank["tip_form_roll_length_mm"], 9)
         self.assertIn("active root diameter", Run("measure", pair).out)
-        # Gears that cannot be mounted can still be measured.
+        # If gears cannot be mounted, they can still be measured.
         apart = self.ok("measure", pair + "normal_module_mm = 3\n")["gears"][0]["measure"]
         self.assertNotIn("active_root_diameter_mm", apart["flank"])
 
@@ -163,7 +163,7 @@ class Measuring(Asked):
         r = Run("run", GEAR + "quality = 6\nthickness_allowance_mm = [-0.1, -0.06]\n", "--only", "report", "--out", "out")
         self.assertEqual(r.status, 0, r.err)
         page = (r.folder / "out/report.html").read_text()
-        for word in ("Measuring", "Span measurement", "Gear 1, profile", "band of 11", "Gear 1 at the limits of the thickness allowance"):
+        for word in ("Inspection", "Span measurement", "Gear 1, profile", "band of 11", "Gear 1 at the limits of the thickness allowance"):
             self.assertTrue(word in page, word)
 
     def test_the_mating_gear_and_the_distance_of_the_pair_are_readings(self):
@@ -182,7 +182,7 @@ class Measuring(Asked):
                                     ("teeth = 43", "teeth = 43\nmodul = 2", "gear2.modul", "module"),
                                     ("= 64", "= -64", "pair.center_distance_mm", "greater than 0")):
             self.refused(beside.replace(old, new), key, word, verb="identify")
-        taken = Run("identify", beside, "--take", 1)  # a pair that can be computed
+        taken = Run("identify", beside, "--take", 1)  # the result is a complete pair
         self.assertAlmostEqual(self.ok("pair", taken.out)["pair"]["center_distance_mm"], 64, delta=1e-12)
 
     def test_a_gear_from_its_readings(self):

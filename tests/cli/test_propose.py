@@ -1,4 +1,4 @@
-"""Tests the verb propose as a user meets it: the shortest spec, the table, --take, --csv and errors."""
+"""Tests the verb propose as a user calls it: the shortest spec, the table, --take, --csv, and errors."""
 
 import json
 import unittest

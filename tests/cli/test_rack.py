@@ -1,5 +1,5 @@
-"""Tests a rack as gear 2: its quantities, section, solids and report, and the messages of other
-verbs."""
+"""Tests a rack as gear 2: its quantities, section, solids and report, and the messages of verbs that do
+not support racks."""
 
 import json
 import math
@@ -125,12 +125,11 @@ class ARack(unittest.TestCase):
                 page = (out / "report.html").read_text()
                 for words in ("rack and pinion</p>", "The mesh at the pitch point", "Travel per turn"):
                     self.assertTrue(words in page, words)
-                # The drawing of the rack alone has the size of the bar, 10 pitches by 14 mm, plus a
-                # margin.
+                # The drawing of the rack alone has the size of the bar, 10 pitches by 14 mm, and a margin.
                 length = 10 * 2 * math.pi / math.cos(math.radians(20 if helix else 0))
                 w, h = map(float, re.search(r'width="([\d.]+)mm" height="([\d.]+)mm"', (out / "gear2.svg").read_text()).groups())
                 self.assertAlmostEqual(h - w, length - 14, 5)
-                # The triangles of the solid are inside the bar.
+                # All triangles of the solid are inside the bar.
                 triangles = (out / "gear2.stl").read_bytes()
                 self.assertEqual(len(triangles), 84 + 50 * int.from_bytes(triangles[80:84], "little"))
 

@@ -1,4 +1,4 @@
-"""Tests the verb rate as a user meets it: the keys of the interface, the published report, errors by key, verdict
+"""Tests the verb rate as a user calls it: the documented keys, a published report, errors by key, verdict
 and remedies, and the agreement of JSON, CSV and listing."""
 
 import csv
@@ -84,11 +84,11 @@ class Rate(unittest.TestCase):
 
     def test_report(self):
         r = self.rated(spec())
-        # The report prints 1165.9 for its speed. Half a unit of the last digit is 10.3 N.
+        # The report rounds the speed to 1165.9. Half a unit of its last digit changes the force by 10.3 N.
         self.assertAlmostEqual(r["F_t_N"], 240064.4, delta=10.3)
         self.assertAlmostEqual(r["sigma_H0_MPa"], 570.79, delta=0.02)
         for got, want in zip(r["S_H"], (1.81, 1.88)):
-            # Without the web of the wheels in the report.
+            # The wheels of the report have a web, which is ignored here.
             self.assertAlmostEqual(got, want, delta=0.03)
         self.assertEqual(r["formulas"]["Z_epsilon"]["branch"], "helical, ε_β ≥ 1")
 
@@ -140,7 +140,7 @@ class Rate(unittest.TestCase):
         for plastic in ("POM", "pa66-GF30", "Delrin 500", "PEEK"):
             self.refused(spec(material1=f'[gear1.material]\nname = "{plastic}"\n'), "gear1.material.name", "VDI 2736")
         self.refused(spec(material1=""), "gear1.material", "is missing")
-        # The material of gear 1.
+        # Gear 2 has the material of gear 1.
         self.assertEqual(self.rated(spec(material2="")), self.rated(spec()))
         self.refused(spec(material1='[gear1.material]\nname = "42CrMo4"\nsurface_hardness_HV = 900\n'),
                      "gear1.material.surface_hardness_HV", "outside the range")
@@ -157,12 +157,12 @@ class Rate(unittest.TestCase):
         self.assertEqual((run.status, run.json["error"]["key"]), (1, "rating.torque_Nm"))
         for word in (*lines.values(), *list(lines)[1:], "gear1.material", "gear2.material"):
             self.assertIn(word, run.json["error"]["message"])
-        # Without the table, the message lists all missing keys. With them, there is a rating.
+        # If [rating] is missing, the message lists its required keys. With these keys, the rating is
+        # computed.
         for line in (*lines.values(), 'name = "16MnCr5"'):
             self.refused(gears, "rating", line)
         self.rated(gears + materials + "\n".join(["[rating]", *lines.values()]))
-        # Values that are given are not listed as missing. The key of the error is the first missing
-        # one.
+        # If a key is given, the message does not list it. The key of the error is the first missing one.
         for key, line in lines.items():
             rest = [other for other in lines if other != key]
             run = Run("rate", gears + f"[rating]\n{line}\n", "--json")
@@ -254,7 +254,7 @@ face_load_factor = 1.0
 
 
 class Contact(unittest.TestCase):
-    """Tests the teeth under load together with the standard."""
+    """Tests the rating together with loaded contact."""
 
     def test_beside_the_standard(self):
         r = Run("rate", CONTACT.replace("face_load_factor", "tooth_contact = true\nface_load_factor"), "--json").json["rating"]
@@ -271,7 +271,7 @@ class Contact(unittest.TestCase):
         for i in (0, 1):
             self.assertAlmostEqual(r["contact_pressure_over_sigma_H"][i], r["contact_pressure_MPa"] / r["sigma_H_MPa"][i], delta=1e-14)
             self.assertAlmostEqual(r["contact_root_stress_over_sigma_F"][i], r["contact_root_stress_MPa"][i] / r["sigma_F_MPa"][i], delta=1e-14)
-            # Two methods for the same tooth, developed decades apart, must agree in magnitude.
+            # Two independent methods for the same tooth must agree in magnitude.
             self.assertTrue(0.7 < r["contact_pressure_over_sigma_H"][i] < 1.5, r["contact_pressure_over_sigma_H"])
             self.assertTrue(0.5 < r["contact_root_stress_over_sigma_F"][i] < 1.5, r["contact_root_stress_over_sigma_F"])
 

@@ -1,8 +1,9 @@
-"""Reliefs without a start: short relief, so that the reliefs of both gears leave one base pitch of the path.
+"""Tests reliefs without a given start. They are short reliefs, so the reliefs of both gears leave one
+base pitch of the path.
 
-    closed form   the start diameters from the printed line of action
-    law           unloaded, such a pair is free of transmission error, and with longer reliefs it is not
-    refused       a single gear, crossed axes
+closed form   the start diameters agree with those computed from the printed line of action
+law           without load, such a pair has no transmission error, but with longer reliefs it has one
+refused       a single gear and crossed axes
 """
 import math
 import re
@@ -36,7 +37,7 @@ def table(gear, rest):
 
 class Starts(Asked):
     def drawn(self, text):
-        """Returns the start diameters as printed in the report, by gear and relief."""
+        """Returns the start diameters in the report, by gear and relief."""
         run = Run("run", text, "--out", "made", "--only", "report")
         if run.status == 2:
             run = Run("run", text, "--out", "made")
@@ -47,7 +48,8 @@ class Starts(Asked):
                 for gear, words in found}
 
     def expected(self, text):
-        """Returns them from the path that `pair` prints: (ε_α − 1) p_bt/2 from each end."""
+        """Returns the start diameters computed from the result of the verb pair: (ε_α − 1) p_bt/2 from
+        each end."""
         answer = self.ok("pair", text)
         line, gears = answer["pair"], answer["gears"]
         d_b = [g["base_diameter_mm"] for g in gears]

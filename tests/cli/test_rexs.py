@@ -1,4 +1,5 @@
-"""Tests REXS files: what `export --rexs` writes reads back to the same pair or drive, and foreign files are read."""
+"""Tests REXS files. A file written by `export --rexs` gives the same pair or drive when it is read. Files
+of other programs can be read."""
 import json
 import math
 import tempfile

@@ -1,5 +1,5 @@
-"""Tests that long work reports its progress and, on a signal, ends at once without half-written
-files."""
+"""Tests that long computations report their progress. On a signal, they end at once and leave no
+incomplete files."""
 
 import json
 import os
@@ -12,7 +12,7 @@ from pathlib import Path
 
 from cli import BIN, SOURCE, Run
 
-# A million positions with their pattern, and a map of a million points, take hours or at least
+# A million positions with their contact pattern, or a map with a million points, would take hours or at least
 # minutes.
 POSITIONS = """
 [contact]
@@ -30,7 +30,7 @@ y = "center_distance_mm"
 y_range = [0, 0.2]
 points = [1000, 1000]
 """
-WITHIN = 1.0  # s, from the signal to the end
+WITHIN = 1.0  # s, permitted time from the signal to the end
 
 
 def pair():
@@ -40,8 +40,8 @@ def pair():
 
 class Stop(unittest.TestCase):
     def stopped(self, verb, spec, sent, *args):
-        """Stops a program after its first progress line. Returns its stderr and the time that it
-        then took."""
+        """Stops a program after its first progress line. Returns its stderr and the time from the signal
+        to the end."""
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "case.toml"
             path.write_text(spec)
@@ -75,8 +75,8 @@ class Stop(unittest.TestCase):
         self.assertEqual((run.status, run.err), (0, ""))
 
     def test_what_pair_refuses_is_marked_by_fit(self):
-        """Two teeth and a wheel at a distance that no standard tooth fits: a line of action
-        without teeth."""
+        """A gear with two teeth and a wheel at a centre distance that no standard tooth allows. There is
+        no line of action with teeth."""
         wish = ("[gear1]\nteeth = 2\nnormal_module_mm = 2\nhelix_angle_deg = 20\n"
                 "[gear2]\nteeth = 30\nnormal_module_mm = 2\nhelix_angle_deg = -20\n[pair]\ncenter_distance_mm = {}\n")
         marked = 0

@@ -1,8 +1,9 @@
-"""Tests that README and the quick start show the output of the program.
+"""Tests that README and quick start show the actual output of the program.
 
-A block that begins with `$ gearwright …` is a transcript: lines of the program's output in their order, … for
-lines left out, and a remark after the command for what was changed in the spec. The specs are those that the
-page itself shows. With GW_WRITE_DOCS set, each stretch of lines becomes the stretch of the output most like it.
+A block that begins with `$ gearwright …` is a transcript. It contains lines of the output in their order.
+A line with … stands for omitted lines. A remark after the command describes a change of the spec. The
+specs are those on the page. If GW_WRITE_DOCS is set, each group of lines is replaced by the most similar
+lines of the output.
 """
 import difflib
 import os
@@ -20,12 +21,12 @@ GAP = re.compile(r"^\s*…$")
 
 
 def toml(page, number):
-    """Returns the TOML block of the page with this number, from 0."""
+    """Returns the TOML block with this number on the page, counted from 0."""
     return re.findall(r"```toml\n(.*?)```", page, re.S)[number]
 
 
 def quickstart_specs(page):
-    """Maps each file name to its texts, in the order in which the page runs them."""
+    """Maps each file name to its contents, in the order in which the page uses them."""
     first, fixed, hob = toml(page, 0), toml(page, 3), toml(page, 4)
     shifted = first.replace("teeth = 17\n", "teeth = 17\n" + toml(page, 1))
     semi_topping = re.sub(r"protuberance.*", "", hob) + toml(page, 5).replace("[gear1.rack]\n", "")
@@ -45,7 +46,7 @@ def quickstart_specs(page):
 
 
 def changed_examples(page):
-    """Applies the change of a command's remark to the example."""
+    """Maps the remark of a command to the changed example."""
     at_80 = (SOURCE / "examples/crossed_pair.toml").read_text().replace("shaft_angle_deg = 90", "shaft_angle_deg = 80")
     return {"with shaft_angle_deg = 80": at_80}
 
@@ -60,7 +61,7 @@ class Page:
         self.changes = changed_examples(self.text)
 
     def output_of(self, line):
-        """Returns the output of the program for a shell line."""
+        """Runs a command of the page and returns its output."""
         command, _, remark = line[2:].partition("#")
         if command.strip() == "echo $?":
             return [str(self.status)]
@@ -81,7 +82,7 @@ class Page:
 
 
 def stretches(lines):
-    """Returns runs of lines between the gaps. A gap is an empty run."""
+    """Divides lines into groups at the lines with …. Each such line is a group of its own."""
     runs = [[]]
     for line in lines:
         if GAP.match(line):
@@ -92,7 +93,7 @@ def stretches(lines):
 
 
 def most_alike(run, output, begin):
-    """Returns the position of the most similar stretch in the output."""
+    """Returns the position in the output at which the lines are most similar to the group."""
     def likeness(at):
         return sum(difflib.SequenceMatcher(None, a.split(), b.split()).ratio() for a, b in zip(run, output[at:]))
     return max(range(begin, max(begin + 1, len(output) - len(run) + 1)), key=likeness)

@@ -1,4 +1,4 @@
-"""Tests the verbs as a user types them: outputs, exit status, files."""
+"""Tests the verbs as a user types them: outputs, exit statuses and files."""
 import json
 import math
 import re
@@ -39,7 +39,7 @@ class Verbs(unittest.TestCase):
     def test_a_speed_gives_the_pitch_line_velocity_in_every_output(self):
         with_speed = PAIR + "[pair]\nspeed_rpm = 1500\n"
         pair = Run("pair", with_speed, "--json").json["pair"]
-        # The pitch point of gears at a centre distance a is a/(1 + u) from axis 1.
+        # The distance of the pitch point from axis 1 is a/(1 + u).
         want = 2 * math.pi * pair["center_distance_mm"] / (1 + pair["gear_ratio"]) * 1500 / 60e3
         for velocity in pair["pitch_line_velocity_m_per_s"]:
             self.assertAlmostEqual(velocity, want, places=12)
@@ -123,7 +123,7 @@ class Verbs(unittest.TestCase):
         r = Run("outline", spec, "--gear", 2, "--json")
         self.assertEqual(r.status, 0)
         radii = [math.hypot(*p) for a in r.json["arcs"] for p in a["points"]]
-        # From the root inward.
+        # The radius decreases from the root inwards.
         self.assertTrue(all(b <= a + 1e-12 for a, b in zip(radii, radii[1:])))
 
     def test_same_spec_same_bytes(self):
@@ -154,7 +154,7 @@ class Verbs(unittest.TestCase):
         self.assertEqual(r.files(), ["case.toml", "one.SVG", "one.step"])
         svg = (r.folder / "one.SVG").read_text()
         self.assertIn(">1/1<", svg)
-        self.assertIn(">Centre distance<", svg)  # for a single gear too
+        self.assertIn(">Centre distance<", svg)  # for a single gear, too
         for name, words in (("a.png", "ends in .pdf, .svg or .dxf"), ("case.toml", "ends in"), ("pdf", "ends in")):
             r = Run("export", PAIR, "--drawing", name)
             self.assertEqual(r.status, 2, name)
@@ -224,8 +224,8 @@ class Verbs(unittest.TestCase):
             self.assertIn(word, r.out)
 
     def test_every_example_runs(self):
-        # The commands in its opening comment, and `run` unless the example is for `fit`, `search`
-        # or `identify`.
+        # The test runs the commands in the opening comment of each example. It also runs `run`, unless the
+        # example is for `fit`, `search` or `identify`.
         examples = sorted((SOURCE / "examples").glob("*.toml"))
         self.assertTrue(examples)
         for example in examples:

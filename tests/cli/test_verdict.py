@@ -1,4 +1,4 @@
-"""Tests the verdict: last line of every listing, `verdict` of every JSON, exit status 4 with
+"""Tests the verdict: the last line of every listing, `verdict` in every JSON, and the exit status 4 with
 --strict."""
 
 import json
@@ -68,7 +68,7 @@ class VerdictTest(unittest.TestCase):
         said = Run("pair", near, "--json").json["verdict"]
         self.assertIn("requires a sum of profile shifts of -0.65", said["headline"])
         self.assertIn("reference centre distance is 52 mm", said["headline"])
-        # The tip diameter in the remedy is the greatest, in hundredths, without a finding.
+        # The remedy contains the greatest tip diameter, in hundredths of a millimetre, without a finding.
         long = GREEN.replace("teeth = 41", "teeth = 41\ntip_diameter_mm = 88")
         found = next(f for f in Run("pair", long, "--json").json["verdict"]["findings"] if f["code"] == "form_circle")
         (key, tip), = found["change"].items()
@@ -101,7 +101,7 @@ center_distance_mm = 60
         self.assertEqual(key, "gear1.thickness_allowance_mm")
         thinner = tolerated.replace("teeth = 17", f"teeth = 17\nthickness_allowance_mm = {allowance}")
         self.assertEqual(Run("pair", thinner, "--json").json["verdict"]["level"], "green")
-        # The drawing has one backlash. The limits of the centre distance change it.
+        # The nominal pair has one backlash. The tolerance of the centre distance changes it.
         thinned = Run("pair", tolerated + "backlash_mm = 0.12\n", "--json").json
         least = thinned["pair"]["interval"]["backlash"]["normal_mm"][1]
         self.assertAlmostEqual(least, 0.12 - 0.0109, places=3)
@@ -156,7 +156,7 @@ center_distance_mm = 60
         codes = [f["code"] for f in verdict["findings"] if f["level"] != "green"]
         self.assertIn("edge_contact", codes)
         self.assertNotEqual(verdict["level"], "green")
-        # Without its errors, the mounted pair is as good as before.
+        # Without its errors, the same pair is green.
         self.assertEqual(Run("pair", ASKEW, "--json").json["verdict"]["level"], "green")
 
     def test_compensate_judges_the_corrected_pair_under_its_errors(self):

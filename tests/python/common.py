@@ -1,4 +1,4 @@
-"""What the tests of the package share: the gears of the documents, the program beside it."""
+"""Gears for the tests of the package, and the program to which the tests compare it."""
 
 import json
 import os
@@ -27,9 +27,9 @@ def pair(**more):
 
 
 def batch(verb, specs):
-    """What the program answers to each spec, in one run."""
+    """Returns the output of the program for each spec, from a single run."""
     lines = "\n".join(json.dumps(spec) for spec in specs)
     run = subprocess.run([BIN, "batch", verb], input=lines, capture_output=True, text=True)
-    # 1: a spec has no answer, which is reported in its line
+    # status 1: some spec has an error, which is in its line
     assert run.returncode in (0, 1), run.stderr
     return [json.loads(line) for line in run.stdout.splitlines()]

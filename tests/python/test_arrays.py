@@ -1,4 +1,5 @@
-"""Arrays: the numbers of the JSON in columns, not copied where that can be, from any number of threads."""
+"""Tests arrays. They contain the numbers of the JSON as columns, are not copied if possible, and may be
+used by any number of threads."""
 
 import json
 import math
@@ -17,7 +18,7 @@ MODIFICATIONS = {"gear1": {"tip_relief_um": 15, "lead_crowning_um": 8, "tip_reli
 
 
 def told(p, **tables):
-    """The program's answer of `contact`."""
+    """Returns the result of the verb contact."""
     spec = json.dumps({**p.spec, **tables})
     run = subprocess.run([BIN, "batch", "contact"], input=spec, capture_output=True, text=True, check=True)
     return json.loads(run.stdout)["contact"]
@@ -174,7 +175,7 @@ def test_mesh_is_closed_and_not_copied():
     assert vertices[:, 2].min() == -12.5 and vertices[:, 2].max() == 12.5
     for value in (pinion(), pinion(helix_angle_deg=0), pair()):
         kinds = ("mesh",) * (value != pair()) + ("step", "stl", "glb", "threemf", "dxf", "svg", "drawing")
-        for kind in kinds:  # 1e-300 used to cause an endless loop
+        for kind in kinds:  # Regression: 1e-300 caused an endless loop
             for tolerance in (math.nan, math.inf, 0.0, -1.0, 1e-300, 1e-8, 11):
                 with pytest.raises(gw.SpecError) as e:
                     getattr(value, kind)(tolerance=tolerance)
@@ -274,7 +275,7 @@ def test_closed_forms_out_of_their_domain():
 
 @pytest.mark.parametrize("angle", [5.0, -1.0, 0.0, math.pi / 2, math.nan, math.inf, 1e308])
 def test_closed_forms_want_a_pressure_angle(angle):
-    # shift_limits used to end the interpreter at 5 rad
+    # Regression: shift_limits terminated the interpreter for 5 rad
     for form in (lambda **a: gw.shift_limits(17, **a), lambda **a: gw.contact_ratio(17, 43, **a),
                  lambda **a: gw.backlash(17, 43, 0, 0, 30.5, **a)):
         with pytest.raises(ValueError, match="normal_pressure_angle"):

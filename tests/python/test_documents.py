@@ -1,4 +1,4 @@
-"""docs/python.md and the notebooks say what happens."""
+"""Tests that docs/python.md and the notebooks show what actually happens."""
 
 import doctest
 import os
@@ -23,11 +23,12 @@ def test_the_page(tmp_path, monkeypatch):
 
 
 def printed(notebook):
-    """The texts that its cells print or show; pictures may differ from one matplotlib to the next."""
+    """Returns the texts that the cells of a notebook print or show. Pictures are omitted, because they
+    depend on the version of matplotlib."""
     texts = []
     for cell in notebook.cells:
         outputs = [o for o in cell.get("outputs", []) if not {"text/html", "image/png"} & set(o.get("data", {}))]
-        # a cell's prints come in one piece or in several
+        # the output of one cell may be divided into several pieces
         texts.append("".join(o.get("text") or o["data"]["text/plain"] for o in outputs))
     return [text for text in texts if text]
 

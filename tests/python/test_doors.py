@@ -1,4 +1,5 @@
-"""Search, fit, compensate, measure: answers as values; Ctrl-C ends whatever takes long."""
+"""Tests the verbs search, fit, compensate and measure. Results are values, and Ctrl-C ends every long
+computation."""
 
 import json
 import math
@@ -52,7 +53,7 @@ def test_a_search_as_a_table(tmp_path):
 def test_a_search_of_pairs_that_hold():
     steel = {"material": {"name": "18CrNiMo7-6"}}
     load = {"power_kW": 10, "speed_rpm": 1480, "quality": 6, "face_load_factor": 1.2}
-    # For designs that are drawn, the verdict would reject more.
+    # If the designs were drawn, the verdict would reject more of them.
     every_one = {**SEARCH["search"], "interference": "flag"}
     wish = {"search": {**every_one, "safety_flank_min": 1.0, "safety_root_min": 1.4, "objective": "mass",
                        "face_width_modules": 10},
@@ -91,7 +92,7 @@ def test_search_refuses():
 def test_fit():
     fit = gw.fit({"gear1": {"teeth": 12, "normal_module": 1.5}, "gear2": {"teeth": 24, "normal_module": 1.5},
                   "pair": {"center_distance": 40, "shaft_angle": math.pi / 2}})
-    # docs/programming.md prints the same
+    # docs/programming.md contains the same numbers
     assert [f"{math.degrees(b.helix_angle[0]):.5f}" for b in fit.branches] == ["39.41253", "62.94762"]
     crossed = gw.load(fit.branches[0].spec)
     assert crossed.center_distance == pytest.approx(40) and crossed.kind == "crossed"
@@ -120,7 +121,8 @@ def test_scatter():
     assert abs(members["errors.crossing_deg"]).max() <= 0.02
     assert members["peak_to_peak_arcsec"].max() == pytest.approx(told["peak_to_peak_arcsec"]["greatest"])
     assert np.isnan(members["long_period_arcsec"]).all()
-    assert len(answer.figures) == 3  # the distribution, its cumulative curve, the play
+    assert len(answer.figures) == 3  # the distribution, the cumulative curve, and that of the
+                                     # backlash
     marked = gw.scatter(p, **keys, pattern=True)
     assert [f.title for f in marked.figures[3:]] == ["Contact pattern of gear 1", "Contact pattern of gear 2"]
     share = np.array(marked.pattern.gear1.share)
@@ -142,12 +144,12 @@ def test_designs_ranked_by_their_scatter():
 
 def test_measure():
     chord = gw.measure(pinion())["chordal_thickness"]
-    # docs/programming.md prints the same
+    # docs/programming.md contains the same numbers
     assert f"{chord['chord_mm']:.4f}" == "4.4165" and f"{chord['tip_to_chord_mm']:.4f}" == "3.3537"
     assert len(gw.measure(pair())) == 2
 
 
-# Computations that can be stopped.
+# Long computations that Ctrl-C must stop.
 LONG = {
     "search": 'gw.search({"search": {"ratio": [1, 8], "modules_mm": [1 + 1e-3 * i for i in range(4000)], '
               '"pinion_teeth": [8, 200], "helix_angle_deg": [0, 30], "helix_step_deg": 1}}, progress=False, yes_large=True)',
@@ -159,7 +161,7 @@ LONG = {
 
 
 def seconds_to_stop(work):
-    """From Ctrl-C in the middle of the work to KeyboardInterrupt."""
+    """Returns the time from Ctrl-C, sent during the computation, to KeyboardInterrupt."""
     program = textwrap.dedent(f"""
         import time
         import numpy as np
@@ -189,7 +191,7 @@ def seconds_to_stop(work):
 
 @pytest.mark.parametrize("work", LONG)
 def test_ctrl_c(work):
-    # on a busy machine a thread may be delayed, so the best of several attempts counts
+    # a busy machine may delay a thread, so the best of several attempts counts
     tries = []
     while not tries or (min(tries) >= 0.3 and len(tries) < 6):
         tries.append(seconds_to_stop(work))
@@ -205,7 +207,7 @@ def test_plots():
     axes = contact.plot()
     assert all(np.isfinite(line.get_ydata()).all() for line in axes.get_lines())
     assert axes.get_xlabel() == "rotation of gear 1, °"
-    # The figure shows the error from its middle, in arc seconds.
+    # The plot shows the transmission error in arc seconds, relative to its middle value.
     arcsec = np.concatenate([line.get_ydata() for line in axes.get_lines()])
     assert np.ptp(arcsec) == pytest.approx(np.ptp(contact.transmission_error) * 3600 * 180 / np.pi, rel=1e-9)
     figure = contact.figures[0]

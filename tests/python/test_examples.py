@@ -1,4 +1,5 @@
-"""The examples run, those whose libraries are here; each says in its head whether the tests run it."""
+"""Tests that the examples run if their libraries are installed. The head of each example states whether
+the tests run it."""
 
 import os
 import pathlib
@@ -23,7 +24,7 @@ def test_example(path, tmp_path):
     (tmp_path / "examples").symlink_to(SOURCE / "examples")
     command = [sys.executable, str(path)]
     if "Not run by the tests" in said:
-        pytest.skip("its library is not in Debian")
+        pytest.skip("Debian does not contain its library")
     if "freecadcmd" in said:
         if not shutil.which("freecadcmd"):
             pytest.skip("FreeCAD is not installed")

@@ -1,4 +1,5 @@
-"""Published numbers and shipped examples through Python: the program's JSON, bit for bit."""
+"""Tests published numbers and the shipped examples in Python. The results equal the program's JSON, bit
+for bit."""
 
 import json
 import subprocess
@@ -24,7 +25,7 @@ def test_golden_cases(verb):
     specs = [case["spec"] for _, case in CASES if case.get("verb", "pair") == verb]
     assert len(specs) > 3
     for spec, told in zip(specs, batch(verb, specs), strict=True):
-        # repr of a float is the shortest text that reads back, so equal texts are equal bits
+        # repr() of a float is the shortest text from which it can be read, so equal texts mean equal bits
         assert json.dumps(answered(verb, spec)) == json.dumps(told)
 
 
@@ -38,7 +39,7 @@ def test_published_values_hold():
     assert any(c["differences"] for c in gw.verify(wrong))
 
 
-NO_PAIR = ("search", "fit", "broken", "rack")  # these need other verbs; Python has no rack
+NO_PAIR = ("search", "fit", "broken", "rack")  # these need other verbs, and Python has no racks
 PAIRS = [p for p in sorted((SOURCE / "examples").glob("*.toml")) if not any(word in p.name for word in NO_PAIR)]
 
 
@@ -49,7 +50,8 @@ def test_examples(path):
     run = subprocess.run([BIN, verb, str(path), "--json"], capture_output=True, text=True, check=True)
     told = json.loads(run.stdout)
     again = gw.solve(value, verb)
-    for answer in (again, told):  # the spec of the value contains the inherited values of gear 2
+    for answer in (again, told):  # the spec of the value also contains the values that gear 2
+                                  # inherits
         answer["verdict"]["findings"] = [f for f in answer["verdict"]["findings"] if f["code"] != "inherited"]
     assert {k: v for k, v in again.items() if k != "warnings"} == {k: v for k, v in told.items() if k != "warnings"}
     if verb == "pair":

@@ -1,4 +1,4 @@
-"""Laws of gears over numbers that Hypothesis chooses, degenerate ones first."""
+"""Tests laws of gears with numbers that Hypothesis chooses, beginning with degenerate ones."""
 
 import math
 

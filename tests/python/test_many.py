@@ -1,4 +1,4 @@
-"""Many pairs, and many threads: no memory is left behind, and the bits are those of one thread."""
+"""Tests many pairs and many threads. No memory is lost, and several threads give the same bits as one."""
 
 import concurrent.futures
 import gc
@@ -29,7 +29,7 @@ def test_no_leak():
         return resident_kb()
 
     warm = rounds(1000)
-    assert rounds(100_000) - warm < 3000  # kB; 32 bytes per pair would amount to this
+    assert rounds(100_000) - warm < 3000  # kB; a loss of 32 bytes per pair would exceed this
 
 
 def test_threads_have_the_bits_of_one():

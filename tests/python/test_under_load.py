@@ -1,4 +1,4 @@
-"""Strength and teeth under load through Python: the program's JSON, bit for bit."""
+"""Tests strength and loaded contact in Python. The results equal the program's JSON, bit for bit."""
 
 import json
 import subprocess

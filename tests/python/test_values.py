@@ -1,4 +1,5 @@
-"""Gear and Pair are values: made by name, read by name, changed by replace; what is wrong is named."""
+"""Tests Gear and Pair as values: made and read by name, changed by replace(). Errors name the invalid
+key."""
 
 import copy
 import json
@@ -14,7 +15,7 @@ from common import pair, pinion, wheel
 
 
 def test_numbers_of_the_front_door():
-    # docs/programming.md prints the same pair from C++
+    # docs/programming.md shows the same pair in C++
     p = pair()
     assert f"{p.gear1.tip_diameter:.4f}" == "50.4992"
     assert f"{p.contact_ratio:.4f}" == "2.2772"
@@ -45,7 +46,7 @@ def test_replace():
     assert p.replace(gear2=wheel(teeth=44)).gear2.teeth == 44
     assert pinion().replace(teeth=19).teeth == 19
     assert "thickness_allowance_mm" not in pinion().replace(thickness_allowance=None).spec
-    # a distance that is not given follows from the teeth
+    # if no centre distance is given, it follows from the teeth
     assert p.replace(center_distance=None).center_distance == pytest.approx(78.6056, abs=1e-4)
 
 
@@ -81,7 +82,8 @@ def test_values_compare_copy_and_travel():
 
 
 def same(a, b):
-    """Of one kind, with the same numbers to the last bit: what JSON has, and every attribute."""
+    """Checks that two values have the same type and the same numbers, bit for bit, in JSON and in every
+    attribute."""
     assert type(a) is type(b) and json.dumps(a.as_dict()) == json.dumps(b.as_dict())
     for name in (n for n in dir(a) if not n.startswith("_")):
         one, other = getattr(a, name), getattr(b, name)
@@ -106,7 +108,7 @@ def test_answers_copy_and_travel():
                gw.fit({"gear1": {"teeth": 17, "normal_module_mm": 2}, "gear2": {"teeth": 43},
                        "pair": {"center_distance_mm": 61, "shaft_angle_deg": 20}})]
     for value in [contact, rating, loaded, *searches, *records]:
-        assert copy.copy(value) is value and copy.deepcopy(value) is value  # values never change
+        assert copy.copy(value) is value and copy.deepcopy(value) is value  # values are immutable
         again = pickle.loads(pickle.dumps(value))
         same(value, again)
         same(value, pickle.loads(pickle.dumps(again)))
@@ -143,7 +145,8 @@ def test_what_is_no_name_of_a_file_is_said(call):
                                   pinion().stl, pair().drawing, pair().stl])
 @pytest.mark.parametrize("wrong", [True, 1, 2.5, 1j])
 def test_a_number_is_no_file(call, wrong):
-    # A whole number is an open file descriptor. True used to be standard output, and closed it.
+    # A whole number is a descriptor of an open file. Regression: True stood for standard output and closed
+    # it.
     with pytest.raises((TypeError, gw.SpecError)) as e:
         call(wrong)
     assert "cast" not in str(e.value)
@@ -159,7 +162,7 @@ def test_a_dict_with_itself_in_it():
 
 
 def test_a_record_or_a_search_is_no_spec():
-    # Each of these used to end the interpreter, because they have keys or positions but no items.
+    # Regression: each of these ended the interpreter, because it has keys or positions but no items.
     found = gw.search({"search": {"ratio": [3.0, 3.05], "modules_mm": [2], "pinion_teeth": [14, 30]}}, progress=False)
     for value in (pair().backlash, found, pair().verdict):
         for call in (gw.load, lambda v: gw.Gear(teeth=v, normal_module=2), lambda v: pinion().replace(rack=v)):
@@ -248,9 +251,11 @@ def test_a_double_helical_gear_is_the_whole_gear():
     assert vertices[:, 2].min() == -10 and vertices[:, 2].max() == 10 and 2 in vertices[:, 2]
     pair = gw.Pair(gear, gw.Gear(teeth=40, normal_module=1.5, helix_angle_deg=-30, face_width=20, double_helical={"gap": 4}))
     contact = pair.contact(errors={"intersecting": 0.0005})
-    assert len(contact.figures) == 6  # both flanks' curves, and the patterns of four gears' halves
+    assert len(contact.figures) == 6  # the curves of both flanks, and the patterns on both gears
+                                      # for each half
     first, second = contact.halves
     assert first["peak_to_peak_arcsec"] != second["peak_to_peak_arcsec"]
-    with pytest.raises(gw.SpecError) as e:  # the curves of many mountings are for one helix
+    with pytest.raises(gw.SpecError) as e:  # many mountings are supported only for gears with one
+                                            # helix
         pair.transmission_error([[0.0] * 6])
     assert e.value.key == "gear1.double_helical"

@@ -1,4 +1,5 @@
-"""The wheel: small, whole, without OCCT, and installed without an index into an empty environment."""
+"""Tests the wheel. It is small and complete, does not contain OCCT, and can be installed offline into an
+empty environment."""
 
 import os
 import pathlib
@@ -40,7 +41,7 @@ def test_what_is_in_it(wheel):
 
 
 def test_pip_installs_it_without_an_index(wheel, tmp_path):
-    # NumPy is the only requirement. The one of Debian is used, because no index is available here.
+    # NumPy is the only requirement. The version of Debian is used, because the test has no package index.
     subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", str(tmp_path / "env")], check=True)
     python = str(tmp_path / "env/bin/python")
     clean = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}

@@ -1,5 +1,5 @@
-"""The JSON Schema of results against a validator that is not ours: every answer of the examples is valid, an answer with a
-key or a type that the schema does not know is refused."""
+"""Tests the JSON Schema of results with an independent validator. Every result of the examples is valid.
+A result with an unknown key or a wrong type is rejected."""
 import copy
 import json
 import os
@@ -14,7 +14,7 @@ VERBS = ("gear", "pair", "measure", "identify", "fit", "contact", "outline", "se
 
 
 def answers():
-    """{name: answer} of every verb for every example; a refusal is an answer too."""
+    """Returns {name: result} for every verb and every example. An error is a result, too."""
     found = {}
     for spec in sorted((SOURCE / "examples").glob("*.toml")):
         for verb in VERBS:
@@ -25,7 +25,7 @@ def answers():
 
 
 def refused(values):
-    """What ajv refuses of {name: value}: {name: why}."""
+    """Returns the values that ajv rejects, as {name: reason}."""
     with tempfile.NamedTemporaryFile("w", suffix=".json") as schema:
         schema.write(subprocess.run([BIN, "schema", "result"], capture_output=True, text=True, check=True).stdout)
         schema.flush()

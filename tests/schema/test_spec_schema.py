@@ -1,8 +1,9 @@
-"""The JSON Schema of specs against a validator that is not ours, and against what the program reads.
+"""Tests the JSON Schema of specs with an independent validator, and compares it with the program.
 
-Every example and every spec that a test of the command line runs is valid where the program reads it, and refused where
-the program refuses a type, a word or a key. For each key of the schema, values of a wrong type and beyond the range are
-refused by both."""
+If the program accepts an example or a spec from the tests of the command line, the spec is valid. If the
+program rejects a type, a word or a key in it, the spec is invalid. For each key of the schema, both reject
+values of a wrong type and values outside the range.
+"""
 import copy
 import json
 import os
@@ -17,13 +18,15 @@ BIN, NODE = os.environ["GW_BIN"], os.environ["GW_NODE"]
 SOURCE = pathlib.Path(os.environ["GW_SOURCE"])
 SPECS = pathlib.Path(os.environ["GW_SPECS"])
 SCHEMA = SOURCE / "docs/schema/spec.schema.json"
-# The program's messages about a type, a word, a number of values or a key. Ranges: see `Ranges`.
+# Matches the program's messages about types, words, numbers of values and keys. The class `Ranges` tests
+# ranges.
 OF_THE_READER = re.compile(r"unknown key in|: must be (a (whole )?number\n|true or false|a text in quotes|one of \"|a table, )|"
                            r": is an empty list|values, but must be|is not a number(?! of teeth)")
 
 
 def say(values):
-    """What ajv says to [(name, value)]: {name: "" or why not}."""
+    """Returns ajv's result for each (name, value), as {name: reason}. The reason is "" if the value is
+    valid."""
     lines = "".join(json.dumps({"name": name, "value": value}) + "\n" for name, value in values)
     p = subprocess.run([NODE, SOURCE / "tests/schema/validate.mjs", SCHEMA], input=lines, capture_output=True, text=True)
     if p.returncode != 0:
@@ -33,7 +36,8 @@ def say(values):
 
 
 def parsed(text, name):
-    """The tree of a spec; None where it is none, or holds what JSON has no word for."""
+    """Returns the tree of a spec. Returns None if the text is not a spec or contains values that JSON
+    cannot represent."""
     try:
         tree = json.loads(text) if name.endswith(".json") else tomllib.loads(text)
         return json.loads(json.dumps(tree, allow_nan=False))
@@ -42,7 +46,8 @@ def parsed(text, name):
 
 
 def refusals(specs):
-    """What the program says of each of [(name, spec)], {name: sentence}; "" where it reads it. One run of `verify` asks all."""
+    """Returns the program's message for each (name, spec), as {name: message}. The message is "" if the
+    spec is accepted. A single run of `verify` tests all specs."""
     cases = [{"id": name, "source": "here", "verb": "drive" if spec.keys() & DRIVES else "gear", "spec": spec,
               "expected": {"drive.ratio" if spec.keys() & DRIVES else "gears.0.teeth": "a word that no number equals"}}
              for name, spec in specs]
@@ -87,7 +92,7 @@ class OfTheTests(unittest.TestCase):
         self.assertGreater(refused, 40)
 
 
-DRIVES = {"planetary", "stage", "drive"}  # tables that make a spec a drive
+DRIVES = {"planetary", "stage", "drive"}  # a spec with one of these tables is a drive
 GEAR = {"teeth": 20, "normal_module_mm": 2, "face_width_mm": 10}
 F = {"kind": "circular_arc", "cutter": "F", "arc_radius": 1.4, "center_a": 0.1, "center_b": 0.1}
 DOUBLE = {"kind": "double_circular_arc", "concave_radius": 1.42, "concave_height": 0.0325, "space_width": 1.1773}
@@ -103,7 +108,7 @@ def of_gear(**more):
 SET = {"sun": 20, "planet": 25, "ring": 70, "planets": 3}
 GRAPH = {"body": [{"name": "a"}, {"name": "b"}], "gear": [{"name": "g", "body": "a", "teeth": 20}, {"name": "h", "body": "b", "teeth": 40}],
          "mesh": [{"gears": ["g", "h"]}], "input": "a", "output": "b"}
-# A spec that contains the table, and the path to it.
+# For each table, a spec that contains it, and the path to it.
 STAGE = {"torque_Nm": 100, "speed_rpm": 1000, "duration_h": 10}
 TABLES = {
     "gear": (of_gear(), ("gear1",)),
@@ -160,7 +165,7 @@ TABLES = {
     "drive_gear": ({"drive": GRAPH}, ("drive", "gear", 0)),
     "drive_mesh": ({"drive": GRAPH}, ("drive", "mesh", 0)),
 }
-# Keys that are mutually exclusive with another key of their table, or that require one.
+# Keys that exclude or require another key of their table, with the changes that make a valid spec.
 BESIDE = {"transverse_module_mm": {"normal_module_mm": None}, "normal_diametral_pitch_per_in": {"normal_module_mm": None},
           "lead_angle_deg": {"hand": "right"}}
 
@@ -178,7 +183,7 @@ def changed(spec, way, keys):
 
 
 def beyond(schema):
-    """Numbers that a number's schema does not allow, next to those it does."""
+    """Yields numbers just outside the range that a schema allows."""
     for least, step in (("minimum", -1), ("maximum", 1)):
         if least in schema:
             yield schema[least] + step * max(abs(schema[least]) * 1e-6, 1 if schema.get("type") == "integer" else 1e-6)
@@ -190,7 +195,7 @@ def beyond(schema):
 
 
 def wrong(schema):
-    """Values that a key's schema does not allow."""
+    """Yields values that the schema of a key does not allow."""
     kind = schema.get("type")
     if kind in ("number", "integer"):
         yield from beyond(schema)
@@ -223,7 +228,7 @@ def wrong(schema):
 
 
 class Ranges(unittest.TestCase):
-    """Both refuse a value, the program at its key."""
+    """Both validators reject an invalid value. The program's message names its key."""
 
     def test_every_key(self):
         schema = json.loads(SCHEMA.read_text())
@@ -232,7 +237,7 @@ class Ranges(unittest.TestCase):
         for table, (spec, way) in TABLES.items():
             for key, about in schema["$defs"][table]["properties"].items():
                 values = [*wrong(about)]
-                self.assertTrue(values or set(about) <= {"description", "default"}, f"{table}.{key}: nothing is wrong")
+                self.assertTrue(values or set(about) <= {"description", "default"}, f"{table}.{key}: no wrong value")
                 for value in values:
                     cases.append((f"{table}.{key} = {value!r}", changed(spec, way, BESIDE.get(key, {}) | {key: value}), key))
             cases.append((f"{table}: no such key", changed(spec, way, {"no_such_key": 1}), "no_such_key"))
@@ -244,9 +249,10 @@ class Ranges(unittest.TestCase):
         self.assertEqual(len(sentences), len(cases))
         for name, _, key in cases:
             with self.subTest(name):
-                self.assertIn(key, sentences[name], "the program does not refuse it")
-                self.assertNotEqual(said[name], "", f"ajv takes it, the program says: {sentences[name]}")
-        # The program accepts the specs from which the answers were made. A search is not a gear.
+                self.assertIn(key, sentences[name], "the program accepts it")
+                self.assertNotEqual(said[name], "", f"ajv accepts it; message of the program: {sentences[name]}")
+        # The program accepts the specs of TABLES themselves. Searches are omitted, because the verb gear
+        # rejects them.
         for table, sentence in refusals([(table, spec) for table, (spec, _) in TABLES.items()]).items():
             if "search" not in TABLES[table][0]:
                 self.assertNotRegex(sentence, r"must be|unknown key|is missing", table)

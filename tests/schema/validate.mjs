@@ -1,11 +1,11 @@
-// Validates values with ajv: one JSON line {"name", "value"} each on stdin, one line {"name",
-// "valid", "why"} each on stdout. The schema file is the argument.
+// Validates values with ajv. Each line of stdin is {"name", "value"} in JSON, and each line of stdout is
+// {"name", "valid", "why"}. The argument is the schema file.
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import Ajv2020 from "ajv/dist/2020.js";
 
-// strictRequired requires `required` next to its `properties`, which an anyOf of alternatives does
-// not satisfy.
+// strictRequired demands that `properties` accompany each `required`. A list of alternatives (anyOf) does not
+// satisfy this.
 const ajv = new Ajv2020({ strict: true, strictRequired: false, strictTypes: false, allErrors: false });
 const validate = ajv.compile(JSON.parse(readFileSync(process.argv[2], "utf8")));
 for await (const line of createInterface({ input: process.stdin })) {

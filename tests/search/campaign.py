@@ -1,4 +1,5 @@
-"""A search in many chunks, for the tests of who computes them: its files must be those of one process."""
+"""A search in many chunks, for tests of interrupted and distributed searches. Its files must be those of
+a single process."""
 import json
 import os
 import random
@@ -12,10 +13,10 @@ SEED = int(os.environ.get("GW_SEED", "20260917"))
 
 
 class Campaign(unittest.TestCase):
-    """A search of 22 chunks, done once by one process alone."""
+    """Base class. A single process computes the reference result of a search with 22 chunks."""
 
     TEXT = spec(WIDE)
-    CHUNK = ("--chunk", 200_000)  # makes 22 chunks
+    CHUNK = ("--chunk", 200_000)  # gives 22 chunks
     CHUNKS = 22
 
     @classmethod
@@ -41,10 +42,11 @@ class Campaign(unittest.TestCase):
         return start(self.where, self.out, *self.CHUNK, *args, **options)
 
     def check(self):
-        """The files are the ones of one process, and the account of the chunks adds up."""
+        """Checks that the files equal those of a single process, and that the journal adds up. Returns
+        the writers of the chunks."""
         files = contents(self.out)
         for name, one in self.alone.items():
-            self.assertTrue(files[name] == one, f"{name} is not that of one process (GW_SEED={SEED})")
+            self.assertTrue(files[name] == one, f"{name} differs from that of one process (GW_SEED={SEED})")
         self.assertEqual(sorted(p.name for p in self.out.glob("*")), sorted(["chunks", "journal.sqlite", *self.alone]))
         names = sorted(p.name for p in (self.out / "chunks").iterdir())
         self.assertEqual(names, [f"{i:06}.chunk" for i in range(self.CHUNKS)])
@@ -63,12 +65,13 @@ class Campaign(unittest.TestCase):
         return {row["writer"] for row in rows}
 
     def forget_parts(self):
-        """What those that were killed had begun to write; no reader takes it for a result."""
+        """Removes incomplete files that killed processes left. The program never reads them."""
         for part in self.out.glob(".*.part"):
             part.unlink()
 
     def kill_at_random(self, begin, kills=4):
-        """Kills as many times, each after some chunks and a moment drawn by lot; then lets it come through."""
+        """Kills the process several times, each time after a random number of chunks and a random delay.
+        Then lets it finish."""
         for _ in range(kills):
             process = begin("--resume") if chunks(self.out) else begin()
             enough = chunks(self.out) + self.random.randint(1, 4)

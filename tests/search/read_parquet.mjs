@@ -2,13 +2,13 @@
 //
 //   node read_parquet.mjs FILE SQL
 //
-// The rows of FILE (a pattern like 'shards/*.parquet' too) are the view `data`, in their order; the
-// name is getvariable('file'), as in  select * from parquet_metadata(getvariable('file')).
+// The rows of FILE, in their order, are the view `data`. FILE may be a pattern such as 'shards/*.parquet'.
+// Its name is getvariable('file'), as in  select * from parquet_metadata(getvariable('file')).
 //
-// Prints the result as a JSON list, one object a row on a line of its own. Doubles are printed so that
-// they read back to the same bits, -0.0 among them; integers beyond 2^53, NaN and the infinities are
-// strings ("9223372036854775807", "NaN", "-Infinity"), bytes are taken as UTF-8 text.
-// Exit status 1 with a message: DuckDB is not installed, or refuses the file or the query.
+// The script prints the result as a JSON list with one object (row) per line. Doubles, including -0.0, are
+// printed so that reading them gives the same bits. Integers beyond 2^53, NaN and infinities are strings
+// ("9223372036854775807", "NaN", "-Infinity"). Bytes are read as UTF-8 text. Exit status 1, with a message:
+// DuckDB is not installed, or it rejects the file or the query.
 import {createRequire} from 'node:module';
 
 function fail(message) {

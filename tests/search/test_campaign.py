@@ -1,9 +1,10 @@
-"""A search in many chunks: whoever computes them, and whoever is killed meanwhile, the files are those of one process.
+"""Tests a search in many chunks. The files are those of a single process, no matter which processes
+compute the chunks and which of them are killed.
 
-    shards   one after another, or at once
-    killed   kill -9 at moments drawn by lot, while chunks are computed and while files are written
-    stopped  SIGINT and SIGTERM: exit status 3, --resume continues the search
-    damaged  chunks and the journal
+    shards   one after the other, or at the same time
+    killed   kill -9 at random moments, while chunks are computed and while files are written
+    stopped  SIGINT and SIGTERM: exit status 3, and --resume continues the search
+    damaged  damaged or lost chunks and journal
 """
 import json
 import os
@@ -24,7 +25,7 @@ class OneMachine(Campaign):
 
     def test_no_campaign_at_all(self):
         self.assertEqual(end(start(self.where, self.out))[0], 0)
-        # The search is larger than one default chunk. The size of chunks changes nothing.
+        # The search is larger than one default chunk. The size of the chunks does not affect the result.
         self.assertEqual(contents(self.out), self.alone)
         self.assertEqual(chunks(self.out), 17)
 
@@ -58,7 +59,7 @@ class OneMachine(Campaign):
     def test_unfinished_json(self):
         told = json.loads(self.go("--shard", "1/11", "--json"))
         self.assertEqual(told["search"], {"finished": False, "stopped": False, "chunks_done": 2, "chunks": 22})
-        # a single process with --resume completes the work of the other shards
+        # a single process with --resume computes the chunks of the other shards
         self.go("--resume")
         self.check()
 
@@ -102,11 +103,11 @@ class OneMachine(Campaign):
             time.sleep(self.random.uniform(0.1, 0.5) * self.seconds)
             process.kill()
             end(process)
-            for name, whole in self.alone.items():  # a file is either complete or missing
+            for name, whole in self.alone.items():  # each file is either complete or missing
                 if (self.out / name).exists():
                     self.assertEqual((self.out / name).read_bytes(), whole)
         self.go("--resume")
-        # Left by killed processes; no reader takes them for results.
+        # Killed processes have left these files. The program never reads them.
         for part in self.out.glob("*.part*"):
             part.unlink()
         self.check()
@@ -158,7 +159,7 @@ class OneMachine(Campaign):
         self.go("--resume")
         self.check()
 
-    @unittest.skipIf("GW_SANITIZED" in os.environ, "a sanitizer keeps what was freed")
+    @unittest.skipIf("GW_SANITIZED" in os.environ, "sanitizers keep freed memory")
     def test_memory_of_ten_million_candidates(self):
         text = spec(WIDE, modules_mm=[1 + i / 8 for i in range(25)], pinion_teeth=[10, 400], helix_step_deg=0.6)
         where = folder(text)
@@ -174,7 +175,7 @@ class OneMachine(Campaign):
 
 
 class FinishedFolder(unittest.TestCase):
-    """The files of a finished search are not replaced by those of another spec."""
+    """If the spec has changed, the files of a finished search are not replaced."""
 
     def test_another_spec_is_refused(self):
         where = folder(spec())
@@ -184,10 +185,10 @@ class FinishedFolder(unittest.TestCase):
 
         self.assertEqual(run()[0], 0)
         before = contents(where / "o")
-        self.assertEqual(run()[0], 0)  # the same spec again gives the same files
+        self.assertEqual(run()[0], 0)  # the same spec gives the same files again
         self.assertEqual(contents(where / "o"), before)
         (where / "case.toml").write_text('title = "other words"\n' + spec())
-        self.assertEqual(run()[0], 0)  # these options have no effect on the result
+        self.assertEqual(run()[0], 0)  # these options do not affect the result
         before = contents(where / "o")
         (where / "case.toml").write_text(spec(contact_ratio_min=1.3))
         for args in ((), ("--chunk", 50), ("--threads", 1)):

@@ -1,4 +1,5 @@
-"""Searches for drives: what is listed is what the verb drive says of the spec that --take writes."""
+"""Tests searches for drives. The listed values are those that the verb drive computes for the spec that
+--take writes."""
 import json
 import unittest
 

@@ -1,4 +1,5 @@
-"""A hundred million candidates: memory stays where it was, and half of it killed changes nothing."""
+"""Tests a hundred million candidates. Memory use does not grow, and killing half of the processes does
+not affect the result."""
 import json
 import os
 import subprocess
@@ -15,7 +16,7 @@ class Hundred(unittest.TestCase):
         where = folder(TEXT)
         peaks = {}
         for name, args in (("in memory", ("--json", "--top", "1000")), ("campaign", ("--json", "--top", "1000", "--out", "whole")),
-                           ("chunks of one size", ("--out", "coarse", "--top", "1000", "--chunk", str(1 << 22)))):
+                           ("chunks of the same size", ("--out", "coarse", "--top", "1000", "--chunk", str(1 << 22)))):
             with open(where / "out", "w+") as out:
                 process = subprocess.Popen([BIN, "search", "case.toml", *args], cwd=where, stdout=out)
                 _, status, usage = os.wait4(process.pid, 0)

@@ -1,11 +1,12 @@
-"""Searches whose designs are drawn: with face widths, allowances and the verdict of the pair that is made.
+"""Tests searches whose designs are drawn, with face widths, allowances and the verdict on the resulting
+pair.
 
-    listed     no listed design has a finding above green when it is run, and its numbers are those of the run
-    least      a face width one step less does not hold
-    backlash   a range of backlash, a series, a tolerance of the centre distance
-    defaults   tight centres, DIN 3967 cd25, limits of |x| and |ζ|, and how to leave them
-    refused    by key
-    Long…      fifty random wishes
+    listed     no listed design has a finding above green, and its numbers are those of the verb run
+    least      a face width that is one step smaller is not sufficient
+    backlash   a range of backlash, a series, and a tolerance of the centre distance
+    defaults   centre distances without backlash, DIN 3967 cd25, limits of |x| and |ζ|, and how to change them
+    refused    errors by key
+    Long…      fifty random searches
 """
 import json
 import math
@@ -35,7 +36,8 @@ def drawn(after=STEEL + LOAD, **keys):
 
 class Drawn(Asked):
     def made(self, text, rank):
-        """The pair of a rank, as a spec, what `rate` says of it, and what `pair` does."""
+        """Returns the spec of the design with this rank, the result of the verb rate for it, and the pair
+        of the verb pair."""
         take = Run("search", text, "--take", rank, folder=folder())
         self.assertEqual(take.status, 0, take.err)
         rate = Run("rate", take.out, "--json", folder=take.folder, name="pair.toml")
@@ -104,7 +106,7 @@ class Listed(Drawn):
             less = Run("rate", json.dumps(made), "--json", folder=folder(), name="pair.json")
             self.assertEqual(less.status, 0, less.err)
             holds = not self.findings(less.json["verdict"]) and b * math.sin(beta) / (math.pi * module) >= 1.0
-            self.assertFalse(holds and b >= 10, f"rank {rank}: {b} mm would do")
+            self.assertFalse(holds and b >= 10, f"rank {rank}: {b} mm would be sufficient")
 
     def test_width_by_the_diameter(self):
         found = search(drawn(face_width_diameters=[0.3, 0.5]))

@@ -1,6 +1,8 @@
-"""A node that dies in the middle of an array job: Slurm starts its task again elsewhere, and the search ends by itself.
+"""Tests an array job during which a node fails. Slurm starts the task of this node again on the other
+node, and the search finishes without further action.
 
-Slurm waits two minutes before it starts the task of a dead node again. Needs what test_slurm.py needs.
+Slurm waits two minutes before it starts the task of a failed node again. The requirements are those of
+test_slurm.py.
 """
 import time
 
@@ -10,7 +12,7 @@ from two_nodes import main
 
 
 class LongSlurm(Short):
-    # Only the cluster and the search of the short test are used here.
+    # This file uses only the cluster and the search of test_slurm.py.
     test_an_array_whose_tasks_on_one_node_are_killed = None
     test_an_array_of_another_size_takes_over = None
     test_ranks_of_one_job = None
@@ -22,13 +24,13 @@ class LongSlurm(Short):
         self.cluster.lose("n2")
         self.assertTrue(wait_until(lambda: "n2 down" in self.cluster.ask("sinfo", "-h", "-N", "-o", "%N %T").replace("*", ""),
                                    120, 1.0), self.log(job))
-        self.assertFalse((out / "search.json").exists(), "the node died too late to test anything")
+        self.assertFalse((out / "search.json").exists(), "the node failed too late to test anything")
         began = time.monotonic()
         self.cluster.wait_for_job(job, 400)
         self.finish(job, "dies")
-        print(f"the task of the dead node was over {time.monotonic() - began:.0f} s later, on the other")
+        print(f"the other node finished the task of the failed node after {time.monotonic() - began:.0f} s")
 
 
-del Short  # unittest would run it again
+del Short  # otherwise unittest would run its tests again
 if __name__ == "__main__":
     main()

@@ -1,6 +1,7 @@
-"""gearwright-mpi on two ranks: the files are those of one process, whoever is killed; and no rank is left waiting.
+"""Tests gearwright-mpi on two ranks. The files are those of a single process even if processes are
+killed, and no rank waits forever.
 
-Exits 77 without mpirun.
+Exit status 77: mpirun is not installed.
 """
 import json
 import os
@@ -15,7 +16,7 @@ from searching import chunks, contents, end, folder, spec, start, wait_until
 
 MPIRUN = shutil.which("mpirun")
 MPI = (MPIRUN, "--oversubscribe", "-n", "2", os.path.join(os.environ["GW_BUILD"], "gearwright-mpi"))
-# Open MPI leaks memory in modules that it has unloaded, which no suppression list can name.
+# Open MPI leaks memory in modules that it unloads. A suppression list cannot name these leaks.
 AS_ROOT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                         "ASAN_OPTIONS": "detect_leaks=0"}
 SMALL_CHUNK = ("--chunk", 100)
@@ -26,7 +27,7 @@ class Ranks(Campaign):
         return self.begin(*args, program=MPI, env=AS_ROOT)
 
     def rank_processes(self, mpirun):
-        """The ranks, children of mpirun."""
+        """Returns the ranks, which are child processes of mpirun."""
         found = []
         for pid in os.listdir("/proc"):
             if pid.isdigit():
@@ -85,7 +86,7 @@ class Ranks(Campaign):
                                      (3, "/proc/none", "/proc/none")):
             status, out, err = ask(*args)
             self.assertEqual([status, out], [wanted, ""], f"{args} {err}")
-            self.assertEqual(err.count(words), 1, err)  # one rank reports for all
+            self.assertEqual(err.count(words), 1, err)  # only one rank prints the message
         (small / "case.toml").write_text(spec(ratio=[2.1, 1.9]))
         status, out, err = ask("none", "--json")
         self.assertEqual([status, json.loads(out)["error"]["key"]], [1, "search.ratio"], err)
@@ -98,7 +99,7 @@ class Ranks(Campaign):
         self.assertEqual(contents(small / "one"), contents(small / "two"))
 
     def test_a_full_disk_of_one_rank_ends_all(self):
-        # A file size limit has the effect of a disk that fills up.
+        # A limit of the file size has the same effect as a full disk.
         for rank in ("0", "1"):
             shutil.rmtree(self.out, ignore_errors=True)
             script = f"if [ $OMPI_COMM_WORLD_RANK = {rank} ]; then ulimit -f 20; trap '' XFSZ; fi; exec '{MPI[-1]}' \"$@\""
@@ -110,7 +111,7 @@ class Ranks(Campaign):
         self.check()
 
     def test_resume_begins_too(self):
-        for _ in range(3):  # a scheduler also restarts a job with the same command line
+        for _ in range(3):  # a scheduler restarts a job with the same command line
             process = self.mpi("--resume")
             time.sleep(self.random.uniform(0.3, 0.6))
             process.kill()

@@ -1,10 +1,12 @@
-"""Searches that rate their designs: what is listed holds, and holds as `rate` says.
+"""Tests searches that rate their designs. Every listed design satisfies the limits, also according to the
+verb rate.
 
-    taken      every listed design, put into `rate`, has the very safeties and the mass of its row
-    limits     safeties take away what falls short, and are counted by name
-    order      by mass, by safety, by both
-    nothing    the safest design, and changes of which each lets something through
-    refused    by key: no [rating], no material, a spectrum, crossed axes
+    taken      the verb rate gives every listed design the safeties and the mass of its row
+    limits     designs below a required safety are rejected, and the result contains their number under its
+               name
+    order      designs are sorted by mass, by safety, or by both
+    nothing    if no design is feasible, the search lists the safest design and changes that would help
+    refused    errors by key: no [rating], no material, a spectrum, crossed axes
 """
 import csv
 import io
@@ -89,7 +91,7 @@ class Taken(unittest.TestCase):
 
 class Listed(unittest.TestCase):
     def test_limits_take_away_and_are_counted(self):
-        # The designs are not drawn, because the verdict would reject more.
+        # The designs are not drawn. Otherwise the verdict would reject more of them.
         every = search(rated(safety_flank_min=None, safety_root_min=None, objective="safety", interference="flag"))
         some = search(rated(interference="flag"))
         keeps = [d for d in every["designs"] if min(d["S_H"]) >= 1.0 and min(d["S_F"]) >= 1.4]
@@ -195,7 +197,8 @@ class Nothing(Asked):
                     self.assertEqual(search(rated(STEEL + more))["feasible_count"], 0)
 
     def test_one_safety_is_its_own_change(self):
-        # The designs are not drawn, because otherwise the thinnest teeth would have to hold too.
+        # The designs are not drawn. Otherwise the gears with the thinnest teeth would also need the required
+        # safeties.
         found = search(rated(STEEL + self.HEAVY, safety_root_min=None, interference="flag"))
         reach = [c for c in found["changes"] if c["key"] == "search.safety_flank_min"]
         best = max(min(d["S_H"]) for d in
@@ -238,8 +241,7 @@ class Refused(Asked):
         for line, key in (("quality = 6\n", "rating.quality"), ("face_load_factor = 1.2\n", "rating.face_load_factor"),
                           ("power_kW = 20\n", "rating.torque_Nm")):
             self.no(rated(STEEL + LOAD.replace(line, "")), key, "is missing")
-        # All are missing at once. Both gears have the same material here, so only that of gear 1 is
-        # listed.
+        # All values are missing. Gear 2 has the material of gear 1, so the message lists only that of gear 1.
         self.no(rated("[rating]\n"), "rating.torque_Nm", "gear1.material (", "rating.quality (", "rating.speed_rpm (", "rating.face_load_factor (")
         self.no(rated(STEEL + LOAD, safety_flank_min=0), "search.safety_flank_min", "0")
         self.no(rated(STEEL + LOAD, safety_flank_min="high"), "search.safety_flank_min")
@@ -252,7 +254,7 @@ class Refused(Asked):
 
 
 class Wish(unittest.TestCase):
-    """The shortest search that a designer types: a ratio, a housing, a load and two safeties."""
+    """The shortest search that a designer would type: a ratio, a housing, a load and two safeties."""
     WISH = {"ratio": [3.087, 3.213], "center_distance_mm": 125, "safety_flank_min": 1.3, "safety_root_min": 1.6,
             "objective": "mass"}
 

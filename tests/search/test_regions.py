@@ -1,4 +1,4 @@
-"""Regions of shifts against the pairs that they are about, point by point."""
+"""Tests regions of profile shifts by comparing random points with the pairs that have these shifts."""
 import json
 import math
 import random
@@ -10,7 +10,8 @@ from searching import BIN, search
 
 class Regions(unittest.TestCase):
     def test_the_region_of_an_internal_pair_holds_the_pairs_that_run(self):
-        """Random shifts, judged by `gearwright pair`: in the region's boundary or not, and how much of the area."""
+        """The verb pair judges pairs with random shifts. The pairs that run are those inside the boundary
+        of the region, and their share gives the area."""
         found = search('[search]\nratio = [-3.01, -3]\nmodules_mm = [2]\npinion_teeth = [22, 22]\n')["designs"][0]
         region, m = found["region"], 2.0
         sides = [side for e in region["edges"] for side in zip(e["points"], e["points"][1:])]
@@ -26,7 +27,7 @@ class Regions(unittest.TestCase):
         for x, line in zip(points, done.stdout.splitlines(), strict=True):
             answer = json.loads(line)
             runs = False
-            if "error" not in answer:  # otherwise there is no working angle
+            if "error" not in answer:  # an error means that there is no working pressure angle
                 pair = answer["pair"]
                 runs = (x[0] >= least_x1 and min(pair["contact_ratio"], pair["contact_ratio_true"]) >= 1.2
                         and min(pair["tip_clearance_mm"]) >= 0.02 * m and pair["internal"]["involute_margin_mm"] >= 0.02 * m
@@ -36,8 +37,7 @@ class Regions(unittest.TestCase):
             inside += runs
             if runs != (crossed % 2 == 1):
                 differ.append(x)
-        # Curved edges are drawn with 25 points. A few per mille of the region lie between chord and
-        # curve.
+        # A curved edge is drawn with 25 points, so a few per mille of the region lie between chord and curve.
         self.assertLessEqual(len(differ), 8, differ)
         share = inside / len(points)
         whole = math.prod(hi - lo for lo, hi in box)

@@ -1,4 +1,5 @@
-"""scatter over the designs of a search: rows are those of scatter, to the last bit; shards, ranks and kills change no byte."""
+"""Tests the scatter over the designs of a search. Each row equals the result of the verb scatter, bit for
+bit. Shards, ranks and killed processes do not change the files."""
 import csv
 import json
 import os
@@ -81,7 +82,7 @@ class ScatterDesigns(unittest.TestCase):
 
     def same(self, out):
         for name, one in self.alone.items():
-            self.assertTrue((self.where / out / name).read_bytes() == one, f"{out}/{name} is not that of one process")
+            self.assertTrue((self.where / out / name).read_bytes() == one, f"{out}/{name} is different")
 
     def test_rows_are_those_of_scatter(self):
         rows = self.result["designs"]
@@ -103,7 +104,7 @@ class ScatterDesigns(unittest.TestCase):
         self.assertNotEqual(numbers, sorted(numbers))
 
     def test_the_search_of_the_spec(self):
-        """Without --designs, the search is run; --top takes its best designs."""
+        """Without --designs, the verb runs the search first. --top limits it to the best designs."""
         self.assertEqual(study(self.where, "--json").json["scatter_designs"], self.result)
         few = study(self.where, "--json", "--top", 3).json["scatter_designs"]
         best = [row for row in self.result["designs"] if row["design"] <= 3]
@@ -160,7 +161,8 @@ class ScatterDesigns(unittest.TestCase):
             shutil.rmtree(where / "o")
 
     def test_designs_without_a_scatter(self):
-        """A relief that a design's profile cannot carry: listed with the reason, and the others ranked."""
+        """If a relief does not fit the profile of a design, the design is listed with the reason. The
+        others are ranked."""
         long = TEXT.replace("profile_crowning_um = 5", "profile_crowning_um = 5\ntip_relief_um = 10\ntip_relief_start_mm = 69.5")
         long = long.replace("samples = 16", "samples = 1")
         r = study(folder(long), "--json")

@@ -1,9 +1,12 @@
-"""The verb search as a user meets it: what it finds, how it prints it, and that its designs are what it says they are.
+"""Tests the verb search as a user calls it: its designs, its output, and the agreement of both with other
+verbs.
 
-    sets     spur_searches.json: sets found twice by others, by regions and by a brute grid
-    taken    --take N, put into the verb pair, has the numbers of the row
-    files    search.parquet as DuckDB reads it, best.csv, search.json, report.html: one result
-    changes  nothing feasible: each change that is named lets something through, and nine tenths of it do not
+    sets     spur_searches.json: two independent programs found the same sets, by regions and by a brute-force
+             grid
+    taken    the verb pair, run on the output of --take N, gives the numbers of the row
+    files    search.parquet (read by DuckDB), best.csv, search.json and report.html contain the same result
+    changes  if nothing is feasible, each proposed change makes some design feasible, and nine tenths of it
+             does not
 """
 import csv
 import io
@@ -78,7 +81,8 @@ class Sets(unittest.TestCase):
 
 class Taken(unittest.TestCase):
     def test_an_internal_pair_that_nobody_mounts_has_no_negative_backlash(self):
-        # At the extended distance, the first of these used to be too thick by 0.18 mm.
+        # Regression: at the extended centre distance, the teeth of the first design were too thick by 0.18
+        # mm.
         pair = taken(spec({"ratio": [-4, -3], "modules_mm": 2, "pinion_teeth": [20, 22]}), 1)
         self.assertNotEqual(pair["verdict"]["level"], "red")
         self.assertLess(abs(pair["pair"]["backlash"]["normal_base_mm"]), 1e-9)
@@ -101,7 +105,7 @@ class Taken(unittest.TestCase):
                   (f"working_{angle}_pressure_angle_deg", working)]
         for key, value in values:
             self.agree(row[key], value, f"{kind}: {key}")
-        # The fillets of an internal gear depend on its cutter, which a search does not choose.
+        # The root fillet of an internal gear depends on its cutter, which a search does not choose.
         if p["kind"] != "parallel_internal":
             self.agree(row["contact_ratio_true"], p["contact_ratio_true"] - overlap, f"{kind}: contact_ratio_true")
         for i, gear in enumerate(gears):
@@ -158,7 +162,7 @@ class Taken(unittest.TestCase):
 
 class Answer(Asked):
     def costs(self, row, target):
-        """What each objective makes of a row, smaller is better."""
+        """Returns the value of each objective for a row. Smaller values are better."""
         sliding = [abs(z) for gear in row["specific_sliding"].values() for z in gear if z is not None]
         return {"contact_ratio": -row["contact_ratio_true"], "formula_contact_ratio": -row["contact_ratio"], "ratio": abs(row["ratio"] - target),
                 "size": row["module_mm"] ** 2 * sum(z * z for z in row["teeth"]), "shift": abs(sum(row["profile_shift"])),
@@ -171,7 +175,7 @@ class Answer(Asked):
         s = p.json["search"]
         self.assertEqual(s["tested"], s["feasible_count"] + sum(s["rejected"].values()))
         self.assertEqual(len(s["designs"]), s["feasible_count"])
-        # every number is the shortest text that reads back to itself
+        # every number is printed as the shortest text that gives the same bits when it is read
         for token in set(re.findall(r"(?<=[\[:,])-?\d[^,\]}\s]*", p.out)):
             self.assertEqual(float(token), float(repr(float(token))))
             self.assertLessEqual(len(re.sub(r"^-?0*\.?0*|[eE].*|\.", "", token)), 17, token)
@@ -185,14 +189,14 @@ class Answer(Asked):
                 self.assertLess(math.dist(edge["points"][-1], following["points"][0]), 1e-9)
             corners = [p for edge in edges for p in edge["points"]]
             area = sum(p[0] * q[1] - q[0] * p[1] for p, q in zip(corners, corners[1:] + corners[:1])) / 2
-            # the chords of a curve cut off a little area
+            # the area within the chords of a curve is slightly smaller
             self.assertAlmostEqual(abs(area), row["region"]["area"], delta=2e-3 * row["region"]["area"] + 1e-12)
             for i in (0, 1):
                 self.assertLessEqual(min(p[i] for p in corners), row["profile_shift"][i] + 1e-9)
                 self.assertGreaterEqual(max(p[i] for p in corners), row["profile_shift"][i] - 1e-9)
 
     def test_objectives_rank(self):
-        # in the second, many have no point of Eq. 11
+        # in the second search, many regions have no point of Eq. 11
         texts = [spec(), spec(center_distance_mm=[100.4, 100.6])]
         for text in texts:
             for name in ("contact_ratio", "ratio", "size", "shift", "area", "sliding", "formula_contact_ratio"):
@@ -234,7 +238,7 @@ class Answer(Asked):
         self.assertEqual(len((r.folder / "o/best.csv").read_text().splitlines()), 6)
         count = duckdb(r.folder / "o/search.parquet", "select count(*) as n from data")
         self.assertEqual(count, [{"n": every["feasible_count"]}])
-        # --take is not limited by --top
+        # --top does not limit --take
         self.assertEqual(Run("search", spec(), "--top", 2, "--take", 7, folder=folder()).out,
                          Run("search", spec(), "--take", 7, folder=folder()).out)
 
@@ -279,7 +283,7 @@ class Files(unittest.TestCase):
         self.page(files["report.html"].decode(), found)
 
     def columns(self, row, crossed):
-        """The row of the table that a design of the JSON should be."""
+        """Returns the row of the table that corresponds to a design of the JSON."""
         want = {"module_mm": row["module_mm"], "rack": row.get("rack", 1), "point": row["point"],
                 "working_angle_deg": row[f"working_{'normal' if crossed else 'transverse'}_pressure_angle_deg"],
                 "interference": int(row["interference"]), "area": row["region"]["area"],
@@ -305,7 +309,8 @@ class Files(unittest.TestCase):
         self.assertEqual(len(rows), found["feasible_count"])
         self.assertEqual(set(rows[0]), set(wanted[0]) | {"trial"})
         trials = [row["trial"] for row in rows]
-        self.assertEqual(trials, sorted(set(trials)))  # in the order of the trials, each once
+        self.assertEqual(trials, sorted(set(trials)))  # in the order of the trials, without
+                                                       # repetition
 
         def design(row):
             return tuple(row[key] for key in ("rack", "module_mm", "z1", "z2", "helix1_deg"))
@@ -385,7 +390,7 @@ class Changes(unittest.TestCase):
         for change in found["changes"]:
             key = change["key"].removeprefix("search.")
             old, new = (json.loads(change[end_]) for end_ in ("from", "to"))
-            if keys[key] == [old, old]:  # a range with equal limits is shown as one value
+            if keys[key] == [old, old]:  # a range with equal limits is printed as one value
                 old = keys[key]
             self.assertEqual(old, keys[key], change)
             self.assertGreater(search(spec(keys | {key: new}, after))["feasible_count"], 0, change)
@@ -393,7 +398,7 @@ class Changes(unittest.TestCase):
                 continue
             shy = [o + 0.99 * (n - o) for o, n in zip(old, new)] if isinstance(old, list) else old + 0.99 * (new - old)
             self.assertEqual(search(spec(keys | {key: shy}, after))["feasible_count"], 0, f"{change}, {shy}")
-        # the table and the page show the same text
+        # the terminal and the page show the same text
         told = Run("search", text, folder=folder()).out
         for change in found["changes"]:
             self.assertIn(f"{change['key']} = {change['to']} instead of {change['from']}", told)

@@ -1,4 +1,5 @@
-"""Searches that are refused: the exit status, the key, what is allowed, and nothing left on disk."""
+"""Tests searches that are rejected: the exit status, the key, the permitted values, and that no file is
+written."""
 import re
 import resource
 import subprocess
@@ -17,7 +18,8 @@ def modules(count):
 
 class Refused(Asked):
     def no(self, text, key, *words, args=()):
-        """Exit status 1, the key in the JSON, the words in the sentence, nothing written."""
+        """Checks for exit status 1, the key in the JSON, the words in the message, and that no file was
+        written."""
         where = folder(text)
         r = Run("search", None, "--json", "--out", "o", *args, folder=where)
         self.assertEqual(r.status, 1, f"{text}\n{r.out}\n{r.err}")
@@ -48,7 +50,7 @@ class Refused(Asked):
         self.no(spec(pinion_teeth=[12.5, 40]), "search.pinion_teeth", "whole numbers")
         self.no(spec(pinion_teeth=[2, 40]), "search.pinion_teeth", "between 3 and 20000")
         self.no(spec(pinion_teeth=[12, 30000]), "search.pinion_teeth", "between 3 and 20000")
-        # external gears with more than 20 000 teeth
+        # such a gear would have more than 20 000 teeth
         self.no(spec(pinion_teeth=[12, 9524]), "search.ratio", "20000.4", "at most 20000")
         self.no(spec(ratio=[-800, -2]), "search.ratio", "32000", "at most 20000")
         self.assertEqual(Run("search", spec(pinion_teeth=[9500, 9523], modules_mm=[2]), folder=folder()).status, 0)
@@ -149,13 +151,13 @@ class Refused(Asked):
 
 
 def children_seconds():
-    """Processor time of all processes that were started and have ended."""
+    """Returns the processor time of all child processes that have ended."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime
 
 
 class Large(Asked):
-    # 9·10^14 candidates, the maximum for a spec.
+    # 9·10^14 candidates, the greatest number for a spec.
     WIDEST = {"ratio": [1, 5], "pinion_teeth": [10, 2000], "modules_mm": modules(1400), "helix_angle_deg": [0, 40],
               "helix_step_deg": 0.0005}
 
@@ -171,15 +173,15 @@ class Large(Asked):
         self.assertTrue(said, r.err)
         self.assertAlmostEqual(float(said[1]) / candidates, 1, delta=0.01)
         seconds = int(said[2]) * {"seconds": 1, "minutes": 60, "hours": 3600, "days": 86400, "years": 31557600}[said[3]]
-        # three digits of the rate, whole years
+        # the message rounds the rate to three digits and the duration to whole years
         self.assertAlmostEqual(seconds * float(said[4]) / candidates, 1, delta=0.01 + 0.5 / int(said[2]))
         for words in ("--yes-large", "--shard", "--out"):
             self.assertIn(words, r.err)
         return float(said[4]) / int(said[5])
 
     def test_says_how_long_it_would_take(self):
-        # The actual duration for one helix angle and a few modules. The machine may be busy while
-        # one of the two is measured, so one good measurement is sufficient.
+        # The predicted rate is compared with the measured rate of a search with one helix angle and a few
+        # modules. A busy machine can disturb either of them, so one good agreement is sufficient.
         ratios = []
         while len(ratios) < 4 and not any(0.2 < ratio < 5 for ratio in ratios):
             part = folder(spec(SMALL | self.WIDEST, modules_mm=modules(2), helix_angle_deg=10, helix_step_deg=None))
@@ -188,7 +190,7 @@ class Large(Asked):
             tested = part.json["search"]["tested"]
             rate = tested / (time.monotonic() - began)
             ratios.append(self.refused_at_once(spec(SMALL | self.WIDEST), tested / 2 * 1400 * 80001) / rate)
-        self.assertTrue(any(0.2 < ratio < 5 for ratio in ratios), f"rates said, of rates measured: {ratios}")
+        self.assertTrue(any(0.2 < ratio < 5 for ratio in ratios), f"predicted rates over measured rates: {ratios}")
 
     def test_more_chunks_than_can_be_kept(self):
         where = folder(spec(SMALL | self.WIDEST))
@@ -207,7 +209,7 @@ class Campaigns(Asked):
     CHUNK = ("--chunk", 100)
 
     def no(self, where, out, *args):
-        """A refusal that changes nothing in the folder."""
+        """Checks that the program rejects the call and changes no file. Returns its message."""
         before = {p: p.read_bytes() for p in where.rglob("*") if p.is_file()}
         status, text, err = end(start(where, out, *args))
         self.assertEqual([status, text], [1, ""], err)
@@ -275,10 +277,10 @@ class World(Asked):
                 p = subprocess.run([BIN, "search", "case.toml", *args], cwd=where, stdout=full, stderr=subprocess.PIPE, text=True)
             self.assertEqual(p.returncode, 3, args)
             self.assertIn("standard output", p.stderr)
-        contents(where / "o")  # the requested files are complete
+        contents(where / "o")  # the requested files must be complete
 
     def test_full_disk(self):
-        # A file size limit has the effect of a disk that fills up in the middle of a file.
+        # A limit of the file size has the same effect as a full disk.
         for blocks in (1, 8, 40):
             where = folder(spec())
             script = f"ulimit -f {blocks}; exec '{BIN}' search case.toml --out o"

@@ -1,11 +1,12 @@
-"""What a search lists runs: each design, taken and put into the verb pair, has no interference and keeps its margins."""
+"""Tests that every listed design runs. The verb pair reports no interference for it and confirms its
+margins."""
 import unittest
 
 from searching import Asked, Run, folder, search, spec, taken
 
 
 class WhatRuns(Asked):
-    """The defaults: what is listed runs, and the verb pair says so."""
+    """With the default limits, every listed design runs according to the verb pair."""
     WISH = {"ratio": [1.95, 2.05], "center_distance_mm": [99, 101], "modules_mm": "ISO54-I", "pinion_teeth": [14, 40]}
     TIGHT = {"ratio": [1.9, 2.1], "center_distance_mm": [99, 101], "modules_mm": [1.25, 2, 3, 3.5, 4, 4.5, 5, 6],
              "pinion_teeth": [10, 60], "mounting": "tight"}

@@ -1,6 +1,7 @@
-"""The job scripts of examples/slurm on a Slurm of two nodes: the result of one process, byte for byte, whatever is killed.
+"""Tests the job scripts of examples/slurm on a Slurm cluster of two nodes. The files equal those of a
+single process, byte for byte, even if processes are killed.
 
-Needs what two_nodes.py needs; without it is skipped, and says why.
+The requirements are those of two_nodes.py. If they are not met, the test is skipped with the reason.
 """
 import os
 import shutil
@@ -11,7 +12,7 @@ from searching import BIN, SOURCE, WIDE, chunks, contents, end, folder, spec, st
 from two_nodes import NODES, TwoNodes, main
 
 SCRIPTS = SOURCE / "examples" / "slurm"
-# 10 million candidates take ten seconds on one core.
+# 10 million candidates, which take ten seconds on one core.
 SPEC = spec(WIDE, modules_mm=[1 + i / 8 for i in range(25)], pinion_teeth=[10, 400], helix_step_deg=0.6)
 CHUNK = ("--chunk", 100_000)
 

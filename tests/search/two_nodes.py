@@ -1,10 +1,12 @@
-"""A Slurm of two nodes on this machine: munged, slurmctld and two slurmd, all in one folder, on free ports.
+"""Starts a Slurm cluster of two nodes on this machine: munged, slurmctld and two slurmd, all in one
+folder and on free ports.
 
-The daemons stay in the foreground as children of the test and the kernel ends them with it, so that nothing is left
-whatever happens. What they start in turn is found by its environment: SLURM_CONF names our folder.
+The daemons run in the foreground as children of the test. When the test ends, the kernel ends them, too.
+The processes that they start are identified by the variable SLURM_CONF, which names the folder.
 
-They need root, slurm-wlm, munge and a kernel's control groups, which a plain container or chroot does not show. Where they
-cannot run, a test exits 77, skipped, with the reason; where the variable CI is set it fails.
+The cluster needs root, slurm-wlm, munge and control groups of the kernel. A plain container or chroot does
+not have these. If the cluster cannot run, a test is skipped with exit status 77 and the reason. If the
+variable CI is set, the test fails instead.
 """
 import ctypes
 import os
@@ -51,9 +53,9 @@ PartitionName=test Nodes=n1,n2 Default=YES MaxTime=INFINITE State=UP
 
 
 def why_not():
-    """Why no Slurm can be started here; None where one can."""
+    """Returns the reason why no cluster can be started here, or None if it can."""
     if os.name != "posix" or os.geteuid() != 0:
-        return "the daemons of a Slurm of one's own need root"
+        return "the Slurm daemons need root"
     missing = [name for name in NEEDED if not shutil.which(name)]
     if missing:
         return f"not installed: {', '.join(missing)} (Debian: slurm-wlm, munge)"
@@ -65,12 +67,12 @@ def why_not():
 
 
 def main():
-    """The tests of the calling script, or a word why there can be none."""
+    """Runs the tests of the calling script. If there can be no cluster, prints the reason and exits."""
     reason = why_not()
     if not reason:
         unittest.main()
     elif os.environ.get("CI"):
-        sys.exit(f"failed, for CI is set: {reason}")
+        sys.exit(f"failed, because CI is set: {reason}")
     print(f"skipped: {reason}", flush=True)
     sys.exit(77)
 
@@ -98,7 +100,8 @@ def kill(process):
 
 
 def parent_of(process):
-    """Number and name of the process that began this one; 0 and nothing where it has ended."""
+    """Returns the number and the name of the parent of a process. If the process has ended, returns 0 and
+    ""."""
     try:
         stat = pathlib.Path(f"/proc/{process}/stat").read_text()
         parent = int(stat.rsplit(")", 1)[1].split()[1])
@@ -108,7 +111,7 @@ def parent_of(process):
 
 
 class NoCluster(Exception):
-    """No Slurm can be started here."""
+    """The cluster cannot be started here."""
 
 
 class TwoNodes:
@@ -151,7 +154,7 @@ class TwoNodes:
         self.daemon("slurmctld", "slurmctld", "-D")
         for node in NODES:
             self.begin_node(node)
-        self.wait_to_begin(lambda: self.ask("sinfo", "-h", "-o", "%t %D").split() == ["idle", "2"], 30, "the nodes do not come up")
+        self.wait_to_begin(lambda: self.ask("sinfo", "-h", "-o", "%t %D").split() == ["idle", "2"], 30, "no nodes start")
 
     def wait_to_begin(self, true, seconds, what):
         def begun():
@@ -199,7 +202,7 @@ class TwoNodes:
         return subprocess.run(command, env=self.environment, capture_output=True, text=True, timeout=60).stdout
 
     def submit(self, cwd, *args):
-        """The number of the job."""
+        """Submits a job and returns its number."""
         p = subprocess.run(["sbatch", "--parsable", "--export=ALL", *map(str, args)], env=self.environment, cwd=cwd,
                            capture_output=True, text=True, timeout=60)
         if p.returncode:
@@ -213,7 +216,8 @@ class TwoNodes:
         self.wait_for(lambda: not self.queued(job), seconds, f"job {job} does not end: {self.ask('squeue')}")
 
     def lose(self, node):
-        """As if its power failed: the node's daemon and its helpers first, so that none of them tells what it sees."""
+        """Simulates a power failure of a node. Its daemon and its helpers are killed first, so that they
+        cannot report anything."""
         jobs = self.processes(node)
         helpers = {parent for parent, name in map(parent_of, jobs) if name == "slurmstepd"}
         self.daemons[node].kill()
@@ -222,7 +226,7 @@ class TwoNodes:
         self.end(node, signal.SIGKILL)
 
     def processes(self, node=None, name=None):
-        """The processes that jobs have begun, of one node and of one name if given."""
+        """Returns the processes of all jobs. If a node or a name is given, returns only those with it."""
         found = []
         for entry in pathlib.Path("/proc").iterdir():
             if not entry.name.isdigit() or int(entry.name) == os.getpid():

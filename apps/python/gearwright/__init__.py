@@ -7,8 +7,8 @@
     pair.contact_ratio, pair.replace(center_distance=79).backlash.normal
 
 A name without a unit takes a value in mm or rad, and a key with a unit takes a value in that unit. as_dict() returns
-the keys of the program's JSON. A number that no gear can have raises SpecError, which contains its key and the
-permitted values. A defect of Gearwright itself raises ContractViolation. Please report its message.
+the keys of the program's JSON. A number that is impossible for a gear raises SpecError, which contains its key
+and the permitted values. A defect of Gearwright itself raises ContractViolation. Please report its message.
 """
 
 from __future__ import annotations

@@ -80,7 +80,7 @@ def verify(cases: str | os.PathLike[str] | Mapping[str, Any]) -> list[dict[str, 
     if isinstance(cases, (str, bytes, os.PathLike)):
         with open(cases, encoding="utf-8") as file:
             cases = json.load(file)
-    # open() would take a number as the descriptor of an open file
+    # open() would accept a number as the descriptor of an open file
     elif not isinstance(cases, Mapping):
         raise TypeError(f"cases: must be the path of a case file, or its content, not {cases!r}")
     return _core._verify(cases)

@@ -10,7 +10,7 @@ from typing import Any
 
 from . import _core
 
-# The units that a key may name after the name of a quantity, and the size of each unit in mm or rad.
+# Endings of keys that name a unit, and the size of this unit in mm or rad.
 _UNITS = (("_mm", 1.0), ("_deg", math.pi / 180.0), ("_arcsec", math.pi / 648000.0))
 
 
@@ -28,7 +28,7 @@ def _value(record: Mapping[str, Any], name: str) -> Any:
 
 
 class Part:
-    """Quantities of a part of a drive, for example a body or a mesh: attributes in mm and rad, items by key"""
+    """A part of a drive, for example a body or a mesh. Attributes are in mm and rad, and items are by key"""
 
     def __init__(self, record: Mapping[str, Any]) -> None:
         self._record = dict(record)
@@ -102,23 +102,23 @@ class Drive:
         return [Part(warning) for warning in self._warnings]
 
     def rate(self, **rating: Any) -> dict[str, Part]:
-        """Returns the strength by ISO 6336 of each loaded mesh, by its name, with the keys of [rating]: quality=[6, 6],
-        material={"name": "17CrNiMo6"}, mesh_load_factor, …. Torque and speed are those of the drive unless they
-        are given."""
+        """Returns the strength by ISO 6336 of each loaded mesh as a dict by name. Keywords are keys of [rating], for
+        example quality=[6, 6], material={"name": "17CrNiMo6"}, mesh_load_factor. If torque and speed are absent,
+        those of the drive are used."""
         table = {**self._spec.get("rating", {}), **rating}
         answer = _core.solve({**self._spec, "rating": table}, "rate")
         rated = {name: mesh["rating"] for name, mesh in answer["drive"]["meshes"].items()}
         return {name: Part(record) for name, record in rated.items() if record}
 
     def replace(self, **changes: Any) -> Drive:
-        """Returns the drive with other tables or, for a planetary set, other keys of [planetary]. The
-        value None removes a table or key."""
+        """Returns the drive with other tables or, for a planetary set, other keys of [planetary]. None
+        removes a table or key."""
         spec = self.spec
         own = spec["planetary"] if "planetary" in spec else spec
         for key, value in changes.items():
             target = spec if key in spec else own
             target.pop(key, None)
-            for suffix, _ in _UNITS:  # removes the same quantity in another unit
+            for suffix, _ in _UNITS:  # removes the same quantity if it is given in another unit
                 target.pop(key + suffix, None)
                 if key.endswith(suffix):
                     target.pop(key[: -len(suffix)], None)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 
 class SpecError(ValueError):
-    """A number that is impossible for a gear.
+    """The input contains a number that is impossible for a gear.
 
     key      the key of a spec, "pair.center_distance_mm"; for a single Gear "helix_angle_deg"
-    value    the given value as text; empty if there is none or if it does not fit into a sentence
-    allowed  the fault, the permitted values with the reason, and a remedy
+    value    the given value as text; empty if there is none or if it is too long for a sentence
+    allowed  what is wrong, the permitted values with the reason, and a remedy
     message  all of these in one sentence
     """
 

@@ -13,8 +13,8 @@ PLANE = {"x": {"words": "x", "unit": "mm"}, "y": {"words": "y", "unit": "mm"}}
 
 
 def plot(data: dict[str, Any], ax: Any = None) -> Any:
-    """Draws the curves and dots of a figure's data and returns matplotlib's axes. Curves with the same name have one
-    colour."""
+    """Draws the curves and dots of a figure and returns the axes of matplotlib. Curves with the same name
+    have the same colour."""
     if ax is None:
         import matplotlib.pyplot as plt
 
@@ -22,7 +22,7 @@ def plot(data: dict[str, Any], ax: Any = None) -> Any:
     colours: dict[str, str] = {}
     for kind, mark in (("curves", "-"), ("dots", ".")):
         for one in data.get(kind, ()):
-            points = np.array(one["points"], dtype=float)  # None, which marks a gap in a line, becomes NaN
+            points = np.array(one["points"], dtype=float)  # None, a gap in a line, becomes NaN
             colour = colours.setdefault(one["name"], f"C{len(colours)}")
             ax.plot(points[:, 0], points[:, 1], mark, color=colour, label=one["name"])
     for axis, label in (("x", ax.set_xlabel), ("y", ax.set_ylabel)):

@@ -1,4 +1,5 @@
-"""Records of the catalogue as values. If an attribute of a gear, a pair or an answer is a record, it has this type."""
+"""Records of the catalogue as values. An attribute of a gear, a pair or an answer has this type if it is
+a record."""
 
 from __future__ import annotations
 
@@ -50,5 +51,5 @@ class Record:
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        kept = {name: value for name, value in self._attributes.items() if name != "figures"}  # they are not pickled
+        kept = {name: value for name, value in self._attributes.items() if name != "figures"}  # not pickled
         return Record, (kept, self._items, self._keys)

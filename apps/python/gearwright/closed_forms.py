@@ -20,8 +20,8 @@ _ALPHA = math.radians(20)
 
 
 def _columns(*values: ArrayLike) -> tuple[list[Array], int, tuple[int, ...]]:
-    """Returns columns for the extension module, their common number of rows after broadcasting, and their shape. A
-    single number stays a single number."""
+    """Returns the columns for the extension module, their common number of rows after broadcasting, and
+    their shape. A single number is not expanded."""
     arrays = [_core._real(v) for v in values]
     shape = np.broadcast_shapes(*(a.shape for a in arrays))
     columns = [a if a.size == 1 else np.ascontiguousarray(np.broadcast_to(a, shape)) for a in arrays]
@@ -79,9 +79,9 @@ def pair_table(
     sliding                 greatest |ζ| of both flanks at the ends of the path; inf at a base tangent point
     tip_thickness1, 2       s_an    tip_clearance1, 2   c
 
-    addendum, dedendum and flank_depth (of the rack's straight edge) are in modules. Rows that touch a limit of
-    these formulas are NaN. The search uses the same formulas. They agree with a Pair to 1e-12. If they differ, the
-    result of the Pair is valid.
+    addendum, dedendum and flank_depth (depth of the rack's straight flank) are in modules. If a formula does not
+    apply to a row, the row is NaN. The search uses the same formulas. They agree with a Pair to 1e-12. If they
+    differ, the result of the Pair is the valid one.
     """
     if mounting not in ("tight", "extended"):
         raise ValueError(f'mounting = {mounting!r}: must be "tight" or "extended"')

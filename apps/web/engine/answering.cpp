@@ -24,7 +24,7 @@ Error too_long(std::size_t bytes) {
 }
 
 Result<std::string> answered(std::string_view verb, const JobSpec& spec) {
-  if (verb == "search") {  // runs the whole search at once, like the program
+  if (verb == "search") {  // as in the program, this call runs the whole search
     if (!spec.search) return no_search();
     const Search search(*spec.search);
     const auto run = run_search(spec, search, {});
@@ -41,7 +41,7 @@ Result<Json> tree_of(const std::string& text, SpecFormat format) {
   return parse_spec(text, format);
 }
 
-// Returns the path of a null in a tree, if there is one, because TOML has no null.
+// Returns the path of a null in a tree, or nothing if there is none. TOML has no null.
 std::optional<std::string> null_in(const Json& tree, const std::string& path) {
   if (tree.is_null()) return path;
   if (!tree.is_structured()) return std::nullopt;

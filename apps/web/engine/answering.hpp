@@ -1,5 +1,5 @@
-// Computes for the text of a spec the text that the program prints with --json, byte for byte,
-// including errors. Files and folders are not available, because a page does not need them.
+// Computes the output of `gearwright … --json` for the text of a spec, byte for byte, including
+// errors. Verbs that need files or folders are not available in a page.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,8 @@ std::string refusal(const Error& error, const SpecText* text = nullptr,
 /// Returns the output of `gearwright VERB SPEC --json`.
 std::string answer(std::string_view verb, const std::string& text);
 
-/// Returns the same tree in the other language, or an error if the text cannot be read.
+/// Converts JSON to TOML, or TOML to JSON, with the same tree. Returns an error if the text cannot
+/// be read.
 Result<std::string> to_toml(const std::string& json);
 Result<std::string> to_json_text(const std::string& toml);
 

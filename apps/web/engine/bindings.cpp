@@ -1,8 +1,8 @@
-// Binds each function of the module. The functions take and return values. They throw no exceptions and
-// contain no formulas.
+// Makes each function of the module available in JavaScript. The functions take and return values,
+// throw no exceptions and contain no formulas.
 //
-// engine.js adapts them to engine.d.ts. It adds default arguments and a catch around each call. The catch is for
-// traps, which only JavaScript detects.
+// engine.js adapts them to engine.d.ts. It adds default arguments, and catches traps in every call,
+// because only JavaScript can detect a trap.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -77,7 +77,7 @@ val failed(const Error& error, const SpecText* text = nullptr, const GivenKeys& 
   return js(refusal(error, text, given));
 }
 
-// Returns the caught exception as an error. It must be called inside a handler.
+// Converts the current exception to an error. It may be called only inside a catch block.
 Error caught() {
   try {
     throw;
@@ -88,7 +88,7 @@ Error caught() {
   }
 }
 
-// Returns the result of the work, or a Failed.
+// Returns the result of the work, or a Failed if the work fails.
 template <class Work>
 val guarded(const Work& work) {
   try {
@@ -109,7 +109,7 @@ std::string guarded_text(const Work& work) {
 const Session& session_of(const Session& session) { return session; }
 const Session& session_of(const Work& work) { return work.session(); }
 
-// Calls a method of a session or of its work. Returns its result, or its error with the line in the
+// Calls a method of a session or of a work. Returns its result, or its error with the line in the
 // text of the spec.
 template <auto method, class Of, class... Arguments>
 val call(Of& of, Arguments... arguments) {
@@ -188,7 +188,7 @@ val work_result(const Work& work) {
   return guarded([&] { return js(work.result()); });
 }
 
-// Returns the result of a function of a text, or the error of the function with the line in the text.
+// Calls a function of a text. Returns its result, or its error with the line in this text.
 template <class T>
 val of_text(const Result<T>& result, const SpecText& text) {
   return result ? js(*result) : failed(result.error(), &text);

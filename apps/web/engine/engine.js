@@ -1,5 +1,5 @@
-// The engine as described by engine.d.ts: the functions of the module with default arguments and a
-// catch around each call. Nothing is computed here.
+// The engine that engine.d.ts describes. It calls the functions of the module, adds default arguments, and
+// catches the exceptions of each call. It contains no computation.
 import createCore from "./gearwright.mjs";
 
 const kBroken =
@@ -14,7 +14,7 @@ export function failed(x) {
   return typeof x === "object" && x !== null && "error" in x;
 }
 
-/** Calls whose result is text. An error is also text. */
+/** Calls that return text. For these, an error is also returned as text. */
 const kTexts = ["run", "json", "best"];
 /** Default values of arguments that the caller omits. */
 const kDefaults = {
@@ -31,8 +31,7 @@ const kDefaults = {
   file: ["", 0, 0],
 };
 
-// Catches the exceptions of the module, or of an object of it (a trap or too deep a recursion), as
-// a Failed.
+// Wraps the module, or an object of it. If a call causes a trap or too deep a recursion, it returns a Failed.
 function guarded(object, defaults) {
   const call = (name) => (...given) => {
     const all = [...given];
@@ -51,6 +50,6 @@ function guarded(object, defaults) {
 
 export default async function createEngine(options = {}) {
   const core = await createCore(options);
-  // Teeth under load keep their compliance for the next session.
+  // The compliance tables of teeth under load are shared by all sessions.
   return guarded(core, { ...kDefaults, load: ["", new core.ToothTables()] });
 }

@@ -31,8 +31,8 @@ void append(Numbers& out, const Eigen::Matrix<double, n, 1>& p) {
   out.insert(out.end(), p.data(), p.data() + n);
 }
 
-// Appends the points of a circular arc after its first point. They are so dense that the chords stay within the
-// tolerance. The last point is exactly `end`.
+// Appends the points of a circular arc, except its first point. The points are so close that every
+// chord is within the tolerance. The last point is exactly `end`.
 void append_circle(Numbers& out, const Vec2& center, const Vec2& begin, const Vec2& end,
                    double sweep, double tolerance) {
   const Vec2 arm = begin - center;
@@ -63,11 +63,11 @@ Result<Numbers> bore_outline(const ToothedBody& body, const Contour& contour, do
       append_circle(out, Vec2::Zero(), from, to, 4 * std::atan(b.bulges[i]), tolerance);
     }
   }
-  out.resize(out.size() - 2);  // removes the repeated first point
+  out.resize(out.size() - 2);  // removes the last point, which repeats the first
   return out;
 }
 
-// Appends circles about the axis of a gear for the diameters in a record.
+// Appends a circle about the axis of a gear for each diameter in a record.
 void append_circles(std::vector<NamedCircle>& circles, const ValueRecord& record,
                     std::size_t gear) {
   for (const Member& m : record) {
@@ -121,7 +121,7 @@ Result<Json> Session::section(int gear, double tolerance) const {
                       {"from", from},
                       {"to", static_cast<int>(out.size() / 2) - 1}});
   }
-  out.resize(out.size() - 2);  // the outline is closed, so the last point equals the first
+  out.resize(out.size() - 2);  // the last point equals the first
   for (const NamedCircle& c : circles(gear)) {
     named.push_back(
         {{"key", c.key}, {"symbol", c.symbol}, {"words", c.words}, {"radius", c.radius}});
@@ -141,7 +141,7 @@ std::vector<NamedCircle> Session::circles(int gear) const {
 }
 
 Result<Json> Session::mesh_figure(const MeshView& view) const {
-  constexpr double kCoarse = 0.1;  // mm; coarse, because only errors of the section matter
+  constexpr double kCoarse = 0.1;  // mm; coarse, because only errors about the section matter here
   MeshScene scene;
   for (int gear = 1; gear <= gears(); ++gear) {
     if (const auto made = section(gear, kCoarse); !made) return made.error();
@@ -193,7 +193,8 @@ Result<Json> Session::lines() const {
   const Pair& pair = *job_.pair;
   Numbers line_of_action, trailing_line, path_of_contact;
   Json points = Json::array();
-  // Only involute gears have a line of action. Circular arcs touch in points that move along the teeth.
+  // Only involute gears have a line of action. Circular-arc gears touch at points that move along
+  // the teeth.
   if (const InvolutePair* p = pair.involute()) {
     const gearwright::Mesh<double>& m = p->mesh;
     for (const double rho : {0.0, m.sigma * m.base_tangent_distance}) {
@@ -221,8 +222,8 @@ Result<Json> Session::lines() const {
               {"points", std::move(points)}};
 }
 
-// Gear 1 turns clockwise seen from +z, and gear 2 turns as it is driven. Errors tilt and displace axis 1,
-// and ΔC displaces axis 2. [T1.5], [T8.12]
+// Gear 1 turns clockwise seen from +z, and gear 2 turns as gear 1 drives it. Mounting errors tilt
+// and displace axis 1, while ΔC displaces axis 2. [T1.5], [T8.12]
 Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   if (!job_.pair) {
     if (gear != 1) return absent_input("gear2", ": there is no pair");
@@ -232,7 +233,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   }
   const Pair& pair = *job_.pair;
   const Angle rotation1 = Angle::degrees(rotation1_deg);
-  // Gears that cannot touch are shown without errors.
+  // If the gears cannot touch, the errors are ignored.
   const auto touching = nominal ? Result<const ContactPair*>(nullptr) : contact_pair();
   const ContactPair* contact = touching ? *touching : nullptr;
   Eigen::Isometry3d x = gear == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry();
@@ -242,8 +243,8 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
       Eigen::Isometry3d errors = Eigen::Isometry3d::Identity();
       errors.translation() = contact->in_housing(0.0, 0.0);
       for (const int i : {0, 1, 2}) {
-        // The map D between the housing and N is its own inverse. Therefore the tilt M in N is the rotation D M D in
-        // the housing. It is computed for each axis.
+        // The map D between the housing frame and the frame N is its own inverse. A tilt M in N is
+        // therefore the rotation D M D in the housing frame. Its columns are computed one by one.
         const Vec3 axis = contact->direction_in_housing(
             contact->tilt() * contact->direction_in_housing(Vec3::Unit(i)));
         errors.linear().col(i) = axis;

@@ -1,4 +1,5 @@
-// Computes teeth under load in steps. First the compliance of each gear is computed, then one position after the other.
+// Computes teeth under load in steps: first the compliance of each gear, then one position after
+// the other.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -15,8 +16,8 @@ namespace gearwright::web {
 
 namespace {
 
-constexpr int kTableSteps = 32;       // a table takes about as long as this many positions
-constexpr std::size_t kMostKept = 4;  // tables of both gears, in draft and full accuracy
+constexpr int kTableSteps = 32;       // a table takes about as long as 32 positions
+constexpr std::size_t kMostKept = 4;  // the tables of both gears, in draft and in full accuracy
 
 class LoadWork : public Work {
  public:
@@ -48,7 +49,8 @@ class LoadWork : public Work {
   Json result_;
 };
 
-// Makes the table of the next gear. When both tables exist, the positions can be computed.
+// Makes the table of the next gear. As soon as both tables exist, the computation of positions
+// starts.
 std::optional<Error> LoadWork::make_table() {
   const Gear &gear_1 = task_.setup.gear(1), &gear_2 = task_.setup.gear(2);
   const int which = tables_[0] ? 2 : 1;

@@ -19,8 +19,8 @@ class PatternWork : public Work {
   PatternWork(std::shared_ptr<Session> session, int positions, const RasterSize& size)
       : Work(std::move(session)), positions_(positions), size_(size) {}
 
-  // The first step uses a sixteenth of the nodes, the second a quarter, and the third all of them. Together they take
-  // a third longer than the third step alone.
+  // The first step uses a sixteenth of the nodes, the second step a quarter, and the third step all
+  // of them. All three together take only a third longer than the last one.
   Result<Steps> step(double) override {
     constexpr int kSteps = 3;
     if (next_ == kSteps) return Steps{kSteps, kSteps, true};
@@ -85,7 +85,7 @@ class ErrorMapWork : public Work {
  private:
   std::array<std::size_t, 2> keys_;  // indices of the errors in error_entries()
   std::array<Numbers, 2> axes_;
-  Numbers peak_to_peak_arcsec_;  // [iy·nx + ix]; NaN if nothing touches or not yet computed
+  Numbers peak_to_peak_arcsec_;  // [iy·nx + ix]; NaN if no teeth touch or if not yet computed
   int positions_;
   std::size_t next_ = 0;
 };

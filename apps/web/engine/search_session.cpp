@@ -14,7 +14,7 @@ namespace gearwright::web {
 
 namespace {
 
-// Numbers of trials in a part. The size of later parts depends on the requested duration.
+// Number of trials in the first part. The sizes of later parts follow from the requested duration.
 constexpr std::int64_t kFirstPart = 1 << 12;
 constexpr std::int64_t kLeastPart = 1 << 8, kMostPart = 1 << 20;
 constexpr double kPartMs = 8.0;
@@ -95,7 +95,7 @@ Json SearchSession::result() const {
 
 std::string SearchSession::best(int most) const {
   Json rows = Json::array();
-  // Before the end, the best designs are in a heap. A copy of the heap is sorted.
+  // While the search is running, the best designs are in a heap, so a copy of the heap is sorted.
   const SearchAnswer so_far =
       stage_ == Stage::trials ? BestDesigns(best_).answer(counts_) : SearchAnswer{};
   const auto& designs = stage_ == Stage::trials ? so_far.designs : run_.answer.designs;

@@ -1,7 +1,7 @@
 // Runs a search in steps, so that a worker can handle messages between them.
 //
-// Each step computes a part of the range of trials. The final result equals that of the program, with the
-// same designs, order and text.
+// Each step computes a part of the trials. The final result is the same as that of the program: the
+// designs, their order, and the text.
 #pragma once
 
 #include <memory>

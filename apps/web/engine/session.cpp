@@ -24,7 +24,8 @@ bool is_number(const QuantityInfo& info) {
   return info.type == Type::number || info.type == Type::whole || info.type == Type::index;
 }
 
-// Adds a column for each column of the table that contains numbers or words and has a fixed width.
+// Adds a column for each quantity of the table that consists of numbers or words and has a fixed
+// width.
 void add_columns(const QuantityTable& table, const std::vector<ValueRecord>& rows,
                  ContactCurve& curve) {
   for (const RecordColumn& column : columns_of(table)) {

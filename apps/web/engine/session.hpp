@@ -1,7 +1,8 @@
-// A spec that is read and solved, with the results that a page shows while the user changes it.
+// A spec that has been read and solved, with the results that a page shows while the user changes
+// it.
 //
-// The core computes everything on request. The solved pair and its contact are kept, because several requests
-// use them.
+// Results are computed when they are requested. The solved pair and its contact are stored, because
+// several requests need them.
 #pragma once
 
 #include <memory>
@@ -22,8 +23,8 @@ struct ContactView {
   double width = 560.0;                 ///< px, width of a figure
   int positions = 64;                   ///< number per pitch
   int index = 0;                        ///< index of the position whose gap is shown on the flanks
-  std::array<FlankRaster, 2> patterns;  ///< the result of `pattern`; empty if not yet computed
-  bool curves = true;                   ///< false if only the flanks are drawn
+  std::array<FlankRaster, 2> patterns;  ///< result of `pattern`; empty if not yet computed
+  bool curves = true;                   ///< false to draw only the flanks
 };
 
 /// Options of the figure of the gears in section.
@@ -69,18 +70,20 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
   /// The pair for contact analysis. It lives as long as the session.
   Result<const ContactPair*> contact_pair();
-  /// The same pair with other values of two errors. `keys` are their indices in error_entries().
+  /// The pair for contact analysis with other values of two errors, whose indices in
+  /// error_entries() are `keys`.
   Result<ContactPair> pair_under(const std::array<std::size_t, 2>& keys,
                                  const std::array<double, 2>& values);
   double marking() const { return job_.spec.contact.marking; }
 
-  /// Percentiles of the peak to peak over the tolerances of [scatter], estimated to first order, with figures.
+  /// Percentiles of the peak-to-peak transmission error within the tolerances of [scatter],
+  /// estimated to first order, with figures.
   Result<Json> scatter_sketch(double width);
-  /// The same percentiles from complete contacts, with the probabilities of events. There are at most 1024 samples, as
-  /// many as take about three seconds.
+  /// The percentiles from complete contact analyses, with the probabilities of events. The number
+  /// of samples is limited to 1024, or to the number that takes about three seconds.
   Result<Json> scatter(double width);
 
-  /// The x1–x2 chart. It includes a figure if `view` is given and the region is not empty.
+  /// The x1–x2 chart. It contains a figure if `view` is given and the region is not empty.
   Result<Json> shift_region(const std::optional<ShiftView>& view) const;
   Result<Json> file(const std::string& kind, int gear, double tolerance);
 

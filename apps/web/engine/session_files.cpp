@@ -24,7 +24,7 @@ Result<Json> Session::file(const std::string& kind, int gear, double tolerance) 
   if (kind == "json") return row(json(job_.pair ? "pair" : "gear"));
   FileOptions options;
   if (kind == "report") {
-    SolvedJob job = job_;  // a copy, because omitted parts add warnings to the job
+    SolvedJob job = job_;  // a copy, because files with omitted parts add warnings to the job
     options.only = {"report"};
     auto made = make_everything(job, "", options);
     if (!made) return spelled(made.error(), job_.spec.given);

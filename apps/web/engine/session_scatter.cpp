@@ -1,5 +1,5 @@
-// The scatter of a session's pair, computed in two ways: an estimate to first order while a slider moves, and the
-// answer of the verb scatter with fewer samples.
+// Computes the scatter of a session's pair in two ways: an estimate to first order while the user
+// moves a slider, and the result of the verb scatter with fewer samples.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -21,7 +21,7 @@ namespace {
 constexpr int kSketched = 128, kSketchedPositions = 16;  // samples and positions of the estimate
 constexpr int kFirstSamples = 4, kMostSamples = 128, kMostReplicates = 8;  // of complete contacts
 constexpr int kPatterns = 32;        // samples of the density of patterns
-constexpr double kLongestMs = 1500;  // longest expected time of the last and largest family
+constexpr double kLongestMs = 1500;  // longest permitted time of the next, larger family
 
 Json figures_of(const DistributionScene& scene, double width) {
   return Json::array(
@@ -58,8 +58,9 @@ Result<Json> Session::scatter_sketch(double width) {
               {"figures", varies ? figures_of(scene, width) : Json::array()}};
 }
 
-// The number of samples grows until more of them would take too long, because contact on flanks with reliefs
-// and waves takes many times as long as on smooth flanks.
+// The number of samples grows as long as the next family is expected to be fast enough. The time of
+// a contact analysis varies: flanks with reliefs and waves take many times as long as smooth
+// flanks.
 Result<Json> Session::scatter(double width) {
   SolvedJob job = job_;
   ScatterInput& input = job.spec.scatter;

@@ -1,7 +1,8 @@
-// Data of the engine for a page, as JSON with rows of numbers for buffers.
+// Data of the engine for a page, as JSON trees. A row of numbers is stored as binary data in the
+// tree, from which the page makes a typed array.
 //
-// A row is binary data in the tree, so trees can be made and tested without a browser. bindings.cpp
-// converts trees to values of JavaScript. The names and meanings of members are those of engine.d.ts.
+// Trees can be made and tested without a browser. bindings.cpp converts them to JavaScript values.
+// engine.d.ts describes the names and meanings of their members.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ namespace gearwright::web {
 using Numbers = std::vector<double>;
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< a missing value
 
-/// The typed array of JavaScript for a row. It is stored as the subtype of the binary data.
+/// The JavaScript typed array of a row. It is stored as the subtype of the binary data.
 enum class RowType : std::uint8_t { float64, float32, uint32, uint8 };
 Json row(const Numbers& numbers);
 Json row(const std::vector<float>& numbers);
@@ -43,7 +44,7 @@ struct ContactCurve {
 
 Json shape(const ContactCurve& curve);
 Json shape(const FlankRaster& raster);
-/// A figure for a width in px, with its caption as HTML and its data. A figure of the gears in section has no
+/// A figure `width` px wide, with its caption as HTML and its data. Gears in section have no
 /// caption.
 Json shape(const Figure& figure, double width);
 

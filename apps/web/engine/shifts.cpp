@@ -1,5 +1,5 @@
-// Computes the x1–x2 chart of a session's pair. It is the chart of a search that has only this pair of
-// tooth numbers.
+// Computes the x1–x2 chart of a session's pair: the chart of a search that permits only the tooth
+// numbers of this pair.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,8 +23,8 @@ namespace gearwright::web {
 
 namespace {
 
-// A search with a single trial. Its limits are those of [search] in the spec, or otherwise the defaults. If `swapped`
-// is true, gear 2 has fewer teeth and becomes gear 1 of the search.
+// The problem of a search with a single trial. Its limits are those of [search] in the spec, or the
+// defaults. If `swapped` is true, gear 2 has fewer teeth and is gear 1 of the search.
 Result<SearchProblem> problem_of(const SolvedJob& job, bool swapped) {
   const Json& tree = job.spec.tree->tables;
   const std::array<const Gear*, 2> g{&job.gears[swapped ? 1 : 0], &job.gears[swapped ? 0 : 1]};
@@ -85,14 +85,15 @@ struct Nearest {
   }
 };
 
-// The window of the view, which stays the same during a drag, or `otherwise`.
+// The window given by the view, or `otherwise` if none is given. While the user drags the point,
+// the page requests the same window again.
 Bounds window_of(const ShiftView& view, bool swapped, const Bounds& otherwise) {
   if (!view.window) return otherwise;
   const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
   return {turned(view.window->lo), turned(view.window->hi)};
 }
 
-// The figure of a graph without a region, which shows the rectangle of the limits.
+// The figure for a graph without a region. It shows the rectangle of the limits.
 Figure limits_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
                      const ShiftView& view) {
   Bounds around;
@@ -105,10 +106,12 @@ Figure limits_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
   return swapped ? exchanged(f) : f;
 }
 
-// The figure without the design point. The page draws the point, so that it can be dragged.
+// The figure without the point of the design. The page draws this point, because the user can drag
+// it.
 Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
                     const ShiftView& view) {
-  // Fraction of the rectangle of the limits. If the region is at least this long, the figure shows the rectangle.
+  // If the region extends over at least this fraction of the rectangle of limits, the figure shows
+  // the whole rectangle.
   constexpr double kFairPart = 0.62;
   const ShiftChart chart = shift_chart(graph, design);
   const double aspect = swapped ? 1.0 / view.aspect : view.aspect;
@@ -141,13 +144,14 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
   const Vec2 point(job_.gears[0].spec.profile_shift, job_.gears[1].spec.profile_shift);
   const Vec2 asked = turned(point);
-  // The least margin over all limits. Each limit has a unit of its own, so the chart uses only the sign.
+  // The sign of the least margin over all limits. Its value is not used, because each limit has its
+  // own unit.
   const auto range = graph.sums();
   const double room = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
                                            : -std::numeric_limits<double>::infinity();
   const bool inside = room >= 0.0 && std::isfinite(asked.x() + asked.y());
   const auto killed = graph.what_kills();
-  std::array<Json, 2> ends;  // lower and upper limits
+  std::array<Json, 2> ends;  // lower and upper ends
   for (const std::size_t i : {0, 1})
     ends[swapped ? 1 - i : i] = {graph.gears()[i].x_min, graph.gears()[i].x_max};
   Json chart{{"point", {point.x(), point.y()}},
@@ -186,7 +190,7 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   }
   const Vec2 chosen = turned(chosen_point(graph, *region));
   if (view) chart["figure"] = shape(chart_figure(graph, asked, swapped, *view), view->width);
-  constexpr double kAtWall = 1e-6;  // modules; less than the accuracy of any profile shift
+  constexpr double kAtWall = 1e-6;  // modules; smaller than the accuracy of any profile shift
   chart["margin"] = inside ? nearest.distance : -nearest.distance;
   if (room < kAtWall) chart["stoppedBy"] = nearest.border;
   chart["area"] = region->area;

@@ -1,5 +1,5 @@
-// Long work that is done in steps, so that a worker can handle messages between them: the pattern, a map over
-// two errors, and teeth under load.
+// Computations in steps, between which a worker can handle messages: the pattern, a map over two
+// errors, and teeth under load.
 #pragma once
 
 #include <array>
@@ -39,7 +39,8 @@ class Work {
 };
 using MadeWork = Result<std::shared_ptr<Work>>;
 
-/// The pattern in rasters of increasing resolution. The first raster is available immediately.
+/// The contact pattern, in rasters of increasing resolution. The first raster is available almost
+/// immediately.
 MadeWork pattern_work(std::shared_ptr<Session> session, int positions, const RasterSize& size);
 
 /// The range of an error on one axis of a map, in the unit of its key.
@@ -48,12 +49,13 @@ struct ErrorAxis {
   double from = 0.0, to = 0.0;
   int n = 2;
 };
-/// The peak-to-peak transmission error over two errors, computed one curve after the other.
+/// The peak-to-peak transmission error as a function of two errors, computed one curve after the
+/// other.
 MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
                         int positions);
 
-/// The compliance of the last gears under load. It does not depend on torque, errors and modifications,
-/// so if only these change, only the positions are computed again.
+/// The compliance tables of the last gears under load. They do not depend on torque, errors and
+/// modifications. If only these change, only the positions are computed again.
 class ToothTables {
  public:
   Result<std::shared_ptr<const ToothTable>> of(const std::array<const Gear*, 2>& gears, int which,
@@ -69,7 +71,8 @@ class ToothTables {
   std::vector<Kept> kept_;
 };
 
-/// Teeth under load. First a table for each gear is computed, which takes longest, then one position after the other.
+/// Teeth under load. The first step makes a table for each gear, which takes longest. The next
+/// steps compute one position after the other.
 /// Errors    the errors of load_task
 MadeWork load_work(std::shared_ptr<Session> session, std::optional<ComplianceAccuracy> accuracy,
                    std::shared_ptr<ToothTables> tables);

@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// Runs the program gearwright, compiled to WebAssembly. Verbs, options and exit status are those of
-// the program.
+// Runs the program gearwright, compiled to WebAssembly. It has the same verbs, options and exit statuses as
+// the native program.
 "use strict";
 require("./cli/gearwright.js");

@@ -1,4 +1,4 @@
-// The usual import is: import { solve } from "gearwright"
+// Example: import { solve } from "gearwright"
 import type { Engine, FileKind, Verb } from "./engine/engine.js";
 export type { Engine, FileKind, Session, Verb } from "./engine/engine.js";
 export { failed } from "./engine/engine.js";
@@ -46,7 +46,7 @@ export class SpecError extends Error {
 /** Returns the output of `gearwright VERB SPEC --json` as an object.   Throws  SpecError */
 export function solve(spec: Spec, verb?: Verb): Result;
 
-/** Returns the bytes of a file of gear 1 or 2, or for 0 of the pair as mounted.   Throws  SpecError */
+/** Returns the bytes of a file of gear 1 or 2, or of the mounted pair if `gear` is 0.   Throws  SpecError */
 export function file(
   spec: Spec,
   kind: FileKind,

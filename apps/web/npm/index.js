@@ -1,5 +1,4 @@
-// The engine for node programs: solve(spec) and, for interactive use, the engine of the page
-// itself.
+// The engine for node programs: solve(spec), file(spec, kind), and the engine itself for interactive use.
 import { readFileSync } from "node:fs";
 import createEngine, { failed } from "./engine/engine.js";
 
@@ -27,7 +26,7 @@ export function solve(spec, verb = "pair") {
   return said;
 }
 
-/** Returns the bytes of a file of gear 1 or 2, or (0) of the pair as mounted. */
+/** Returns the bytes of a file of gear 1 or 2, or of the mounted pair if `gear` is 0. */
 export function file(spec, kind, { gear = 0, toleranceMm = 0 } = {}) {
   const session = engine.open(text(spec));
   if (failed(session)) throw new SpecError(session.error);

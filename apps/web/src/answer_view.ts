@@ -1,6 +1,6 @@
-// A tab with a result of the engine, teeth under load or their rating, next to the keys of the spec that
-// the result needs. Above the result is the verdict on the spec, as in the bar. If the spec has no load,
-// the tab shows fields for one.
+// Base class of the tabs that show teeth under load or their rating. Next to the result are the keys of the
+// spec on which it depends. Above it is the same verdict as in the bar. If the spec has no load, the tab
+// shows fields for one.
 
 import { fill, h, scroller } from "./elements";
 import type { Fault, Notice, Solved, Verdict } from "./engine_worker";
@@ -14,10 +14,10 @@ import { at, bench } from "./workbench";
 
 interface Needs {
   panel: PanelGroup[];
-  keys: string[]; // places of the keys of a load; without any of them, the spec has no load
-  without: string; // reason that is shown if the spec has no load
-  alone: string; // reason that is shown for a single gear
-  offer: string; // purpose of the offered fields
+  keys: string[]; // keys of a load; if the spec has none of them, it has no load
+  without: string; // the message if the spec has no load
+  alone: string; // the message if there is only one gear
+  offer: string; // text above the offered fields
   go: string;
   offered: Offered[];
 }
@@ -54,7 +54,7 @@ export abstract class AnswerView<A extends { warnings: Notice[]; verdict: Verdic
   abstract refresh(): Promise<void>;
   abstract judge(): Promise<void>;
 
-  /** Returns the pair of the spec. If there is none, shows the reason and returns null. */
+  /** Returns the pair of the spec. If there is no pair, shows the reason and returns null. */
   protected pair(): Solved | null {
     const solved = bench.good;
     this.panel.show();
@@ -71,13 +71,13 @@ export abstract class AnswerView<A extends { warnings: Notice[]; verdict: Verdic
     return null;
   }
 
-  /** Takes over the answer for a text. The panel shows no error. */
+  /** Stores the result for a text and removes any error from the panel. */
   protected take(answer: A, text: string): void {
     this.panel.show(null);
     this.answer = answer;
     this.shown = text;
   }
-  /** Shows an error of the engine. The panel shows the reason at the field that caused it. */
+  /** Shows an error of the engine, in the panel at the field that caused it. */
   protected refuse(fault: Fault, text: string): void {
     judgement.take(this.part, text, { error: fault });
     this.clear(this.panel.show(fault), text);
@@ -89,7 +89,7 @@ export abstract class AnswerView<A extends { warnings: Notice[]; verdict: Verdic
     fill(this.sentence, sentence);
   }
 
-  /** Shows the verdict, the conditions of the answer, and its numbers. */
+  /** Shows the verdict, the conditions of the result, and its numbers. */
   protected show(answer: A, rows: Row[], extra?: Extra): void {
     this.room.hidden = false;
     this.showVerdict();

@@ -25,7 +25,7 @@ export function materials(): NamedMaterial[] {
   return whole.materials;
 }
 
-/** Results whose quantities use the same words as the keys of a table. Tables with the name of a result need no row. */
+/** For tables of keys: results whose quantities have the same words. A result with the same name needs no row. */
 const kResultsOf: Record<string, string[]> = {
   material: ["rating"],
   rating_plastic: ["rating"],
@@ -35,13 +35,14 @@ const kResultsOf: Record<string, string[]> = {
   cutter: ["gear"],
   search: ["search.designs"],
 };
-/** Recognises names of keys that users would not understand as words: an end of a range, a letter, a symbol, or a
+/** Matches names of keys that users would not understand: the end of a range, a letter, a symbol, or a
  *  name without its apostrophe. */
 const kRaw = /(^| )(min|max|[a-z]|\S*[A-Z0-9]\S*|youngs|poisson|coprime)( |$)/;
 const kLongest = 44;
 
-/** The name of a key on the page. It is the name of the quantity that the key sets. If there is none, it is the key
- *  as words, "normal module" for normal_module_mm, or the meaning of the key if those words are unclear. */
+/** The name of a key on the page. If the key sets a quantity, it is the name of this quantity. Otherwise
+ *  it is the key in words, "normal module" for normal_module_mm. If these words are unclear, it is the
+ *  meaning of the key. */
 export function wordsOf(table: string, key: InputKey): string {
   const info = (kResultsOf[table] ?? [table])
     .map((name) => quantity(name, key.key))

@@ -1,7 +1,7 @@
-// The interface for scripts. Tests and the console of the browser use it.
+// The interface for tests and for scripts in the console of the browser.
 //
-//   await gearwright.run("pair", text)   the JSON that `gearwright pair --json` prints
-//   gearwright.open(text)                puts a design on screen
+//   await gearwright.run("pair", text)   the output of `gearwright pair --json`
+//   gearwright.open(text)                shows a design
 
 import type { Verb } from "../engine/engine";
 import { judgement } from "./judgement";
@@ -21,18 +21,18 @@ export function doorOf(page: Page) {
     open: (text: string, tab?: string): void => page.begin(text, tab),
     start: (): void => page.showStarts(),
     text: (): string => bench.text,
-    /** True if the answer on screen belongs to the text on screen. */
+    /** True if the result on screen belongs to the text on screen. */
     settled: (): boolean => bench.solved?.text === bench.text,
-    /** True if the engine has no work left. */
+    /** True if the engine has no pending work. */
     idle: (): boolean =>
       bench.solved?.text === bench.text &&
       !page.tabs.busy &&
       [bench.front, bench.back, bench.press, bench.seek].every((one) => one.idle),
     /** True if no part of the verdict is pending. */
     judged: (): boolean => bench.solved?.text === bench.text && judgement.pending.length === 0,
-    /** Identifies the spec on screen. Pictures of this spec have the same value in `data-revision`. */
+    /** The revision of the spec on screen. A picture of this spec has the same value in `data-revision`. */
     revision: (): string => revisionOf(bench.text),
-    /** Duration of the last change until its answer arrived, in ms. engineMs is the part used by the engine. */
+    /** Time from the last change to its result, in ms. engineMs is the time that the engine needed. */
     lastMs: (): number => bench.lastMs,
     engineMs: (): number => bench.solved?.milliseconds ?? NaN,
   };

@@ -1,6 +1,6 @@
 // Makes elements of the page without a framework.
 //
-// Every text becomes a text node, not markup, so the text of a spec is always shown as text.
+// Every text becomes a text node, not markup. A spec can therefore not insert HTML into the page.
 
 export type Child = Node | string | number | null | undefined | false;
 type Handler = (event: never) => void;
@@ -26,7 +26,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** The same for SVG elements. */
+/** Makes an SVG element in the same way. */
 export function svg<K extends keyof SVGElementTagNameMap>(
   tag: K,
   properties: Properties = {},
@@ -50,7 +50,7 @@ export function fill(element: Element, ...children: Child[]): void {
   put(element, ...children);
 }
 
-/** A button with words. The property `title` explains them if they are short. */
+/** A button with words. If they are too short to be clear, the property `title` explains them. */
 export function button(words: string, click: () => void, properties: Properties = {}): HTMLButtonElement {
   return h("button", { type: "button", click, ...properties }, words);
 }
@@ -65,7 +65,7 @@ export function slider(
   input.addEventListener("input", () => change(Number(input.value)));
   return input;
 }
-/** A slider among the controls of a picture, with its name before it and its value after it. */
+/** A slider that belongs to a picture, with its name before it and its value after it. */
 export function slide(words: string, of: HTMLInputElement, ...rest: Child[]): HTMLElement {
   return h("label", { class: "slide" }, h("span", {}, words), of, ...rest);
 }
@@ -104,7 +104,7 @@ export class Choice {
   }
 }
 
-/** A sheet that `opener` opens and closes. Escape and a click outside also close the sheet. */
+/** A panel that the button `opener` opens and closes. Escape or a click outside closes it, too. */
 export function foldOut(
   style: string,
   opener: HTMLButtonElement,
@@ -131,7 +131,7 @@ export function foldOut(
   return holder;
 }
 
-/** Calls an action of the table when its key is pressed while the element has the focus. */
+/** Calls the action for a key that is pressed while the element has the focus. `actions` maps keys to actions. */
 export function onKeys(
   element: HTMLElement | SVGElement,
   acts: Record<string, (event: KeyboardEvent) => void>,
@@ -144,7 +144,7 @@ export function onKeys(
   });
 }
 
-/** A scrolling area that can be reached by the keyboard and has a name for screen readers. */
+/** A scrolling area that has a name for screen readers and can be scrolled with the keyboard. */
 export function scroller(style: string, name: string, ...children: Child[]): HTMLDivElement {
   return h("div", { class: style, tabindex: "0", role: "region", "aria-label": name }, ...children);
 }
@@ -154,7 +154,7 @@ export function tableOf(style: string, heads: Child[], ...rows: Child[]): HTMLTa
   return h("table", { class: style }, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows));
 }
 
-/** A symbol of the catalogue, such as "d_a", "F_z/F_t" or "α_wn", with italic letters and subscripts. */
+/** A symbol of the catalogue, such as "d_a", "F_z/F_t" or "α_wn", as italic letters with subscripts. */
 export function symbol(text: string): HTMLElement {
   const whole = h("span", { class: "symbol" });
   for (const part of text.split(/(_[\p{L}\p{N},]+|(?<=\p{L})\d|\*)/u)) {
@@ -169,7 +169,7 @@ export function symbol(text: string): HTMLElement {
   return whole;
 }
 
-/** The current value of a colour, light or dark: colour("g1-fill"). */
+/** A colour in the current colour scheme: colour("g1-fill"). */
 export function colour(name: string): string {
   return getComputedStyle(document.documentElement)
     .getPropertyValue("--" + name)
@@ -181,7 +181,7 @@ export function onThemeChange(then: () => void): void {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", then);
 }
 
-/** Calls `paint` once in the next frame of the browser, even if it was requested several times. */
+/** Returns a function that requests `paint` for the next frame. Several requests cause only one call. */
 export function onNextFrame(paint: () => void): () => void {
   let waiting = false;
   return () => {
@@ -199,7 +199,7 @@ export function sentenceOf(reason: unknown): string {
   return reason instanceof Error ? reason.message : String(reason);
 }
 
-/** Downloads a file for the user. */
+/** Offers the bytes to the user as a download. */
 export function download(name: string, bytes: BlobPart, type = "application/octet-stream"): void {
   const address = URL.createObjectURL(new Blob([bytes], { type }));
   const link = h("a", { href: address, download: name });

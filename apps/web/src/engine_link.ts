@@ -1,12 +1,12 @@
 // The engine runs in workers, so no computation blocks the page.
 //
-//   front   solves the design on screen, which takes milliseconds; it is always free for that
+//   front   solves the design on screen in milliseconds; it does nothing that takes longer
 //   back    runs long computations: solids, patterns, maps, reports, files
 //   press   computes teeth under load and keeps their compliance from one torque to the next
 //   seek    runs searches and fits and keeps their results
 //
-// If a newer request makes older requests obsolete, `latest` drops them, so at most one
-// request of a kind is being computed and one waits. The result of a dropped request is null.
+// `latest` drops requests that a newer request of the same kind has made obsolete. At most one request of a
+// kind is then being computed and one is waiting. The result of a dropped request is null.
 
 import type { Questions } from "./engine_worker";
 
@@ -14,7 +14,7 @@ export type Name = keyof Questions;
 export type Answer<N extends Name> = Awaited<ReturnType<Questions[N]>>;
 export type Progress = (done: number, of: number, sofar?: unknown) => void;
 
-/** The error that is thrown if the user has ended the work. */
+/** The error that is thrown if the user ends the work. */
 export class Cancelled extends Error {
   override message = "cancelled";
 }
@@ -99,7 +99,7 @@ export class EngineLink {
     });
   }
 
-  /** Sends a request. It is dropped if a newer request on this channel arrives before its turn. */
+  /** Sends a request. If a newer request on this channel arrives before this one starts, this one is dropped. */
   latest<N extends Name>(
     channel: string,
     name: N,
@@ -127,7 +127,7 @@ export class EngineLink {
     });
   }
 
-  /** Ends all running work. The next request starts the worker again. */
+  /** Ends all running work by ending the worker. The next request starts a new worker. */
   cancel(): void {
     this.fail(new Cancelled());
     for (const waiting of this.channels.values()) waiting?.drop();

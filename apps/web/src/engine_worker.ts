@@ -1,8 +1,8 @@
-// The worker that runs the engine and handles the requests of the page.
+// The worker that runs the engine and answers the requests of the page.
 //
-// A request contains the text of the spec. The last spec stays open, so a second request for the same
-// text need not solve it again. Long requests are computed in steps of some milliseconds. Messages are
-// handled between two steps, and an obsolete request ends there.
+// A request contains the text of the spec. The last spec stays open, so a second request for the same text
+// does not solve it again. Long requests are computed in steps of some milliseconds. Messages are handled
+// between the steps, and an obsolete request ends there.
 
 import createEngine, { failed } from "gearwright-engine/engine.js";
 import type * as E from "../engine/engine";
@@ -10,7 +10,7 @@ import type { Motion } from "./motion";
 
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 export type Fault = E.Failed["error"];
-/** The result of a spec: the output of the program with --json, or the reason why there is none. */
+/** The result for a spec: the output of the program with --json, or the reason why there is none. */
 export interface Solved {
   text: string;
   spec: { [key: string]: Json } | null; // the tree of the text; null if the text cannot be read
@@ -42,28 +42,28 @@ export interface Verdict {
   level: string;
   headline: string;
   findings: Finding[];
-  /** Parts of the verdict that this verb did not compute although the spec allows them. */
+  /** Parts of the verdict that the spec allows, but that this verb did not compute. */
   not_judged?: string[];
 }
 type Edit = [key: string, valueJson: string];
 interface Step {
-  // Resolves to true if the work must continue.
+  // Resolves to true if the work must continue. `sofar` is a partial result.
   (done: number, of: number, sofar?: unknown): Promise<boolean>;
 }
 
 let engine: E.Engine;
 let open: { text: string; session: E.Session } | null = null;
 let search: E.SearchSession | null = null;
-/** The last work that has figures. The figures are made on request in the requested width. */
+/** The last work that has figures. A figure is made when it is requested, in the requested width. */
 let drawn: E.Work<unknown> | null = null;
 
-/** The exception for a request without an answer. It contains the reason. */
+/** The exception for a request that has no result. It contains the reason. */
 class Refused extends Error {
   constructor(readonly fault: Fault) {
     super(fault.message);
   }
 }
-/** Returns the answer.   Throws  Refused if there is none */
+/** Returns the result of a call.   Throws  Refused if the call has failed */
 function good<T>(answer: T | E.Failed): T {
   if (failed(answer)) throw new Refused(answer.error);
   return answer as T;
@@ -76,7 +76,7 @@ function session(text: string): E.Session {
   return next;
 }
 
-/** True if a spec is JSON. As in the engine, this is the case if it begins with a brace. */
+/** True if a spec is JSON. Like the engine, this tests whether the text begins with a brace. */
 const isJson = (text: string) => text.trimStart().startsWith("{");
 function treeOf(text: string): Solved["spec"] {
   const tree = engine.toJson(isJson(text) ? good(engine.toToml(text)) : text);
@@ -97,7 +97,7 @@ function solve(text: string): Solved {
   try {
     solved.spec = treeOf(text);
   } catch {
-    // The engine also reads the text, in the next call, and reports the reason.
+    // The text cannot be read. The next call of the engine reports the reason.
   }
   try {
     const { gears, hasPair, json } = session(text);
@@ -111,7 +111,7 @@ function solve(text: string): Solved {
   return solved;
 }
 
-/** Runs work to its end in steps. Returns null if a newer request has replaced it. */
+/** Runs work in steps until it is finished. Returns null if a newer request has replaced it. */
 async function stepped<T>(task: E.Work<T>, step: Step, sofar?: () => unknown): Promise<T | null> {
   for (;;) {
     const state = good(task.step(30));
@@ -119,7 +119,7 @@ async function stepped<T>(task: E.Work<T>, step: Step, sofar?: () => unknown): P
     if (!(await step(state.done, state.of, sofar?.()))) return null;
   }
 }
-/** Runs work to its end and deletes it. */
+/** Runs work until it is finished, and deletes it. */
 async function work<T>(begun: E.Work<T> | E.Failed, step: Step): Promise<T | null> {
   const task = good(begun);
   try {
@@ -128,7 +128,7 @@ async function work<T>(begun: E.Work<T> | E.Failed, step: Step): Promise<T | nul
     task.delete();
   }
 }
-/** Runs work with figures to its end and keeps it in `drawn`. `sofar` is called while the work is running. */
+/** Runs work with figures until it is finished, and keeps it in `drawn`. `sofar` is called in between. */
 async function drawnWork<T>(begun: E.Work<T> | E.Failed, step: Step, sofar?: (task: E.Work<T>) => unknown): Promise<T | null> {
   const task = good(begun);
   const result = await stepped(task, step, sofar && (() => sofar(task))).catch((reason) => {
@@ -143,7 +143,7 @@ async function drawnWork<T>(begun: E.Work<T> | E.Failed, step: Step, sofar?: (ta
   return result;
 }
 
-/** Adds to an answer the time that it took. */
+/** Adds to a result the time that its computation took. */
 function timed<T extends object>(make: () => T): T & { milliseconds: number } {
   const begin = performance.now();
   const answer = make();
@@ -168,7 +168,7 @@ const questions = {
     return solve(text);
   },
   meshFigure: (q: { text: string; view: E.MeshView }) => good(session(q.text).meshFigure(q.view)),
-  /** Positions of the gears and of their contact during a pitch of gear 1, from −½ to ½. */
+  /** Poses of the gears, and their contact, during one pitch of gear 1, from −½ to ½. */
   motion(q: { text: string; n: number }): Motion {
     const s = session(q.text);
     const pitchDeg = 360 / good(s.section(1, 1)).teeth;
@@ -192,7 +192,7 @@ const questions = {
   contactFigures: (q: { text: string; view: E.ContactView }) => good(session(q.text).contactFigures(q.view)),
   pattern: (q: { text: string; positions: number; rows: number; columns: number }, step: Step) =>
     work(session(q.text).pattern(q.positions, q.rows, q.columns), step),
-  /** Computes a map with its figure. The figure is updated during the computation. */
+  /** Computes a map and its figure. Partial figures are sent during the computation. */
   async errorMap(q: { text: string; x: E.ErrorAxis; y: E.ErrorAxis; positions: number; width: number }, step: Step) {
     const drawnMap = (task: E.Work<E.ErrorMap>) => ({ map: task.result() as E.ErrorMap, figure: good(task.figures(0, q.width))[0]! });
     const map = await drawnWork(session(q.text).errorMap(q.x, q.y, q.positions), step, drawnMap);
@@ -200,7 +200,7 @@ const questions = {
   },
   designs: (q: E.DesignDots) => good(engine.designs(q)),
   loadFigures: (q: { torque: number; width: number }) => (drawn ? good(drawn.figures(q.torque, q.width)) : []),
-  /** Computes teeth under load. An error includes its key, so that it can be shown at the field of the key. */
+  /** Computes teeth under load. An error contains its key, so that the page can show it at the field of this key. */
   async load(q: { text: string; accuracy?: "draft" | "full" }, step: Step): Promise<Loaded | null> {
     const begin = performance.now();
     try {
@@ -216,10 +216,10 @@ const questions = {
   scatterSketch: (q: { text: string; width: number }) => timed(() => good(session(q.text).scatterSketch(q.width))),
   scatter: (q: { text: string; width: number }) => timed(() => good(session(q.text).scatter(q.width))),
   shifts: (q: { text: string; view: E.ShiftView }) => good(session(q.text).shiftRegion(q.view)),
-  /** Runs any verb and parses its JSON. */
+  /** Runs any verb and returns its parsed JSON. */
   run: (q: { text: string; verb: E.Verb }) =>
     JSON.parse(engine.run(q.verb, q.text)) as { [key: string]: Json },
-  /** Returns exactly the text that the program prints. Tests compare the two. */
+  /** Returns the output of the program with --json. Tests compare it with the native program. */
   print: (q: { text: string; verb: E.Verb }) => engine.run(q.verb, q.text),
   trials(q: { text: string }) {
     const s = good(engine.openSearch(q.text, 1));
@@ -253,7 +253,7 @@ export type Questions = typeof questions;
 const overtaken = new Set<number>();
 const running = new Map<string, number>();
 const letThrough = new MessageChannel();
-/** Pauses until waiting messages have been handled. */
+/** Lets the waiting messages be handled. */
 const moment = () =>
   new Promise<void>((go) => {
     letThrough.port1.onmessage = () => go();
@@ -279,8 +279,8 @@ async function answer(q: Question): Promise<void> {
   };
   try {
     const result = await (questions[q.name] as (question: unknown, step: Step) => unknown)(q.question, step);
-    // A finished result is sent even if a newer request waits, so that the picture changes while a slider
-    // moves.
+    // A finished result is sent even if a newer request is waiting. Otherwise the picture would not change
+    // while a slider moves.
     postMessage({ id: q.id, answer: result });
   } catch (reason) {
     postMessage({ id: q.id, failed: reason instanceof Error ? reason.message : String(reason) });

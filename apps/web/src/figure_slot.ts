@@ -1,5 +1,5 @@
-// A figure on the page, as the engine has drawn it. The page adds a line at the chosen position, the choice
-// of another position by a click or a drag, and files to download.
+// A figure that the engine has drawn. The page adds a line at the chosen position, lets the user choose
+// another position by a click or a drag, and offers the figure as a file.
 //
 //   t   position in pitches of gear 1, −½ … ½
 
@@ -7,7 +7,7 @@ import type { Figure } from "../engine/engine";
 import style from "../../../gearwright/figure/figure_style.css?inline";
 import { button, download, fill, h, svg } from "./elements";
 
-/** An axis of a plot. The values lo … hi are drawn at the positions from … to in px. */
+/** An axis of a plot. The value `lo` is at the position `from`, and `hi` at `to`, px. */
 export function axisOf(plot: Element, name: "x" | "y") {
   const [lo, hi, from, to] = plot.getAttribute(`data-${name}`)!.split(" ").map(Number) as [number, number, number, number];
   return {
@@ -22,7 +22,7 @@ export function axisOf(plot: Element, name: "x" | "y") {
 export class FigureSlot {
   readonly element = h("div", { class: "figure-slot", hidden: true });
   private readonly picture = h("div", {});
-  private readonly values = button("CSV", () => this.keepValues(), { title: "Save its values" });
+  private readonly values = button("CSV", () => this.keepValues(), { title: "Save the values of this figure" });
   private readonly save = h(
     "div",
     { class: "figure-save" },
@@ -32,8 +32,8 @@ export class FigureSlot {
   private figure: Figure | null = null;
   private t = NaN;
 
-  /** `chosen` is called when a position is clicked or dragged. `at` is called with the values at the pointer when it
-   *  moves over the plot or clicks. */
+  /** `chosen` is called when the user clicks or drags to a position. `at` is called with the values at the
+   *  pointer when the pointer moves or clicks on the plot. */
   constructor(chosen?: (t: number) => void, at?: (x: number, y: number, clicked: boolean) => void) {
     fill(this.element, this.picture, this.save);
     const choose = (event: PointerEvent) => {
@@ -61,7 +61,7 @@ export class FigureSlot {
     this.mark(this.t);
   }
 
-  /** Moves the line to a position. If the figure has frames, the frame of this position is shown. */
+  /** Moves the line to a position. If the figure consists of frames, shows the frame of this position. */
   mark(t: number): void {
     this.t = t;
     const { plot } = this;
@@ -91,7 +91,7 @@ export class FigureSlot {
     return this.picture.querySelector("g.plot");
   }
 
-  /** The values at a pointer on the plot. If the pointer is outside the plot, they are null unless `beyond` is true. */
+  /** The values at the pointer. If the pointer is outside the plot, returns null unless `beyond` is true. */
   valuesAt(event: MouseEvent, beyond = false): { at: [number, number]; pitch: number } | null {
     const picture = this.picture.querySelector("svg");
     const plot = picture?.querySelector("g.plot");
@@ -121,14 +121,14 @@ export class FigureSlot {
   }
 }
 
-/** The figures of one answer. A figure keeps its place when it is replaced. New figures are added at the end. */
+/** The figures of one result. A figure that is replaced keeps its place. New figures are added at the end. */
 export class Figures {
   readonly element = h("div", { class: "plots" });
   private readonly slots = new Map<string, FigureSlot>();
   private t = NaN;
   constructor(private readonly chosen?: (t: number) => void) {}
 
-  /** Shows these figures. If `all` is true, figures that are not in the list are removed. */
+  /** Shows these figures. If `all` is true, removes all other figures. */
   show(figures: Figure[], all = true): void {
     for (const figure of figures) {
       if (!this.slots.has(figure.id)) {

@@ -1,17 +1,17 @@
-// Combines the results of the engine for the mounted pair, its contact, its load and its rating into one verdict
-// on the spec on screen. The worst level is the level of the verdict, and every finding is listed
-// once. The verdict names the parts that are pending and those that the engine has rejected.
+// Combines the verdicts of the engine on the mounted pair, its contact, its load and its rating into one
+// verdict on the spec on screen. The level is the worst of their levels, and every finding is listed once.
+// The verdict also names the parts that are pending and those that the engine cannot judge.
 
 import type { Verdict } from "./engine_worker";
 import { at, bench } from "./workbench";
 
 export const kParts = ["contact", "rating", "load"] as const;
 export type Part = (typeof kParts)[number];
-/** The contribution of an answer to the verdict, or the reason why there is none. */
+/** The verdict on one part, or the reason why there is none. */
 type Judged = { verdict?: Verdict; error?: { message: string } };
 const kLevels = ["green", "amber", "red"];
 
-/** Combines verdicts. The headline is that of the worst, and the findings of all are listed with the worst first. */
+/** Combines verdicts. The headline is that of the worst verdict. All findings are listed, worst first. */
 export function worstOf(verdicts: Verdict[]): Verdict {
   const rank = (level: string) => kLevels.indexOf(level);
   const worst = verdicts.reduce((a, b) => (rank(b.level) > rank(a.level) ? b : a));
@@ -32,12 +32,12 @@ class Judgement {
     this.listeners.add(listener);
   }
 
-  /** Takes over the result of the engine for a part of a spec. */
+  /** Stores the verdict on one part of the spec with this text. */
   take(part: Part, text: string, { verdict, error }: Judged): void {
     this.answers.set(part, { verdict, error, text });
     for (const listener of this.listeners) listener();
   }
-  /** The result of a part for the spec on screen, or null if there is none. */
+  /** The verdict on a part, if it belongs to the spec on screen, otherwise null. */
   private of(part: Part): Judged | null {
     const last = this.answers.get(part);
     return last?.text === bench.text ? last : null;

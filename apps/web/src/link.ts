@@ -1,9 +1,10 @@
-// A link contains a design. The compressed spec is in the part of the address after the #, so no server receives
-// it.
+// A link contains a design. The compressed spec is in the fragment of the address, after the #, which the
+// browser sends to no server.
 //
 //   #1.<raw DEFLATE (RFC 1951) of the UTF-8 text, as base64url (RFC 4648, no padding)>
 //
-// 1 is the number of this format. Every browser opens a link of 100 000 characters. A usual spec needs about 400.
+// The 1 is the version of this format. Every browser opens a link of 100 000 characters. A usual spec needs
+// about 400.
 
 import { kMostCharacters } from "./workbench";
 
@@ -39,7 +40,7 @@ async function through(
   return whole;
 }
 
-/** Returns the part of an address that contains this text. */
+/** Returns the fragment that contains this text. */
 export async function linkOf(text: string): Promise<string> {
   const packed = await through(new TextEncoder().encode(text), new CompressionStream("deflate-raw"));
   let letters = "";
@@ -47,7 +48,7 @@ export async function linkOf(text: string): Promise<string> {
   return kFormat + btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** Returns the text in such a part, or null if it contains none. Throws a sentence if the part is damaged. */
+/** Returns the text in a fragment, or null if it contains none. If the fragment is damaged, throws a sentence. */
 export async function textOf(hash: string): Promise<string | null> {
   if (!hash.startsWith(kFormat)) return null;
   const packed = hash.slice(kFormat.length);

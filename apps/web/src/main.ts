@@ -1,5 +1,5 @@
-// Starts the page: loads the engine, reads the catalogue, and shows the design in the address or, if there is
-// none, the start screen.
+// Starts the page: loads the engine, reads the catalogue, and shows the design that the address contains. If
+// the address contains none, shows the start screen.
 
 import "../../../gearwright/figure/figure_style.css";
 import "../../../gearwright/figure/figure_script.js";
@@ -25,7 +25,7 @@ import { ShiftsView } from "./shifts/shifts_view";
 import { SolidView } from "./solid/solid_view";
 import { bench } from "./workbench";
 
-const kReading = 12_000; // ms, time to read a sentence with a reason
+const kReading = 12_000; // ms, enough to read a sentence
 
 async function begin(): Promise<void> {
   bench.front = new EngineLink(makeWorker, wasmBytes);

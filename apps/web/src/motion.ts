@@ -1,6 +1,5 @@
-// Positions of the gears while they turn. The engine computes exact poses over one pitch of gear 1, and
-// the rotations between them are interpolated. After a pitch, the next tooth is in the position of the
-// previous one.
+// Positions of the gears while they turn. The engine computes exact poses over one pitch of gear 1. Between
+// them, the page interpolates. After one pitch, the next tooth takes the place of the previous one.
 //
 //   t   rotation of gear 1 in its pitches, −½ … ½
 
@@ -8,20 +7,20 @@ import type { ContactCurve } from "../engine/engine";
 
 export interface Motion {
   pitchDeg: number;
-  n: number; // number of positions from −½ to ½, including both
-  places: Float64Array[]; // for each gear, 16 numbers per position, column by column
+  n: number; // number of positions from −½ to ½, both included
+  places: Float64Array[]; // for each gear, 16 numbers per position (a column-major matrix)
   curve: ContactCurve | null;
 }
 
-/** The angle by which `a` is turned about its own z axis to give `b`, from the first two columns. */
+/** The angle about its own z axis by which pose `a` must be turned to give pose `b`. Uses their first two columns. */
 function turnBetween(a: ArrayLike<number>, b: ArrayLike<number>): number {
   const cos = a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
   const sin = a[4]! * b[0]! + a[5]! * b[1]! + a[6]! * b[2]!;
   return Math.atan2(sin, cos);
 }
 
-/** A pose between two poses of the engine, as 16 numbers. The rotation is interpolated as an angle, and the other
- *  numbers are interpolated linearly. */
+/** A pose between two poses of the engine, as 16 numbers. The rotation is interpolated as an angle, and
+ *  all other numbers linearly. */
 export function poseAt(motion: Motion, gear: number, t: number): number[] {
   const all = motion.places[gear]!;
   const at = Math.min(Math.max((t + 0.5) * (motion.n - 1), 0), motion.n - 1);
@@ -46,7 +45,7 @@ export function turnAt(motion: Motion, gear: number, t: number): number {
   return turnBetween(motion.places[gear]!, poseAt(motion, gear, t));
 }
 
-/** The contact point at the position nearest to t, or null if there is no contact. */
+/** The contact point at the position nearest to t, or null if no teeth touch. */
 export function touchAt(motion: Motion, t: number): { x: number; y: number; z: number } | null {
   const points = motion.curve?.columns["point_mm"];
   if (!motion.curve || !(points instanceof Float64Array)) return null;

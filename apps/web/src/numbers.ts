@@ -1,4 +1,4 @@
-// Numbers in the form that users see, with the digits and units of the catalogue, in mm or inches.
+// Formats numbers for users with the digits and units of the catalogue, in mm or in inches.
 
 import type { Quantity } from "../engine/engine";
 import type { Json } from "./engine_worker";
@@ -21,19 +21,19 @@ export function onUnitChange(listener: () => void): void {
 export function shownUnit(unit: string): string {
   return unit === "mm" && inches ? "in" : unit;
 }
-/** Converts a value to the shown unit. fromShown converts it back. */
+/** Converts a value to the shown unit. fromShown() is its inverse. */
 export function toShown(value: number, unit: string): number {
   return unit === "mm" && inches ? value / kMmPerInch : value;
 }
 export function fromShown(value: number, unit: string): number {
   return unit === "mm" && inches ? clean(value * kMmPerInch) : value;
 }
-/** Removes rounding errors in the last bits, so that 0.1 in is 2.54 mm. */
+/** Removes rounding errors in the last bits. For example, 0.1 in becomes exactly 2.54 mm. */
 function clean(value: number): number {
   return Number(value.toPrecision(14));
 }
 
-/** The number with a fixed number of decimals. A number that is rounded to zero has no sign. */
+/** The number with a fixed number of decimals. If it is rounded to zero, it has no sign. */
 export function fixed(value: number, digits: number): string {
   if (!Number.isFinite(value)) return "–";
   if (Math.abs(value) >= 1e15) return value.toExponential(6);
@@ -46,7 +46,7 @@ export function length(mm: number, digits = 3): string {
   return fixed(toShown(mm, "mm"), inches ? digits + 1 : digits) + " " + shownUnit("mm");
 }
 
-/** A number in a field, in the shortest form that gives the same number. */
+/** A number in a field, as the shortest text from which the same number is read. */
 export function short(value: number): string {
   return String(clean(value));
 }
@@ -66,7 +66,7 @@ export function textOf(quantity: Quantity, value: Json | undefined): string {
   return fixed(toShown(value, quantity.unit), quantity.digits + (quantity.unit === "mm" && inches ? 1 : 0));
 }
 
-/** A step of 1, 2 or 5 times a power of ten that is near a hundredth of the size. */
+/** A step of 1, 2 or 5 times a power of ten, near `size`/`parts`. */
 export function niceStep(size: number, parts = 100): number {
   const raw = Math.abs(size) / parts || 0.01;
   const ten = 10 ** Math.floor(Math.log10(raw));

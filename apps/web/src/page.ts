@@ -1,5 +1,5 @@
-// The page. It has a bar with title and verdict, the spec on the left, the picture on the right, and the
-// numbers below the picture. A narrow screen shows one of the three parts at a time.
+// The page has a bar with title and verdict, the spec on the left, the picture on the right, and the numbers
+// below the picture. A narrow screen shows only one of these three parts at a time.
 
 import { button, Choice, download, fill, h, onKeys, sentenceOf } from "./elements";
 import { Form } from "./form/form";
@@ -14,7 +14,7 @@ import { bench, kMostCharacters } from "./workbench";
 
 /** The part that a narrow screen shows first. */
 const kFirstPart = "view";
-/** The fraction of the height at which only the heading of the numbers is visible. */
+/** If the table of numbers has less than this fraction of the height, only its heading is visible. */
 const kFolded = 0.05;
 
 export class Page {
@@ -45,7 +45,8 @@ export class Page {
   private readonly main: HTMLElement;
   private readonly verdict = new VerdictLine();
   private readonly numbers = new QuantityPane();
-  /** Fraction of the height for the numbers, for each tab. A report or a list needs more height than a picture. */
+  /** Fraction of the height for the table of numbers, for each tab. A report or a list needs more height
+   *  than a picture. */
   private readonly shares: Record<string, number> = {
     contact: 0.2,
     load: kFolded,
@@ -110,7 +111,7 @@ export class Page {
     );
     bench.on("solved", () => {
       this.name();
-      this.main.classList.toggle("unsolved", bench.finder !== undefined); // true while there are no numbers yet
+      this.main.classList.toggle("unsolved", bench.finder !== undefined); // true while there are no numbers
     });
     bench.on("text", () => void this.address());
     bench.on("history", () => {
@@ -126,7 +127,7 @@ export class Page {
     const share = this.shares[tab] ?? 0.34;
     this.main.style.setProperty("--numbers", share > kFolded ? `${(100 * share).toFixed(1)}%` : "43px");
   }
-  /** The divider between picture and numbers, which can be dragged or moved with the arrow keys. */
+  /** The divider between picture and numbers. The user drags it or moves it with the arrow keys. */
   private divider(): HTMLElement {
     const now = () => this.shares[this.tabs.current.id] ?? 0.34;
     const set = (share: number) => {

@@ -1,5 +1,5 @@
-// The parts of the self-contained page, which is one file. The engine in it is compressed by zstd, which takes
-// 0.8 MB less than gzip.
+// Parts of the self-contained page, which is a single file. It contains the engine compressed by zstd, which
+// saves 0.8 MB compared with gzip.
 import { decompress } from "fzstd";
 import EngineWorker from "./engine_worker.ts?worker&inline";
 import * as scene from "./solid/scene";

@@ -1,7 +1,7 @@
-// The parts of a hosted page. The engine is in files next to the page.
+// Parts of a hosted page. The engine is in separate files next to the page.
 import address from "gearwright-engine/gearwright.wasm?url";
 
-/** This part is loaded when the user first opens a solid. */
+/** Loads the code of the scene, which is needed when the user first opens the tab "solid". */
 export const loadScene = () => import("./solid/scene");
 export const makeWorker = () =>
   new Worker(new URL("./engine_worker.ts", import.meta.url), { type: "module" });

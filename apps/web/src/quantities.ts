@@ -1,5 +1,6 @@
-// Every quantity of the result, in the words and the order of the catalogue. There is a search box, the values of both
-// gears are side by side, and values that the last change has altered are highlighted.
+// Shows every quantity of the result, in the words and the order of the catalogue, with the values of both
+// gears side by side. A search box filters the quantities. Values that the last change has altered are
+// highlighted.
 
 import { quantities } from "./catalogue";
 import { fill, h, scroller } from "./elements";
@@ -39,7 +40,7 @@ export class QuantityPane {
     });
   }
 
-  /** Dims the numbers if they do not belong to the spec on screen. */
+  /** Dims the table of numbers if it does not belong to the spec on screen. */
   private age(): void {
     markRevision(this.sheet, this.shown, bench.text, !bench.settled);
   }
@@ -78,7 +79,7 @@ export class QuantityPane {
         if (cell.textContent === cellText(row, i).join("")) return;
         fillCell(cell, row, i);
         cell.classList.remove("glow");
-        void cell.offsetWidth; // restarts the highlight
+        void cell.offsetWidth; // a forced layout restarts the highlight
         cell.classList.add("glow");
       });
     }

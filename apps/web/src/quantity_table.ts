@@ -11,10 +11,10 @@ export interface Row {
   group: string;
   info: Quantity;
   values: (Json | undefined)[]; // one value, or one for each gear
-  ends: (Json | undefined)[]; // for a value with tolerances, the values at the lower and the upper end
+  ends: (Json | undefined)[]; // values at the lower and at the upper end of the tolerances, if there are any
 }
 
-/** Makes the rows of a table. If `printed` is true, records contain only the members that the program also prints. */
+/** Makes the rows of a table. If `printed` is true, a record contains only the members that the program prints. */
 export function rowsOf(
   table: QuantityTable,
   records: Json[],
@@ -53,7 +53,7 @@ function member(record: Json | undefined, key: string): Json | undefined {
   return record && typeof record === "object" ? (record as { [key: string]: Json })[key] : undefined;
 }
 
-/** A value as text for users, and the text below it with the values at both ends of a tolerance. */
+/** A value as text for users, and a second text with its values at both ends of the tolerances. */
 export function cellText(row: Row, i: number): [value: string, ends: string] {
   const ends = row.ends[i];
   const both = Array.isArray(ends) && ends.length === 2 && ends.every((one) => typeof one === "number");
@@ -67,13 +67,14 @@ export function fillCell(cell: Element, row: Row, i: number): void {
 }
 
 export interface Extra {
-  /** The properties that distinguish one group of rows from the next. The last of them is the heading. */
+  /** Texts that identify the group of a row. If one of them differs from the previous row, a new group
+   *  starts. The last text is its heading. */
   headingOf?(row: Row, index: number): string[];
   /** An additional last column. */
   last?: { head: string; of(row: Row): string };
 }
 
-/** Makes a table with a column for each gear. Also returns the cells with the values of each row. */
+/** Makes a table with a column for each gear. Also returns the cells of each row. */
 export function quantityTable(
   rows: Row[],
   gears: number,

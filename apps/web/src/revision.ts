@@ -1,5 +1,5 @@
-// Identifies the spec of each picture by a revision. If a picture does not belong to the spec on screen, it is dimmed,
-// and a spinner is shown while the next picture is being made.
+// Each picture has the revision of the spec that it shows. If this is not the spec on screen, the picture is
+// dimmed, with a spinner while the next picture is being made.
 
 /** A hash of the text (32-bit FNV-1a) in hexadecimal digits, or "" if there is no text. */
 export function revisionOf(text: string): string {
@@ -9,8 +9,9 @@ export function revisionOf(text: string): string {
   return (hash >>> 0).toString(16).padStart(8, "0");
 }
 
-/** Marks a picture with the text for which it was `made`. `wanted` is the text on screen. A picture of another text
- *  is "working" while the next picture is being made, and "kept" until the spec can be solved again. */
+/** Marks a picture as made for the text `made`, while `wanted` is the text on screen. If they differ, the
+ *  picture is "working" while the next picture is being made. It is "kept" if the text on screen cannot be
+ *  solved. */
 export function markRevision(picture: HTMLElement, made: string, wanted: string, working = true): void {
   const stale = made !== "" && made !== wanted;
   picture.dataset["revision"] = revisionOf(made);

@@ -1,5 +1,5 @@
-// The tab "sheet" shows the report, which is the same page that the program writes. The report is in a separate
-// frame without access to this page.
+// The tab "sheet" shows the same report that the program writes. The report is in a frame that has no access
+// to this page.
 
 import { h, sentenceOf } from "./elements";
 import { bench } from "./workbench";

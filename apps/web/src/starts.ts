@@ -1,6 +1,6 @@
-// The first screen. A design starts either from a few known numbers or from an example with its picture.
+// The first screen. A design starts either from a few known numbers, or from an example with its picture.
 //
-// Each start is only a spec. If the spec has unknown numbers, the engine computes them by search or fit.
+// Each start consists of a spec. If numbers in it are unknown, the engine computes them by search or fit.
 
 import { fill, h } from "./elements";
 import { numberIn } from "./form/field";
@@ -33,11 +33,11 @@ function exampleOf([path, text]: [string, string]): Example {
   const whole = comment.join(" ");
   return { name, text, title, sentence: /^.*?[.:](?=\s|$)/.exec(whole)?.[0].replace(/:$/, ".") ?? whole };
 }
-// Examples with a rack are omitted, because the page does not show racks.
+// Examples with a rack are omitted, because the page cannot show racks.
 export const kExamples: Example[] = Object.entries(examples)
   .filter(([, text]) => !/^form = "rack"/m.test(text))
   .map(exampleOf);
-/** The view for the small picture of a card: the whole gears in section, without letters. */
+/** The view for the small picture of a card: the whole gears in section, without labels. */
 const kCard = { frame: "whole", width: 320, height: 200, window: null, bodies: true } as const;
 const kFirst = [
   "helical_pair",
@@ -60,7 +60,7 @@ interface Blank {
   words: string;
   value: string;
   unit?: string;
-  optional?: boolean; // true if the field may be left empty
+  optional?: boolean; // true if the user may leave the field empty
 }
 interface Have {
   words: string;
@@ -278,7 +278,7 @@ export class Starts {
     );
   }
 
-  /** Draws the pictures of the cards one after the other, with the engine that is already running. */
+  /** Draws the pictures of the cards one after the other, with the engine of the page. */
   async paint(): Promise<void> {
     if (this.painted) return;
     this.painted = true;
@@ -296,7 +296,7 @@ export class Starts {
         picture.innerHTML = (await bench.back.call("meshFigure", { text, view })).html;
         picture.querySelector("svg")!.removeAttribute("tabindex"); // the card itself has the focus
       } catch {
-        // The gears of this example must first be computed, so there is no picture.
+        // The gears of this example must be computed first, so the card has no picture.
         picture.textContent = (searching ? "search" : "fit") + " …";
       }
     }

@@ -5,20 +5,21 @@ import { judgement, kParts, type Part } from "./judgement";
 import { markRevision } from "./revision";
 import { bench } from "./workbench";
 
-/** Contact, load and rating are also judged after this time without a change. */
+/** After this pause in the changes, contact, load and rating are judged even if their tabs are hidden. */
 const kRestMs = 700;
 
 export interface Tab {
   readonly id: string; // the identifier, which is also the name
   readonly element: HTMLElement;
-  /** The element that is dimmed if it does not show the spec on screen. */
+  /** The element that is dimmed while it does not show the spec on screen. */
   readonly picture: HTMLElement;
   /** The text of the spec that the picture shows, or "" if there is no picture. */
   readonly shown: string;
-  /** The part of the verdict that this tab contributes, and the function that computes it while the tab is hidden. */
+  /** The part of the verdict to which this tab contributes, and the function that computes it while the
+   *  tab is hidden. */
   readonly part?: Part;
   judge?(): Promise<void>;
-  /** Shows the current design. It is called when the design has changed or the tab is opened. */
+  /** Shows the current design. It is called when the design has changed and when the tab is opened. */
   refresh(): Promise<void> | void;
   /** Called when the user leaves the tab. */
   leave?(): void;
@@ -36,7 +37,7 @@ export class Tabs {
   );
   private readonly kept = h("p", { class: "kept", role: "status" });
   current: Tab;
-  /** Called with the id of the tab that is opened. */
+  /** Called with the id of a tab when it is opened. */
   opened: (id: string) => void = () => undefined;
   private readonly refreshing = new Map<Tab, number>();
   private turn = 0;
@@ -67,7 +68,7 @@ export class Tabs {
     this.room.append(this.fault, this.spinner, this.kept);
     bench.on("text", () => this.age());
     bench.on("opened", () => {
-      // All tabs, visible or not, remove what they show of the previous design.
+      // Every tab, visible or not, removes the results of the previous design.
       for (const tab of this.tabs) void tab.refresh();
     });
     bench.on("solved", () => {
@@ -79,8 +80,8 @@ export class Tabs {
     this.age();
   }
 
-  /** Computes the missing parts of the verdict one after the other. If the spec changes, the loop ends, and a new one
-   *  starts for the new spec. */
+  /** Computes the missing parts of the verdict one after the other. If the spec changes, this loop ends,
+   *  and a new one starts for the new spec. */
   private async judge(): Promise<void> {
     const { text } = bench;
     for (const part of kParts) {
@@ -110,7 +111,7 @@ export class Tabs {
     this.mark();
     this.opened(id);
     if (bench.settled) void this.refresh();
-    else this.age(); // the result that is pending updates the picture
+    else this.age(); // otherwise, the pending result will update the picture
   }
 
   private mark(): void {
@@ -140,7 +141,7 @@ export class Tabs {
     } catch (reason) {
       fault = sentenceOf(reason);
     }
-    // Otherwise a newer request has replaced this one and shows its own error.
+    // If a newer request has replaced this one, the newer request shows its own error.
     if (turn === this.turn) this.fault.textContent = fault;
     count(-1);
     this.age();

@@ -1,4 +1,4 @@
-// Downloads of the same files that the program writes. They are made by the same code.
+// Downloads of the files that the program writes. The same code makes them.
 
 import type { FileKind } from "../engine/engine";
 import { button, download, fill, foldOut, h, sentenceOf } from "./elements";
@@ -23,7 +23,7 @@ const kOffers: Offer[] = [
 ];
 const kEndings: Partial<Record<FileKind, string>> = { report: "html", drawing: "pdf" };
 
-/** A file name made from the title. Letters and digits of any script are kept, and other characters become _. */
+/** A file name made from the title. Letters and digits of any script are kept. Other characters become _. */
 export function fileName(): string {
   const title = bench.good?.spec?.["title"];
   const name =

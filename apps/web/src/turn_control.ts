@@ -1,11 +1,11 @@
-// The controls that turn a pair: a slider over one pitch of gear 1, a button that starts and stops a continuous
+// Controls for turning a pair: a slider over one pitch of gear 1, a button that starts and stops a continuous
 // rotation, and the angle in degrees.
 
 import { button, h, slide, slider } from "./elements";
 import type { Motion } from "./motion";
 
 export class TurnControl {
-  /** Rotation of gear 1 in pitches of gear 1, −½ … ½. */
+  /** Rotation of gear 1, in its pitches, −½ … ½. */
   t = 0;
   private readonly slider = slider("rotation of gear 1", { min: -0.5, max: 0.5, step: 0.002 }, (t) => {
     this.t = t;
@@ -38,7 +38,7 @@ export class TurnControl {
     this.changed();
   }
   private readonly frame = (now: number) => {
-    this.t += (now - this.last) / 4000; // a pitch in four seconds
+    this.t += (now - this.last) / 4000; // one pitch in four seconds
     this.last = now;
     if (this.t > 0.5) this.t -= 1;
     this.running = requestAnimationFrame(this.frame);

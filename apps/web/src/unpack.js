@@ -1,5 +1,5 @@
-// Starts the one file, whose parts are compressed, as base64 in elements of the page: the script by gzip, the
-// engine by zstd.
+// Starts the self-contained page. Its parts are compressed and stored as base64 in elements of the page: the
+// script by gzip, the engine by zstd.
 globalThis.packedPart = (id) => {
   const letters = atob(document.getElementById(id).textContent);
   const bytes = new Uint8Array(letters.length);

@@ -1,12 +1,13 @@
-// The verdict at the top of the page. It shows the level, the worst finding in one sentence, the parts that are still
-// being judged and, when it is opened, every finding with its remedy. The sentences are those of the engine.
+// The verdict at the top of the page shows the level, the worst finding in one sentence, and the parts that
+// are still pending. If the user opens it, it lists every finding with its remedy. The sentences are those of
+// the engine.
 
 import { fill, foldOut, h } from "./elements";
 import type { Finding, Notice } from "./engine_worker";
 import { judgement } from "./judgement";
 import { bench } from "./workbench";
 
-/** The headline for a spec with unknown values. It depends on the verb that computes them. */
+/** The headline for a spec with unknown values, by the verb that computes them. */
 const kFinders = {
   search: "This spec describes a search. Open the tab “search” to run it.",
   fit: "Some values of this spec are unknown. The tab “search” computes them.",
@@ -78,7 +79,7 @@ export class VerdictLine {
       whole,
       ...findings.map(findingItem),
       !findings.length && h("li", {}, "No further findings."),
-      pending.length > 0 && h("li", { class: "soft" }, `Still being judged: ${pending.join(", ")}.`),
+      pending.length > 0 && h("li", { class: "soft" }, `Parts still to be judged: ${pending.join(", ")}.`),
       ...refused.map(([part, reason]) => h("li", { class: "soft" }, `Not judged: ${part}. ${reason}`)),
     );
   }
@@ -94,7 +95,7 @@ function findingItem(one: Finding): HTMLElement {
   );
 }
 
-/** The messages of an answer: the findings, and the warnings that are not among the findings. */
+/** The messages of a result: its findings, and those warnings that are not findings. */
 export function noticesOf(warnings: Notice[], findings: Finding[] = []): HTMLElement[] {
   const grave = findings.filter((one) => one.level !== "green");
   const found = new Set(grave.map((one) => one.message));

@@ -1,7 +1,7 @@
-// The design on screen with its text, its results and its history.
+// The design on screen: its text, its results and its history.
 //
-// The text defines the design. Form, pictures and tables show it. A change is sent to the
-// engine, which returns the new text (with comments) and its results. Then all views are updated.
+// The text defines the design. Form, pictures and tables show it. A change is sent to the engine, which
+// returns the new text (with its comments) and the new results. Then all views are updated.
 
 import { type Answer, EngineLink, type Name, type Progress } from "./engine_link";
 import type { Fault, Json, Questions, Solved } from "./engine_worker";
@@ -9,18 +9,18 @@ import type { Fault, Json, Questions, Solved } from "./engine_worker";
 type Listener = () => void;
 /** The greatest length of a text that is accepted as a spec. The longest example has 2000 characters. */
 export const kMostCharacters = 1_000_000;
-/** Changes of one field within this time are undone in one step. */
+/** Changes of the same field within this time are undone in one step. */
 const kOneStepMs = 900;
 
 class Workbench {
   text = "";
-  /** The result of the last text. If it has an error, the error is shown at the field that caused it. */
+  /** The result of the last text. It may be an error, which is shown at the field that caused it. */
   solved: Solved | null = null;
-  /** The last spec that could be solved. Pictures show it while an invalid value is being typed. */
+  /** The last spec that could be solved. Pictures show it while the user is typing an invalid value. */
   good: Solved | null = null;
-  /** The number of designs that have been opened. An answer for an earlier design is ignored. */
+  /** The number of designs opened so far. A result that belongs to an earlier design is ignored. */
   design = 0;
-  /** The time in ms from the last change until its answer arrived. */
+  /** Time from the last change to its result, ms. */
   lastMs = 0;
   front!: EngineLink;
   back!: EngineLink;
@@ -43,7 +43,7 @@ class Workbench {
     for (const listener of this.listeners.get(what) ?? []) listener();
   }
 
-  /** Sets a whole new text that was typed, opened, or taken from a list. `what` names its origin. */
+  /** Replaces the whole text. `what` names the origin of the text, for example typed or opened. */
   setText(text: string, what: string): void {
     if (text === this.text) return;
     this.remember(what);
@@ -51,7 +51,7 @@ class Workbench {
     this.edits.clear();
     if (what === "opened") {
       ++this.design;
-      // This is another design, so no result of the previous design may be shown with it.
+      // Another design has been opened. Results of the previous design must not be shown with it.
       this.good = this.solved = null;
       this.notify("opened");
     }
@@ -71,7 +71,8 @@ class Workbench {
     this.notify("history");
   }
 
-  /** Sets one key, "gear1.profile_shift". The value undefined removes the key. Simultaneous changes are combined. */
+  /** Sets one key, for example "gear1.profile_shift". The value undefined removes it. Simultaneous changes
+   *  are combined. */
   setKey(key: string, value: Json | undefined): void {
     this.edits.set(key, value === undefined ? "null" : JSON.stringify(value));
     void this.applyEdits();
@@ -86,7 +87,7 @@ class Workbench {
     this.edits.clear();
     try {
       const answer = await this.front.call("edit", { text: from, edits });
-      // The user has changed the text in the meantime. The text takes precedence over this change.
+      // The user has edited the text in the meantime. The edited text takes precedence over this change.
       if (this.text !== from) return;
       if ("refused" in answer) {
         const fault = { key: edits[0]![0], value: edits[0]![1], message: answer.refused };
@@ -103,8 +104,8 @@ class Workbench {
     }
   }
 
-  /** Requests an answer about the design on screen. Returns null if a newer request has replaced this one or
-   *  another design has been opened. */
+  /** Requests a result about the design on screen. Returns null if a newer request has replaced this one,
+   *  or if another design has been opened. */
   async about<N extends Name>(
     link: EngineLink,
     channel: string,
@@ -139,7 +140,7 @@ class Workbench {
     this.notify("solved");
   }
 
-  /** The verb that computes the unknown values of the spec. An incomplete spec is not an error. */
+  /** The verb that computes the unknown values of the spec, if there are any. Such a spec is not an error. */
   get finder(): Fault["finder"] {
     const { fault, spec } = this.solved ?? {};
     if (!fault || !spec) return undefined;
@@ -152,12 +153,12 @@ class Workbench {
     return this.finder ? null : (this.solved?.fault ?? null);
   }
 
-  /** True if the answer of the engine belongs to the text on screen. */
+  /** True if the result of the engine belongs to the text on screen. */
   get settled(): boolean {
     return this.solved?.text === this.text;
   }
 
-  /** The text that is shown instead of a picture if there is no pair. */
+  /** The text to show instead of a picture if there is no pair. */
   get nothing(): string {
     return this.settled ? "There is no pair yet." : "";
   }
@@ -194,7 +195,7 @@ function faulty(text: string, message: string): Solved {
 
 export const bench = new Workbench();
 
-/** A value inside nested records: at(result, "pair.backlash.normal_mm"). */
+/** The value at a path of nested records: at(result, "pair.backlash.normal_mm"). */
 export function at(tree: Json | undefined, path: string): Json | undefined {
   let here: Json | undefined = tree;
   for (const name of path.split(".")) {

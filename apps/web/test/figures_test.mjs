@@ -1,5 +1,5 @@
-// Tests what a figure of the page does: a point that is dragged, circles that follow an error, a map that is clicked,
-// sliders, the values at the pointer, and files.
+// Tests the interactions with figures of the page: dragging a point, circles that follow an error, clicking a
+// map, sliders, the values at the pointer, and saving files.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -10,7 +10,7 @@ let page;
 withPage((stage) => ({ page } = stage));
 
 describe("figures", () => {
-  it("the shift chart's point moves the design", async () => {
+  it("dragging the point of the shift chart changes the design", async () => {
     await put(page, example("helical_pair"), "shifts");
     await page.waitForSelector("#room-shifts .design");
     await page.focus(".shift-room");
@@ -18,15 +18,15 @@ describe("figures", () => {
     await page.waitForFunction(() => /profile_shift = 0\.31\b/.test(window.gearwright.text()));
   });
 
-  it("the shift chart has the limits and the design if no shifts are feasible", async () => {
-    // The contact ratio of two gears of seven teeth is less than the 1.2 of the limits.
+  it("the shift chart shows the limits and the design if no shifts are feasible", async () => {
+    // Two gears with seven teeth have a contact ratio below the limit of 1.2.
     await put(page, "[gear1]\nteeth = 7\nnormal_module_mm = 2\n[gear2]\nteeth = 7\n", "shifts");
     await page.waitForSelector("#room-shifts .design.outside");
     assert.match(await page.textContent(".shift-sentence"), /No shifts satisfy the limits/);
     assert.equal(await page.locator("#room-shifts .limits-box").count(), 1);
   });
 
-  it("the circles of a gear follow an error of the centre distance", async () => {
+  it("the circles of a gear move with an error of the centre distance", async () => {
     await put(page, example("helical_pair") + "\n[errors]\ncenter_distance_mm = 1\n", "mesh");
     await settled(page);
     const apart = await page.evaluate(() => {
@@ -41,10 +41,10 @@ describe("figures", () => {
       });
     });
     assert.equal(apart.length, 4); // the body and the outline of both gears
-    for (const px of apart) assert.ok(px < 0.2, `${px} px between a gear and its circles`);
+    for (const px of apart) assert.ok(px < 0.2, `${px} px between the gear and its circles`);
   });
 
-  it("a map of errors is read and clicked before it is complete", async () => {
+  it("a map of errors shows values and accepts clicks before it is complete", async () => {
     await put(page, example("misaligned_pair"), "contact");
     await page.waitForSelector("#room-contact #te path.curve");
     await page.click(".error-map .map-head button");
@@ -59,7 +59,7 @@ describe("figures", () => {
     await page.waitForFunction((before) => window.gearwright.text() !== before, before);
   });
 
-  it("an error slider moves transmission error and text", async () => {
+  it("an error slider changes the transmission error and the text", async () => {
     await put(page, example("misaligned_pair"), "contact");
     await page.waitForSelector("#room-contact #te path.curve");
     const before = await page.textContent("#room-contact .view-sentence");
@@ -71,7 +71,7 @@ describe("figures", () => {
     assert.match(await page.evaluate(() => window.gearwright.text()), /crossing_deg = 0\.06/);
   });
 
-  it("a figure is read by the pointer, a press chooses the position, its values are saved", async () => {
+  it("the pointer shows values, a press chooses a position, and values can be saved", async () => {
     await put(page, example("misaligned_pair"), "contact");
     await page.waitForSelector("#room-contact #te path.curve");
     await page.waitForSelector("#room-contact #bearing2 .marked");

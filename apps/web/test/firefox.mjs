@@ -1,7 +1,8 @@
-// Drives stock Firefox by WebDriver BiDi: one page, its scripts, its pictures. playwright-core
-// drives Chromium here. For Firefox it requires commands that the released browser does not have.
+// Controls an unmodified Firefox by WebDriver BiDi: one page, its scripts and its pictures. For Chromium,
+// playwright-core does this. For Firefox, playwright-core needs commands that the released browser does not
+// have.
 //
-// Needs node's WebSocket: `node --experimental-websocket` before node 22.
+// Requires the WebSocket of node: `node --experimental-websocket` before node 22.
 
 import { spawn } from "node:child_process";
 import { mkdtempSync } from "node:fs";
@@ -10,7 +11,7 @@ import { join } from "node:path";
 
 export const kFirefox = process.env.FIREFOX ?? "/usr/bin/firefox-esr";
 
-/** Starts the browser. Resolves with the address at which it listens. */
+/** Starts the browser. Resolves to the address on which the browser listens. */
 function start() {
   const profile = mkdtempSync(join(tmpdir(), "gearwright_firefox_"));
   const process = spawn(kFirefox, ["--headless", "--no-remote", "--remote-debugging-port=0", "--profile", profile]);
@@ -22,7 +23,7 @@ function start() {
       if (found) ready({ process, address: found[1] });
     });
     process.on("error", fail);
-    process.on("exit", () => fail(new Error(`Firefox has ended: ${said.slice(-500)}`)));
+    process.on("exit", () => fail(new Error(`Firefox has exited: ${said.slice(-500)}`)));
   });
 }
 
@@ -59,7 +60,7 @@ export async function launchFirefox(width = 1280, height = 800) {
   const page = {
     complaints,
     open: (url) => ask("browsingContext.navigate", { context, url, wait: "complete" }),
-    /** Returns the value of a function of the page. Values are transferred as JSON. */
+    /** Evaluates a function in the page and returns its result, transferred as JSON. */
     async evaluate(f, ...args) {
       const expression = `Promise.resolve((${f})(...${JSON.stringify(args)})).then((x) => JSON.stringify(x ?? null))`;
       const { result, exceptionDetails } = await ask("script.evaluate", {
@@ -72,7 +73,7 @@ export async function launchFirefox(width = 1280, height = 800) {
     },
     async until(f, patience, ...args) {
       for (const end = Date.now() + patience; !(await page.evaluate(f, ...args)); ) {
-        if (Date.now() > end) throw new Error(`did not come true: ${f}`);
+        if (Date.now() > end) throw new Error(`the condition never became true: ${f}`);
         await new Promise((go) => setTimeout(go, 50));
       }
     },

@@ -1,5 +1,5 @@
-// Tests the page in Firefox: every example in every tab without errors, and the same bytes from its
-// engine as in Chromium, which page_test.mjs compares with the program.
+// Tests the page in Firefox. Every example works in every tab without errors. The engine returns the same
+// bytes as in Chromium, which page_test.mjs compares with the program.
 
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
@@ -9,7 +9,7 @@ import { pathToFileURL } from "node:url";
 import { kFirefox, launchFirefox } from "./firefox.mjs";
 import { example, examples, kPatience, kTabs, launch, open, serve, web } from "./stage.mjs";
 
-const skip = existsSync(kFirefox) ? false : `${kFirefox} is not there (Debian: firefox-esr)`;
+const skip = existsSync(kFirefox) ? false : `${kFirefox} is not installed (Debian: firefox-esr)`;
 
 describe("in Firefox", { skip }, () => {
   let server, page, address;
@@ -30,15 +30,15 @@ describe("in Firefox", { skip }, () => {
     await page.until(() => window.gearwright.idle(), kPatience);
   };
 
-  it("every example has a picture or an answer in every tab", async () => {
-    // Without a screen, Firefox of Debian has no WebGL, so solids are tested only in Chromium.
+  it("every example has a picture or a result in every tab", async () => {
+    // Without a screen, Firefox of Debian has no WebGL. Solids are therefore tested only in Chromium.
     const solids = await page.evaluate(() => document.createElement("canvas").getContext("webgl2") !== null);
     const tabs = kTabs.filter((tab) => solids || tab !== "solid");
     for (const one of examples) for (const tab of tabs) await put(one.text, tab);
     assert.deepEqual(page.complaints, []);
   });
 
-  it("quick changes of tab and design complain of nothing", async () => {
+  it("quick changes of tab and design cause no errors", async () => {
     for (let i = 0; i < 40; ++i) {
       const [text, tab] = [examples[(7 * i) % examples.length].text, kTabs[(3 * i) % kTabs.length]];
       if (tab !== "solid") await page.evaluate((text, tab) => window.gearwright.open(text, tab), text, tab);
@@ -47,7 +47,7 @@ describe("in Firefox", { skip }, () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it("a damaged link gets a sentence of the page's own", async () => {
+  it("a damaged link causes a message of the page", async () => {
     for (const hash of ["#1.not-a-design", "#1.q1ZK!LS7", "#1.A"]) {
       await page.open(`${address}?${hash.length}${hash}`);
       await page.until(() => document.documentElement.dataset.ready === "true", kPatience);
@@ -59,7 +59,7 @@ describe("in Firefox", { skip }, () => {
     await page.until(() => document.documentElement.dataset.ready === "true", kPatience);
   });
 
-  it("the engine gives the bytes that it gives in Chromium", async () => {
+  it("the engine returns the same bytes as in Chromium", async () => {
     const browser = await launch();
     const other = await open(browser, address);
     for (const [verb, name] of [
@@ -75,7 +75,7 @@ describe("in Firefox", { skip }, () => {
     await browser.close();
   });
 
-  it("the one file opens from disk", async () => {
+  it("the self-contained file opens from disk", async () => {
     await page.open(pathToFileURL(join(web, "gearwright.html")).href);
     await page.until(() => document.documentElement.dataset.ready === "true", kPatience);
     await put(example("helical_pair"), "mesh");

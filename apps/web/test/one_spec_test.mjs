@@ -1,5 +1,5 @@
-// Tests that everything on the page belongs to the spec on screen: pictures, numbers, form, and the
-// verdict, which is the worst of those of the native program's verbs.
+// Tests that everything on the page belongs to the spec on screen: pictures, numbers, form, and the verdict.
+// The verdict is the worst of the verdicts of the native program.
 
 import assert from "node:assert/strict";
 import { mkdtempSync, writeFileSync } from "node:fs";
@@ -12,7 +12,7 @@ import { example, examples, idle, it, judged, kPatience, kTabs, native, open, pu
 let page, browser, address;
 withPage((stage) => ({ page, browser, address } = stage));
 
-/** Visible parts that are not marked as stale but belong to another spec than the one on screen. */
+/** Visible parts that belong to another spec than the one on screen, but are not marked as stale. */
 const strangers = () => {
   const now = window.gearwright.revision();
   return [...document.querySelectorAll("[data-revision]")]
@@ -20,7 +20,7 @@ const strangers = () => {
     .filter((one) => one.dataset.revision !== now)
     .map((one) => one.className);
 };
-/** Types into the text, and returns the visible parts before anything is computed again. */
+/** Replaces text in the editor. Returns the state of the page before anything is computed again. */
 const typed = (page, from, to) =>
   page.evaluate(
     ([from, to]) => {
@@ -39,7 +39,7 @@ const typed = (page, from, to) =>
 describe("a picture of another spec", () => {
   const shown = { contact: "misaligned_pair", load: "loaded_pair", rating: "rated_pair", scatter: "scattered_pair" };
   for (const tab of kTabs.filter((one) => one !== "search"))
-    it(`is dimmed, with a spinner, until the new one is there: ${tab}`, async () => {
+    it(`is dimmed, with a spinner, until the new one is drawn: ${tab}`, async () => {
       await put(page, example(shown[tab] ?? "helical_pair"), tab);
       await idle(page);
       assert.deepEqual(await page.evaluate(strangers), []);
@@ -52,11 +52,11 @@ describe("a picture of another spec", () => {
       const panel = '[role="tabpanel"]:not([hidden])';
       assert.equal(await page.locator(`${panel} [data-stale]`).count(), 0);
       const now = await page.evaluate(() => window.gearwright.revision());
-      assert.ok((await page.locator(`${panel} [data-revision="${now}"]`).count()) > 0, "no picture of it");
+      assert.ok((await page.locator(`${panel} [data-revision="${now}"]`).count()) > 0, "no picture of the new spec");
       assert.deepEqual(page.complaints, []);
     });
 
-  it("stays dimmed, without a spinner, while the spec has a fault", async () => {
+  it("stays dimmed, without a spinner, while the spec has an error", async () => {
     await put(page, example("helical_pair"), "mesh");
     await idle(page);
     await typed(page, "teeth = 17", "teeth = 17.5");
@@ -71,14 +71,14 @@ describe("a picture of another spec", () => {
     assert.equal(await page.locator("[data-stale]:visible").count(), 0);
   });
 
-  it("numbers of the design before it go where the new one cannot be read", async () => {
+  it("numbers of the previous design disappear if the new spec cannot be read", async () => {
     await put(page, example("helical_pair"), "mesh");
     await put(page, "[gear1]\nteeth = = 3\n", "mesh");
     assert.equal(await page.locator(".numbers [data-quantity]").count(), 0);
     assert.equal(await page.locator(".form [data-key]").count(), 0);
   });
 
-  it("a pinion with three teeth does not show the scatter of the search before it", async () => {
+  it("a pinion with three teeth does not show the designs of the previous search", async () => {
     await put(page, example("gearbox_search"), "search");
     await idle(page);
     assert.ok((await page.locator(".pareto circle").count()) > 10);
@@ -91,7 +91,7 @@ describe("a picture of another spec", () => {
     assert.equal(await page.locator(".pareto, .pareto-axes").filter({ visible: true }).count(), 0);
   });
 
-  it("the picture of another design goes, though the new one's is refused", async () => {
+  it("the picture of the previous design disappears even if the new design has none", async () => {
     await put(page, example("printed_drive"), "mesh");
     await idle(page);
     const inked = (expected) =>
@@ -100,7 +100,7 @@ describe("a picture of another spec", () => {
         expected,
       );
     await inked(true);
-    // With this bore the gear has no body, so the engine draws no section of it.
+    // With this bore the gear has no body, so the engine cannot draw its section.
     await put(page, example("printed_drive").replace(/^diameter_mm = .*$/m, "diameter_mm = 9"), "mesh");
     await idle(page);
     assert.match(await page.textContent(".view-fault"), /bore/);
@@ -108,7 +108,7 @@ describe("a picture of another spec", () => {
     assert.equal(await page.locator("[data-stale]:visible").count(), 0);
   });
 
-  it("a list of designs is dimmed when the design is neither what was searched nor one of them", async () => {
+  it("a list of designs is dimmed if the spec is neither the search nor one of its designs", async () => {
     await put(page, example("gearbox_search"), "search");
     await idle(page);
     await page.click(".designs tbody tr:nth-child(2)");
@@ -123,7 +123,7 @@ describe("a picture of another spec", () => {
     assert.ok((await page.locator(".designs tbody tr").count()) > 10);
   });
 
-  it("quick changes of tab and design never mix them, and complain of nothing", async () => {
+  it("quick changes of tab and design never mix designs and cause no errors", async () => {
     await page.evaluate((strangers) => {
       const check = new Function(`return (${strangers})()`);
       window.mixed = [];
@@ -135,7 +135,7 @@ describe("a picture of another spec", () => {
       };
       look();
     }, String(strangers));
-    // A fixed sequence in which every tab follows every other one.
+    // A fixed pseudo-random sequence of designs and tabs.
     let seed = 12345;
     const random = (n) => (seed = (seed * 1103515245 + 12345) % 2147483648) % n;
     for (let i = 0; i < 120; ++i) {
@@ -180,7 +180,7 @@ describe("form and link", () => {
     assert.equal(await page.inputValue('.form [data-key="gear2.teeth"]'), "37");
   });
 
-  it("a damaged link gets a sentence of the page's own", async () => {
+  it("a damaged link causes a message of the page", async () => {
     const link = "#1." + deflateRawSync(example("helical_pair")).toString("base64url");
     for (const hash of ["#1.not-a-design", "#1.q1ZK!LS7JzEtXslLKSM1", link.slice(0, -40), link.slice(0, 60) + "AAAA" + link.slice(64), "#1.A"]) {
       const other = await open(browser, address + hash);
@@ -195,7 +195,7 @@ describe("form and link", () => {
 
 describe("the verdict", () => {
   const levels = ["green", "amber", "red"];
-  /** The worst of the verdicts on all parts that the program can judge for the spec. */
+  /** The worst of the verdicts that the program computes for the parts of the spec. */
   const expected = (text) => {
     const pair = native("pair", text);
     const asks = (part) =>
@@ -209,7 +209,7 @@ describe("the verdict", () => {
     return [pair.verdict, ...judged].reduce((a, b) => (levels.indexOf(b.level) > levels.indexOf(a.level) ? b : a));
   };
 
-  it("of every example is the worst of the program's verdicts", async () => {
+  it("on every example is the worst of the program's verdicts", async () => {
     for (const { name, text } of examples) {
       const pair = native("pair", text);
       if (!pair.verdict || !pair.pair) continue;
@@ -222,8 +222,8 @@ describe("the verdict", () => {
     }
   });
 
-  // A pair without backlash whose shafts cross. Mounted in this way it jams, which only contact
-  // computes.
+  // The shafts of this pair without backlash are crossed by an error, so it jams. Only the contact analysis
+  // detects this.
   const jams = `[gear1]
 teeth = 25
 normal_module_mm = 3
@@ -239,7 +239,7 @@ slices = 12
 accuracy = "draft"
 `;
   it("names what is pending, then covers contact and load", async () => {
-    await put(page, jams); // the judgement starts after a moment without changes
+    await put(page, jams); // the parts are judged after a pause without changes
     const parts = native("pair", jams).verdict.not_judged ?? ["contact", "load"];
     assert.equal(await page.textContent(".scope"), `${parts.join(", ")} pending`);
     await judged(page);
@@ -254,7 +254,7 @@ accuracy = "draft"
     assert.deepEqual(page.complaints, []);
   });
 
-  it("names what the program refuses to judge, and why", async () => {
+  it("names the parts that the program cannot judge, with the reasons", async () => {
     const text = example("rated_pair").replace(/^quality.*\n/m, "");
     const { error } = native("rate", text);
     await put(page, text);

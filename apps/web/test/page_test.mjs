@@ -1,5 +1,5 @@
-// Tests the page in a browser: every example and every tab, numbers against the native program,
-// links, errors at their fields, and the single file without a server or a network.
+// Tests the page in a browser: every example and every tab, numbers compared with the native program, links,
+// errors at their fields, and the single file without a server or a network.
 
 import assert from "node:assert/strict";
 import { readFileSync, statSync, writeFileSync, mkdtempSync } from "node:fs";
@@ -29,12 +29,12 @@ let browser, page, address;
 withPage((stage) => ({ browser, page, address } = stage));
 
 describe("every example", () => {
-  it("is a card, opens and says its verdict in the program's words", async () => {
+  it("has a card, opens, and shows the verdict of the program", async () => {
     for (const one of examples) {
       await page.evaluate(() => window.gearwright.start());
       await page.click(`[data-example=${one.name}]`);
       await settled(page);
-      // Before contact and load are judged, too.
+      // The headline is read before contact and load are judged.
       const headline = await page.textContent(".headline");
       const expected = native("pair", one.text);
       if (expected.verdict) assert.equal(headline, expected.verdict.headline, one.name);
@@ -43,7 +43,7 @@ describe("every example", () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it("has a picture or an answer in every tab", async () => {
+  it("has a picture or a result in every tab", async () => {
     for (const one of examples) {
       for (const tab of kTabs) {
         await put(page, one.text, tab);
@@ -55,7 +55,7 @@ describe("every example", () => {
 });
 
 describe("numbers", () => {
-  it("are those of the native program, but for the C library's last bits", async () => {
+  it("are those of the native program except for the last bits of the C library", async () => {
     for (const one of examples)
       for (const verb of ["gear", "pair", "contact", "load", "rate"]) {
         const run = ([verb, text]) => window.gearwright.run(verb, text);
@@ -70,7 +70,7 @@ describe("numbers", () => {
       }
   });
 
-  it("stand in the table as the JSON has them", async () => {
+  it("in the table are those of the JSON", async () => {
     await put(page, example("helical_pair"));
     const result = native("pair", example("helical_pair"));
     const cell = (id, column = 0) => page.textContent(`[data-quantity="${id}"][data-column="${column}"]`);
@@ -85,7 +85,7 @@ describe("numbers", () => {
 });
 
 describe("tolerances", () => {
-  it("a value that they move has both ends below it", async () => {
+  it("a value that they affect has its values at both ends below it", async () => {
     const text = example("spur_pair").replace("[gear2]", "thickness_allowance_mm = [-0.12, -0.06]\n\n[gear2]");
     await put(page, text);
     const { gears, pair } = native("pair", text);
@@ -101,7 +101,7 @@ describe("tolerances", () => {
 });
 
 describe("form and text", () => {
-  it("are one: either edits the other, comments stay, undo and redo step", async () => {
+  it("stay in agreement: each follows the other, comments are kept, undo and redo work", async () => {
     await put(page, example("helical_pair"));
     await page.fill('[data-key="gear1.profile_shift"]', "0.41");
     await page.waitForFunction(() => window.gearwright.text().includes("profile_shift = 0.41"));
@@ -119,7 +119,7 @@ describe("form and text", () => {
     assert.equal(await page.inputValue('[data-key="gear2.teeth"]'), "44");
   });
 
-  it("an arrow key steps a number, the slider moves it", async () => {
+  it("arrow keys and the slider change a number", async () => {
     await put(page, example("helical_pair"));
     await page.focus('[data-key="gear1.teeth"]');
     await page.keyboard.press("ArrowUp");
@@ -129,7 +129,7 @@ describe("form and text", () => {
     );
   });
 
-  it("a fault stands at its field, in the engine's words, and the page goes on", async () => {
+  it("an error is shown at its field with the engine's message, and the page continues to work", async () => {
     await put(page, example("helical_pair"));
     await page.fill('[data-key="gear1.normal_module_mm"]', "1e300");
     await page.waitForSelector('[data-key="gear1.normal_module_mm"][aria-invalid=true]');
@@ -151,7 +151,7 @@ describe("form and text", () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it("a title stays text everywhere", async () => {
+  it("a title is shown as text everywhere", async () => {
     const evil = '</script><img src=x onerror="window.stolen=1"><b>';
     const text = example("helical_pair").replace('title = "helical pair"', `title = ${JSON.stringify(evil)}`);
     for (const tab of kTabs) {
@@ -198,10 +198,10 @@ describe("pictures", () => {
       await turn("0.15");
       for (let tries = 0; tries < 100 && changed(still, await inked(canvas)) <= 50; ++tries)
         await page.waitForTimeout(200);
-      assert.ok(changed(still, await inked(canvas)) > 50, "the same after a turn");
+      assert.ok(changed(still, await inked(canvas)) > 50, "the picture is the same after a turn");
     });
 
-  it("the gears of the mesh turn by their slider, gear 2 the other way", async () => {
+  it("the slider turns the gears of the mesh in opposite directions", async () => {
     await put(page, example("helical_pair"), "mesh");
     await idle(page);
     const angles = () =>
@@ -222,7 +222,7 @@ describe("pictures", () => {
     assert.equal(await page.locator("#room-mesh .touches").getAttribute("visibility"), "visible");
   });
 
-  it("a search lists what the program finds; a row becomes the design", async () => {
+  it("a search lists the designs of the program, and a click on a row opens one", async () => {
     await put(page, example("gearbox_search"), "search");
     await page.waitForSelector(".designs tbody tr");
     await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
@@ -234,7 +234,7 @@ describe("pictures", () => {
     assert.equal(await page.inputValue('[data-key="gear1.teeth"]'), String(expected.designs[1].teeth[0]));
   });
 
-  it("a fit is answered branch by branch", async () => {
+  it("a fit shows all branches", async () => {
     await put(page, example("crossed_fit"), "search");
     await page.waitForSelector(".branch");
     assert.equal(
@@ -250,8 +250,8 @@ describe("pictures", () => {
   });
 });
 
-describe("what a spec leaves out", () => {
-  it("a broken gear is identified, and the answer is a gear", async () => {
+describe("unknown values of a spec", () => {
+  it("a broken gear is identified, and the result is opened as a gear", async () => {
     await put(page, example("broken_gear"), "search");
     await page.waitForSelector(".branch");
     const expected = native("identify", example("broken_gear")).identify.candidates;
@@ -263,7 +263,7 @@ describe("what a spec leaves out", () => {
     assert.equal(Number(module), expected[0].normal_module_mm);
   });
 
-  it("every form under “Start from” leads to an answer", async () => {
+  it("every form under “Start from” leads to a result", async () => {
     const count = await page.locator("form.have").count();
     assert.equal(count, 5);
     for (let i = 0; i < count; ++i) {
@@ -275,8 +275,8 @@ describe("what a spec leaves out", () => {
   });
 });
 
-describe("in and out", () => {
-  it("a link is a design", async () => {
+describe("links and files", () => {
+  it("a link contains the design", async () => {
     await put(page, example("ring_pair"));
     await page.waitForFunction(() => location.hash.startsWith("#1."));
     await page.waitForTimeout(600);
@@ -289,7 +289,7 @@ describe("in and out", () => {
     await broken.context().close();
   });
 
-  it("files come home: each kind, with bytes in it", async () => {
+  it("every kind of file can be downloaded and is not empty", async () => {
     await put(page, example("spur_pair"));
     const folder = mkdtempSync(join(tmpdir(), "gearwright_web_"));
     await page.click("text=Download");
@@ -316,7 +316,7 @@ describe("in and out", () => {
     await page.keyboard.press("Escape");
   });
 
-  it("a dropped file opens", async () => {
+  it("a dropped file is opened", async () => {
     const folder = mkdtempSync(join(tmpdir(), "gearwright_web_"));
     writeFileSync(
       join(folder, "one.json"),
@@ -328,7 +328,7 @@ describe("in and out", () => {
     assert.equal(await page.textContent("h1"), "from JSON");
   });
 
-  it("the one file opens from disk, offline, and is under 2.99 MB", async () => {
+  it("the self-contained file opens from disk, offline, and has less than 2.99 MB", async () => {
     const path = join(web, "gearwright.html");
     assert.ok(statSync(path).size < 2.99e6);
     const context = await browser.newContext({ offline: true });
@@ -361,7 +361,7 @@ describe("for everybody", () => {
     ["wide and dark", 1280, "dark"],
     ["narrow", 400, "light"],
   ])
-    it(`axe finds nothing serious: ${name}`, async () => {
+    it(`axe finds no serious problem: ${name}`, async () => {
       const one = await open(browser, address, { viewport: { width, height: 800 }, colorScheme: scheme });
       assert.deepEqual(await findings(one), []);
       const shown = { search: "gearbox_search", load: "loaded_pair", rating: "rated_pair" };

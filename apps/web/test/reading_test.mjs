@@ -1,5 +1,5 @@
-// Tests what the user reads: words instead of keys, fields that show their whole value, circles
-// with their names.
+// Tests the texts on the page: labels are words instead of keys, fields show their whole value, and circles
+// have names.
 
 import assert from "node:assert/strict";
 import { describe } from "node:test";
@@ -29,7 +29,7 @@ const openAll = () => {
 };
 describe("fields and labels", () => {
   for (const width of [1400, 420])
-    it(`no field is clipped and no label is a raw key at ${width} px`, async () => {
+    it(`no field cuts off its value and no label is a key at ${width} px`, async () => {
       const page = await open(browser, address, { viewport: { width, height: 900 } });
       const raw = /_|\b(sigma|youngs|poisson|min|max|\d+C|Hlim|Flim)\b|(^| )center\b/;
       for (const { name, text } of examples) {
@@ -58,10 +58,11 @@ describe("fields and labels", () => {
 });
 
 describe("pictures", () => {
-  it("circles of the mesh have their symbols", async () => {
+  it("circles of the mesh have symbols", async () => {
     await put(page, example("helical_pair"), "mesh");
     await idle(page);
-    // Symbols end in a space of zero width. Names without a free position are omitted, here d_w1.
+    // A symbol ends in a space of zero width. A name for which there is no free position is omitted, here
+    // d_w1.
     const names = async () =>
       (await page.locator("#room-mesh .circle-name").filter({ visible: true }).allTextContents()).map((name) => name.replaceAll("\u200b", ""));
     await page.click('[data-choice="whole"]');
@@ -75,7 +76,7 @@ describe("pictures", () => {
     await page.click('[data-choice="mesh"]');
   });
 
-  it("the mesh is as sharp after zooming as before, and keeps the names of its circles", async () => {
+  it("after zooming, the mesh is still sharp and its circles have names", async () => {
     await put(page, example("helical_pair"), "mesh");
     await idle(page);
     const window = () =>
@@ -102,9 +103,9 @@ describe("pictures", () => {
     }, before);
   });
 
-  it("the nearest border of the shift chart is as far away as it is drawn", async () => {
-    // With a tip clearance of 0.25 modules, every design used to be "0.230 modules from the nearest
-    // border".
+  it("the stated distance to the nearest border of the shift chart agrees with the figure", async () => {
+    // Regression: with a tip clearance of 0.25 modules, the page stated "0.230 modules from the nearest
+    // border" for every design.
     for (const name of ["helical_pair", "rated_pair", "spur_pair"]) {
       await put(page, example(name), "shifts");
       await idle(page);
@@ -131,11 +132,11 @@ describe("pictures", () => {
         return least;
       });
       const said = Number(/([\d.]+) modules/.exec(await page.textContent(".shift-sentence"))[1]);
-      assert.ok(Math.abs(said - drawn) < 0.01, `${name}: ${said} is said, ${drawn} is drawn`);
+      assert.ok(Math.abs(said - drawn) < 0.01, `${name}: ${said} in the text, ${drawn} in the figure`);
     }
   });
 
-  it("both points of the shift chart have their words, the borders their names", async () => {
+  it("both points and all borders of the shift chart have names", async () => {
     await put(page, example("helical_pair"), "shifts");
     await page.waitForSelector("#room-shifts .design");
     const words = await page.locator("#room-shifts g.plot text").allTextContents();

@@ -1,5 +1,5 @@
-// Tests the tab "scatter" in a browser: numbers against the native program, sliders of tolerances,
-// the offer of a spec without tolerances.
+// Tests the tab "scatter" in a browser: numbers compared with the native program, the sliders of tolerances,
+// and the offer for a spec without tolerances.
 
 import assert from "node:assert/strict";
 import { describe } from "node:test";
@@ -27,14 +27,14 @@ describe("scatter", () => {
       },
       [place, value, events],
     );
-  /** The highest percentile of the program for as many pairs as the page has computed, in 8 replicates. */
+  /** The highest percentile that the program computes for the number of pairs on the page, in 8 replicates. */
   const percentile = async (text) => {
     const pairs = Number.parseInt(await page.textContent("#room-scatter .scatter-state"));
     const same = text.replace("samples = 256", `samples = ${pairs / 8}`);
     return native("scatter", same).scatter.peak_to_peak_arcsec.percentiles[2];
   };
 
-  it("complete contacts have the program's own numbers", async () => {
+  it("complete contact analyses give the numbers of the program", async () => {
     await put(page, text, "scatter");
     await state("^\\d+ pairs");
     assert.equal(await highest(), Number((await percentile(text)).toFixed(2)));
@@ -43,7 +43,7 @@ describe("scatter", () => {
     assert.equal(await page.locator("#room-scatter .scatter-events li").count(), 3);
   });
 
-  it("an estimate follows the slider, and contacts replace it when the slider is released", async () => {
+  it("an estimate follows the slider, and releasing the slider starts the contact analyses", async () => {
     const place = "scatter.gear1.modifications.profile_slope_um";
     await move(place, 9, ["input"]);
     await page.waitForFunction(() => /profile_slope_um = \[ *-9/.test(window.gearwright.text()));
@@ -58,7 +58,7 @@ describe("scatter", () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it("a range with a distribution keeps it, and its slider changes its ends", async () => {
+  it("the slider of a range changes its ends and keeps its distribution", async () => {
     await move("scatter.errors.crossing_deg.range", 0.03, ["input", "change"]);
     await page.waitForFunction(() => /range = \[ *-0\.03, *0\.03 *\]/.test(window.gearwright.text()));
     assert.match(await page.evaluate(() => window.gearwright.text()), /distribution = "normal"/);
@@ -77,7 +77,7 @@ describe("scatter", () => {
     assert.ok((await highest()) < rough);
   });
 
-  it("a spec without tolerances is offered those of a housing", async () => {
+  it("a spec without tolerances causes an offer of tolerances of the housing", async () => {
     await put(page, example("helical_pair"), "scatter");
     assert.match(await page.textContent("#room-scatter .view-sentence"), /no tolerances/);
     await page.click("#room-scatter button.main");

@@ -1,5 +1,5 @@
-// Tests the table of designs that a search has found. It has enough room, describes the position of
-// the shifts in words, and has a scatter plot below, over quantities in which the designs differ.
+// Tests the table of designs that a search has found. The table has enough room and describes the kind of
+// point in words. The scatter plot below it uses quantities in which the designs differ.
 
 import assert from "node:assert/strict";
 import { describe } from "node:test";
@@ -9,7 +9,7 @@ let page, browser, address;
 withPage((stage) => ({ page, browser, address } = stage));
 
 describe("the table of designs", () => {
-  it("is whole at 1400 px, over its scatter, in words", async () => {
+  it("fits into 1400 px, above its scatter plot, with words instead of keys", async () => {
     const page = await open(browser, address, { viewport: { width: 1400, height: 900 } });
     await put(page, example("gearbox_search"), "search");
     await idle(page);
@@ -30,7 +30,7 @@ describe("the table of designs", () => {
     await page.context().close();
   });
 
-  it("with a fixed centre distance has words for the shifts, and another axis", async () => {
+  it("describes the shifts in words and uses another axis if the centre distance is fixed", async () => {
     await page.evaluate(() => window.gearwright.start());
     await page.click('form.have:has-text("Two tooth numbers and a centre distance") button');
     await page.waitForSelector(".designs tbody tr");
@@ -46,7 +46,7 @@ describe("the table of designs", () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it("on a narrow screen it scrolls in its own room", async () => {
+  it("scrolls in its own area on a narrow screen", async () => {
     const page = await open(browser, address, { viewport: { width: 420, height: 860 } });
     await put(page, example("gearbox_search"), "search");
     await idle(page);
@@ -54,7 +54,7 @@ describe("the table of designs", () => {
     assert.ok((await page.locator(".designs-scroll").boundingBox()).height > 120);
     assert.ok((await page.locator(".pareto").boundingBox()).height > 150);
     const tab = await page.locator("#tab-search").boundingBox();
-    assert.ok(tab.x >= 0 && tab.x + tab.width <= 420, "the tab itself is out of sight");
+    assert.ok(tab.x >= 0 && tab.x + tab.width <= 420, "the tab extends beyond the screen");
     await page.context().close();
   });
 });

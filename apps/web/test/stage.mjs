@@ -1,5 +1,5 @@
-// The common environment of the tests: a server of static files, a browser without a screen, the
-// native program.
+// The environment that the tests share: a server of static files, a browser without a screen, and the native
+// program.
 
 import { execFileSync } from "node:child_process";
 import { createReadStream, existsSync, readdirSync, readFileSync, statSync } from "node:fs";
@@ -11,7 +11,8 @@ import { chromium } from "playwright-core";
 export const root = resolve(import.meta.dirname, "../../..");
 export const web = resolve(process.env.GEARWRIGHT_WEB_OUT ?? join(root, "build/web"));
 const program = resolve(process.env.GEARWRIGHT ?? join(root, "build/release/gearwright"));
-/** Two loaded cores and a browser without a graphics card are slow. These tests do not measure time. */
+/** A generous time limit, for two loaded cores and a browser without a graphics card. These tests do not
+ *  measure time. */
 export const kPatience = 120_000;
 export const kTabs = ["mesh", "solid", "contact", "load", "rating", "scatter", "shifts", "search", "sheet"];
 
@@ -39,8 +40,8 @@ export function serve() {
 export function launch() {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    // Without the compositor of a missing graphics card, pages are painted 25 times faster. WebGL
-    // still has its own.
+    // Without a graphics card, pages are painted 25 times faster if the GPU compositor is disabled. WebGL
+    // still works.
     args: [
       "--disable-gpu",
       "--no-sandbox",
@@ -51,7 +52,7 @@ export function launch() {
   });
 }
 
-/** The page that all tests of a file share. `take` receives it before the first of them. */
+/** Opens one page that all tests of a file share. `take` receives it before the first test. */
 export function withPage(take) {
   let server, browser;
   before(
@@ -70,7 +71,7 @@ export function withPage(take) {
 }
 export const it = (name, body) => test(name, { timeout: 4 * kPatience }, body);
 
-/** Opens an address and waits for the engine. Errors of the page are collected in `page.complaints`. */
+/** Opens an address and waits for the engine. Errors that the page reports are collected in `page.complaints`. */
 export async function open(browser, address, options = {}) {
   const context = await browser.newContext({
     viewport: { width: 1280, height: 800 },
@@ -93,12 +94,12 @@ export async function open(browser, address, options = {}) {
   return page;
 }
 
-/** Puts a text on the page, as if it were opened, and waits for its result. */
+/** Opens a text on the page and waits for its result. */
 export async function put(page, text, tab = "mesh") {
   await page.evaluate(([text, tab]) => window.gearwright.open(text, tab), [text, tab]);
   await settled(page);
 }
-/** Waits until the answer on screen belongs to the text on screen. */
+/** Waits until the result on screen belongs to the text on screen. */
 export async function settled(page) {
   await page.waitForFunction(() => window.gearwright.settled(), undefined, { timeout: kPatience });
 }
@@ -119,7 +120,7 @@ export function example(name) {
   return examples.find((one) => one.name === name).text;
 }
 
-/** The output of the native program with --json. An error is also an output. */
+/** The output of the native program with --json, which may be an error. */
 export function native(verb, text) {
   try {
     return JSON.parse(
@@ -140,11 +141,11 @@ export function native(verb, text) {
 export async function judged(page) {
   await page.waitForFunction(() => window.gearwright.judged(), undefined, { timeout: kPatience });
 }
-/** Waits until the engine has no more work. */
+/** Waits until the engine has no pending work. */
 export async function idle(page) {
   await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
 }
-/** True if boxes of two selectors overlap. */
+/** True if the boxes of two elements, given by selectors, overlap. */
 export const touching = (page, first, second) =>
   page.evaluate(
     ([first, second]) => {

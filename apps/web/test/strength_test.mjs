@@ -1,5 +1,5 @@
-// Tests the tabs "load" and "rating" in a browser: numbers against the native program, fields for
-// missing inputs, colours of the verdict.
+// Tests the tabs "load" and "rating" in a browser: numbers compared with the native program, fields for
+// missing inputs, and colours of the verdict.
 
 import assert from "node:assert/strict";
 import { describe } from "node:test";
@@ -9,7 +9,7 @@ let page;
 withPage((stage) => ({ page } = stage));
 
 describe("load", () => {
-  /** Waits for the full answer under this torque. Otherwise an earlier answer could be read. */
+  /** Waits for the full result under this torque, so that no earlier result is read. */
   const finished = (torque) =>
     page.waitForFunction(
       (torque) => {
@@ -20,12 +20,12 @@ describe("load", () => {
       torque,
       { timeout: kPatience },
     );
-  /** Checks that the text is the number, to the digits of the text. */
+  /** Checks that the text shows the number, rounded to the digits of the text. */
   const shows = (text, value) => assert.equal(text, value.toFixed((text.split(".")[1] ?? "").length));
   const cell = (id, column = 0) =>
     page.textContent(`#room-load [data-quantity="load.${id}"][data-column="${column}"]`);
 
-  it("a draft comes first, then the program's own numbers", async () => {
+  it("shows a draft first, then the numbers of the program", async () => {
     await put(page, example("loaded_pair"), "load");
     await finished(80);
     const expected = native("load", example("loaded_pair"));
@@ -43,7 +43,7 @@ describe("load", () => {
       await page.waitForSelector(`#room-load #${id}`);
   });
 
-  it("the slider shows where teeth bear, and the torque is a field", async () => {
+  it("the slider shows the pressure at a position, and the torque has a field", async () => {
     const ink = () =>
       page.evaluate(() => document.querySelector('#pressure1 [data-frame][visibility="visible"]')?.dataset.frame);
     const before = await ink();
@@ -59,7 +59,7 @@ describe("load", () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it("a spec without a torque is offered one, with a first value and without an error", async () => {
+  it("a spec without a torque makes the tab offer one, with an initial value and without an error", async () => {
     await put(page, example("helical_pair") + '\n[load]\npositions = 8\nslices = 8\naccuracy = "draft"\n', "load");
     await page.waitForSelector("#room-load .offered:not([hidden])");
     assert.equal(await page.locator('#room-load [aria-invalid="true"]').count(), 0);
@@ -78,7 +78,7 @@ describe("load", () => {
     shows(await cell("max_pressure_MPa"), record.max_pressure_MPa);
   });
 
-  it("another fault stands at its field, in the engine's words, and nowhere else", async () => {
+  it("any other error is shown only at its field, with the engine's message", async () => {
     const text = example("loaded_pair").replace("poisson_ratio = 0.3", "poisson_ratio = 0.495");
     await put(page, text, "load");
     await page.waitForSelector('#room-load [data-key="gear1.material.poisson_ratio"][aria-invalid=true]');
@@ -106,7 +106,7 @@ describe("rating", () => {
     }
   });
 
-  it("a safety that falls short has the verdict's colour; a steel is chosen by name", async () => {
+  it("a safety that is too low has the colour of the verdict, and a steel is chosen by name", async () => {
     await page.fill('#room-rating [data-key="rating.power_kW"]', "200");
     await page.waitForSelector('#room-rating .safety[data-level="red"]');
     await page.selectOption('#room-rating [data-key="gear1.material.name"]', "34CrNiMo6");
@@ -119,7 +119,7 @@ describe("rating", () => {
     assert.equal(await page.getAttribute('[data-safety="S_F.1"]', "data-level"), found?.level ?? "green");
   });
 
-  it("what is missing stands at its field, in the engine's words", async () => {
+  it("a missing value is reported at its field with the engine's message", async () => {
     const text = example("rated_pair").replaceAll(/\[gear[12].material\]\nname = .*\n/g, "");
     await put(page, text, "rating");
     await page.waitForSelector("#room-rating [aria-invalid=true]");
@@ -129,7 +129,7 @@ describe("rating", () => {
     assert.equal(await page.textContent("#room-rating .view-sentence"), "There is no result. Correct the marked field.");
   });
 
-  it("a spec without a load is offered what a rating needs; first values are enough", async () => {
+  it("a spec without a load makes the tab offer one, whose initial values suffice for a rating", async () => {
     await put(page, example("helical_pair"), "rating");
     await page.waitForSelector("#room-rating .offered:not([hidden])");
     assert.equal(await page.locator('#room-rating [aria-invalid="true"]').count(), 0);

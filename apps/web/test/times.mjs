@@ -1,5 +1,5 @@
-// Measures the speed of the page: opening to first answer, keystroke to picture, the contact curve,
-// frames while turning. It only measures times. The tests are in the other files.
+// Measures the speed of the page: from opening to the first result, from a keystroke to the picture, the
+// contact curve, and frames while turning. The other files contain the tests.
 //
 //   node apps/web/test/times.mjs
 
@@ -18,7 +18,7 @@ for (let i = 0; i < 5; ++i) {
   starts.push(await page.evaluate(() => performance.getEntriesByName("ready")[0].startTime));
   await context.close();
 }
-console.log(`opening to the first answer of the engine   ${median(starts).toFixed(0)} ms`);
+console.log(`opening to the first result of the engine   ${median(starts).toFixed(0)} ms`);
 
 const page = await open(browser, pathToFileURL(join(web, "gearwright.html")).href);
 for (const name of ["spur_pair", "helical_pair", "planetary_ring", "crossed_pair", "misaligned_pair"]) {
@@ -32,12 +32,12 @@ for (const name of ["spur_pair", "helical_pair", "planetary_ring", "crossed_pair
       field.dispatchEvent(new Event("input"));
       while (window.gearwright.text() === before) await new Promise((go) => setTimeout(go));
       all.push([window.gearwright.lastMs(), window.gearwright.engineMs()]);
-      await new Promise((go) => setTimeout(go, 60)); // waits until the last picture is painted
+      await new Promise((go) => setTimeout(go, 60)); // until the last picture is painted
     }
     return all;
   });
   const [there, engine] = [0, 1].map((k) => median(times.map((one) => one[k])).toFixed(1));
-  console.log(`${name.padEnd(18)} a key changed: answer after ${there} ms, ${engine} of them the engine's`);
+  console.log(`${name.padEnd(18)} change of a key: result after ${there} ms, of which the engine takes ${engine} ms`);
 }
 await put(page, example("misaligned_pair"), "contact");
 await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
@@ -59,7 +59,7 @@ for (const tab of ["mesh", "solid"]) {
       }),
   );
   console.log(
-    `${tab.padEnd(18)} frames a second while it turns, without a graphics card: ${frames.toFixed(0)}`,
+    `${tab.padEnd(18)} frames per second while turning, without a graphics card: ${frames.toFixed(0)}`,
   );
   await page.click(`#room-${tab} .controls button`);
 }

@@ -1,4 +1,4 @@
-// Tests zooming and moving a picture by the script that page and report share, without the engine.
+// Tests zooming and moving a picture with the script that page and report share. The engine is not needed.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -27,7 +27,7 @@ const box = () =>
 const near = (a, b) => a.forEach((one, i) => assert.ok(Math.abs(one - b[i]) < 1e-3, `${a} is not ${b}`));
 
 describe("zoom", () => {
-  it("the wheel comes closer to what is under the pointer, labels keep their size", async () => {
+  it("the wheel zooms about the pointer, and labels keep their size", async () => {
     await page.mouse.move(100, 150);
     await page.mouse.wheel(0, -200);
     await page.waitForFunction(() => window.settled > 0);
@@ -38,7 +38,7 @@ describe("zoom", () => {
     assert.ok(Math.abs(Number(/scale\(([^)]*)\)/.exec(label)[1]) - factor) < 1e-6, label);
   });
 
-  it("a drag moves, a double click restores", async () => {
+  it("dragging moves the view, and a double click restores it", async () => {
     const [x, , width] = await box();
     await page.mouse.down();
     await page.mouse.move(140, 150);
@@ -49,7 +49,7 @@ describe("zoom", () => {
     assert.equal(await page.getAttribute(".lb", "transform"), "translate(100 100)");
   });
 
-  it("the keyboard does the same", async () => {
+  it("the keyboard zooms, moves and restores the view", async () => {
     await page.focus("svg");
     await page.keyboard.press("+");
     near(await box(), [40, 30, 320, 240]);
@@ -59,7 +59,7 @@ describe("zoom", () => {
     near(await box(), home);
   });
 
-  it("two fingers zoom about their middle", async () => {
+  it("two fingers zoom about the point between them", async () => {
     const client = await page.context().newCDPSession(page);
     const touch = (type, ...points) =>
       client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });

@@ -14,7 +14,7 @@
       return {node: node, tooth: number(node, 'data-tooth'), from: number(node, 'data-from'),
               to: number(node, 'data-to'), dx: number(node, 'data-dx'), dy: number(node, 'data-dy')};
     });
-    // For pictures of single positions, the nearest one is shown.
+    // Some pictures exist only for single positions. The script shows the nearest one.
     var frames = list(scope.querySelectorAll('[data-frame]')).map(function (node) {
       return {node: node, at: number(node, 'data-frame'), of: number(node, 'data-frames')};
     });
@@ -65,7 +65,8 @@
       t = parseFloat(slider.value);
       show();
     });
-    // Nothing moves before the user starts it, and it stops if the user prefers reduced motion.
+    // Nothing moves until the user starts it. Motion stops at once if the user prefers reduced
+    // motion.
     var calm = window.matchMedia && window.matchMedia('(prefers-reduced-motion: reduce)');
     if (calm && calm.addEventListener) calm.addEventListener('change', function () { if (calm.matches) stop(); });
     window.addEventListener('beforeprint', function () {

@@ -22,8 +22,8 @@ inline std::size_t count_of(const std::string& text, const std::string& what) {
   return n;
 }
 
-/// Checks that the text is well-formed and every number finite. Ids that begin with `elsewhere` may
-/// be on the remaining page.
+/// Checks that the text is well-formed HTML and that every number is finite. Ids that begin with
+/// `elsewhere` may be defined in another part of the page.
 inline void expect_sound_figure(const std::string& figure, const std::string& elsewhere = "") {
   for (const std::string& fault : StrictHtml::read(as_page(figure)).faults) {
     if (elsewhere.empty() || fault.rfind("no such id: " + elsewhere, 0) != 0)

@@ -1,4 +1,5 @@
-// Contact of sample pairs in the form in which a job passes it, for the tests of this room.
+// Contact results of sample pairs, for the tests of report/. They have the form in which a job
+// passes them.
 #pragma once
 
 #include <cmath>
@@ -12,7 +13,7 @@
 
 namespace gearwright::testing {
 
-/// Gears, their pair, and the report about it. The report points to the gears.
+/// Gears, their pair, and the contact report on it. The report points to the gears.
 struct ContactSample {
   std::shared_ptr<const std::array<Gear, 2>> gears;
   std::shared_ptr<const ContactPair> pair;
@@ -50,7 +51,7 @@ inline ContactMount mount_of(const InvolutePair& pair, const ContactErrors& erro
   return {pair.center_distance, pair.axis_angle(), false, errors};
 }
 
-/// A pair 17/43 with its axes crossed by 0.02°, so that edges carry all the time.
+/// A pair 17/43. Its axes are crossed by 0.02°, so that an edge is in contact at all positions.
 inline ContactSample helical_contact() {
   const InvolutePair pair = helical_pair();
   ContactErrors errors;
@@ -58,7 +59,7 @@ inline ContactSample helical_contact() {
   return contact_sample({pair.gears[0], pair.gears[1]}, mount_of(pair, errors));
 }
 
-/// Crossed helical gears with errors of every kind: contact in points.
+/// Crossed helical gears with every kind of error. They have point contact.
 inline ContactSample crossed_contact(bool gear2_drives = false) {
   const InvolutePair pair = left_hand_pair();
   ContactMount mount =
@@ -75,7 +76,7 @@ inline ContactSample ring_contact(bool gear2_drives = false) {
   return contact_sample({pair.gears[0], pair.gears[1]}, mount);
 }
 
-/// Without errors, the flanks are conjugate and touch along lines.
+/// A pair without errors. Its flanks are conjugate and touch along lines.
 inline ContactSample perfect_contact() {
   const InvolutePair pair = helical_pair();
   ContactSample s = contact_sample({pair.gears[0], pair.gears[1]}, mount_of(pair));

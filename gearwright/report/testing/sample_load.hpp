@@ -1,4 +1,5 @@
-// Teeth under load in the form in which a job passes them, for the tests of this room.
+// Results of loaded contact for the tests of report/. They have the form in which a job passes
+// them.
 #pragma once
 
 #include <memory>
@@ -10,13 +11,13 @@
 
 namespace gearwright::testing {
 
-/// A pair and the report about it. The report points to the pair.
+/// A pair, and the load report on it. The report points to the pair.
 struct LoadSample {
   std::shared_ptr<const ParallelPair> pair;
   LoadScene report;
 };
 
-/// `crossing` is in degrees. Tables are coarse and positions few.
+/// `crossing` is in degrees. The compliance tables are coarse, and there are few positions.
 inline LoadSample load_sample(ParallelPair mounted, std::vector<double> torques, double crossing,
                               bool gear2_drives = false) {
   LoadSample sample;

@@ -1,4 +1,4 @@
-// Gears, pairs and report inputs for the tests of this room.
+// Gears, pairs and report inputs for the tests of report/.
 #pragma once
 
 #include <cmath>
@@ -49,7 +49,7 @@ inline ParallelPair internal_pair() {
   return sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.2), 42);
 }
 
-/// Two teeth with circular root and tip fillets, from table 1 of the paper in
+/// A gear with two teeth and circular root and tip fillets, from table 1 of the paper in
 /// docs/theory/06-few-teeth.md.
 inline Gear two_teeth(double face_width = 17.5, double shift = 0.7) {
   CylindricalSpec spec = testing::plain_spec(
@@ -70,15 +70,16 @@ inline Gear cut_gear(const Gear& cutter, int teeth, double shift, double face_wi
   GW_EXPECTS(static_cast<bool>(gear));
   return std::move(gear).take();
 }
-/// The pair 2/60 of the same table. Gear 2 is cut by gear 1 and mounted in the position of cutting.
+/// The pair 2/60 of the same table. Gear 2 is cut by gear 1, and the pair is mounted at the
+/// generating distance.
 inline ParallelPair two_and_sixty(double face_width = 17.5) {
   Gear pinion = two_teeth(face_width);
   Gear wheel = cut_gear(pinion, 60, -1.4, face_width);
   const double distance = wheel.cut_by->distance;
   return sample_pair(std::move(pinion), std::move(wheel), distance);
 }
-/// A pinion of 18 teeth in an internal gear of 60 teeth, which was cut by a cutter of 20 teeth.
-/// Only 0.05 mm of the centre distance gives backlash.
+/// A pinion with 18 teeth in an internal gear with 60 teeth, which was cut by a cutter with 20
+/// teeth. The centre distance differs by only 0.05 mm from the one without backlash.
 inline ParallelPair pinion_in_cut_ring() {
   CylindricalSpec cutter = testing::plain_spec({.teeth = 20, .module = 2, .face_width = 20});
   cutter.straight_rack().addendum = 1.25;
@@ -105,7 +106,8 @@ inline Gear gear_as_itself(int teeth, double base_diameter, double base_thicknes
   return std::move(gear).take();
 }
 
-/// Two gears at a shaft angle, with a centre distance `more` above the one without backlash.
+/// Two gears mounted at a shaft angle. The centre distance is `more` greater than the one without
+/// backlash.
 inline CrossedPair crossed_sample_pair(Gear gear_1, Gear gear_2, double shaft_angle_deg,
                                        double more = 0.0, std::optional<double> friction = {}) {
   const auto nominal = base_pair(gear_1, gear_2);
@@ -117,7 +119,8 @@ inline CrossedPair crossed_sample_pair(Gear gear_1, Gear gear_2, double shaft_an
   return std::move(pair).take();
 }
 
-/// A pair 9/15 at 90°, with base diameters, thicknesses and helices of Mägi's example after Zeise.
+/// A pair 9/15 at 90°. The base diameters, thicknesses and helix angles are those of Mägi's example
+/// after Zeise.
 inline CrossedPair crossed_pair() {
   return crossed_sample_pair(gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 46.65, 24),
                              gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 65.27, 24), 90, 0,
@@ -130,18 +133,19 @@ inline CrossedPair left_hand_pair() {
 inline CrossedPair opposite_hand_pair() {
   return crossed_sample_pair(sample_gear(17, 2, 35, 0), sample_gear(33, 2, -15, 0.1), 20);
 }
-/// The axes are half a degree off parallel, so the lines of action lie far outside the faces.
+/// A pair whose axes are half a degree from parallel, so the lines of action lie far outside the
+/// faces.
 inline CrossedPair nearly_parallel_pair() {
   return crossed_sample_pair(sample_gear(17, 2, 20.5, 0.2), sample_gear(33, 2, -20, 0), 0.5);
 }
-/// A worm with one tooth, with so much friction that its wheel cannot drive.
+/// A worm with one tooth. Its friction is so high that the wheel cannot drive.
 inline CrossedPair worm_pair() {
   return crossed_sample_pair(sample_gear(1, 2, 80, 0), sample_gear(30, 2, 10, 0), 90, 0, 0.3);
 }
 inline CrossedPair spur_and_helical_pair() {
   return crossed_sample_pair(sample_gear(20, 2, 0, 0), sample_gear(30, 2, 30, 0.3), 30.4);
 }
-/// The gears are too far apart and have no contact.
+/// A pair whose gears are too far apart for contact.
 inline CrossedPair crossed_apart() {
   return crossed_sample_pair(sample_gear(20, 2, 45, 0), sample_gear(30, 2, 45, 0), 90, 20);
 }
@@ -153,7 +157,7 @@ inline std::vector<CrossedPair> crossed_pairs() {
   return pairs;
 }
 
-/// The verdict on the content of a report, with additional warnings.
+/// Sets the verdict on the gears, pair and contact of a report, with additional warnings.
 inline void judge(ReportInput& input, std::vector<Warning> warnings) {
   Judged judged;
   judged.gears = input.gears;
@@ -174,7 +178,7 @@ inline std::vector<Warning> warnings_of(const MountedGears& pair) {
   return warnings;
 }
 
-/// The data that a job would pass.
+/// The report input that a job would pass.
 template <std::derived_from<MountedGears> Kind>
 ReportInput report_input(const Kind& pair) {
   ReportInput input;

@@ -1,5 +1,5 @@
-// Small searches with their answers in the form in which a job passes them, for the tests of this
-// room.
+// Small searches with their answers, for the tests of report/. They have the form in which a job
+// passes them.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace gearwright::testing {
 
-/// A search and its result. The report points to both.
+/// A search and its answer, with a report that points to both.
 struct SearchSample {
   std::shared_ptr<const Search> search;
   std::shared_ptr<const SearchAnswer> answer;
@@ -32,7 +32,7 @@ inline SearchSample search_sample(const SearchProblem& problem, std::size_t most
   return sample;
 }
 
-/// Ratio 2, centre distance 99 … 101 mm, shifts -0.6 … 1, which gives 56 designs from 2754 trials.
+/// Ratio 2, centre distance 99 to 101 mm, shifts -0.6 to 1. There are 2754 trials and 56 designs.
 inline SearchProblem spur_problem() {
   SearchProblem p;
   p.ratio = {1.9, 2.1};
@@ -53,7 +53,7 @@ inline SearchSample exact_search() {
   return search_sample(p);
 }
 
-/// Three objectives, narrow centre distances, every limit given.
+/// A search with three objectives, a narrow range of centre distances, and every limit given.
 inline SearchSample pareto_search() {
   SearchProblem p = spur_problem();
   p.center_distance.reset();
@@ -97,7 +97,7 @@ inline SearchSample crossed_search() {
   return search_sample(p);
 }
 
-/// Nothing is feasible.
+/// A search without feasible designs.
 inline SearchSample empty_search() {
   SearchProblem p = spur_problem();
   p.center_distance = {{3.0, 3.2}};

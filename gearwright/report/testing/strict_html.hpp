@@ -1,9 +1,9 @@
-// A small strict reader of the HTML that this room writes. Where that is simple, it is stricter
-// than HTML itself, so that every reader interprets an accepted page in the same way.
+// A small strict reader of the HTML that report/ writes. It is stricter than HTML itself where this
+// makes the reader simpler, so every HTML reader interprets an accepted page in the same way.
 //
 //   Tags must balance, except void elements. Attributes must be double-quoted and unique in their
-//   element. The characters '<', '>' and a bare '&' may appear in text only as references. Ids must
-//   be unique, and the id of every #reference must exist.
+//   element. In text, the characters '<', '>' and '&' may appear only as references. Ids must be
+//   unique, and the id of every #reference must exist.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@ namespace gearwright::testing {
 
 struct HtmlFacts {
   std::vector<std::string> faults;      ///< empty if well-formed
-  std::map<std::string, int> elements;  ///< number of each
+  std::map<std::string, int> elements;  ///< number of each element
   std::set<std::string> ids;
-  std::vector<std::string> links;  ///< href and src values
+  std::vector<std::string> links;  ///< values of href and src
 };
 
 class StrictHtml {
@@ -105,7 +105,7 @@ class StrictHtml {
     open_.push_back(name);
   }
 
-  // Leaves at_ behind '>'. Returns true for "/>".
+  // Reads attributes up to and including '>'. Returns true if the tag ends with "/>".
   bool attributes() {
     std::set<std::string> seen;
     while (!end()) {

@@ -1,5 +1,5 @@
-// The tab "contact". Errors and modifications have sliders, and transmission error, spectrum and flanks
-// change with them. The pattern is computed in the background and appears a moment later.
+// The tab "contact" shows transmission error, spectrum and flanks. They follow the sliders of errors and
+// modifications at once. The contact pattern is computed in the background and follows later.
 
 import type { ContactCurve, FlankRaster } from "../../engine/engine";
 import { fill, h, scroller, sentenceOf, slide, slider } from "../elements";
@@ -87,7 +87,7 @@ export class ContactView implements Tab {
     fill(this.sentence, sentence);
     this.empty(true);
   }
-  /** Shows or hides everything except the sentence. Only the sentence is shown if there is no curve. */
+  /** Hides everything except the sentence if there is no curve, otherwise shows it again. */
   private empty(yes: boolean): void {
     for (const one of this.picture.children) if (one !== this.sentence) (one as HTMLElement).hidden = yes;
     this.errorMap.element.hidden = yes;
@@ -107,7 +107,7 @@ export class ContactView implements Tab {
     const view = { width: this.width, positions: kPositions, index, patterns, curves };
     const figures = await bench.front
       .latest(curves ? "figures" : "flanks", "contactFigures", { text: shown, view })
-      .catch(() => null); // the pair no longer exists
+      .catch(() => null); // the pair has been replaced
     if (!figures || this.curve !== curve) return;
     const ofFlanks = figures.filter((one) => one.id.startsWith("bearing"));
     if (curves) this.curves.show(figures.filter((one) => !ofFlanks.includes(one)));
@@ -118,14 +118,14 @@ export class ContactView implements Tab {
   private async pattern(text: string): Promise<void> {
     const pattern = await bench.back
       .latest("pattern-flat", "pattern", { text, positions: 32, rows: 25, columns: 49 })
-      .catch(() => null); // there is no such pattern
+      .catch(() => null); // the pattern does not exist
     if (!pattern || this.shown !== text) return;
     this.patterns = pattern;
     this.marked = text;
     await this.drawFigures(false);
   }
 
-  /** Requests the verdict on the contact, which the curves do not contain. */
+  /** Requests the verdict on the contact, which is not part of the curves. */
   async judge(): Promise<void> {
     const { text } = bench;
     const answer = await bench.press.latest("contact", "run", { text, verb: "contact" });

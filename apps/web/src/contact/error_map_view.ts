@@ -1,5 +1,6 @@
-// The map of the peak-to-peak transmission error over two errors. It is computed in the background, row by
-// row, with progress and a button to stop it. A click sets the two errors of the spec to the values at the pointer.
+// The map of the peak-to-peak transmission error over two errors. It is computed row by row in the
+// background, with a progress bar and a button that stops it. A click on the map sets both errors in the spec
+// to the values at the pointer.
 
 import type { ErrorMap, Figure } from "../../engine/engine";
 import { inputs, wordsAt, wordsOf } from "../catalogue";
@@ -38,7 +39,7 @@ export class ErrorMapView {
     this.room,
   );
   private map: ErrorMap | null = null;
-  // The axes of the map, the text of its spec, and the same spec without the two errors.
+  // The axes of the map, the text of its spec, and this spec without the two errors.
   private axes = { x: "", y: "", rest: "", text: "" };
 
   constructor() {
@@ -52,13 +53,13 @@ export class ErrorMapView {
       this.status.textContent = "";
     });
   }
-  /** Returns the spec without the two errors of the map, because the map does not depend on them. */
+  /** Returns the spec without the two errors of the map, on which the map does not depend. */
   private restOf(x: string, y: string): string {
     const { errors, ...spec } = bench.good?.spec ?? {};
     const rest = Object.entries(errors ?? {}).filter(([key]) => key !== x && key !== y);
     return JSON.stringify([spec, rest]);
   }
-  /** Dims the map if the spec has changed, except for its two errors. */
+  /** Dims the map if the spec has changed in anything except the two errors. */
   private age(): void {
     const { x, y, rest, text } = this.axes;
     const fresh = bench.settled && this.restOf(x, y) === rest;
@@ -113,7 +114,7 @@ export class ErrorMapView {
         if (sofar) take(sofar as { map: ErrorMap; figure: Figure });
       });
       if (answer) take(answer);
-      this.status.textContent = "Click a point to mount the pair with its two errors.";
+      this.status.textContent = "Click a point to set these two errors in the spec.";
     } catch (reason) {
       if (bench.design === design) this.status.textContent = sentenceOf(reason);
     } finally {
@@ -122,8 +123,8 @@ export class ErrorMapView {
     }
   }
 
-  /** Uses the nearest point of the map. If the pointer moves, the value is shown. After a click, the two errors of the
-   *  spec are set to those of the point. */
+  /** Handles the pointer at a point of the map. A move shows the value at the nearest node. A click sets
+   *  both errors of the spec to those of this node. */
   private at(x: number, y: number, clicked: boolean): void {
     const { map, axes } = this;
     if (!map) return;

@@ -1,5 +1,5 @@
-// Shows every mounting error and every modification as a slider about 0. The pictures change with the
-// slider. A double click or the key 0 resets it.
+// Shows a slider, centred on 0, for every mounting error and every modification. The pictures follow the
+// slider while it moves. A double click or the key 0 resets it.
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, inputs, wordsOf } from "../catalogue";
@@ -17,7 +17,7 @@ const kModifications = [
   "root_relief_um",
   "end_relief_um",
 ];
-/** For each modification, the key that must also be given. */
+/** For each modification, another key that must be given with it. */
 const kNeeds: Record<string, string> = {
   tip_relief_um: "tip_relief_start_mm",
   root_relief_um: "root_relief_start_mm",

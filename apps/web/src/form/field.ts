@@ -1,8 +1,8 @@
 // One field of the form: a key of the catalogue at a place of the spec.
 //
-// A number may be typed, changed in steps with the arrow keys, or changed by a slider. While a field has the
-// focus, the note below its row shows one sentence, the range and a slider about the value. The note also shows
-// errors of the value.
+// The user types a number, changes it with the arrow keys, or moves a slider. While a field has the focus,
+// the note below its row shows the meaning of the key, its range, and a slider around the value. The note
+// also shows errors of the value.
 
 import type { InputKey } from "../../engine/engine";
 import { materials, rangeOf } from "../catalogue";
@@ -14,14 +14,14 @@ import { bench } from "../workbench";
 export interface Field {
   place: string; // "gear1.profile_shift"
   element: HTMLElement;
-  /** Shows the value in the spec, or the default if there is none. */
+  /** Shows the value in the spec. If the spec has none, shows the default `implied`. */
   show(value: Json | undefined, implied: string): void;
   fault(sentence: string | null): void;
 }
 
 /** The number of letters that fit into a field beside its label, in the form and in a panel. */
 const kLetters = { form: 8, panel: 7, chooser: 7, line: 24 };
-/** Moves the fields of a row below their label if a value is too long. */
+/** Moves the fields of a row below their label if a value does not fit beside it. */
 function makeRoom(field: HTMLElement): void {
   const row = field.closest(".row");
   const most = field.closest(".key-panel") ? kLetters.panel : kLetters.form;
@@ -36,7 +36,7 @@ function makeRoom(field: HTMLElement): void {
   row?.classList.toggle("longest", fields.some((one) => letters(one) > kLetters.line));
 }
 
-/** The element with the note of the field that has the focus. */
+/** The note, which belongs to the field that has the focus. */
 export interface Note {
   element: HTMLElement;
   open(key: InputKey, slider: HTMLElement | null): void;
@@ -74,13 +74,13 @@ export function numberIn(text: string): number {
   return plain === "" ? NaN : Number(plain);
 }
 
-/** The words of a list, typed as "contact ratio, sliding", in the form of a spec. */
+/** Converts a list that was typed as "contact ratio, sliding" to the words of a spec. */
 function wordsIn(text: string): string[] {
   const parts = text.split(/[,;]+/).map((part) => part.trim().replaceAll(/\s+/g, "_"));
   return parts.filter(Boolean);
 }
 
-/** Converts a text to the value of this key. Returns null if the text cannot be a value that the engine can check. */
+/** Converts a text to a value of this key. Returns null if the engine could not even check such a value. */
 function valueOf(key: InputKey, text: string): { value: Json | undefined } | null {
   const plain = text.trim();
   if (plain === "") return { value: undefined };
@@ -107,12 +107,12 @@ function shown(key: InputKey, value: Json | undefined): string {
   return typeof value === "object" ? "(in the text)" : String(value);
 }
 
-/** True for the name of a material. For this key, the materials of the table are offered. */
+/** True if the key is the name of a material. Its field then offers the table of materials. */
 function isMaterial(key: InputKey, place: string): boolean {
   return key.key === "name" && place.endsWith(".material.name");
 }
 
-/** The names of materials. They are grouped by kind, because only the name fits into a field. */
+/** The options of a field for materials: the names, grouped by kind. */
 export function materialGroups(): HTMLElement[] {
   const groups = new Map<string, HTMLElement>();
   for (const { name, kind, note } of materials()) {
@@ -150,7 +150,7 @@ function chooser(key: InputKey, place: string, label: string): Field {
       none.textContent = absent || "–";
       const meant = value === undefined || typeof value === "object" ? "" : String(value);
       if (key.kind === "text" && ![...select.options].some((one) => one.value === meant))
-        select.append(option(meant)); // a name chosen by the user
+        select.append(option(meant)); // a name that is not in the table
       select.value = meant;
       select.classList.toggle("implied", value === undefined);
       makeRoom(select);
@@ -169,7 +169,7 @@ export function makeField(key: InputKey, named: string, place: string, who: stri
   }
   const numeric = (key.kind === "number" || key.kind === "whole") && (!key.list || key.list.single);
   let current: Json | undefined;
-  let mine: string | null = null; // the text that is being typed here
+  let mine: string | null = null; // the text that the user is typing here
 
   const input = h("input", {
     type: "text",

@@ -1,7 +1,7 @@
-// The form shows the spec as rows with a column for each gear. It is made from the catalogue of inputs.
+// The form shows the spec as rows, with a column for each gear. The rows follow from the catalogue of inputs.
 //
-// Rows appear and disappear with the keys of the text. Otherwise only values change, so the focus and the
-// slider are kept.
+// Rows appear and disappear with the keys in the text. Otherwise only values change, so the focus and the
+// slider are preserved.
 
 import { inputKey } from "../catalogue";
 import { button, Choice, fill, h } from "../elements";
@@ -42,7 +42,7 @@ export class Form {
     if (!solved) return;
     const spec = solved.spec ?? bench.good?.spec ?? null;
     if (!spec) {
-      // If the text cannot be read and there was no design before, there is nothing to show.
+      // The text cannot be read, and there was no design before, so the form is empty.
       this.signature = this.title.value = "";
       this.rows.clear();
       fill(this.body);
@@ -103,7 +103,7 @@ export class Form {
     );
     details.querySelector("summary")!.addEventListener("click", () => {
       if (details.open)
-        this.opened.delete(section.id); // the section is about to close
+        this.opened.delete(section.id); // the keys of this section will be hidden again
       else this.opened.add(section.id);
     });
     return details;

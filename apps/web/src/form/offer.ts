@@ -1,5 +1,5 @@
-// Offers inputs that a result needs and the spec lacks. There are a few fields with sensible initial values
-// and a button. The values are written into the spec only when the user presses the button.
+// Offers inputs that a result needs and that the spec lacks: a few fields with sensible initial values, and a
+// button. The values are written into the spec only when the user presses the button.
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, wordsOf } from "../catalogue";
@@ -12,9 +12,10 @@ import { materialGroups, numberIn } from "./field";
 export interface Offered {
   table: string; // table of the catalogue
   key: string;
-  places: string[]; // places that all get the value: "rating.speed_rpm", "gear1.material.name"
-  instead?: string[]; // keys that make this one unnecessary
-  first(): Json; // "" for a material means the material that applies without a name
+  places: string[]; // the value is written to all these places: "rating.speed_rpm",
+                    // "gear1.material.name"
+  instead?: string[]; // keys that make this one unnecessary if they are given
+  first(): Json; // initial value; "" for the material that applies if no name is given
 }
 
 export class Offer {
@@ -44,7 +45,7 @@ export class Offer {
     this.element.hidden = true;
     this.shown = "";
   }
-  /** Shows fields for the values that the spec lacks. */
+  /** Shows a field for each value that the spec lacks. */
   show(): void {
     const spec = bench.good?.spec ?? null;
     const given = (place: string) => at(spec, place) !== undefined;
@@ -95,7 +96,7 @@ export class Offer {
     const values: [string, Json][] = [];
     for (const { of, input } of this.fields) {
       const text = input.value.trim();
-      // An empty choice means the material that applies without a name.
+      // The empty choice stands for the material that applies if no name is given.
       if (input instanceof HTMLSelectElement && !text) continue;
       const value = input instanceof HTMLSelectElement ? text : numberIn(text);
       if (Number.isNaN(value)) {
@@ -108,7 +109,7 @@ export class Offer {
   }
 }
 
-/** The number at the first of these places that has one. */
+/** The number at the first of these places where the spec has one. */
 function numberAt(places: string[]): number | null {
   for (const place of places) {
     const value = at(bench.good?.spec ?? null, place);
@@ -118,11 +119,11 @@ function numberAt(places: string[]): number | null {
   return null;
 }
 
-/** F_t / (b m_n) in N/mm², which is a light load for ordinary steel teeth. */
+/** F_t/(b m_n), N/mm². This is a light load for ordinary steel teeth. */
 const kUnitLoad = 20;
 
-/** The torque that is given elsewhere in the spec, or otherwise a torque that loads the teeth lightly. It is 1, 2 or 5
- *  times a power of ten. */
+/** The torque that the spec gives for another purpose, or a torque of 1, 2 or 5 times a power of ten that
+ *  loads the teeth lightly. */
 export function firstTorque(): number {
   const given = numberAt(["load.torque_Nm", "rating.torque_Nm"]);
   if (given !== null) return given;
@@ -141,7 +142,7 @@ export function firstTorque(): number {
 export function firstSpeed(): number {
   return numberAt(["rating.speed_rpm", "pair.speed_rpm"]) ?? 1500;
 }
-/** The material of either gear, or `otherwise` if neither has one. */
+/** The material that the spec gives for a gear. If there is none, returns `otherwise`. */
 export function firstMaterial(otherwise: string): string {
   const names = ["gear1", "gear2"].map((gear) => at(bench.good?.spec ?? null, `${gear}.material.name`));
   return (names.find((name) => typeof name === "string") as string | undefined) ?? otherwise;

@@ -1,5 +1,5 @@
-// A few keys of the spec next to a picture that needs them. The fields are the same as in the form, and they
-// also show the errors that the engine reports for that picture.
+// Fields for a few keys of the spec, next to a picture that depends on them. They work like those of the
+// form, and they also show the errors that the engine reports for this picture.
 
 import { inputKey } from "../catalogue";
 import { fill, h } from "../elements";
@@ -11,7 +11,7 @@ import { columnHeads, Rows } from "./row";
 export interface PanelGroup {
   title: string;
   table: string; // table of the catalogue
-  places: string[]; // places of the table in the spec
+  places: string[]; // places of this table in the spec
   keys: string[];
 }
 
@@ -44,13 +44,13 @@ export class KeyPanel {
     fill(this.body, ...this.groups.map(group));
   }
 
-  /** Shows the values of the spec. `answered` is the error of the last spec that could be solved. An error is shown
-   *  at its field, and the error of a missing table at the first field of the table. Returns the sentence for the area
-   *  beside the panel. The sentence contains the reason only if no field shows it. */
+  /** Shows the values of the spec. `answered` is the error of the picture, if there is one. An error is
+   *  shown at its field. The error of a missing table is shown at the first field of this table. Returns
+   *  the sentence to show in place of the picture, which contains the reason only if no field shows it. */
   show(answered: Fault | null = this.answered): string {
     this.build();
     this.answered = answered;
-    // If the spec cannot be solved, the form shows the error too.
+    // If the spec cannot be solved, the form shows this error, too.
     const typed = bench.solved?.fault ?? null;
     const fault = typed ?? answered;
     const spec = bench.solved?.spec ?? bench.good?.spec ?? null;

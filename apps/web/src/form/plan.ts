@@ -1,21 +1,21 @@
-// The rows of the form, made from the catalogue of the engine. For each table of the spec, the form shows the most
-// important keys and the keys in the text. The other keys are shown after a click on "more".
+// Plans the rows of the form from the catalogue of the engine. For each table of the spec, the form shows the
+// most important keys and the keys that the text contains. It shows the other keys after a click on "more".
 
 import type { InputKey } from "../../engine/engine";
 import { inputs } from "../catalogue";
 import { at } from "../workbench";
 import type { Json } from "../engine_worker";
 
-/** A table of the form. Each of its rows has one field, or one for each gear. */
+/** A section of the form for one table. Each row has one field, or one field for each gear. */
 export interface Section {
   id: string; // "gear", "gear.bore", "pair"
   title: string;
   meaning: string;
   table: string; // name of the table in the catalogue
-  places: string[]; // places of the table: ["gear1.bore", "gear2.bore"], ["pair"]
+  places: string[]; // the table in the spec: ["gear1.bore", "gear2.bore"], ["pair"]
   rows: InputKey[];
-  more: InputKey[]; // shown on request
-  present: boolean; // true if the text has the table
+  more: InputKey[]; // shown after a click on "more"
+  present: boolean; // true if the text contains the table
 }
 
 const kAlways: Record<string, string[]> = {
@@ -51,7 +51,7 @@ const kTitles: Record<string, string> = {
   modifications: "Modifications",
   root_fillet: "Root fillet",
   tip_fillet: "Tip fillet",
-  basic: "Gear without its rack",
+  basic: "Gear by its base cylinder",
   material: "Material",
   mounting: "Shaft and bearings",
   spectrum: "Load spectrum",
@@ -65,12 +65,12 @@ const kTitles: Record<string, string> = {
   scatter: "Scatter of tolerances",
 };
 
-/** The title of a table's section: the title in the list above, or otherwise the name with a capital letter. */
+/** The title of a section: the entry of kTitles, or the name of the table with a capital letter. */
 function titleOf(name: string): string {
   return kTitles[name] ?? name.charAt(0).toUpperCase() + name.slice(1).replaceAll("_", " ");
 }
 
-/** The name of the table at a place. For a rack it depends on the kind of the rack. */
+/** The name of the table at a place. The table of a rack depends on the kind of the rack. */
 function tableAt(key: InputKey, value: Json | undefined): string {
   if (key.tables.length < 2) return key.tables[0] ?? "";
   const kind = at(value ?? null, "kind");
@@ -92,7 +92,7 @@ function section(id: string, name: string, table: string, places: string[], spec
   const plain = list.keys.filter(
     (key) => key.documented && key.kind !== "any" && !isTable(firstOf(spec, places, key)),
   );
-  // A key that can only be a table has its own section.
+  // A key that accepts only a table has its own section.
   const rows = plain.filter(
     (key) => (key.kind !== "table" || key.words.length > 0) && (always.includes(key.key) || stands(key)),
   );
@@ -131,7 +131,7 @@ export function planOf(spec: Json): Section[] {
   const sections: (Section | null)[] = [];
   const add = (one: Section | null) => sections.push(one);
   if (searching) add(section("search", "search", "search", ["search"], spec));
-  // A search computes the gears, so the form shows only the numbers that the text fixes.
+  // A search computes the gears, so the form shows only those that the text contains.
   const fixed = searching ? gears.filter((gear) => at(spec, gear) !== undefined) : gears;
   const gear = section("gear", "gear", "gear", fixed, spec);
   if (gear && searching)
@@ -175,7 +175,7 @@ export function planOf(spec: Json): Section[] {
   );
 }
 
-/** A form with the same signature needs no new rows, only new values. */
+/** Two plans with the same signature have the same rows and differ only in values. */
 export function signatureOf(plan: Section[]): string {
   return plan
     .map((one) => [one.id, one.table, one.places, one.rows.map((row) => row.key)].join(":"))

@@ -1,5 +1,5 @@
-// A row of a form. It has a key of the catalogue with a field at each of its places. Below them is the note of the
-// field that has the focus.
+// A row of the form for one key of the catalogue, with a field for each of its places. Below the fields is
+// the note of the field that has the focus.
 
 import type { InputKey } from "../../engine/engine";
 import { quantity, wordsOf } from "../catalogue";
@@ -15,7 +15,7 @@ interface RowField {
   note: Note;
 }
 
-/** The value that applies if a key is absent: the value in the result, or otherwise the default of the catalogue. */
+/** The value that applies if the key is absent: the value in the result, or the default of the catalogue. */
 function implied(key: InputKey, place: string): string {
   const [head, ...rest] = place.split(".");
   const result = bench.solved?.result ?? bench.good?.result ?? null;
@@ -40,11 +40,11 @@ function implied(key: InputKey, place: string): string {
     : "";
 }
 
-/** The number of letters that fit into a row for numbers: in a word, and in the label beside two fields. */
+/** Greatest numbers of letters in a row with two fields: of a word in a field, and of the label. */
 const kNarrow = 8;
 const kShortLabel = 26;
 
-/** True if the label of a row needs a line of its own, because words and lists are longer than numbers. */
+/** True if the fields of a row are wide (words or lists), so its label needs a separate line. */
 function isWide(key: InputKey): boolean {
   if (key.kind === "text" || (key.list !== null && !key.list.single && key.list.most > 2)) return true;
   return key.kind !== "number" && key.words.some((word) => word.length > kNarrow);
@@ -57,7 +57,7 @@ export function columnHeads(places: string[]): (HTMLElement | null)[] {
   );
 }
 
-/** Rows of fields, and the errors that the engine reports for them. */
+/** Rows of fields. Shows the errors that the engine reports for them. */
 export class Rows {
   private fields: RowField[] = [];
 
@@ -67,15 +67,16 @@ export class Rows {
   clear(): void {
     this.fields = [];
   }
-  /** Adds rows for keys of a table of the catalogue. `places` are the places of the table in the spec, ["gear1.bore",
-   *  "gear2.bore"] for "bore". */
+  /** Adds a row for each key of a table. `places` are the places of this table in the spec, such as
+   *  ["gear1.bore", "gear2.bore"] for "bore". */
   add(table: string, keys: InputKey[], places: string[]): HTMLElement {
     return h("div", { class: "rows" }, ...keys.flatMap((key) => this.row(table, key, places)));
   }
   show(spec: Json): void {
     for (const { key, field } of this.fields) field.show(at(spec, field.place), implied(key, field.place));
   }
-  /** Shows an error at its field. If `within` is true, the error of a missing table is shown at its first field. */
+  /** Shows an error at its field. If `within` is true, the error of a missing table is shown at the first
+   *  field of this table. */
   blame(fault: Fault | null, within = false): Field | undefined {
     for (const { field, note } of this.fields) {
       field.fault(null);

@@ -1,6 +1,6 @@
-// The tab "load" shows teeth under torque. A draft is shown while the spec changes. When the changes stop, the full
-// result replaces it. If the spec has no torque, the tab shows fields for one. The engine computes all numbers and
-// draws all figures.
+// The tab "load" shows teeth under torque. While the user changes the spec, the tab shows a draft. After a
+// pause, the full result replaces the draft. If the spec has no torque, the tab shows fields for one. The
+// engine computes all numbers and draws all figures.
 
 import { AnswerView } from "../answer_view";
 import { quantities } from "../catalogue";
@@ -12,14 +12,14 @@ import { judgement } from "../judgement";
 import { rowsOf } from "../quantity_table";
 import { at, bench } from "../workbench";
 
-/** The full result is computed after this time without a change. */
+/** The pause after the last change before the full result is computed. */
 const kRestMs = 1200;
 const kNeeds = {
   keys: ["load.torque_Nm"],
   without: "The spec has no torque.",
   alone: "An analysis under load needs a second gear.",
   offer: "Load sharing, deflection and stress of the teeth under a torque:",
-  go: "Load the teeth",
+  go: "Apply this load",
   panel: [
     {
       title: "Load",
@@ -62,12 +62,12 @@ export class LoadView extends AnswerView<Answer> {
     this.choose(i),
   );
   private readonly where = h("output", { class: "soft" });
-  private full = false; // false if the answer is a draft
+  private full = false; // false if the result is a draft
   private torque = 0;
   private index = -1;
   private width = 0;
   private rest = 0;
-  private wanted = ""; // accuracy and text of the request that is being computed
+  private wanted = ""; // accuracy and text of the current request
 
   constructor() {
     super("load", kNeeds);
@@ -97,11 +97,11 @@ export class LoadView extends AnswerView<Answer> {
   leave(): void {
     clearTimeout(this.rest);
   }
-  /** When the changes of the spec stop, the full result replaces the draft. */
+  /** Replaces the draft by the full result after a pause in the changes of the spec. */
   private async finish(text: string): Promise<void> {
     if (bench.good?.text === text) await this.compute(text, "full");
   }
-  /** Computes the full answer even if the tab is not open. If a draft is in progress, the full answer follows it. */
+  /** Computes the full result even if the tab is not open. If a draft is in progress, the full result follows it. */
   async judge(): Promise<void> {
     const { text } = bench;
     if (!this.wanted.endsWith(text) && !(this.shown === text && this.full)) await this.finish(text);
@@ -176,7 +176,7 @@ export class LoadView extends AnswerView<Answer> {
     this.width = this.figures.width;
     const figures = await bench.press
       .latest("load-figures", "loadFigures", { torque, width: this.width })
-      .catch(() => null); // the result no longer exists
+      .catch(() => null); // the result has been replaced
     if (!figures || this.answer !== answer || this.torque !== torque) return;
     this.figures.show(figures);
   }

@@ -1,8 +1,8 @@
-// The tab "mesh" shows the section at z = 0, which turns with a slider, the path of contact, named circles, and the
-// diameters at the pointer.
+// The tab "mesh" shows the section at z = 0. A slider turns the gears. The picture contains the path of
+// contact and named circles, and the tab shows the diameters at the pointer.
 //
-// The engine draws the figure. The page only turns its gears to the poses that the engine has computed. After zooming
-// or moving, the view is drawn again, so that it is sharp and its circles are labelled.
+// The engine draws the figure, and the page turns its gears to the poses that the engine has computed. After
+// zooming or moving, the engine draws the figure again, so that it is sharp and its circles have labels.
 
 import type { Figure, MeshView as View } from "../../engine/engine";
 import { check, Choice, h, onNextFrame, svg } from "../elements";
@@ -54,10 +54,10 @@ export class MeshView implements Tab {
     ),
   );
   private frame: View["frame"] = "mesh";
-  /** The window to which the user has zoomed or moved, mm. */
+  /** The window that the user has chosen by zooming or moving, mm. */
   private window: View["window"] = null;
   private figure: Figure | undefined;
-  /** Displacements of the axes from the centres of the circles in the figure, mm. */
+  /** Displacement of each axis from the centre of its circles in the figure, mm. */
   private shifts: [number, number][] = [
     [0, 0],
     [0, 0],
@@ -65,7 +65,7 @@ export class MeshView implements Tab {
   private motion: Motion | null = null;
   private design = -1;
   private drawn = ""; // the text of the spec that the figure shows
-  private placed = ""; // the text of the spec that the poses belong to
+  private placed = ""; // the text of the spec to which the poses belong
   shown = "";
 
   constructor() {
@@ -96,19 +96,19 @@ export class MeshView implements Tab {
     if (this.design !== bench.design) this.window = null;
     this.design = bench.design;
     if (!this.picture.clientWidth) return;
-    // Until the new poses of the gears arrive, the poses of the previous spec are used, and the picture
-    // remains dimmed.
+    // The gears keep the poses of the previous spec until the new poses arrive. Until then, the picture is
+    // dimmed.
     const { text } = solved;
     const motion = bench.about(bench.back, "motion", "motion", { text, n: 25 });
     await Promise.all([motion, this.draw()]);
     this.motion = (await motion) ?? this.motion;
     if (await motion) this.placed = text;
-    // The figure in the queue may have been replaced because the size of the picture changed.
+    // If the size of the picture has changed, another figure may have replaced the queued one.
     if (this.drawn !== text && bench.good?.text === text) await this.draw();
     this.settle();
   }
 
-  /** When the figure and the poses belong to the same text, the picture counts as up to date. */
+  /** Marks the picture as up to date if the figure and the poses belong to the same text. */
   private settle(): void {
     if (this.drawn === this.placed) this.shown = this.drawn;
     this.repaint();
@@ -123,7 +123,7 @@ export class MeshView implements Tab {
     const view: View = { frame: this.frame, width, height, window: this.window, bodies: false, name: "mesh" };
     try {
       const figure = await bench.about(bench.front, "mesh", "meshFigure", { text, view });
-      // If the view has moved in the meantime, it is drawn again when it stops.
+      // If the view has moved in the meantime, it is drawn again as soon as it stops.
       if (!figure || (view.window && this.viewBox !== before)) return;
       this.show(figure);
       this.drawn = text;
@@ -159,7 +159,7 @@ export class MeshView implements Tab {
     this.redraw();
   }
 
-  /** Stores the visible part of the plane as the window. */
+  /** Stores the visible part of the figure as the window. */
   private takeWindow(): void {
     const { plot } = this.slot;
     const box = plot?.closest("svg")?.viewBox.baseVal;
@@ -169,7 +169,7 @@ export class MeshView implements Tab {
     this.redraw();
   }
   private redraw(): void {
-    this.draw().catch(() => undefined); // the reason is shown instead of the picture
+    this.draw().catch(() => undefined); // the tab shows the reason instead of the picture
   }
 
   private hover(x: number, y: number): void {
@@ -191,7 +191,7 @@ export class MeshView implements Tab {
     this.readout.textContent = (named ? named.name.replace("_", "") + "   " : "") + words.join("   ");
   }
 
-  /** Moves the circles of a gear to its axis, which errors of the mounting have moved to `axis`, mm. */
+  /** Moves the circles of a gear to its axis. Mounting errors have moved this axis to `axis`, mm. */
   private shiftCircles(gear: number, axis: [number, number]): void {
     const { plot } = this.slot;
     const center = this.figure?.data.circles?.find((one) => one.gear === gear)?.center;
@@ -200,7 +200,7 @@ export class MeshView implements Tab {
     const [x, y] = [axisOf(plot, "x"), axisOf(plot, "y")];
     const [cx, cy] = [x.px(center[0]), y.px(center[1])];
     const move = `translate(${x.px(axis[0]) - cx} ${y.px(axis[1]) - cy})`;
-    const kRounding = 0.1; // px, of the numbers in the SVG
+    const kRounding = 0.1; // px, rounding of the numbers in the SVG
     for (const circle of plot.querySelectorAll<SVGCircleElement>("circle.thin")) {
       const [dx, dy] = [circle.cx.baseVal.value - cx, circle.cy.baseVal.value - cy];
       if (Math.hypot(dx, dy) < kRounding) circle.setAttribute("transform", move);

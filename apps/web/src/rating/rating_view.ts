@@ -1,5 +1,5 @@
-// The tab "rating" shows the strength by ISO 6336. The safeties are in the colours of the verdict. Every factor
-// has its clause and the branch of the formula that was used, as in the report.
+// The tab "rating" shows the strength by ISO 6336. The colour of each safety shows its level in the verdict.
+// As in the report, every factor has its clause of the standard and the branch of the formula.
 
 import type { Quantity } from "../../engine/engine";
 import { AnswerView } from "../answer_view";
@@ -13,7 +13,7 @@ import { rowsOf, type Row } from "../quantity_table";
 import { at, bench } from "../workbench";
 
 const kRating = ["rating"];
-/** Each safety, with the code of the finding that the verdict contains if the safety is too low. */
+/** Each safety, and the code of the finding if it is too low. */
 const kSafeties: [key: string, code: string][] = [
   ["S_F", "root_safety"],
   ["S_H", "flank_safety"],
@@ -50,7 +50,7 @@ const kNeeds = {
       keys: ["bearing_span_mm", "pinion_offset_mm", "shaft_diameter_mm", "arrangement"],
     },
     {
-      title: "Values instead of formulas",
+      title: "Values that replace formulas",
       table: "rating",
       places: kRating,
       keys: ["dynamic_factor", "face_load_factor", "transverse_load_factor", "transverse_load_factor_root"],
@@ -116,8 +116,8 @@ export class RatingView extends AnswerView<Rated> {
   async refresh(): Promise<void> {
     const solved = this.pair();
     if (!solved || solved.text === this.shown) return;
-    // Tooth contact under the rated load takes seconds. It is computed in another worker, so that the next change of a
-    // key need not wait for it.
+    // If the rating includes tooth contact under the rated load, it takes seconds. Another worker computes
+    // it, so the next change of the spec does not have to wait.
     const link = at(solved.spec, "rating.tooth_contact") === true ? bench.press : bench.front;
     const answer = await link.latest("rate", "run", { text: solved.text, verb: "rate" });
     if (!answer || bench.good?.text !== solved.text) return;
@@ -164,7 +164,7 @@ export class RatingView extends AnswerView<Rated> {
   }
 }
 
-/** The source of a factor as in the report, "ISO 6336-1, 6.5.4, (13): subcritical". */
+/** The source of a factor as in the report, for example "ISO 6336-1, 6.5.4, (13): subcritical". */
 function placeOf(source: Source | undefined): string {
   if (!source) return "";
   const branch = [source.branch].flat().filter(Boolean).join("; ");

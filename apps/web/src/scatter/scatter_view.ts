@@ -1,5 +1,6 @@
-// The tab "scatter" shows the effect of the tolerances. Each tolerance has a slider. While the slider moves, the
-// distribution is estimated to first order. When it is released, the distribution is computed from complete contacts.
+// The tab "scatter" shows the effect of the tolerances, with a slider for each. While the user moves a
+// slider, the distribution is estimated to first order. When the user releases it, complete contact analyses
+// replace the estimate.
 
 import type { Scattered } from "../../engine/engine";
 import { button, fill, h, scroller, sentenceOf } from "../elements";
@@ -9,7 +10,7 @@ import type { Tab } from "../tabs";
 import { at, bench } from "../workbench";
 import { ToleranceSliders } from "./tolerance_sliders";
 
-/** The contacts are computed after this time without a change. */
+/** The pause after the last change before the contact analyses start. */
 const kRestMs = 400;
 /** Tolerances of a housing of average accuracy. The button adds them to a spec that has no tolerances. */
 const kFirst: Record<string, [number, number]> = {
@@ -40,7 +41,7 @@ export class ScatterView implements Tab {
   );
   private moving = false; // true while a slider is held
   private rest = 0;
-  private full = ""; // the text whose contacts are shown or being computed
+  private full = ""; // the text whose contact analyses are shown or in progress
   shown = "";
 
   async refresh(): Promise<void> {
@@ -73,7 +74,7 @@ export class ScatterView implements Tab {
     clearTimeout(this.rest);
     this.rest = window.setTimeout(() => void this.finish(), kRestMs);
   }
-  /** Computes complete contacts, which replace the estimate. */
+  /** Runs complete contact analyses. Their result replaces the estimate. */
   private async finish(): Promise<void> {
     const text = bench.good?.text;
     if (!text || text !== this.shown || text === this.full) return;

@@ -1,5 +1,5 @@
-// Shows every tolerance of [scatter] as a slider for half of its width, and the grade of the teeth as a slider.
-// The middle of a range does not change. A double click or the key 0 sets the width to 0.
+// Shows a slider for half of the width of each tolerance in [scatter], and a slider for the accuracy grade of
+// the teeth. The middle of a range does not change. A double click or the key 0 sets the width to 0.
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, wordsOf } from "../catalogue";
@@ -19,13 +19,13 @@ interface Slide {
   input: HTMLInputElement;
   output: HTMLOutputElement;
 }
-/** The end of the slider for half of a width, by unit, if the width in the spec is 0. */
+/** For each unit, the upper end of the slider if the width in the spec is 0. */
 const kReach: Record<string, number> = { "°": 0.05, µm: 10, mm: 0.05 };
 
-/** Keys whose value is a single number instead of a range, with the least and the greatest permitted value. */
+/** Keys that have a single number instead of a range, with the least and the greatest permitted number. */
 const kSingle: Record<string, [number, number?]> = { radius_mm: [0.001], quality: [1, 11] };
 
-/** The tolerances of a spec in the order of the catalogue's tables. */
+/** The tolerances in a spec, in the order of the catalogue. */
 function tolerancesOf(spec: Tree | null): Tolerance[] {
   const list: Tolerance[] = [];
   const add = (place: string, table: string, only?: string[]) => {
@@ -60,7 +60,7 @@ export class ToleranceSliders {
   private slides: Slide[] = [];
   private design = -1;
 
-  /** `moved` is called with true while a slider is held, and with false when it is released. */
+  /** `moved` is called with true while the user holds a slider, and with false when the user releases it. */
   constructor(private readonly moved: (moving: boolean) => void) {}
 
   /** Shows the tolerances of the spec. */

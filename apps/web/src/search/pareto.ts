@@ -1,5 +1,5 @@
-// The designs as points over two of their quantities. The engine draws the figure in the available size. A
-// click on a point chooses the design.
+// Shows the designs as points over two of their quantities. The engine draws the figure in the available
+// size. A click on a point chooses its design.
 
 import type { Quantity } from "../../engine/engine";
 import { h } from "../elements";
@@ -14,7 +14,7 @@ export interface Point {
   y: number;
   front: boolean;
 }
-/** The space around the plot, px. */
+/** Space that axes and words need around the plot, px. */
 const kRoom = { across: 110, up: 84 };
 
 export class ParetoPicture {
@@ -28,7 +28,7 @@ export class ParetoPicture {
   }
 
   show(points: Point[], x: Quantity, y: Quantity, chosen: number): void {
-    // The points of the Pareto front are drawn last, so that they are above the others.
+    // The points of the Pareto front are drawn last and cover the others.
     const real = points
       .filter((one) => Number.isFinite(one.x) && Number.isFinite(one.y))
       .sort((a, b) => Number(a.front) - Number(b.front));

@@ -1,5 +1,4 @@
-// Specs that the tab "search" makes: a search near the pair on screen, and the spec of an
-// identified gear.
+// Specs that the tab "search" makes: a search around the pair on screen, and the spec of an identified gear.
 
 import type { Json } from "../engine_worker";
 import { at, bench } from "../workbench";
@@ -30,12 +29,12 @@ objective = ["contact_ratio", "sliding"]
 `;
 }
 
-/** True if a gear is given by its readings. */
+/** True if the spec contains readings of an unknown gear. */
 export function measured(spec: Json): boolean {
   return at(spec, "gear1.measured") !== undefined || at(spec, "gear2.measured") !== undefined;
 }
-/** The spec of an identified gear. It contains the data of the candidate that are keys of a spec, and the remaining
- *  keys of the old gear 1. */
+/** The spec of an identified gear. It contains the data of the candidate that a spec accepts, and the
+ *  other keys of the old gear 1. */
 export function gearOf(candidate: Design): Json {
   const old = (at(bench.solved?.spec ?? null, "gear1") ?? {}) as Design;
   const gear: Design = { ...old };

@@ -1,6 +1,6 @@
-// The table of the designs that a search has found. A click on a heading sorts them, and a click on a row (or Enter)
-// chooses a design. Columns and digits are those of the catalogue. Values that all designs share are in one line above
-// the table.
+// The table of the designs that a search has found. A click on a heading sorts the table. A click on a row,
+// or Enter, chooses a design. Columns and digits are those of the catalogue. Values that all designs share
+// are listed above the table.
 
 import type { Quantity } from "../../engine/engine";
 import { quantities } from "../catalogue";
@@ -11,17 +11,17 @@ import { shownUnit, textOf } from "../numbers";
 export type Design = { [key: string]: Json };
 export interface Column {
   info: Quantity;
-  // In a list, this is the index of the value, or −1 for the value itself. In a record, it is the key.
+  // Position of the value: an index of a list, a key of a record, or −1 for the value itself.
   place: number | string;
   words: string;
 }
 const kShown = 200;
-/** If there are fewer designs than this, every column is shown. */
+/** If there are fewer designs than this, the table shows every column. */
 const kLeastForCommon = 3;
-/** The words of the search report for the position of the profile shifts in the region. */
+/** Words for the point of a design in the region, as in the search report. */
 const kPlaces: Record<string, string> = { eq11: "balanced", lo_hi: "middle" };
 
-/** Identifies a column within its list. The identifier is the same in the list of the next search. */
+/** Identifies a column across searches: the same column of the next list has the same identifier. */
 export function idOf(column: Column): string {
   return `${column.info.key}.${column.place}`;
 }
@@ -43,14 +43,14 @@ export function valueIn(design: Design, column: Column): Json | undefined {
   return column.place < 0 || !Array.isArray(value) ? value : value[column.place];
 }
 
-/** The columns that have a value for at least one design. */
+/** All columns in which at least one design has a value. */
 export function columnsOf(designs: Design[]): Column[] {
   const columns: Column[] = [];
   for (const info of quantities("search.designs")?.quantities ?? []) {
     if (!info.page && !info.listing && info.key !== "objective") continue;
     const values = designs.map((one) => one[info.key]).filter((one) => one !== null && one !== undefined);
     if (!values.length) continue;
-    // A search with several objectives has compared their values. Each objective becomes a column with its name.
+    // If the search has several objectives, each becomes a column with its own name.
     if (info.key === "objective" && typeof values[0] === "object") {
       for (const name of Object.keys(values[0] as Design))
         columns.push({
@@ -75,8 +75,8 @@ export function columnsOf(designs: Design[]): Column[] {
   return columns;
 }
 
-/** Finds pairs of columns with the same values except for the sign. The key of the map is the column that is omitted.
- *  If one of the two columns is an objective, the objective is omitted. */
+/** Finds pairs of columns whose values differ at most in sign. Only one column of a pair is shown. The
+ *  result maps the omitted column to the shown one. If one of the two is an objective, it is omitted. */
 function twinsOf(designs: Design[], columns: Column[]): Map<Column, Column> {
   const read = new Map<string, Column>();
   const twins = new Map<Column, Column>();

@@ -1,7 +1,7 @@
-// The tab "search" shows results for a spec with unknown numbers. A [search] evaluates all candidates, with
-// progress and a button to stop it. If the gears of the spec are incomplete, the verb fit computes the branches.
-// A click shows a design. The list remains while the text on screen is the searched text or one of its
-// designs.
+// The tab "search" shows results for a spec with unknown numbers. For a spec with [search], it evaluates all
+// candidates, with a progress bar and a button that stops it. If the gears are incomplete, the verb fit
+// computes all solutions. A click shows a design. The list remains as long as the text on screen is the
+// searched text or one of its designs.
 
 import { quantity } from "../catalogue";
 import { button, download, fill, h, sentenceOf } from "../elements";
@@ -14,10 +14,10 @@ import { ParetoPicture, type Point } from "./pareto";
 import { around, gearOf, measured } from "./search_specs";
 import { columnsOf, idOf, SearchTable, valueIn, varies, type Column, type Design } from "./search_table";
 
-const kMostTrials = 1e7; // larger searches need the program
+const kMostTrials = 1e7; // larger searches need the native program
 const kAtOnce = 30_000; // smaller searches start without a button
 const kMostDesigns = 2000;
-/** The axes of the picture, the most useful ones first. The others follow in the order of the catalogue. */
+/** Quantities for the axes, the most useful first. All others follow in the order of the catalogue. */
 const kAxes = ["objective", "center_distance_mm", "contact_ratio", "sliding_max", "ratio"];
 
 export class SearchView implements Tab {
@@ -64,7 +64,7 @@ export class SearchView implements Tab {
     this.picture,
   );
   private searched = ""; // the text whose designs are listed
-  private readonly of = new Set<string>(); // the searched text, and the texts of its designs that were chosen
+  private readonly of = new Set<string>(); // the searched text and the texts of the chosen designs
   private designs: Design[] = [];
   private front: number[] = [];
   private taken = -1;
@@ -101,7 +101,7 @@ export class SearchView implements Tab {
         : "A search needs a pair, or a [search] table in the spec.";
   }
 
-  /** Removes the results of the last design when another design is opened. */
+  /** Removes the results of the previous design when another design is opened. */
   private forget(): void {
     this.end();
     this.looked = "";
@@ -110,7 +110,7 @@ export class SearchView implements Tab {
     this.status.textContent = "";
     this.back.hidden = this.save.hidden = true;
   }
-  /** Ends the running search. Its spec is no longer on screen. */
+  /** Ends the running search, because its spec is no longer on screen. */
   private end(): void {
     if (this.running) bench.seek.cancel();
     this.rest();
@@ -120,8 +120,7 @@ export class SearchView implements Tab {
     this.stop.hidden = this.bar.hidden = true;
   }
 
-  /** Shows the number of candidates for a spec with a [search]. If the number is small, the search starts
-   *  immediately. */
+  /** Shows the number of candidates of a [search]. A small search starts immediately. */
   private async offer(text: string): Promise<void> {
     try {
       const trials = await bench.seek.call("trials", { text });
@@ -180,7 +179,7 @@ export class SearchView implements Tab {
       }
     }
   }
-  /** Lists the designs found for a text. The list may be incomplete. */
+  /** Lists the designs that were found for a text. The search may still be running. */
   private list(designs: Design[], front: number[], text: string): void {
     if (text !== this.searched) {
       this.searched = text;
@@ -191,7 +190,7 @@ export class SearchView implements Tab {
     this.front = front;
     this.taken = -1;
     this.table.show(designs, front);
-    // A number that all designs share is not useful as an axis.
+    // A quantity with the same value in all designs is not useful on an axis.
     const rank = (column: Column) => (kAxes.indexOf(column.info.key) + kAxes.length + 1) % (kAxes.length + 1);
     this.columns = columnsOf(designs)
       .filter((one) => designs.some((design) => typeof valueIn(design, one) === "number"))
@@ -248,8 +247,8 @@ export class SearchView implements Tab {
     }
   }
 
-  /** Shows every branch of a fit if the gears of the spec are incomplete. If the spec has the readings of an unknown
-   *  gear, shows every gear that agrees with them. */
+  /** Shows all solutions of a spec without [search]. For incomplete gears, these are the branches of the
+   *  verb fit. For readings of an unknown gear, they are the gears that agree with the readings. */
   private async fit(text: string): Promise<void> {
     const verb = measured(bench.solved?.spec ?? null) ? "identify" : "fit";
     const list = verb === "fit" ? "branches" : "candidates";
@@ -277,7 +276,7 @@ export class SearchView implements Tab {
   private branch(branch: Design, i: number, table: string): HTMLElement {
     const facts = Object.entries(branch).flatMap(([key, value]) => {
       const info = quantity(table, key);
-      // Records, such as the spec itself, are not listed.
+      // Records are not listed. The spec itself is one of them.
       const record = typeof value === "object" && !Array.isArray(value);
       if (record || !info || info.type === "record") return [];
       const texts = (Array.isArray(value) ? value : [value]).map((one) => textOf(info, one)).join(" / ");
@@ -307,7 +306,7 @@ function real(value: Json | undefined): number {
 function count(n: number): string {
   return n.toLocaleString("en").replaceAll(",", "\u202f");
 }
-/** If no design is feasible, returns a sentence about the limit that rejected the most candidates. */
+/** A sentence about the limit that rejected the most candidates, or "" if some design is feasible. */
 function why(feasible: number, rejected: { [key: string]: Json | number }): string {
   if (feasible > 0) return "";
   const worst = Object.entries(rejected).sort((a, b) => Number(b[1]) - Number(a[1]))[0];

@@ -1,6 +1,6 @@
-// The tab "shifts" shows all profile shifts that are within the limits for the tooth numbers of this pair, with
-// their exact borders. A point shows the shifts of the design. The user can drag it or move it with the arrow keys, and
-// all views change with it. If the point is at a border, the border is named.
+// The tab "shifts" shows the region of profile shifts within the limits for the tooth numbers of this pair,
+// with exact borders. A point shows the shifts of the design. The user drags it or moves it with the arrow
+// keys, and all views follow. If the point is on a border, the tab names this border.
 
 import type { ShiftRegion } from "../../engine/engine";
 import { fill, h, onKeys, sentenceOf, svg } from "../elements";
@@ -9,7 +9,7 @@ import { fixed } from "../numbers";
 import { bench } from "../workbench";
 import type { Tab } from "../tabs";
 
-const kAbout = 110; // px of the figure's width and height that axes and words need
+const kAbout = 110; // px that axes and words need in width and in height
 
 export class ShiftsView implements Tab {
   readonly id = "shifts";
@@ -63,7 +63,7 @@ export class ShiftsView implements Tab {
     try {
       const region = await bench.about(bench.front, "shifts", "shifts", { text: solved.text, view });
       if (!region) return;
-      // During a drag, the point follows the pointer and not the answer of the engine.
+      // During a drag, the point is at the pointer, because the result of the engine comes later.
       if (this.held && this.region) region.point = this.region.point;
       this.region = region;
       this.shown = solved.text;
@@ -84,7 +84,7 @@ export class ShiftsView implements Tab {
     this.sentence.textContent = sentence;
   }
 
-  /** The range that the figure shows. It does not change while the point is dragged. */
+  /** The range that the figure shows. It stays the same while the user drags the point. */
   private window(): [number, number, number, number] | null {
     const { plot } = this.slot;
     if (!plot) return null;
@@ -118,7 +118,7 @@ export class ShiftsView implements Tab {
     if (this.region) this.move(this.region.point[0] + across * step, this.region.point[1] + up * step);
   }
 
-  /** Moves the point of the design in the figure and describes it in words. */
+  /** Moves the point of the design in the figure, and describes its position in words. */
   private draw(): void {
     const { region } = this;
     if (!region) return;

@@ -1,6 +1,6 @@
-// Draws the contact pattern on the flanks with the graphics card. For each point of a flank, the gap is read from the
-// engine's raster over diameter and height. If the gap is less than the thickness of the marking compound, the point
-// has another colour.
+// Draws the contact pattern on the flanks with the graphics card. A raster of the engine contains the gap
+// over diameter and height. Points of the flank where the gap is less than the thickness of the marking
+// compound have another colour.
 
 import * as THREE from "three";
 import type { FlankRaster } from "../../engine/engine";
@@ -11,15 +11,15 @@ export interface Marking {
   set(raster: FlankRaster | null, thickness: number): void;
 }
 
-const kFar = 1e3; // mm; gap at points that the mating gear never reaches
+const kFar = 1e3; // mm; stands for an infinite gap
 
-/** The colour of the gear. It is paler than on paper, so that light and shade remain visible. */
+/** The colour of a gear, paler than on paper, so that light and shade remain visible. */
 export function metal(gear: number): THREE.Color {
   return new THREE.Color(colour(`g${gear + 1}`)).lerp(new THREE.Color(colour(`g${gear + 1}-fill`)), 0.32);
 }
 
-/** A material in the colour of a gear, with a marking on its working flanks. `side` is +1 if these flanks face
- *  counter-clockwise about the gear's axis, and −1 if they face clockwise. */
+/** A material in the colour of a gear, with a contact pattern on its working flanks. `side` is +1 if these
+ *  flanks face counter-clockwise about the axis of the gear, and −1 if they face clockwise. */
 export function markedMaterial(
   gear: number,
   side: number,

@@ -1,7 +1,7 @@
-// The scene of the tab "solid". It contains both gears as meshes of the engine, light that moves with the
-// camera, a cutting plane, and the contact on the flanks.
+// The scene of the tab "solid": both gears as meshes of the engine, a light that moves with the camera, a
+// cutting plane, and the contact on the flanks.
 //
-// The scene is drawn only when something has changed.
+// The scene is drawn again only if something has changed.
 
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -53,7 +53,7 @@ export class SolidScene {
     canvas.addEventListener("dblclick", () => this.look());
   }
 
-  /** Sets new solids. The camera does not move unless the size has changed much. */
+  /** Replaces the solids. The camera moves only if their size has changed much. */
   setMeshes(meshes: Mesh[], internal: boolean[], driver: number): void {
     for (const gear of this.gears) {
       this.scene.remove(gear);
@@ -72,7 +72,7 @@ export class SolidScene {
       geometry.setIndex(new THREE.BufferAttribute(mesh.indices, 1));
       const side = (internal[i] ? 1 : -1) * (driver === 2 ? -1 : 1);
       const { material, marking } = markedMaterial(i, side, this.cut);
-      // The inside of a cut body has a flat colour, like a section on a drawing.
+      // The cut face has a flat colour, as in a section on a drawing.
       const inside = new THREE.MeshBasicMaterial({
         color: colour(`g${i + 1}-fill`),
         side: THREE.BackSide,
@@ -88,7 +88,7 @@ export class SolidScene {
     this.repaint();
   }
 
-  /** Sets the colours of the light or dark colour scheme. */
+  /** Sets all colours for the light or dark colour scheme. */
   recolour(): void {
     this.gears.forEach((gear, i) => {
       const [outer, inner] = gear.children as THREE.Mesh[];
@@ -106,7 +106,7 @@ export class SolidScene {
     return this.markings[gear];
   }
 
-  /** Sets the pose of a gear, given as 16 numbers column by column. */
+  /** Sets the pose of a gear, given as a column-major 4×4 matrix. */
   place(gear: number, pose: number[]): void {
     const group = this.gears[gear];
     if (!group) return;
@@ -115,13 +115,13 @@ export class SolidScene {
     this.repaint();
   }
 
-  /** Cuts away everything above z, in mm. If z is Infinity, nothing is cut away. */
+  /** Cuts off everything above z, mm. Infinity removes the cut. */
   section(z: number): void {
     this.cut.constant = Number.isFinite(z) ? z : 1e9;
     this.repaint();
   }
 
-  /** The least and the greatest z, and the length of the diagonal, in mm. */
+  /** The least and the greatest z of the solids, and the length of their diagonal, mm. */
   extent(): { low: number; high: number; size: number } {
     const box = this.bounds();
     return { low: box.min.z, high: box.max.z, size: box.max.distanceTo(box.min) };
@@ -133,7 +133,8 @@ export class SolidScene {
     return box;
   }
 
-  /** Moves the camera so that everything is visible, if `take` is true or the size has changed much. */
+  /** Moves the camera so that everything is visible. Does nothing if `take` is false and the size has
+   *  hardly changed. */
   frame(take: boolean): void {
     const sphere = this.bounds().getBoundingSphere(new THREE.Sphere());
     if (!take && Math.abs(sphere.radius - this.radius) < 0.25 * this.radius) return;

@@ -1,6 +1,6 @@
-// The tab "solid" shows the pair in space, at any shaft angle. The user can turn the pair, cut it and separate
-// the gears. The contact point and its ellipse move over the flanks, and the contact pattern stays
-// on the flanks.
+// The tab "solid" shows the pair in space, at any shaft angle. The user turns the view, cuts the solids, and
+// moves the gears apart. The contact point and its ellipse move over the flanks. The contact pattern stays on
+// the flanks.
 
 import { loadScene } from "gearwright:parts";
 import { check, h, onThemeChange, slide, slider } from "../elements";
@@ -107,7 +107,7 @@ export class SolidView implements Tab {
     await this.paintPattern();
   }
 
-  /** A chord tolerance that is too small to be visible: a ten-thousandth of the size of the pair. */
+  /** The chord tolerance, too small to be visible: a ten-thousandth of the size of the pair. */
   private tolerance(): number {
     const pair = bench.good?.result?.["pair"];
     const gears = (bench.good?.result?.["gears"] ?? []) as unknown as { tip_diameter_mm: number }[];
@@ -136,8 +136,8 @@ export class SolidView implements Tab {
     this.turning.show(motion);
     if (!scene || !motion) return;
     const apart = Number(this.apart.value);
-    // A pinion moves out of its internal gear along the axis. Other gears move away from each
-    // other.
+    // To separate the gears, a pinion moves out of its internal gear along the axis. All other gears move
+    // away from each other.
     motion.places.forEach((_, gear) => {
       const pose = poseAt(motion, gear, this.turning.t);
       if (gear === 1) pose[this.internal ? 14 : 12]! += apart * this.size * 0.5;

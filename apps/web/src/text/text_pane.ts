@@ -1,7 +1,6 @@
-// The spec as coloured text with numbered lines. An error is shown below its line.
+// Shows the spec as coloured text with numbered lines. An error is shown below its line.
 //
-// The user edits a textarea. The same text with colours is behind it. Long texts have no
-// colours.
+// The user edits a transparent textarea. The coloured text is behind it. Long texts are not coloured.
 
 import { fill, h } from "../elements";
 import { bench } from "../workbench";
@@ -9,7 +8,7 @@ import { bench } from "../workbench";
 const kMostColoured = 60_000;
 const kLine = 20; // px, as in the style sheet
 
-/** The pieces of a line of TOML: headings of tables, keys and comments. The rest of the line is a value. */
+/** The parts of a line of TOML: table headings, keys and comments. The rest of the line is a value. */
 function coloured(line: string): Node[] {
   const comment = commentAt(line);
   const code = line.slice(0, comment);
@@ -24,7 +23,7 @@ function coloured(line: string): Node[] {
     ...tail,
   ];
 }
-/** The position of the comment in a line, which begins with the first # outside of quotes. */
+/** The index at which the comment of a line begins: the first # outside of quotes. */
 function commentAt(line: string): number {
   let quote = "";
   for (let i = 0; i < line.length; ++i) {
@@ -111,7 +110,7 @@ export class TextPane {
   private showFault(): void {
     const { fault } = bench;
     const line = fault?.line;
-    // A syntax error has no key, and its message already contains the line.
+    // A syntax error has no key, and its message already contains the line number.
     this.sentence.textContent = fault ? (line && fault.key ? `Line ${line}: ` : "") + fault.message : "";
     this.mark.hidden = !line;
     if (line) this.mark.style.top = `${(line - 1) * kLine}px`;
