@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact_pair.hpp"
 #include "gearwright/figure/markup.hpp"
 
@@ -91,6 +92,11 @@ std::string shown_arcsec(double arcsec) {
   const double size = std::abs(arcsec);
   if (size < 5e-7) return "0";
   return fixed(arcsec, size >= 100 ? 1 : size >= 10 ? 2 : size >= 0.1 ? 3 : 6);
+}
+
+TeUnit te_unit(const RackTravel& rack) {
+  return rack ? TeUnit{kUmPerMm * rack.radius, " µm", "µm"}
+              : TeUnit{kArcsecPerRad, "″", "arc seconds"};
 }
 
 std::string words_of(const NamedAmount& amount) {

@@ -55,6 +55,17 @@ std::string pair_words(int k);
 /// Arc seconds with the significant digits.
 std::string shown_arcsec(double arcsec);
 
+/// The unit of a transmission error: seconds of arc, or µm along a rack.
+struct TeUnit {
+  double per_rad;
+  const char* symbol;  ///< "″" or " µm"
+  const char* words;   ///< "arc seconds" or "µm"
+
+  double of(Angle angle) const { return per_rad * angle.rad(); }
+  std::string text(Angle angle) const { return shown_arcsec(of(angle)) + symbol; }  ///< "12.35″"
+};
+TeUnit te_unit(const RackTravel& rack);
+
 /// Signed and short, "+0.03°", "−0.02 mm".
 std::string words_of(const NamedAmount& amount);
 

@@ -167,25 +167,28 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
   if (te.hi < te.lo) return std::nullopt;
   const double pitch = pitch_of(scene) * kDegPerRad;
   const double middle = 0.5 * (te.lo + te.hi);
-  const double peak = (te.hi - te.lo) * kArcsecPerRad;
+  const TeUnit unit = te_unit(result.rack);
+  const double peak = (te.hi - te.lo) * unit.per_rad;
   const double half = 0.62 * std::max(peak, kFlat);
   Figure f{
       other ? "te-other" : "te",
       other ? "Transmission error of the non-working flanks" : "Transmission error",
-      "Transmission error in arc seconds over the rotation of gear 1, and below it the tooth pair "
-      "in contact and its position on the flanks.",
-      fmt::format(", measured from its middle at {}″. The shaded pitch has {} positions and is "
+      fmt::format(
+          "Transmission error in {} over the rotation of gear 1, and below it the tooth pair "
+          "in contact and its position on the flanks.",
+          unit.words),
+      fmt::format(", measured from its middle at {}. The shaded pitch has {} positions and is "
                   "repeated. Each tooth pair has a colour and a number, counted from the pair "
                   "nearest to the centre line. A dashed curve means that an edge touches. A dotted "
                   "vertical line marks the change from one tooth pair to the next.",
-                  shown_arcsec(middle * kArcsecPerRad), result.positions.size()),
+                  unit.text(Angle::radians(middle)), result.positions.size()),
       {"rotation of gear 1", "°", -pitch, pitch},
-      {"transmission error", "arc seconds", -half, half},
-      "peak to peak " + shown_arcsec(peak) + "″"};
+      {"transmission error", unit.words, -half, half},
+      "peak to peak " + unit.text(Angle::radians(te.hi - te.lo))};
   f.pitch = pitch;
   f.bar({-pitch / 2, -kInfinity}, {pitch / 2, kInfinity}, "measured");
   for (const double level : {te.hi, te.lo}) {
-    const double y = (level - middle) * kArcsecPerRad;
+    const double y = (level - middle) * unit.per_rad;
     f.line({{-kInfinity, y}, {kInfinity, y}}, "leader dash");
   }
   const std::vector<ContactPoint> points = repeated(result.positions, pitch_of(scene));
@@ -194,7 +197,7 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
     const TeRun& run = runs[i];
     std::vector<Vec2> curve;
     for (std::size_t k = 0; k < run.te.size(); ++k)
-      curve.push_back({run.rotation[k] * kDegPerRad, (run.te[k] - middle) * kArcsecPerRad});
+      curve.push_back({run.rotation[k] * kDegPerRad, (run.te[k] - middle) * unit.per_rad});
     if (i > 0 && runs[i - 1].pair != run.pair)
       f.line({{curve.front().x(), -kInfinity}, {curve.front().x(), kInfinity}}, "handover");
     f.line(std::move(curve),
@@ -207,24 +210,26 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
 
 std::optional<Figure> spectrum_figure(const ContactResult& result) {
   if (result.harmonics.empty() || waves_are_rounding(result.harmonics)) return std::nullopt;
-  std::vector<double> arcsec;
-  for (const Angle w : result.harmonics) arcsec.push_back(w.arcsec());
-  const int n = static_cast<int>(arcsec.size());
+  const TeUnit unit = te_unit(result.rack);
+  std::vector<double> amplitudes;
+  for (const Angle w : result.harmonics) amplitudes.push_back(unit.of(w));
+  const int n = static_cast<int>(amplitudes.size());
   const auto amplitude = [&](int h) {
-    return h < 1 || h > n ? 0.0 : arcsec[static_cast<std::size_t>(h - 1)];
+    return h < 1 || h > n ? 0.0 : amplitudes[static_cast<std::size_t>(h - 1)];
   };
-  const double most = *std::max_element(arcsec.begin(), arcsec.end());
+  const double most = *std::max_element(amplitudes.begin(), amplitudes.end());
   Figure f{"spectrum",
            "Spectrum",
-           "The bars show the amplitudes at the first, second, third and further orders of the "
-           "mesh frequency, in arc seconds.",
+           fmt::format("The bars show the amplitudes at the first, second, third and further "
+                       "orders of the mesh frequency, in {}.",
+                       unit.words),
            " of the transmission error, with the amplitude of each harmonic.",
            {"order of mesh frequency", "", 0.3, n + 0.7, true},
-           {"amplitude", "arc seconds", 0.0, 1.15 * std::max(most, kFlat / 2)}};
+           {"amplitude", unit.words, 0.0, 1.15 * std::max(most, kFlat / 2)}};
   std::vector<int> by_size;
   for (int h = 1; h <= n; ++h) {
-    const std::string told =
-        fmt::format("{} wave{} per pitch: {}″", h, h == 1 ? "" : "s", shown_arcsec(amplitude(h)));
+    const std::string told = fmt::format("{} wave{} per pitch: {}{}", h, h == 1 ? "" : "s",
+                                         shown_arcsec(amplitude(h)), unit.symbol);
     f.bar({h - 0.35, 0.0}, {h + 0.35, amplitude(h)}, "bar alpha", told);
     by_size.push_back(h);
   }

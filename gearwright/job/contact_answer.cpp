@@ -10,7 +10,6 @@
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/fillet_contact.hpp"
 #include "gearwright/contact/halves.hpp"
-#include "gearwright/contact/rack_contact.hpp"
 
 namespace gearwright {
 
@@ -176,15 +175,7 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup, const 
 Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
   const ContactInput& input = job.spec.contact;
   if (input.map) return Error{"contact.map", "", "is not available for a rack; it needs two gears"};
-  ContactOptions options;
-  const auto& flanks = job.completed.gear(1).modifications;
-  options.modifications[0] = {flanks[0], flanks[1]};
-  options.gear2_drives = input.driver == 2;
-  options.request = {input.positions, input.pitches, input.marking, input.rotations};
-  for (const NamedInfluence& i : influences_of(job))
-    options.request.influences.push_back(i.influence);
-  options.request.progress = progress;
-  auto contacts = contact(*job.rack, errors_of(job), options);
+  auto contacts = contact(*job.rack, errors_of(job), rack_options(job, progress));
   if (!contacts) return contacts.error();
   RackContact found = std::move(contacts).take();
   const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
@@ -280,6 +271,19 @@ class HalvesAnswer {
 };
 
 }  // namespace
+
+ContactOptions rack_options(const SolvedJob& job, Progress* progress) {
+  const ContactInput& input = job.spec.contact;
+  ContactOptions options;
+  const auto& flanks = job.completed.gear(1).modifications;
+  options.modifications[0] = {flanks[0], flanks[1]};
+  options.gear2_drives = input.driver == 2;
+  options.request = {input.positions, input.pitches, input.marking, input.rotations};
+  for (const NamedInfluence& i : influences_of(job))
+    options.request.influences.push_back(i.influence);
+  options.request.progress = progress;
+  return options;
+}
 
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
   if (job.rack) return answer_of_rack(job, progress);

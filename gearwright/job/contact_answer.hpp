@@ -7,6 +7,7 @@
 
 #include "gearwright/contact/error_map.hpp"
 #include "gearwright/contact/pattern.hpp"
+#include "gearwright/contact/rack_contact.hpp"
 #include "gearwright/job/job_contact.hpp"
 
 namespace gearwright {
@@ -31,6 +32,9 @@ struct ContactAnswer {
   /// The contact of the working flanks on which the verdict is based.
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }
 };
+
+/// The options of the contact of a rack and its pinion that a spec requests.
+ContactOptions rack_options(const SolvedJob& job, Progress* progress);
 
 /// Errors    the errors of setup_of; `errors` if no teeth touch at any position
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullptr);

@@ -185,7 +185,7 @@ void add_assumptions(ContactReport& r, const SolvedJob& job, const ContactAnswer
     r.map = ContactMap{*answer.map,
                        {named_error(key[0], value[key[0]]), named_error(key[1], value[key[1]])}};
   }
-  r.arc_pair = job.pair->arcs();
+  if (job.pair) r.arc_pair = job.pair->arcs();
 }
 
 ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
@@ -210,6 +210,27 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   return r;
 }
 
+// The report on a pinion and its rack. Only the flank of the pinion is drawn.
+Result<ContactReport> report_of_rack(const SolvedJob& job, const ContactAnswer& answer) {
+  ContactOptions options = rack_options(job, nullptr);
+  options.request.rotations.clear();
+  options.request.pitches = 1;
+  options.request.influences.clear();
+  auto made = contact(*job.rack, errors_of(job), options);
+  if (!made) return made.error();
+  RackContact found = std::move(made).take();
+  const ContactPair& pair = *found.pair;
+  ContactReport r;
+  static_cast<ContactScene&>(r) =
+      contact_scene({&job.rack->pinion, nullptr}, pair, job.spec.contact.marking, found);
+  r.other = std::move(found.non_working);
+  r.min_play = answer.min_play;
+  r.patterns = contact_pattern(pair, kFinePositions, kLines);
+  r.middle = middle_of(r.driving.positions);
+  if (r.middle) r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, kGap);
+  return r;
+}
+
 }  // namespace
 
 NamedAmount named_error(std::size_t index, double value) {
@@ -219,11 +240,11 @@ NamedAmount named_error(std::size_t index, double value) {
 }
 
 bool wants_contact(const SolvedJob& job) {
-  if (!job.pair) return false;
+  if (!job.pair && !job.rack) return false;
   // Circular arcs touch in points, and their ellipse and pattern are the reason for choosing such a
   // pair, so they are always reported.
   return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty() ||
-         job.pair->arcs();
+         (job.pair && job.pair->arcs());
 }
 
 Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress) {
@@ -241,7 +262,9 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
     return std::optional<ContactPart>();
   }
   ContactAnswer answer = std::move(made).take();
-  auto pictures = job.halves[0] ? report_of_halves(job, answer) : Result(report_of(job, answer));
+  auto pictures = job.halves[0] ? report_of_halves(job, answer)
+                  : job.rack    ? report_of_rack(job, answer)
+                                : Result(report_of(job, answer));
   if (!pictures) return pictures.error();
   ContactReport report = std::move(pictures).take();
   add_assumptions(report, job, answer);

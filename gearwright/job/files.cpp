@@ -125,16 +125,16 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
 }
 
 // The error if the spec requests results that are not available for these gears. A rack and its pinion have only
-// geometry, a report and files. Double-helical gears have everything except corrections and scatter.
+// geometry, contact, a report and files. Double-helical gears have everything except corrections and scatter.
 std::optional<Error> beyond(const SolvedJob& job) {
   const bool halves = job.halves[0] && job.pair;
   if (!job.rack && !halves) return std::nullopt;
   const JobSpec& spec = job.spec;
   const bool rack = job.rack.has_value();
-  const std::pair<const char*, bool> parts[] = {
-      {"contact", spec.contact.given && rack}, {"errors", spec.errors.given && rack},
-      {"load", spec.load.given && rack},       {"rating", spec.rating.given && rack},
-      {"compensate", spec.compensate.given},   {"scatter", spec.scatter.given}};
+  const std::pair<const char*, bool> parts[] = {{"load", spec.load.given && rack},
+                                                {"rating", spec.rating.given && rack},
+                                                {"compensate", spec.compensate.given},
+                                                {"scatter", spec.scatter.given}};
   for (const auto& [table, given] : parts) {
     if (!given) continue;
     if (halves)

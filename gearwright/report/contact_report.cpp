@@ -23,8 +23,8 @@ std::string contact_words(const ContactResult& contact) {
                ? "Motion is transmitted exactly, and the flanks touch along lines across the face, "
                  "as intended."
                : "Motion is transmitted exactly, and the flanks touch as intended.";
-  std::string text = fmt::format("The transmission error is {}″ peak to peak. ",
-                                 shown_arcsec(contact.peak_to_peak.arcsec()));
+  std::string text = fmt::format("The transmission error is {} peak to peak. ",
+                                 te_unit(contact.rack).text(contact.peak_to_peak));
   if (lines)
     return text + "The flanks touch along lines across the face, and no edge carries load.";
   if (edges == 0.0) {

@@ -43,12 +43,14 @@ std::string facts(const ContactReport& report) {
   const ContactResult& a = report.driving;
   const ContactResult& b = report.other;
   TableBuilder t("Tooth contact", {"Driving flanks", "Non-working flanks"});
-  t.row("Transmission error, peak to peak", "", "″",
-        {shown_arcsec(a.peak_to_peak.arcsec()), shown_arcsec(b.peak_to_peak.arcsec())});
-  const auto wave = [](const ContactResult& r) {
-    return r.harmonics.empty() ? std::string(kNoValue) : shown_arcsec(r.harmonics[0].arcsec());
+  const TeUnit unit = te_unit(a.rack);
+  const char* const symbol = a.rack ? "µm" : "″";
+  t.row("Transmission error, peak to peak", "", symbol,
+        {shown_arcsec(unit.of(a.peak_to_peak)), shown_arcsec(unit.of(b.peak_to_peak))});
+  const auto wave = [&](const ContactResult& r) {
+    return r.harmonics.empty() ? std::string(kNoValue) : shown_arcsec(unit.of(r.harmonics[0]));
   };
-  t.row("Amplitude at the mesh frequency", "", "″", {wave(a), wave(b)});
+  t.row("Amplitude at the mesh frequency", "", symbol, {wave(a), wave(b)});
   t.row("Rotation with contact inside the flanks", "", "%",
         {percent(share(a, inside)), percent(share(b, inside))});
   if (share(a, at_ridge) > 0.0 || share(b, at_ridge) > 0.0)
@@ -59,7 +61,9 @@ std::string facts(const ContactReport& report) {
   if (a.contact_lost || b.contact_lost)
     t.row("Rotation without contact", "", "%",
           {percent(share(a, nowhere)), percent(share(b, nowhere))});
-  if (report.min_play) {
+  if (report.min_play && a.rack) {
+    t.common("Minimum backlash along the rack", "", "mm", fixed(a.rack.of(*report.min_play), 4));
+  } else if (report.min_play) {
     t.common("Minimum angular backlash of gear 2 between both flanks", "", "°",
              fixed(kDegPerRad * report.min_play->rad(), kAngleDigits));
   }
@@ -75,8 +79,14 @@ std::string beside(const std::string& figure, const char* words) {
 std::string te_part(const ContactReport& report) {
   const std::string spectrum = html_of(spectrum_figure(report.driving));
   const std::string curves =
-      "<h3>Transmission error, the cause of gear noise</h3>\n<p>If gear 1 turns evenly, a perfect "
-      "gear 2 turns evenly too. The <em>transmission error</em> is the angle by which gear 2 is "
+      std::string(
+          "<h3>Transmission error, the cause of gear noise</h3>\n<p>If gear 1 turns evenly, a "
+          "perfect ") +
+      (report.driving.rack
+           ? "rack moves evenly too. The <em>transmission error</em> is the travel by "
+             "which the rack is "
+           : "gear 2 turns evenly too. The <em>transmission error</em> is the angle "
+             "by which gear 2 is ") +
       "ahead (above zero) or behind. A constant part is a small shift without effect. The part "
       "that repeats with every tooth excites the shafts at the tooth frequency and causes gear "
       "whine. A low and smooth curve means a quiet pair. A sharp corner causes an impact. The "
@@ -118,7 +128,9 @@ std::string pattern_part(const ContactReport& report) {
              "oil and wears or pits the mating gear.{}</p>\n",
              fixed(kUmPerMm * report.marking, 2), several) +
          side_by_side(figure_html(flank_figure(report, 0, {.pattern = &report.patterns[0]})) +
-                      figure_html(flank_figure(report, 1, {.pattern = &report.patterns[1]})));
+                      (report.driving.rack ? std::string()
+                                           : figure_html(flank_figure(
+                                                 report, 1, {.pattern = &report.patterns[1]}))));
 }
 
 std::string gap_part(const ContactReport& report) {
@@ -189,7 +201,7 @@ std::string halves_of(const ContactReport& report) {
 }  // namespace
 
 std::string contact_section(const ContactReport& report) {
-  GW_EXPECTS(report.gears[0] && report.gears[1] && report.positions >= 2);
+  GW_EXPECTS(report.gears[0] && (report.gears[1] || report.driving.rack) && report.positions >= 2);
   GW_EXPECTS(report.driving.positions.size() == static_cast<std::size_t>(report.positions));
   GW_EXPECTS(report.other.positions.size() == report.driving.positions.size());
   GW_EXPECTS(share(report.driving, nowhere) < 1.0);

@@ -75,7 +75,7 @@ std::string key_figures(const ReportInput& input) {
                       kOfLoad);
   } else if (input.contact) {
     text += box("Transmission error, peak to peak", "",
-                shown_arcsec(input.contact->driving.peak_to_peak.arcsec()) + "″");
+                te_unit(input.contact->driving.rack).text(input.contact->driving.peak_to_peak));
   }
   return text.empty() ? text : "<dl class=\"keyfigures\">\n" + text + "</dl>\n";
 }

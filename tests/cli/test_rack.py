@@ -133,6 +133,17 @@ class ARack(unittest.TestCase):
                 triangles = (out / "gear2.stl").read_bytes()
                 self.assertEqual(len(triangles), 84 + 50 * int.from_bytes(triangles[80:84], "little"))
 
+    def test_the_report_shows_the_contact_under_errors(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out"
+            r = Run("run", RACK + "[errors]\ncrossing_deg = 0.02\n", "--out", out)
+            self.assertEqual(r.status, 0, r.err)
+            contact = json.loads((out / "result.json").read_text())["contact"]
+            self.assertIn("peak_to_peak_um", contact)
+            page = (out / "report.html").read_text()
+            for words in ("Minimum backlash along the rack", "rack moves evenly", "transmission error, µm"):
+                self.assertTrue(words in page, words)
+
     def test_a_rack_without_a_height_is_reported(self):
         with tempfile.TemporaryDirectory() as folder:
             r = Run("run", RACK, "--out", Path(folder) / "out")
