@@ -9,6 +9,8 @@
 #   gearwright-VERSION-linux-x86_64.tar.gz    the same for any Linux, fully static
 #   gearwright-VERSION-linux-aarch64.tar.gz
 #   gearwright-VERSION-1.x86_64.rpm, .aarch64.rpm     the same programs as packages without dependencies
+#   *.deb                                     program, library with headers, Python module and search on many ranks
+#                                             as packages for Debian 12
 #   SHA256SUMS
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -39,6 +41,7 @@ pack() {
   else
     local run=$folder/$program
     [ "$target" != linux-aarch64 ] || run="qemu-aarch64-static $run"
+    [ "$target" != linux-x86_64 ] || tools/deb.sh "$dist"
     tools/rpm.sh "$version" "${target#linux-}" "$folder" "$run" "$dist"
     (cd "$build/pack" && tar --sort=name --owner=0 --group=0 --numeric-owner -cf - "$name") | gzip -9n >"$dist/$name.tar.gz"
   fi
