@@ -26,6 +26,7 @@ LINKED = {
     "libnlopt_cxx.a": ("nlopt", "NLopt", "LGPL-2.1-or-later AND MIT", "https://nlopt.readthedocs.io"),
     "libhwy.a": ("highway", "Highway", "Apache-2.0", "https://github.com/google/highway"),
     "libzstd.a": ("libzstd", "Zstandard", "BSD-3-Clause", "https://facebook.github.io/zstd"),
+    "libelementary.a": ("musl", "musl", "MIT", "https://musl.libc.org"),
     "libsqlite3.a": ("sqlite3", "SQLite", "blessing", "https://sqlite.org"),
 }
 # Debian source package of a shared library that only a .deb links: name of the library, licence, home page
@@ -109,13 +110,25 @@ def shared(root):
         yield name, from_system(owner)[0], None, licence, home, "DYNAMIC_LINK"
 
 
+def elementary():
+    """Returns the elementary functions of the native build (cmake/gw_elementary.cmake), in the form of contents()."""
+    _, name, licence, home = LINKED["libelementary.a"]
+    yield name, *from_system("musl-dev"), licence, home, "STATIC_LINK"
+
+
 def contents(build, sources):
     """Returns name, version, file with the licence (or None), licence, home page and SPDX relationship."""
     if not (build / "gearwright.map").exists():
-        yield from shared(build)
+        linked = list(shared(build))
+        yield from linked
+        if linked:  # a program or a module, not a library for other programs
+            yield from elementary()
     for path in archives(build):
         if path.name == "libtomlplusplus.a":
             continue  # compiled from the headers below
+        if path.name == "libelementary.a" and build.parent not in path.parents:
+            yield from elementary()
+            continue
         if path.name in LINKED and build.parent in path.parents:
             package, name, licence, home = LINKED[path.name]
             yield name, *from_source(sources, package), licence, home, "STATIC_LINK"

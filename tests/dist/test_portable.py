@@ -3,8 +3,9 @@
 
     tests/dist/test_portable.py NATIVE PROGRAM [--under wine [--may-skip]] [--examples N]
 
-1. Every verb on every example: the same exit status and keys, every number of --json within kNear of the native one.
-   The script prints how many numbers differ, and by how many units in the last place (ulp).
+1. Every verb on every example: the same exit status and keys, and the same numbers of --json, because all programs have
+   one set of elementary functions; on ARM, where Eigen fuses multiplications and additions, within kNear of the native
+   ones. The script prints how many numbers differ, and by how many units in the last place (ulp).
 2. `run` on every example: the same files. The script prints how many have the same bytes.
 3. Names and titles in Unicode, CRLF, a byte order mark, UTF-16, batch, a missing file, folders that take no file.
 4. The program needs no library beside it; that for Windows has less than 12 MB.
@@ -22,8 +23,7 @@ import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
 VERBS = "gear pair contact load measure rate identify fit drive".split()
-# Relative to the value, or to 1 for smaller values. The last steps of a solver follow the sine and the arc tangent of
-# the C library, and a quantity near zero is a difference of large ones.
+# Relative to the value, or to 1 for smaller values. A quantity near zero is a difference of large ones.
 kNear = 1e-9
 
 
@@ -123,7 +123,7 @@ class Differences:
             self.broken = f"{path}: {a} and {b}"  # messages may contain rounded numbers
 
 
-def compare_answers(programs, report, examples, folder):
+def compare_answers(programs, report, examples, folder, tolerance):
     total, answers, equal_bytes, shares = Differences(), 0, 0, []
     for example in examples:
         for verb in VERBS:
@@ -138,7 +138,7 @@ def compare_answers(programs, report, examples, folder):
                 continue
             one = Differences()
             one.compare(json.loads(text), json.loads(other_text))
-            report.check(name, not one.broken and one.greatest <= kNear,
+            report.check(name, not one.broken and one.greatest <= tolerance,
                          one.broken or f"{one.where} differs by {one.greatest:.3g}")
             answers, equal_bytes = answers + 1, equal_bytes + (text == other_text)
             total.values, total.ulps = total.values + one.values, total.ulps + one.ulps
@@ -261,7 +261,7 @@ def main():
                 sys.exit(0 if options.may_skip and not report.failed else 1)
         folder = stack.enter_context(tempfile.TemporaryDirectory())
         first_minutes(programs, report, options.program.endswith(".exe"), folder)
-        compare_answers(programs, report, examples, folder)
+        compare_answers(programs, report, examples, folder, kNear if "aarch64" in options.program else 0.0)
         compare_files(programs, report, examples, folder)
     print(f"{report.passed} passed, {len(report.failed)} failed")
     sys.exit(1 if report.failed else 0)
