@@ -15,12 +15,14 @@
 #   make docs       the API reference and all pages as HTML, build/docs/html
 #   make figures    draw the figures of the theory pages again
 #   make python     the Python package as a wheel, build/python/*.whl
-#   make package    .deb and .tgz in build/package
-#   make dist       programs for Windows (with an installer) and Linux that need no package: build/dist
+#   make package    the Debian packages alone, build/package/*.deb
+#   make dist       programs for Windows (with an installer) and Linux that need no package, and Debian packages: build/dist
 #   make test-dist  these programs under Wine and QEMU, compared with the native one
+#   make test-portable  the program for Windows under Wine with ten examples, compared with the native one; not run if
+#                   Wine does not start on this machine
 #   make clean      remove build/
 
-.PHONY: demo test web test-web npm test-wasm test-long test-cluster bench lint docs figures python package dist test-dist clean
+.PHONY: demo test web test-web npm test-wasm test-long test-cluster bench lint docs figures python package dist test-dist test-portable clean
 JOBS ?= $(shell nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 DEMO = examples/helical_pair.toml
@@ -108,14 +110,11 @@ python:
 	@echo && echo "Wheel  $$(ls $(CURDIR)/build/python/*.whl)"
 
 package:
-	@tools/install_packages.sh core mpi package
-	@cmake --preset package
-	@cmake --build --preset package
-	@cd build/package && cpack
-	@cd build/package && lintian --fail-on error,warning *.deb
+	@tools/install_packages.sh core mpi python package
+	@tools/deb.sh build/package
 
 dist:
-	@tools/install_packages.sh core dist
+	@tools/install_packages.sh core mpi python package portable dist
 	@tools/dist.sh
 
 test-dist: dist
@@ -127,6 +126,14 @@ test-dist: dist
 	tests/dist/test_rpm.sh build/release/gearwright build/dist/gearwright-*.x86_64.rpm
 	tests/dist/test_rpm.sh build/release/gearwright build/dist/gearwright-*.aarch64.rpm qemu-aarch64-static
 	tests/dist/test_portable.py build/release/gearwright build/portable/linux-aarch64/gearwright --under qemu-aarch64-static
+	tests/dist/test_deb.sh build/release/gearwright build/dist
+
+test-portable:
+	@tools/install_packages.sh core portable
+	@cmake --preset release > /dev/null
+	@cmake --build --preset release --target gearwright_cli
+	@tools/portable_program.sh windows-x86_64
+	tests/dist/test_portable.py build/release/gearwright build/portable/windows-x86_64/gearwright.exe --under wine --may-skip --examples 10
 
 clean:
 	rm -rf build

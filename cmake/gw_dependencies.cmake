@@ -9,6 +9,7 @@ elseif(GEARWRIGHT_LIBRARIES)
   return()
 endif()
 
+include(gw_elementary)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Boost 1.74 REQUIRED)  # headers only
 find_package(fmt 9 REQUIRED)

@@ -12,10 +12,20 @@ for CAD.
 set(gw_about_RUNTIME "${gw_about}This package contains the program.")
 set(gw_about_DEV "${gw_about}This package contains headers and libraries for C++ programs.")
 set(gw_about_MPI "${gw_about}This package contains the design search on many ranks.")
+set(gw_about_PYTHON3 "${gw_about}This package contains the module for Python.")
 
 # The date of the last change is part of the sources, not of the build.
 set(gw_changed "Sun, 22 Nov 2026 00:00:00 +0000")
-set(gw_packages runtime:gearwright dev:libgearwright-dev mpi:gearwright-mpi)
+set(gw_packages dev:libgearwright-dev)  # COMPONENT:PACKAGE
+if(has_cli OR BUILD_SHARED_LIBS)
+  list(APPEND gw_packages runtime:gearwright)
+endif()
+if(has_mpi)
+  list(APPEND gw_packages mpi:gearwright-mpi)
+endif()
+if(has_python)
+  list(APPEND gw_packages python3:python3-gearwright)
+endif()
 
 find_program(GZIP gzip)
 mark_as_advanced(GZIP)
@@ -39,15 +49,15 @@ License: Apache-2.0
  /usr/share/common-licenses/Apache-2.0.
 ")
 foreach(pair IN LISTS gw_packages)
-  string(REPLACE ":" ";" pair ${pair})
-  list(GET pair 0 component)
-  list(GET pair 1 package)
-  if((component STREQUAL "runtime" AND NOT has_cli AND NOT BUILD_SHARED_LIBS) OR
-     (component STREQUAL "mpi" AND NOT has_mpi))
-    continue()
+  string(REGEX MATCH "(.*):(.*)" pair ${pair})
+  set(component ${CMAKE_MATCH_1})
+  set(package ${CMAKE_MATCH_2})
+  set(optional "")
+  if(component STREQUAL "python3")
+    set(optional EXCLUDE_FROM_ALL)
   endif()
   set(folder ${CMAKE_INSTALL_DATADIR}/doc/${package})
-  install(FILES ${gw_texts}/copyright DESTINATION ${folder} COMPONENT ${component})
+  install(FILES ${gw_texts}/copyright DESTINATION ${folder} COMPONENT ${component} ${optional})
   file(WRITE ${gw_texts}/${package}.changes
 "${package} (${PROJECT_VERSION}) unstable; urgency=medium
 
@@ -57,7 +67,7 @@ foreach(pair IN LISTS gw_packages)
 ")
   gw_packed(${gw_texts}/${package}.changes ${gw_texts}/${package}/changelog.gz)
   install(FILES ${gw_texts}/${package}/changelog.gz DESTINATION ${folder} COMPONENT ${component}
-          OPTIONAL)
+          OPTIONAL ${optional})
 endforeach()
 
 if(has_cli)

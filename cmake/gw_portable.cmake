@@ -15,12 +15,16 @@ find_package(Threads REQUIRED)
 foreach(package fmt NLopt TBB hwy)
   find_package(${package} REQUIRED CONFIG PATHS ${GEARWRIGHT_LIBRARIES} NO_DEFAULT_PATH)
 endforeach()
-foreach(library z zstd sqlite3)
+foreach(library z zstd sqlite3 elementary)
   add_library(gw_${library} STATIC IMPORTED)
   set_target_properties(gw_${library} PROPERTIES
     IMPORTED_LOCATION ${GEARWRIGHT_LIBRARIES}/lib/lib${library}.a
     INTERFACE_INCLUDE_DIRECTORIES ${GEARWRIGHT_LIBRARIES}/include)
 endforeach()
+# NLopt uses the same elementary functions as the core. Otherwise it would name the C library's before them.
+set_target_properties(NLopt::nlopt_cxx PROPERTIES INTERFACE_LINK_LIBRARIES gw_elementary)
+set(gw_elementary gw_elementary)
+set(gw_why_elementary "of musl's sources")
 set(gw_libraries gw_z TBB::tbb NLopt::nlopt_cxx Threads::Threads hwy::hwy gw_zstd gw_sqlite3)
 file(GLOB_RECURSE gw_lanes ${PROJECT_SOURCE_DIR}/gearwright/*_simd.cpp)
 # Highway compiles these files once for each instruction set and chooses one at run time.

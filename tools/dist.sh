@@ -9,34 +9,16 @@
 #   gearwright-VERSION-linux-x86_64.tar.gz    the same for any Linux, fully static
 #   gearwright-VERSION-linux-aarch64.tar.gz
 #   gearwright-VERSION-1.x86_64.rpm, .aarch64.rpm     the same programs as packages without dependencies
+#   *.deb                                     program, library with headers, Python module and search on many ranks
+#                                             as packages for Debian 12
 #   SHA256SUMS
-#
-# The program for linux-x86_64 consists of the objects of the preset `release`. The others are cross-compiled.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 version=$(sed -n 's/^project(gearwright VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 [ $# -gt 0 ] || set -- windows-x86_64 linux-x86_64 linux-aarch64
-jobs=${JOBS:-$(nproc)}
 dist=$PWD/build/dist
 portable=$PWD/build/portable
 mkdir -p "$dist"
-
-build() {
-  local target=$1
-  tools/portable_libraries.sh "$target"
-  if [ "$target" = linux-x86_64 ]; then
-    cmake --preset release >/dev/null
-    cmake --build --preset release --target gearwright_static -j "$jobs"
-    return
-  fi
-  # -Werror is not used, because MinGW's g++ 12 warns of uninitialised members of a std::variant, and
-  # the native g++ 12 does not.
-  cmake -S . -B "$portable/$target" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
-    -DGEARWRIGHT_TESTS=OFF -DGEARWRIGHT_BENCH=OFF \
-    -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/toolchains/$target.cmake" \
-    -DGEARWRIGHT_LIBRARIES="$portable/libraries/$target" >/dev/null
-  cmake --build "$portable/$target" --target gearwright_cli -j "$jobs"
-}
 
 pack() {
   local target=$1 build=$portable/$1 name=gearwright-$version-$1 program=gearwright
@@ -59,13 +41,14 @@ pack() {
   else
     local run=$folder/$program
     [ "$target" != linux-aarch64 ] || run="qemu-aarch64-static $run"
+    [ "$target" != linux-x86_64 ] || tools/deb.sh "$dist"
     tools/rpm.sh "$version" "${target#linux-}" "$folder" "$run" "$dist"
     (cd "$build/pack" && tar --sort=name --owner=0 --group=0 --numeric-owner -cf - "$name") | gzip -9n >"$dist/$name.tar.gz"
   fi
 }
 
 for target in "$@"; do
-  build "$target"
+  tools/portable_program.sh "$target"
   pack "$target"
 done
 (cd "$dist" && rm -f SHA256SUMS && sha256sum -- * >.sums && mv .sums SHA256SUMS)

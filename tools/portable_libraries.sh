@@ -15,11 +15,13 @@ root=$PWD/build/portable
 sources=$root/sources
 into=$root/libraries/$target
 jobs=${JOBS:-$(nproc)}
-packages=(fmtlib zlib onetbb nlopt highway libzstd sqlite3)
-[ -f "$into/complete" ] && exit 0
+packages=(fmtlib zlib onetbb nlopt highway libzstd sqlite3 musl)
+# A folder is complete if its file names these packages.
+complete() { [ "$(cat "$1/complete" 2>/dev/null)" = "${packages[*]}" ]; }
+complete "$into" && exit 0
 
 fetch() {
-  [ -f "$sources/complete" ] && return
+  complete "$sources" && return
   rm -rf "$sources"
   mkdir -p "$sources/apt/parts" "$sources/apt/lists/partial" "$sources/apt/cache/archives/partial"
   # Debian 12 stores the list of its package sources in one of two formats.
@@ -30,7 +32,7 @@ fetch() {
     -o Dir::State::lists="$sources/apt/lists" -o Dir::Cache="$sources/apt/cache" -o APT::Sandbox::User=root)
   apt-get "${options[@]}" update
   (cd "$sources" && apt-get "${options[@]}" source "${packages[@]}")
-  touch "$sources/complete"
+  echo "${packages[*]}" >"$sources/complete"
 }
 
 # Prints the unpacked folder of a source package.
@@ -80,6 +82,20 @@ zlib() {
   plain_c z "-D_LARGEFILE64_SOURCE=1" "$from"/{adler32,compress,crc32,deflate,infback,inffast,inflate,inftrees,trees,uncompr,zutil}.c
 }
 
+# The elementary functions of musl. Its headers are those of a 32-bit machine, where `long long` is the type of 64 bits
+# as on Windows. __FP_FAST_FMA would give other last bits on ARM.
+elementary() {
+  local from header=$root/made/$target/musl names
+  from=$(folder musl)
+  mkdir -p "$header/bits"
+  sed -f "$from/tools/mkalltypes.sed" "$from/arch/i386/bits/alltypes.h.in" "$from/include/alltypes.h.in" >"$header/bits/alltypes.h"
+  names=$(grep -v '^#' tools/elementary.txt)
+  # shellcheck disable=SC2046,SC2086
+  plain_c elementary "-std=c99 -nostdinc -ffreestanding -fno-math-errno -Wno-attributes -Dsqrt=__builtin_sqrt -Dfabs=__builtin_fabs
+    -U__FP_FAST_FMA -D_XOPEN_SOURCE=700 -I$header -I$from/arch/generic -I$from/arch/i386 -I$from/src/internal
+    -I$from/src/include -I$from/include" $(printf "$from/src/math/%s.c " ${names/cabs/../complex/cabs})
+}
+
 # The objects of the preset `release` call toml++ as a library, which Debian has only as a shared one.
 # The other programs use only its headers.
 tomlplusplus() {
@@ -107,5 +123,5 @@ cp -r "$(folder highway)/hwy/contrib/math" "$into/include/hwy/contrib/"
 with_cmake "$(folder libzstd)/build/cmake" -DZSTD_BUILD_PROGRAMS=OFF -DZSTD_BUILD_SHARED=OFF -DZSTD_BUILD_STATIC=ON \
   -DZSTD_LEGACY_SUPPORT=OFF
 sqlite
-[ "$target" != linux-x86_64 ] || tomlplusplus
-touch "$into/complete"
+if [ "$target" = linux-x86_64 ]; then tomlplusplus; else elementary; fi
+echo "${packages[*]}" >"$into/complete"

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Writes the list of the libraries that a portable program contains (SPDX 2.3), and their licences.
+"""Writes the list of the libraries that a program contains or links (SPDX 2.3), and the licences of those contained.
 
     tools/sbom.py VERSION TARGET BUILD SOURCES INTO
 
-BUILD contains gearwright.map, in which the linker lists the archives whose members are in the program. SOURCES is the
-folder that tools/portable_libraries.sh fetched. The script writes INTO/gearwright.spdx.json and INTO/licences. It
-fails if the program contains an archive that is not in the tables below. Versions are those of Debian's packages.
-Licences are those that the file debian/copyright of a package gives for the linked files.
+BUILD contains gearwright.map, in which the linker lists the archives whose members are in the program, and SOURCES is
+the folder that tools/portable_libraries.sh fetched. Without a map, BUILD is the root of a package, whose programs and
+modules link shared libraries. The script writes INTO/gearwright.spdx.json and INTO/licences. It fails if a library is
+not in the tables below. Versions are those of Debian's packages. Licences are those that the file debian/copyright of
+a package gives for the linked files.
 """
 import json
 import pathlib
@@ -25,7 +26,13 @@ LINKED = {
     "libnlopt_cxx.a": ("nlopt", "NLopt", "LGPL-2.1-or-later AND MIT", "https://nlopt.readthedocs.io"),
     "libhwy.a": ("highway", "Highway", "Apache-2.0", "https://github.com/google/highway"),
     "libzstd.a": ("libzstd", "Zstandard", "BSD-3-Clause", "https://facebook.github.io/zstd"),
+    "libelementary.a": ("musl", "musl", "MIT", "https://musl.libc.org"),
     "libsqlite3.a": ("sqlite3", "SQLite", "blessing", "https://sqlite.org"),
+}
+# Debian source package of a shared library that only a .deb links: name of the library, licence, home page
+SHARED = {
+    "openmpi": ("Open MPI", "BSD-3-Clause", "https://www.open-mpi.org"),
+    "tomlplusplus": ("toml++", "MIT", "https://marzer.github.io/tomlplusplus"),
 }
 # Debian package of headers: name of the library, licence, home page
 HEADERS = {
@@ -53,7 +60,8 @@ def output(*command):
 
 def archives(build):
     """Returns the paths of the archives of which the program contains a member, from the first part of the map."""
-    text = (build / "gearwright.map").read_text(errors="replace").split("Memory Configuration")[0]
+    map_file = build / "gearwright.map"
+    text = map_file.read_text(errors="replace").split("Memory Configuration")[0] if map_file.exists() else ""
     found = {(build / name).resolve() for name in re.findall(r"^(\S+\.a)\([^)]*\)", text, re.MULTILINE)}
     return sorted(path for path in found if path.name != "libgearwright.a")
 
@@ -71,17 +79,62 @@ def from_system(package):
     return output("dpkg-query", "-W", "-f", "${Version}", package), pathlib.Path("/usr/share/doc", package.split(":")[0], "copyright")
 
 
+def package_of(path):
+    """Returns the Debian package of a file, or "". Debian 12 lists files of /usr/lib with or without /usr."""
+    for name in (str(path), str(path).removeprefix("/usr")):
+        found = subprocess.run(["dpkg", "-S", name], capture_output=True, text=True).stdout
+        if found:
+            return found.split(": ")[0]
+    return ""
+
+
+def runtime(package):
+    return next((v for k, v in RUNTIME.items() if package.startswith(k)), None)
+
+
+def shared(root):
+    """Returns the shared libraries that files below root need, in the form of contents()."""
+    known = {package: about for package, *about in LINKED.values()} | SHARED
+    files = [path for path in root.rglob("*") if path.is_file() and path.read_bytes()[:4] == b"\x7fELF"]
+    found = {line for path in files for line in output("ldd", str(path)).splitlines()}
+    direct = {name for path in files for name in re.findall(r"NEEDED.*\[(.*)\]", output("readelf", "-dW", str(path)))}
+    for line in sorted(found):
+        match = re.match(r"\s*(\S+) => (\S+)", line)
+        if not match or match[1] not in direct:
+            continue
+        owner = package_of(pathlib.Path(match[2]).resolve())
+        about = runtime(owner) or known.get(output("dpkg-query", "-W", "-f", "${source:Package}", owner))
+        if about is None:
+            sys.exit(f"sbom: a program links {match[2]} ({owner}), which tools/sbom.py lacks")
+        name, licence, home = about
+        yield name, from_system(owner)[0], None, licence, home, "DYNAMIC_LINK"
+
+
+def elementary():
+    """Returns the elementary functions of the native build (cmake/gw_elementary.cmake), in the form of contents()."""
+    _, name, licence, home = LINKED["libelementary.a"]
+    yield name, *from_system("musl-dev"), licence, home, "STATIC_LINK"
+
+
 def contents(build, sources):
-    """Returns name, version, licence, home page, file with the licence and SPDX relationship."""
+    """Returns name, version, file with the licence (or None), licence, home page and SPDX relationship."""
+    if not (build / "gearwright.map").exists():
+        linked = list(shared(build))
+        yield from linked
+        if linked:  # a program or a module, not a library for other programs
+            yield from elementary()
     for path in archives(build):
         if path.name == "libtomlplusplus.a":
             continue  # compiled from the headers below
+        if path.name == "libelementary.a" and build.parent not in path.parents:
+            yield from elementary()
+            continue
         if path.name in LINKED and build.parent in path.parents:
             package, name, licence, home = LINKED[path.name]
             yield name, *from_source(sources, package), licence, home, "STATIC_LINK"
             continue
-        owner = subprocess.run(["dpkg", "-S", str(path)], capture_output=True, text=True).stdout.split(": ")[0]
-        known = next((v for k, v in RUNTIME.items() if owner.startswith(k)), None)
+        owner = package_of(path)
+        known = runtime(owner)
         if known is None:
             sys.exit(f"sbom: the program contains parts of {path} ({owner or 'not from a package'}), which is not in the tables of tools/sbom.py")
         name, licence, home = known
@@ -110,7 +163,8 @@ def main():
         packages[part["SPDXID"]] = part
         relations.append({"spdxElementId": product["SPDXID"], "relationshipType": relation,
                           "relatedSpdxElement": part["SPDXID"]})
-        shutil.copyfile(copyright_file, licences / (part["SPDXID"].removeprefix("SPDXRef-") + ".txt"))
+        if copyright_file:
+            shutil.copyfile(copyright_file, licences / (part["SPDXID"].removeprefix("SPDXRef-") + ".txt"))
     seconds = int(output("git", "log", "-1", "--format=%ct"))
     date = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds))
     (into / "gearwright.spdx.json").write_text(json.dumps({

@@ -36,7 +36,7 @@ export PKG_CONFIG_PATH=$pc
 # shellcheck disable=SC2046,SC2086
 "$GW_CXX" -std=c++20 $flags "$GW_SOURCE/tests/consumer/main.cpp" \
   $(pkg-config --cflags --libs gearwright) -o "$work/by_pkg_config"
-LD_LIBRARY_PATH=$(dirname "$pc") "$work/by_pkg_config"
+LD_LIBRARY_PATH=$(pkg-config --variable=libdir gearwright) "$work/by_pkg_config"
 
 echo "== headers: the standard library, Eigen and our own, nothing else"
 cd "$prefix/include"

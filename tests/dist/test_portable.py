@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Compares a portable program with the native one, and runs what a user of its system runs first.
 
-    tests/dist/test_portable.py NATIVE PROGRAM [--under wine] [--examples N]
+    tests/dist/test_portable.py NATIVE PROGRAM [--under wine [--may-skip]] [--examples N]
 
-1. Every verb on every example: the same exit status and keys, every number of --json within kNear of the native one.
-   The script prints how many numbers differ, and by how many units in the last place (ulp).
+1. Every verb on every example: the same exit status and keys, and the same numbers of --json, because all programs have
+   one set of elementary functions; on ARM, where Eigen fuses multiplications and additions, within kNear of the native
+   ones. The script prints how many numbers differ, and by how many units in the last place (ulp).
 2. `run` on every example: the same files. The script prints how many have the same bytes.
 3. Names and titles in Unicode, CRLF, a byte order mark, UTF-16, batch, a missing file, folders that take no file.
 4. The program needs no library beside it; that for Windows has less than 12 MB.
@@ -22,8 +23,7 @@ import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
 VERBS = "gear pair contact load measure rate identify fit drive".split()
-# Relative to the value, or to 1 for smaller values. The last steps of a solver follow the sine and the arc tangent of
-# the C library, and a quantity near zero is a difference of large ones.
+# Relative to the value, or to 1 for smaller values. A quantity near zero is a difference of large ones.
 kNear = 1e-9
 
 
@@ -46,14 +46,23 @@ class Programs:
             return status, out.read(), err.read().decode(errors="replace")
 
 
+class NoWine(Exception):
+    """Wine does not run the commands of Windows itself."""
+
+
 @contextlib.contextmanager
 def fresh_prefix(programs):
     """Creates a new Windows for Wine. Its server runs until the end, so that a start of the
-    program takes half a second."""
+    program takes half a second. Raises NoWine if a command of Windows itself does not run there."""
     with tempfile.TemporaryDirectory(prefix="gearwright_wine_") as prefix:
-        programs.environment.update(WINEPREFIX=prefix, WINEDLLOVERRIDES="mscoree,mshtml=")
+        programs.environment.update(WINEPREFIX=prefix, WINEDLLOVERRIDES="mscoree,mshtml=", HOME=prefix)
+        programs.environment.pop("DISPLAY", None)
         quiet = dict(env=programs.environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        subprocess.run(["wineboot", "--init"], check=True, timeout=300, **quiet)
+        try:
+            subprocess.run(["wineboot", "--init"], check=True, timeout=300, **quiet)
+            subprocess.run(["wine", "cmd", "/c", "exit 0"], check=True, timeout=60, **quiet)
+        except (OSError, subprocess.SubprocessError) as error:
+            raise NoWine(f"Wine does not start on this machine: {error}") from error
         subprocess.run(["wineserver", "-p"], **quiet)  # status 2: it runs already
         try:
             yield
@@ -114,7 +123,7 @@ class Differences:
             self.broken = f"{path}: {a} and {b}"  # messages may contain rounded numbers
 
 
-def compare_answers(programs, report, examples, folder):
+def compare_answers(programs, report, examples, folder, tolerance):
     total, answers, equal_bytes, shares = Differences(), 0, 0, []
     for example in examples:
         for verb in VERBS:
@@ -129,7 +138,7 @@ def compare_answers(programs, report, examples, folder):
                 continue
             one = Differences()
             one.compare(json.loads(text), json.loads(other_text))
-            report.check(name, not one.broken and one.greatest <= kNear,
+            report.check(name, not one.broken and one.greatest <= tolerance,
                          one.broken or f"{one.where} differs by {one.greatest:.3g}")
             answers, equal_bytes = answers + 1, equal_bytes + (text == other_text)
             total.values, total.ulps = total.values + one.values, total.ulps + one.ulps
@@ -235,17 +244,24 @@ def main():
     parser.add_argument("native")
     parser.add_argument("program")
     parser.add_argument("--under", help="what runs the program: wine, qemu-aarch64-static")
-    parser.add_argument("--examples", type=int, default=1000, help="the first N examples only")
+    parser.add_argument("--may-skip", action="store_true", help="if Wine does not start, print the reason and end with 0")
+    parser.add_argument("--examples", type=int, default=1000, help="only N examples, evenly spread over all")
     options = parser.parse_args()
     programs, report = Programs(options.native, options.program, options.under), Report()
-    examples = sorted([*SOURCE.glob("examples/*.toml"), *SOURCE.glob("examples/drives/*.toml")])[:options.examples]
+    examples = sorted([*SOURCE.glob("examples/*.toml"), *SOURCE.glob("examples/drives/*.toml")])
+    count = min(options.examples, len(examples))
+    examples = [examples[i * len(examples) // count] for i in range(count)]
+    needs_nothing(report, options.program)
     with contextlib.ExitStack() as stack:
         if options.under == "wine":
-            stack.enter_context(fresh_prefix(programs))
+            try:
+                stack.enter_context(fresh_prefix(programs))
+            except NoWine as error:
+                print(f"The program for Windows was built but not run. {error}")
+                sys.exit(0 if options.may_skip and not report.failed else 1)
         folder = stack.enter_context(tempfile.TemporaryDirectory())
-        needs_nothing(report, options.program)
         first_minutes(programs, report, options.program.endswith(".exe"), folder)
-        compare_answers(programs, report, examples, folder)
+        compare_answers(programs, report, examples, folder, kNear if "aarch64" in options.program else 0.0)
         compare_files(programs, report, examples, folder)
     print(f"{report.passed} passed, {len(report.failed)} failed")
     sys.exit(1 if report.failed else 0)

@@ -1,0 +1,34 @@
+#!/usr/bin/env python3
+"""The program takes no function whose last bit depends on the C library from the C library (cmake/gw_elementary.cmake).
+
+Law: of the functions of libm, it calls only those below, which are exact, and those for long double, whose results
+Boost rounds to a double.
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+EXACT = set("ceil copysign fabs floor fma fmax fmin fmod frexp ilogb ldexp llrint llround logb lrint lround modf nearbyint "
+            "nextafter remainder remquo rint round scalbln scalbn sqrt trunc".split())
+LONG_DOUBLE = set("atanl expl log1pl logl powl sqrtl".split())
+
+
+def names(*arguments):
+    listing = subprocess.run(["nm", "-D", *arguments], capture_output=True, text=True, check=True).stdout
+    return set(re.findall(r" [A-Za-z] (\w+)@", listing))
+
+
+def main():
+    program = pathlib.Path(os.environ["GW_BIN"])
+    if not (program.parent / "elementary/libelementary.a").exists():
+        sys.exit("this build has the elementary functions of the C library (Debian: musl-dev)")
+    libraries = subprocess.run(["ldd", program], capture_output=True, text=True, check=True).stdout
+    libm = re.search(r"libm\.so\S* => (\S+)", libraries)[1]
+    called = names("--undefined-only", str(program)) & names("--defined-only", libm)
+    assert called, "the program calls nothing of libm, so this test sees nothing"
+    assert called <= EXACT | LONG_DOUBLE, f"add to tools/elementary.txt: {sorted(called - EXACT - LONG_DOUBLE)}"
+
+
+main()
