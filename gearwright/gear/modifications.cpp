@@ -356,6 +356,7 @@ Removal RemovalField::at(double u, double z, const Piece& piece) const {
   return sum;
 }
 
+// [T14.21]
 RemovalField::WaveJet RemovalField::wave(const FormWave& wave, double x, double middle,
                                          double width) {
   const double rate = 2 * std::numbers::pi * wave.waves / width;
