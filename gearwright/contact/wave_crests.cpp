@@ -59,6 +59,8 @@ Complex unit_of(const FlankPatch& f, double rate, double L) {
 }
 
 Complex turn_by(double angle) { return {std::cos(angle), std::sin(angle)}; }
+// The same to the second order of the angle.
+Complex turn_by_little(double angle) { return {1.0 - 0.5 * angle * angle, angle}; }
 
 }  // namespace
 
@@ -294,7 +296,7 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   if (wave_[1].height > 0.0)
     waves[1] = {unit_of(two_, wave_[1].rate, roll2 + (roll2_s + 0.5 * roll2_ss * d) * d),
                 turn_by(wave_[1].rate * step * (roll2_s + roll2_ss * (d + 0.5 * step))),
-                turn_by(wave_[1].rate * step * step * roll2_ss)};
+                turn_by_little(wave_[1].rate * step * step * roll2_ss)};
   double away = 0.0;
   Complex best_1, best_2;
   for (int i = 0; i < places; ++i) {
