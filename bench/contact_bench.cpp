@@ -8,11 +8,11 @@
 // and all edges. A position computed by the five equations is always one tooth pair without edges.
 #include <benchmark/benchmark.h>
 
-#include <ctime>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "bench/thread_seconds.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/error_map.hpp"
 #include "gearwright/contact/pattern.hpp"
@@ -70,14 +70,6 @@ ContactSet involutes(double crossing, double lead_crowning) {
         m, FlankExtent{g.base_radius(), *g.root_form_radius(), g.tip_form_radius(), 20.0});
   }
   return set;
-}
-
-// Only the CPU time of this thread is measured, because other load on the machine would slow the
-// two sides unequally.
-double seconds() {
-  std::timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 // 64 positions of one tooth pair. The start value of each is extrapolated linearly from the last
@@ -149,16 +141,16 @@ void race(benchmark::State& state, bool whole_curve) {
   double room = 0.0, five = 0.0;
   long iterations = 0, evaluations = 0;
   for (auto _ : state) {
-    double start = seconds();
+    double start = thread_seconds();
     if (whole_curve) {
       benchmark::DoNotOptimize(transmission_error(contact, kPositions));
     } else {
       benchmark::DoNotOptimize(one.run(first, evaluations));
     }
-    room += seconds() - start;
-    start = seconds();
+    room += thread_seconds() - start;
+    start = thread_seconds();
     benchmark::DoNotOptimize(other.run(first, iterations));
-    five += seconds() - start;
+    five += thread_seconds() - start;
   }
   const double all = static_cast<double>(state.iterations()) * kPositions;
   state.counters["room_ns"] = 1e9 * room / all;

@@ -3,12 +3,14 @@
 // divided by the time per member of the family. If it is above 1, the scatter is faster.
 #include <benchmark/benchmark.h>
 
-#include <ctime>
 #include <vector>
 
+#include "bench/thread_seconds.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/math/sobol.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/scatter/grades.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
 namespace {
@@ -46,12 +48,6 @@ std::vector<ScatterTolerance> housing() {
           {"intersecting", kRadPerDeg, range(0.04), VaryingError::intersecting}};
 }
 
-double seconds() {
-  std::timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 void members(benchmark::State& state) {
   const ContactSetup pair = setup(state.range(1) != 0);
   const std::vector<ScatterTolerance> tolerances = housing();
@@ -62,19 +58,58 @@ void members(benchmark::State& state) {
     const double u = 0.01 * (++k % 97) - 0.48;
     const std::vector<double> x{0.03 * u, -0.04 * u, 0.08 * u};
     const Deviation d = deviation_at(pair, tolerances, x);
-    const double start = seconds();
+    const double start = thread_seconds();
     benchmark::DoNotOptimize(member_at(pair, d, {positions, false, {}}));
-    const double middle = seconds();
+    const double middle = thread_seconds();
     ContactRequest request;
     request.positions = positions;
     for (const bool gear2_drives : {false, true})
       benchmark::DoNotOptimize(analyse_contact(pair.pair(d.errors, gear2_drives), request));
     own += middle - start;
-    loop += seconds() - middle;
+    loop += thread_seconds() - middle;
   }
   state.counters["ratio"] = loop / own;
   state.counters["member_us"] = 1e6 * own / static_cast<double>(k);
 }
 BENCHMARK(members)->ArgsProduct({{32, 128}, {0, 1}})->Unit(benchmark::kMicrosecond);
+
+// Members of a family of grade 6, with all its form waves and without them, in the same run. The counter
+// `ratio` is the time per wavy member divided by the time per smooth member.
+void wavy_members(benchmark::State& state) {
+  const ContactSetup pair = setup(state.range(0) != 0);
+  std::vector<ScatterTolerance> smooth = housing();
+  std::vector<ScatterTolerance> waves;
+  const Distribution share = Distribution::of({{0.0, 1.0}}).value();
+  for (const int which : {1, 2}) {
+    const GradedFlank f = graded_flank(pair.gear(which), FlankTolerances::iso_2013, 6).value();
+    smooth.push_back({"slope", 1.0, Distribution::of({{-f.profile_slope, f.profile_slope}}).value(),
+                      VaryingModification{which, RemovalField::Parameter::profile_slope}});
+    waves.push_back({"profile", 1.0, share, VaryingWave{which, false, {1, 4}, f.profile_form}});
+    waves.push_back({"helix", 1.0, share, VaryingWave{which, true, {1, 4}, f.helix_form}});
+  }
+  waves.insert(waves.begin(), smooth.begin(), smooth.end());
+  double with = 0.0, without = 0.0;
+  int k = 0;
+  for (auto _ : state) {
+    ++k;
+    for (const auto& tolerances : {smooth, waves}) {
+      std::vector<double> x;
+      for (const ScatterTolerance& t : tolerances) {
+        std::array<double, 3> u{};
+        for (double& v : u)
+          v = random_unit(static_cast<std::uint64_t>(k), x.size() + (&v - u.data()));
+        const auto at = t.at(u);
+        x.insert(x.end(), at.begin(), at.begin() + t.coordinates());
+      }
+      const double start = thread_seconds();
+      benchmark::DoNotOptimize(member_at(pair, deviation_at(pair, tolerances, x), {32, false, {}}));
+      (tolerances.size() == waves.size() ? with : without) += thread_seconds() - start;
+    }
+  }
+  state.counters["ratio"] = with / without;
+  state.counters["smooth_us"] = 1e6 * without / k;
+  state.counters["wavy_us"] = 1e6 * with / k;
+}
+BENCHMARK(wavy_members)->Arg(0)->Arg(1)->Iterations(300)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

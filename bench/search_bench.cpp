@@ -10,12 +10,14 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <random>
 #include <vector>
 
 #include "gearwright/design/candidate.hpp"
 #include "gearwright/job/search_job.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace {
 
@@ -94,7 +96,7 @@ SearchProblem gearboxes() {
 void search_one_thread_over_two(benchmark::State& state) {
   const Search search(gearboxes());
   JobSpec spec;
-  spec.tree = "{}";
+  spec.tree = std::make_shared<const SpecTree>(SpecTree{Json::object()});
   const auto run = [&](int threads) {
     SearchOptions options;
     options.threads = threads;

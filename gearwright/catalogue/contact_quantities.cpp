@@ -95,7 +95,7 @@ void say_position(Quantities<P>& q) {
       .when(is_gear);
   q.term("transmission_error_um",
          "travel minus r times rotation 1, without removing the mean; > 0 if the rack is ahead "
-         "[T8.28]",
+         "[T8.29]",
          touching([](const P& p) { return travel_um(p.rack, p.te); }))
       .when(is_rack);
   q.whole("tooth", "tooth pair", "k",

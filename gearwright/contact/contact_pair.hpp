@@ -67,7 +67,7 @@ class ContactPair {
   /// Domain  gears that exist, with a flank; |z1|, |z2| any (contract)
   ContactPair(const ContactGear& gear_1, const ContactGear& gear_2, const ContactMount& mount);
   /// A pinion and its rack, which has no modifications and no errors of its teeth. A rotation of
-  /// gear 2 is the travel of the rack divided by the reference radius of the pinion. [T8.28]
+  /// gear 2 is the travel of the rack divided by the reference radius of the pinion. [T8.29]
   ///
   /// Domain  an axis angle of 0, no fillets (contract)
   ContactPair(const ContactGear& pinion, const RackGeometry& rack, const ContactMount& mount);

@@ -14,8 +14,9 @@ namespace {
 bool any_modification(const FlankModifications& m) {
   for (const Relief* relief : {&m.tip_relief, &m.root_relief, &m.end_relief})
     if (relief->amount != 0.0 || relief->reach) return true;
-  return m.topography || m.profile_crowning != 0.0 || m.profile_slope != 0.0 ||
-         m.lead_crowning != 0.0 || m.lead_slope != 0.0;
+  return m.topography || m.profile_wave.waves > 0 || m.helix_wave.waves > 0 ||
+         m.profile_crowning != 0.0 || m.profile_slope != 0.0 || m.lead_crowning != 0.0 ||
+         m.lead_slope != 0.0;
 }
 
 // The reason why no teeth touch, such as tips that do not reach each other.

@@ -16,6 +16,8 @@ constexpr int kHalvings = 16;    // bisections to the end of a branch: 1.5e-5 of
 constexpr double kSame = 1e-13;  // rad: two values of TE that differ by rounding
 constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
+constexpr int kDivisions = 6;    // of a step, at the crests that lead within it
+constexpr double kNear = 0.08;   // of the patch: other crests of a wave are farther away
 // The curve between the positions, from the branches that have the greatest T at the positions.
 class Branches {
  public:
@@ -33,6 +35,11 @@ class Branches {
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
   }
 
+  // The rotation of gear 1 at a touch, but for whole pitches.
+  double rotation(const PairTouch& touch) const {
+    return touch.phi + touch.pair * transmission_.pair().pitch();
+  }
+
   // The touch of the same branch, `steps` away; not found if the branch has no contact there.
   PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
   // The touch of the same branch, `steps` away. The search begins at `start`, another touch of the
@@ -43,11 +50,16 @@ class Branches {
   }
 
   // True if the branch that is greatest at i is also greatest at i + 1.
-  bool same(long i) const {
-    const PairTouch& a = at(i);
-    const PairTouch& b = at(i + 1);
-    return a.found() && b.found() && a.fields == b.fields &&
-           std::abs(b.phi - a.phi - step_) < 0.5 * std::abs(step_);
+  bool same(long i) const { return same(at(i), at(i + 1), 1.0); }
+  // True if two touches, `width` steps apart, are on the same branch. On wavy flanks, each crest of a tooth
+  // pair is a branch.
+  bool same(const PairTouch& a, const PairTouch& b, double width) const {
+    const bool pair = a.found() && b.found() && a.fields == b.fields &&
+                      std::abs(b.phi - a.phi - width * step_) < 0.5 * std::abs(width * step_);
+    if (!pair || !transmission_.wavy()) return pair;
+    const FlankPatch& one = transmission_.field(a.fields).one();
+    return std::abs(b.touch.s - a.touch.s) < kNear * (one.s_hi - one.s_lo) &&
+           std::abs(b.touch.z - a.touch.z) < kNear * (one.z_hi - one.z_lo);
   }
 
   // The part of a step over which the branch of `touch` continues in one direction; 1 if the branch
@@ -66,17 +78,20 @@ class Branches {
     return lo;
   }
 
-  // The touches of both branches at the handover between i and i + 1; none if there is no handover.
-  std::optional<std::array<PairTouch, 2>> handover(long i) const {
-    const PairTouch& a = at(i);
-    const PairTouch& b = at(i + 1);
-    // Branch b begins at lo, or before i if lo is 0. Branch a ends at hi, or beyond i + 1 if hi is 1.
-    double lo = 1.0 - reach(b, -1.0);
-    double hi = reach(a, 1.0);
+  struct Handover {
+    double t;                       // steps from a
+    std::array<PairTouch, 2> both;  // the second one is not found if TE jumps
+  };
+  // The handover between branch a and branch b, which lead at two rotations `width` steps apart; none if
+  // there is no handover.
+  std::optional<Handover> handover(const PairTouch& a, const PairTouch& b, double width) const {
+    // Branch b begins at lo, or before a if lo is 0. Branch a ends at hi, or beyond b if hi is `width`.
+    double lo = width * (1.0 - reach(b, -width));
+    double hi = width * reach(a, width);
     if (lo >= hi) return std::nullopt;
     std::array<PairTouch, 2> both{a, b};
     const auto at_both = [&](double t) {
-      return std::array{moved(a, t, both[0]), moved(b, t - 1.0, both[1])};
+      return std::array{moved(a, t, both[0]), moved(b, t - width, both[1])};
     };
     const auto begin = at_both(lo);
     const auto end = at_both(hi);
@@ -85,40 +100,79 @@ class Branches {
     if (std::isnan(at_lo + at_hi)) return std::nullopt;
     // TE jumps if a branch begins or ends ahead of the other. The value is the limit on the low
     // side.
-    if (at_lo <= kSame) return std::array{begin[0], PairTouch()};
-    if (at_hi >= -kSame) return std::array{end[1], PairTouch()};
+    if (at_lo <= kSame) return Handover{lo, {begin[0], PairTouch()}};
+    if (at_hi >= -kSame) return Handover{hi, {end[1], PairTouch()}};
     int stays = 0;
     for (int k = 0; k < kMaxSteps; ++k) {
       const double t = lo + (hi - lo) * at_lo / (at_lo - at_hi);
       both = at_both(t);
       const double ahead = ahead_in(both);
       if (std::isnan(ahead)) return std::nullopt;
-      if (std::abs(ahead) < kFlat || k + 1 == kMaxSteps) {
-        // A third branch that is greatest at position i − 1 or i + 2 may be greatest here as well.
-        std::array<PairTouch, 2> lead = both;
-        double te = std::max(both[0].te(), both[1].te());
-        for (const bool before : {true, false}) {
-          if (before ? same(i - 1) : same(i + 1)) continue;
-          const PairTouch third = before ? moved(at(i - 1), 1.0 + t) : moved(at(i + 2), t - 2.0);
-          if (!third.found() || !(third.te() > te)) continue;
-          lead = {third, PairTouch()};
-          te = third.te();
-        }
-        return lead;
-      }
+      if (std::abs(ahead) < kFlat || k + 1 == kMaxSteps) return Handover{t, both};
       narrow(ahead > 0.0, t, ahead, lo, at_lo, hi, at_hi, stays);
     }
     return std::nullopt;
   }
 
+  // The touches of both branches at the handover between i and i + 1. A third branch that is greatest at
+  // position i − 1 or i + 2 may be greatest there as well.
+  std::optional<std::array<PairTouch, 2>> handover(long i) const {
+    const auto found = handover(at(i), at(i + 1), 1.0);
+    if (!found) return std::nullopt;
+    const auto& [t, both] = *found;
+    if (!both[1].found()) return both;
+    std::array<PairTouch, 2> lead = both;
+    double te = std::max(both[0].te(), both[1].te());
+    for (const bool before : {true, false}) {
+      if (before ? same(i - 1) : same(i + 1)) continue;
+      const PairTouch third = before ? moved(at(i - 1), 1.0 + t) : moved(at(i + 2), t - 2.0);
+      if (!third.found() || !(third.te() > te)) continue;
+      lead = {third, PairTouch()};
+      te = third.te();
+    }
+    return lead;
+  }
+
+  // Passes each place between a and b, `width` steps apart, where TE may be less than `least`, to `take`.
+  // On wavy flanks, several crests may lead between two positions. Where a branch turns or the branches of
+  // a and b meet, TE is a minimum, or another branch leads. That branch divides the interval, as does the
+  // middle if the branches do not meet, because a crest may end.
+  template <class Take>
+  void valleys(const PairTouch& a, const PairTouch& b, double width, const double& least,
+               int divisions, const Take& take) const {
+    std::optional<Handover> found;
+    if (same(a, b, width)) {
+      if (!(slope(a) < 0.0 && slope(b) > 0.0)) return;
+      if (const auto turn = turning_point(a, width, false))
+        found = Handover{(turn->phi - a.phi) / step_, {*turn, *turn}};
+      if (!found) return;
+    } else {
+      found = handover(a, b, width);
+    }
+    const bool meet = found && found->both[1].found();
+    const double te = meet ? std::max(found->both[0].te(), found->both[1].te()) : least;
+    if (meet && te >= least) return;
+    const double t = meet ? found->t : 0.5 * width;
+    const PairTouch lead = transmission_.at(rotation(a) + t * step_);
+    if (!lead.found()) return;
+    if (meet && lead.te() <= te + kFlat) return take(found->both[0], found->both[1]);
+    take(lead, PairTouch());
+    if (divisions == 0 || t <= 0.0 || t >= width) return;
+    valleys(a, lead, t, least, divisions - 1, take);
+    valleys(lead, b, width - t, least, divisions - 1, take);
+  }
+
   // A maximum (`up`) or minimum of the leading branch within a step of i. The slope of the branch is
   // exact and continuous, but may bend sharply where the contact reaches an edge.
   std::optional<PairTouch> turning_point(long i, bool up) const {
-    const PairTouch& here = at(i);
+    return turning_point(at(i), 1.0, up);
+  }
+  // The same within `width` steps of a touch.
+  std::optional<PairTouch> turning_point(const PairTouch& here, double width, bool up) const {
     double lo = 0.0;
     double at_lo = slope(here);
     if (!(std::abs(at_lo) > 0.0)) return std::nullopt;
-    const double way = (at_lo > 0.0) == up ? 1.0 : -1.0;
+    const double way = (at_lo > 0.0) == up ? width : -width;
     double hi = way * reach(here, way);
     const PairTouch end = moved(here, hi);
     // The end was found in small steps. A single large step may lose the branch.
@@ -126,7 +180,7 @@ class Branches {
     double at_hi = slope(end);
     if ((at_lo > 0.0) == (at_hi > 0.0)) {
       // The branch may be greatest where it begins or ends.
-      return up && std::abs(hi) < 1.0 ? std::optional(end) : std::nullopt;
+      return up && std::abs(hi) < width ? std::optional(end) : std::nullopt;
     }
     PairTouch best = here;
     PairTouch turn = here;
@@ -200,7 +254,9 @@ CurveExtremes continuous_extremes(Transmission& transmission,
     const PairTouch& here = curve.at(i);
     const PairTouch& after = curve.at(i + 1);
     if (!here.found() || !after.found()) continue;
-    if (!curve.same(i)) {
+    if (transmission.wavy()) {
+      curve.valleys(here, after, 1.0, e.least, kDivisions, take_bottom);
+    } else if (!curve.same(i)) {
       if (const auto both = curve.handover(i)) take_bottom((*both)[0], (*both)[1]);
     }
     if (!before.found()) continue;
@@ -212,7 +268,7 @@ CurveExtremes continuous_extremes(Transmission& transmission,
     if (here.te() + reach > e.greatest) {
       if (const auto turn = curve.turning_point(i, true)) take_top(*turn);
     }
-    if (here.te() - reach < e.least && curve.same(i - 1) && curve.same(i)) {
+    if (!transmission.wavy() && here.te() - reach < e.least && curve.same(i - 1) && curve.same(i)) {
       if (const auto turn = curve.turning_point(i, false)) take_bottom(*turn, {});
     }
   }

@@ -10,7 +10,7 @@
 //   φ2*(ρ, ψ, Z) = ψ − θ2(ρ) − m2(ρ, Z) − Z τ2
 //
 //   If gear 2 is a rack, travel along the rack replaces the azimuth, and height above the datum line
-//   replaces ln ρ, both divided by the reference radius r of the pinion:  u + iψ = −w/r  [T8.28].
+//   replaces ln ρ, both divided by the reference radius r of the pinion:  u + iψ = −w/r  [T8.29].
 //
 // The flanks touch where T is greatest over the part of flank 1 that lies opposite flank 2. One
 // evaluation returns all data of a Newton step, without memory allocation and virtual calls.

@@ -8,7 +8,7 @@
 //   involute       s = ξ   roll angle (an internal gear's is negative)
 //   rack circle    s = τ   normal angle of the generating rack
 //   other curves   s = u
-//   flank of a rack  s = u, the height above the datum line by r  [T8.28]
+//   flank of a rack  s = u, the height above the datum line by r  [T8.29]
 //
 // The radius is monotone along a piece, so that θ is a function of u.
 #pragma once

@@ -1,7 +1,7 @@
 // Tooth contact of a pinion with its rack under errors of mounting.
 //
 // The analysis is that of two gears with the travel of the rack in place of the rotation of gear 2
-// [T8.28]. Travel and its errors are stored as angles x/r, where r is the reference radius of the pinion.
+// [T8.29]. Travel and its errors are stored as angles x/r, where r is the reference radius of the pinion.
 // A positive travel is along −y of the housing, as for the rim of a gear 2.
 //
 //   const auto touching = contact(*rack_pair, {.crossing = 0.02_deg});

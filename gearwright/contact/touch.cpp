@@ -263,7 +263,9 @@ int best_row(const std::array<GridNode, kRows>& section) {
 }  // namespace
 
 bool TouchSearch::uneven() const {
-  const auto has = [](const FlankPatch& f) { return f.removal && f.removal->has_topography(); };
+  const auto has = [](const FlankPatch& f) {
+    return f.removal && (f.removal->has_topography() || f.removal->wavy());
+  };
   return has(field_.one()) || has(field_.two());
 }
 

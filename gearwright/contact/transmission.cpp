@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/contact/wave_crests.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -55,7 +58,7 @@ class PlaceAhead {
 // True if no part of the flank is concave.
 bool is_convex(const FlankPatch& f) {
   if (!f.removal || f.removal->none()) return true;
-  if (f.removal->has_topography()) return false;
+  if (f.removal->has_topography() || f.removal->wavy()) return false;
   using P = RemovalField::Parameter;
   return f.removal->amount(P::profile_crowning) >= 0.0 &&
          f.removal->amount(P::lead_crowning) >= 0.0;
@@ -97,6 +100,13 @@ Transmission::Transmission(const ContactPair& pair, Progress* progress)
                                                         reach_of(pair, a, b)));
     }
   }
+  for (const FlankPatch& a : pair.patches(1)) {
+    for (const FlankPatch& b : pair.patches(2)) {
+      auto crests = detail::WaveCrests::of(pair, a, b);
+      if (crests) crests_.push_back(std::make_shared<const detail::WaveCrests>(*std::move(crests)));
+    }
+  }
+  if (crests_.size() < fields_.size()) crests_.clear();
   farthest_pair_ = static_cast<int>(std::ceil((pair.reach() + widest) / pair.pitch())) + 2;
 }
 
@@ -107,17 +117,43 @@ Touch Transmission::cold(int fields, double phi) {
   return t;
 }
 
+// Searches from a crest. If the search does not converge, the whole flank is searched.
+Touch Transmission::from_crest(int fields, double s, double z) {
+  const auto f = static_cast<std::size_t>(fields);
+  const Touch t = searches_[f]->from(s, z, crests_[f]->s2(), {});
+  return t.stop == Touch::Stop::too_long ? searches_[f]->cold() : t;
+}
+
+Touch Transmission::highest_crest(int fields, double phi) {
+  const auto f = static_cast<std::size_t>(fields);
+  auto crests = crests_[f]->at(phi, -kInfinity);
+  std::sort(crests.begin(), crests.end(), [](const auto& a, const auto& b) { return a.te > b.te; });
+  fields_[f]->set_rotation(phi);
+  Touch best;
+  for (const auto& c : crests) {
+    if (best.found() && c.te < best.te - crests_[f]->margin()) break;
+    const Touch t = from_crest(fields, c.s, c.z);
+    if (t.found() && (!best.found() || t.te > best.te)) best = t;
+  }
+  return best;
+}
+
 PairTouch Transmission::at(double phi) {
   // Whole pitches change only the number of the tooth pair.
   const double whole = std::round(phi / pair_.pitch());
   phi -= whole * pair_.pitch();
   count_step(progress_);
   PairTouch best;
-  for (std::size_t f = 0; f < fields_.size(); ++f) {
-    for (int k = -farthest_pair_; k <= farthest_pair_; ++k) {
-      const double own = phi - k * pair_.pitch();
-      const Touch t = cold(static_cast<int>(f), own);
-      if (t.found() && wins(t, own, best)) best = {t, static_cast<int>(f), own, k};
+  // Far beyond their path of contact, wavy teeth have no crests, but may be the only ones that touch.
+  for (const bool of_crests : {true, false}) {
+    if (of_crests && crests_.empty()) continue;
+    if (best.found()) break;
+    for (int f = 0; f < static_cast<int>(fields_.size()); ++f) {
+      for (int k = -farthest_pair_; k <= farthest_pair_; ++k) {
+        const double own = phi - k * pair_.pitch();
+        const Touch t = of_crests ? highest_crest(f, own) : cold(f, own);
+        if (t.found() && wins(t, own, best)) best = {t, f, own, k};
+      }
     }
   }
   best.pair += static_cast<int>(whole);
@@ -126,9 +162,9 @@ PairTouch Transmission::at(double phi) {
 
 PairTouch Transmission::of_pair_0(double phi) {
   PairTouch best;
-  for (std::size_t f = 0; f < fields_.size(); ++f) {
-    const Touch t = cold(static_cast<int>(f), phi);
-    if (t.found() && wins(t, phi, best)) best = {t, static_cast<int>(f), phi, 0};
+  for (int f = 0; f < static_cast<int>(fields_.size()); ++f) {
+    const Touch t = wavy() ? highest_crest(f, phi) : cold(f, phi);
+    if (t.found() && wins(t, phi, best)) best = {t, f, phi, 0};
   }
   return best;
 }
@@ -261,13 +297,59 @@ void Transmission::follow_all(int fields, double first, int n, std::vector<PairT
   }
 }
 
+// Searches every position from the crests that may be the highest ones. The lines of contact of all tooth
+// pairs are examined first, beginning near the centre line, where the teeth usually carry.
+void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best) {
+  struct Start {
+    detail::WaveCrests::Crest crest;
+    int fields, m;
+  };
+  const auto size = static_cast<std::size_t>(n);
+  std::vector<std::vector<Start>> starts(size);
+  std::vector<double> highest(size, -kInfinity);
+  const int most = farthest_pair_ * n;
+  for (int away = 0; away <= most; ++away) {
+    for (const int m : {away, -away}) {
+      if (m == 0 && away != 0) continue;
+      const auto i = static_cast<std::size_t>(((m % n) + n) % n);
+      const double own = first + m * (pair_.pitch() / n);
+      for (int f = 0; f < static_cast<int>(crests_.size()); ++f) {
+        const detail::WaveCrests& crests = *crests_[static_cast<std::size_t>(f)];
+        for (const auto& c : crests.at(own, highest[i] - crests.margin())) {
+          starts[i].push_back({c, f, m});
+          highest[i] = std::max(highest[i], c.te);
+        }
+      }
+      if (away == 0) break;
+    }
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    count_step(progress_);
+    std::sort(starts[i].begin(), starts[i].end(),
+              [](const Start& a, const Start& b) { return a.crest.te > b.crest.te; });
+    for (const Start& s : starts[i]) {
+      const auto f = static_cast<std::size_t>(s.fields);
+      if (best[i].found() && s.crest.te < best[i].te() - crests_[f]->margin()) break;
+      const double own = first + s.m * (pair_.pitch() / n);
+      fields_[f]->set_rotation(own);
+      const Touch t = from_crest(s.fields, s.crest.s, s.crest.z);
+      if (t.found() && wins(t, own, best[i]))
+        best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
+    }
+    // Far beyond a path of contact, T is less than estimated, and other crests were left out for it.
+    const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
+    if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
+  }
+}
+
 std::vector<PairTouch> Transmission::over_a_pitch(double first, int n) {
   const double whole = std::round(first / pair_.pitch());
   first -= whole * pair_.pitch();
   std::vector<PairTouch> best(n);
+  if (!crests_.empty()) over_crests(first, n, best);
   const bool one =
       fields_.size() == 1 && is_convex(fields_[0]->one()) && is_convex(fields_[0]->two());
-  for (int f = 0; f < static_cast<int>(fields_.size()); ++f)
+  for (int f = 0; f < static_cast<int>(fields_.size()) && crests_.empty(); ++f)
     one ? follow_one(f, first, n, best) : follow_all(f, first, n, best);
   for (PairTouch& t : best) t.pair += static_cast<int>(whole);
   return best;

@@ -17,6 +17,10 @@
 
 namespace gearwright {
 
+namespace detail {
+class WaveCrests;  // contact/wave_crests.hpp
+}
+
 /// A touch of tooth pair k: its patches and the rotation of pair 0 (in N).
 struct PairTouch {
   Touch touch;
@@ -37,7 +41,8 @@ class Transmission {
   std::vector<PairTouch> over_a_pitch(double first, int n);
   /// The touch at any rotation, computed from scratch.
   PairTouch at(double phi);
-  /// The touch of tooth pair 0 alone, even if another pair carries the load.
+  /// The touch of tooth pair 0 alone, even if another pair carries the load. If wavy(), a pair far beyond
+  /// its path of contact does not touch.
   PairTouch of_pair_0(double phi);
   /// The touch of the same tooth pair on the same patches at another rotation of pair 0. The search
   /// starts at the given touch. Not found if these patches do not touch at that rotation.
@@ -51,6 +56,8 @@ class Transmission {
   const GapField& field(int fields) const { return *fields_[fields]; }
   /// Sets the field to the rotation of the touch and returns its exact jet, with θ2 fully converged.
   GapJet jet_at(const PairTouch& t, double s, double z);
+  /// True if form waves give T many maxima, which are found in closed form at every position.
+  bool wavy() const { return !crests_.empty(); }
   int farthest_pair() const { return farthest_pair_; }  ///< greatest |k| of a pair that can touch
   TouchCount count() const;
   long too_long() const { return too_long_; }  ///< searches that did not converge
@@ -59,12 +66,17 @@ class Transmission {
   class Track;
   void follow_one(int fields, double first, int n, std::vector<PairTouch>& best);
   void follow_all(int fields, double first, int n, std::vector<PairTouch>& best);
+  void over_crests(double first, int n, std::vector<PairTouch>& best);
   Touch cold(int fields, double phi);
+  Touch highest_crest(int fields, double phi);
+  Touch from_crest(int fields, double s, double z);
 
   const ContactPair& pair_;
   Progress* progress_;
   std::vector<std::unique_ptr<GapField>> fields_;
   std::vector<std::unique_ptr<TouchSearch>> searches_;
+  // By field; empty if a field has none.
+  std::vector<std::shared_ptr<const detail::WaveCrests>> crests_;
   int farthest_pair_;
   long too_long_ = 0;
 };

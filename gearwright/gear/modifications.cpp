@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/error.hpp"
@@ -159,8 +160,9 @@ std::optional<Error> check(const FlankModifications& m, const FlankExtent& e) {
         std::pair("root_relief.amount", m.root_relief.amount),
         std::pair("profile_crowning", m.profile_crowning),
         std::pair("profile_slope", m.profile_slope), std::pair("lead_crowning", m.lead_crowning),
-        std::pair("lead_slope", m.lead_slope),
-        std::pair("end_relief.amount", m.end_relief.amount)}) {
+        std::pair("lead_slope", m.lead_slope), std::pair("end_relief.amount", m.end_relief.amount),
+        std::pair("profile_wave.height", m.profile_wave.height / 2),
+        std::pair("helix_wave.height", m.helix_wave.height / 2)}) {
     if (auto error = check_amount(field, amount, greatest)) return error;
   }
   return check_topography(m, e, greatest);
@@ -222,7 +224,9 @@ RemovalField::RemovalField(const FlankModifications& m, const FlankExtent& e)
       amounts_{m.tip_relief.amount, m.root_relief.amount, m.profile_crowning, m.profile_slope,
                m.lead_crowning,     m.lead_slope,         m.end_relief.amount},
       roll_root_(length(e.rho_root_form, e.r0)),
-      roll_tip_(length(e.rho_tip_form, e.r0)) {
+      roll_tip_(length(e.rho_tip_form, e.r0)),
+      roll_mid_((roll_tip_ + roll_root_) / 2),
+      waves_{m.profile_wave, m.helix_wave} {
   GW_EXPECTS(!check(m, e));
   const auto [least, greatest] = std::minmax({roll_root_, roll_tip_});
   const double floor = std::max(least / 2, kMinRoll * greatest);
@@ -305,7 +309,7 @@ Removal RemovalField::unit(Parameter parameter, const Roll& L, double z, const P
     return along_profile(ramp_at(r.shape, r.from, r.to, L.value), L.d1, L.d2);
   };
   const double w1 = 1 / (roll_tip_ - roll_root_);
-  const double w = (L.value - (roll_tip_ + roll_root_) / 2) * w1;
+  const double w = (L.value - roll_mid_) * w1;
   const double b = extent_.face_width;
   switch (parameter) {
     case Parameter::tip_relief:
@@ -344,7 +348,30 @@ Removal RemovalField::at(double u, double z, const Piece& piece) const {
     const auto s = topography_->at(d, z);
     add(sum, 1.0, {s.s, d * s.d, s.z, d * (d * s.dd + s.d), d * s.dz, s.zz});
   }
+  if (waves_[0].waves > 0) {
+    const WaveJet w = profile_wave(L.value);
+    add(sum, 1.0, along_profile({w.c, w.d1, w.d2}, L.d1, L.d2));
+  }
+  if (waves_[1].waves > 0) {
+    const WaveJet w = helix_wave(z);
+    add(sum, 1.0, along_face({w.c, w.d1, w.d2}));
+  }
   return sum;
+}
+
+// [T14.21]
+RemovalField::WaveJet RemovalField::wave(const FormWave& wave, double x, double middle,
+                                         double width) {
+  const double rate = 2 * std::numbers::pi * wave.waves / width;
+  const double turn = rate * (x - middle) + wave.phase;
+  const double sine = 0.5 * wave.height * std::sin(turn);
+  return {sine, 0.5 * wave.height * rate * std::cos(turn), -rate * rate * sine};
+}
+
+RemovalField RemovalField::smooth() const {
+  RemovalField field = *this;
+  field.waves_ = {};
+  return field;
 }
 
 Removal RemovalField::derivative(Parameter parameter, double u, double z,
@@ -360,7 +387,7 @@ const RemovalField::Piece& RemovalField::piece_at(double u, double z) const {
 }
 
 bool RemovalField::none() const {
-  return !topography_ &&
+  return !topography_ && !wavy() &&
          std::all_of(amounts_.begin(), amounts_.end(), [](double amount) { return amount == 0.0; });
 }
 

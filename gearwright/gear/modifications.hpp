@@ -17,8 +17,9 @@
 //   helix crowning     4 (z/b)²                      helix slope modification     z/b
 //   end relief        q or q²,  q = (|z| − b/2 + l)/l, over the length l from each face
 //
-// A measured or designed topography is added. The formulas also hold for an internal gear, whose tip has
-// the lesser radius.
+// A measured or designed topography is added, and so are the waves of form deviations,
+// ½ f_f sin(2π n w + χ) along the profile and ½ f_f sin(2π n z/b + χ) along the face, with n whole waves.
+// The formulas also hold for an internal gear, whose tip has the lesser radius.
 //
 // The right and the left flank are defined as seen from +z with the tooth pointing up. If the
 // centre line of the tooth is the x axis, the right flank has y < 0.
@@ -44,6 +45,15 @@ struct Relief {
   ReliefShape shape = ReliefShape::linear;
 };
 
+/// A form deviation over the usable flank or over the face.
+struct FormWave {
+  int waves = 0;        ///< n   0 without a wave
+  double phase = 0.0;   ///< χ   rad
+  double height = 0.0;  ///< f_f mm, from trough to crest
+
+  bool operator==(const FormWave&) const = default;
+};
+
 /// The modifications of one flank, the same on every tooth.
 struct FlankModifications {
   Relief tip_relief{};            ///< C_αa, at d_Fa
@@ -54,6 +64,7 @@ struct FlankModifications {
   double lead_slope = 0.0;        ///< C_Hβ  mm, over the face; > 0 removes material at its +z end
   Relief end_relief{};            ///< C_βI = C_βII
   std::shared_ptr<const Topography> topography{};
+  FormWave profile_wave{}, helix_wave{};
 };
 
 /// The usable flank to which the modifications apply.
@@ -73,7 +84,7 @@ struct Removal {
 
 /// The field of one flank.
 ///
-///   Laws  (1) at() = Σ amount · derivative() + topography
+///   Laws  (1) at() = Σ amount · derivative() + topography + waves
 ///         (2) pieces() cover the usable flank without overlap; the formulas of a piece are smooth and
 ///             continue beyond its borders, so that an iteration may leave the piece
 ///         (3) the derivatives returned are the exact derivatives of c at every point
@@ -142,7 +153,22 @@ class RemovalField {
   bool ridge_between(const Piece& a, const Piece& b) const;
 
   bool has_topography() const { return topography_ != nullptr; }
-  bool none() const;  ///< true if nothing is removed: no topography, and every amount is 0
+  /// The waves along the profile and along the face.
+  const std::array<FormWave, 2>& waves() const { return waves_; }
+  bool wavy() const { return waves_[0].waves > 0 || waves_[1].waves > 0; }
+  /// The removal of one of the waves at the place x, which is L or z, and its derivatives by x.
+  struct WaveJet {
+    double c, d1, d2;  ///< mm, 1, 1/mm
+  };
+  WaveJet profile_wave(double L) const {
+    return wave(waves_[0], L, roll_mid_, roll_tip_ - roll_root_);
+  }
+  WaveJet helix_wave(double z) const { return wave(waves_[1], z, 0.0, extent_.face_width); }
+  double base_radius() const { return extent_.r0; }  ///< r0  mm
+  /// The same field without its waves.
+  RemovalField smooth() const;
+  /// True if nothing is removed: no topography, no wave, and every amount is 0.
+  bool none() const;
 
  private:
   static std::size_t index(Parameter p) { return static_cast<std::size_t>(p); }
@@ -157,14 +183,16 @@ class RemovalField {
   static Ramp ramp(const Relief& relief, double from, double to);
   Roll roll(double rho) const;
   Removal unit(Parameter parameter, const Roll& L, double z, const Piece& piece) const;
+  static WaveJet wave(const FormWave& wave, double x, double middle, double width);
   void make_cells();
 
   FlankExtent extent_;
   std::array<double, 7> amounts_;
   double y_floor_ = 0.0;  // mm², L² below which L is extrapolated
-  double roll_root_ = 0.0, roll_tip_ = 0.0;
+  double roll_root_ = 0.0, roll_tip_ = 0.0, roll_mid_ = 0.0;
   Ramp tip_, root_, end_;
   std::shared_ptr<const TopographySpline> topography_;
+  std::array<FormWave, 2> waves_{};
   std::vector<double> kinks_u_, kinks_z_;
   std::vector<Cell> cells_;
 };

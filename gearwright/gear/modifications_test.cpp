@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "gearwright/base/testing/violation.hpp"
@@ -64,7 +65,10 @@ Long removed(const FlankModifications& m, const FlankExtent& e, Long u, Long z,
   }
   if (p.end_hi) c += shaped(m.end_relief, (z - b / 2) / *m.end_relief.reach + 1);
   if (p.end_lo) c += shaped(m.end_relief, (-z - b / 2) / *m.end_relief.reach + 1);
-  return c;
+  const auto wave = [](const FormWave& f, Long x) {
+    return f.height / 2 * std::sin(2 * std::numbers::pi_v<Long> * f.waves * x + f.phase);
+  };
+  return c + wave(m.profile_wave, w) + wave(m.helix_wave, z / b);
 }
 
 // Central differences with one Richardson step, so that the error is h⁴ times the fifth or sixth
@@ -115,7 +119,9 @@ TEST(RemovalField, is_its_formulas_and_their_derivatives) {
                                                            // borders
   for (const FlankExtent& e : {kGear, kArcs, kRing}) {
     for (const ReliefShape shape : {ReliefShape::linear, ReliefShape::parabolic}) {
-      const FlankModifications m = everything(e, shape);
+      FlankModifications m = everything(e, shape);
+      m.profile_wave = {1, 0.4, 0.008};
+      m.helix_wave = {1, 1.1, 0.006};
       const auto field = make_removal_field(m, e);
       ASSERT_TRUE(field) << field.error().message();
       ASSERT_EQ(field->pieces().size(), 9u);

@@ -52,7 +52,8 @@ class Grades {
       if (!flank)
         return Error{field, std::to_string(*quality),
                      "is allowed only for involute teeth with a usable flank; give the ranges in "
-                     "[scatter.errors]"};
+                     "[scatter.errors]",
+                     FailureKind::no_flank};
       add_flank(which, *flank);
       helix_total_ = std::max(helix_total_, flank->helix_total);
     }

@@ -31,14 +31,6 @@ Error refused_list(const fs::path& path, std::string rule) {
   return {"--designs", native_text(path), std::move(rule)};
 }
 
-std::string text_of_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  if (!file) throw IoError("cannot read " + native_text(path));
-  return bytes.str();
-}
-
 // Results of [scatter] that belong to one pair and that rows do not show.
 constexpr const char* kOfOnePair[] = {"indices", "worst_case", "loosening", "robust", "pattern"};
 
@@ -50,16 +42,69 @@ Json spec_of(const JobSpec& spec, const Search& search, const DesignRow& row) {
   return tree;
 }
 
-// A failure that concerns all designs, because it is about the tolerances as given.
+// True if a failure of prepared_scatter() concerns all designs, because it is about [scatter] as given.
 bool of_all_designs(const Error& error) {
-  return error.field.starts_with("scatter.groups") || error.field.starts_with("load.driver");
+  return error.kind != FailureKind::no_flank &&
+         (error.field.starts_with("scatter.") || error.field.ends_with("tolerance.quality"));
 }
 
 std::string teeth_words(const std::array<int, 2>& teeth) {
   return fmt::format("{}:{} teeth", teeth[0], teeth[1]);
 }
 
+// A design of the list with the spec of its pair.
+struct StudiedDesign {
+  DesignRow row;
+  JobSpec pair;
+};
+
+Result<StudiedDesign> studied_design(const JobSpec& spec, const Search& search,
+                                     const ListedDesign& listed, const StudyOptions& options) {
+  std::vector<DesignRow> rows;
+  const std::int64_t trials = *search.space().size();
+  if (listed.trial >= 0 && listed.trial < trials)
+    search.range(listed.trial, listed.trial + 1, rows, {.detail = RegionDetail::point});
+  const bool same =
+      rows.size() == 1 &&
+      (!listed.teeth || *listed.teeth == std::array{rows[0].trial.z1, rows[0].trial.z2});
+  if (!same)
+    return Error{
+        "--designs", options.designs.value_or(""),
+        fmt::format("is the result of another search; design {} with {} is not a design of "
+                    "this spec. Use the spec of that search and add [scatter] to it",
+                    listed.number, teeth_words(listed.teeth.value_or(std::array{0, 0})))};
+  auto pair = read_spec_tree(spec_of(spec, search, rows[0]), options.folder, SpecUse::scatter);
+  if (!pair) return pair.error();
+  return StudiedDesign{rows[0], std::move(pair).take()};
+}
+
+// The error of [scatter] that every design would have, found before the study starts.
+std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
+                                   const std::vector<ListedDesign>& list,
+                                   const StudyOptions& options) {
+  for (const ListedDesign& listed : list) {
+    const auto design = studied_design(spec, search, listed, options);
+    if (!design) return design.error();
+    auto solved = solve(design->pair, Scope::pair);
+    if (!solved) continue;  // a failure of this design
+    SolvedJob job = std::move(solved).take();
+    const auto prepared = prepared_scatter(job);
+    if (prepared) return std::nullopt;
+    const Error shown = spelled(prepared.error(), design->pair.given);
+    if (of_all_designs(shown)) return shown;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::string text_of_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  if (!file) throw IoError("cannot read " + native_text(path));
+  return bytes.str();
+}
 
 std::size_t ranking_percentile(const JobSpec& spec) {
   const std::vector<double>& all = spec.scatter.percentiles;
@@ -119,30 +164,17 @@ Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
 
 Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDesign& listed,
                        const StudyOptions& options) {
-  std::vector<DesignRow> rows;
-  const std::int64_t trials = *search.space().size();
-  if (listed.trial >= 0 && listed.trial < trials)
-    search.range(listed.trial, listed.trial + 1, rows, {.detail = RegionDetail::point});
-  const bool same =
-      rows.size() == 1 &&
-      (!listed.teeth || *listed.teeth == std::array{rows[0].trial.z1, rows[0].trial.z2});
-  if (!same)
-    return Error{
-        "--designs", options.designs.value_or(""),
-        fmt::format("is the result of another search; design {} with {} is not a design of "
-                    "this spec. Use the spec of that search and add [scatter] to it",
-                    listed.number, teeth_words(listed.teeth.value_or(std::array{0, 0})))};
-  const DesignRow& row = rows[0];
-  const DesignView view{&search.problem(), &row};
-  const auto pair = read_spec_tree(spec_of(spec, search, row), options.folder, SpecUse::scatter);
-  if (!pair) return pair.error();
+  const auto design = studied_design(spec, search, listed, options);
+  if (!design) return design.error();
+  const JobSpec& pair = design->pair;
+  const DesignView view{&search.problem(), &design->row};
   const auto refuse = [&](const Error& error) -> Result<Json> {
-    const Error shown = spelled(error, pair->given);
-    if (of_all_designs(shown)) return shown;
+    const Error shown = spelled(error, pair.given);
+    if (shown.field.starts_with("load.driver")) return shown;
     return to_json(
         scattered_design_quantities().of({listed.number, view, nullptr, shown.message()}));
   };
-  auto solved = solve(*pair, Scope::pair);
+  auto solved = solve(pair, Scope::pair);
   if (!solved) return refuse(solved.error());
   SolvedJob job = std::move(solved).take();
   const auto answer = answer_scatter(job, options.progress, options.threads);
@@ -195,6 +227,7 @@ Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options) {
     return Error{"search", "",
                  "no design is feasible; gearwright search names a change that would help"};
   if (options.top && list.size() > *options.top) list.resize(*options.top);
+  if (auto error = refused_study(spec, search, list, options)) return *error;
   StudyRun run;
   std::vector<Json> rows;
   if (!options.out.empty()) {

@@ -69,6 +69,9 @@ Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDe
 /// Laws      (1) the same rows and files with any threads, shards and ranks
 Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options);
 
+/// Throws    IoError
+std::string text_of_file(const std::filesystem::path& path);
+
 /// Index of the greatest of the requested percentiles, by which the designs are ranked.
 std::size_t ranking_percentile(const JobSpec& spec);
 

@@ -6,8 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/testing/scratch_folder.hpp"
 #include "gearwright/job/search_answer.hpp"
 
 namespace gearwright {
@@ -86,6 +89,40 @@ TEST(ScatterStudy, ASpecThatIsWrongForAllDesignsIsAnError) {
   const auto group = run_study(read_spec_tree(tree).value(), {});
   ASSERT_FALSE(group);
   EXPECT_EQ(group.error().field, "scatter.groups.a");
+  // The error comes before a folder is made.
+  const testing::ScratchFolder scratch;
+  StudyOptions options;
+  options.out = scratch.path() / "study";
+  tree["scatter"] = {{"quality", 12}};
+  const auto quality = run_study(read_spec_tree(tree).value(), options);
+  ASSERT_FALSE(quality);
+  EXPECT_EQ(quality.error().field, "scatter.quality");
+  EXPECT_FALSE(std::filesystem::exists(options.out));
+}
+
+// A study is not continued with another measured flank in a file of the same name.
+TEST(ScatterStudy, TheContentsOfATopographyBelongToTheStudy) {
+  const testing::ScratchFolder scratch;
+  const auto measured = [&](int um) {
+    std::ofstream file(scratch.path() / "flank.csv");
+    file << "diameter_mm,z_mm,removed_um\n10,-20," << um << "\n10,20,0\n400,-20,0\n400,20,0\n";
+  };
+  Json tree = study_spec().tree->tables;
+  tree["gear1"]["modifications"] = {{"topography", "flank.csv"}};
+  tree["scatter"]["gear1"].erase("modifications");
+  StudyOptions options;
+  options.folder = scratch.path();
+  options.out = scratch.path() / "study";
+  options.top = 1;
+  measured(2);
+  const auto run = run_study(read_spec_tree(tree, scratch.path()).value(), options);
+  ASSERT_TRUE(run) << run.error().message();
+  options.resume = true;
+  EXPECT_TRUE(run_study(read_spec_tree(tree, scratch.path()).value(), options));
+  measured(3);
+  const auto other = run_study(read_spec_tree(tree, scratch.path()).value(), options);
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().field, "--out");
 }
 
 }  // namespace

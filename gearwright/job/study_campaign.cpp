@@ -8,6 +8,7 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/packing.hpp"
 #include "gearwright/job/campaign.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -15,12 +16,27 @@ namespace {
 
 constexpr std::int64_t kMostChunks = 4096;  // a design each, if there are not more
 
+// The contents of the files that the modifications name, because the spec has their names only.
+std::string files_fingerprint(const JobSpec& spec, const std::filesystem::path& folder) {
+  std::string lines;
+  for (const char* gear : {"gear1", "gear2"}) {
+    const Json& tables = spec.tree->tables;
+    if (!tables.contains(gear) || !tables[gear].contains("modifications")) continue;
+    for (const auto& [key, value] : tables[gear]["modifications"].items())
+      if (key.ends_with("topography") && value.is_string())
+        lines += fmt::format("{}.modifications.{} has the checksum {:08x}\n", gear, key,
+                             crc32_of(text_of_file(folder / value.get<std::string>())));
+  }
+  return lines;
+}
+
 // The inputs that determine the rows.
 std::string study_fingerprint(const JobSpec& spec, const std::vector<ListedDesign>& list,
-                              std::int64_t chunk) {
+                              std::int64_t chunk, const std::filesystem::path& folder) {
   std::string numbers;
   for (const ListedDesign& d : list) numbers += fmt::format("{} {}\n", d.number, d.trial);
   return search_fingerprint(spec, chunk, {"rating", "errors", "contact", "load", "scatter"}) +
+         files_fingerprint(spec, folder) +
          fmt::format("designs = {}\nlist of designs = {:08x}\n", list.size(), crc32_of(numbers));
 }
 
@@ -33,8 +49,8 @@ Result<StudyRun> run_study_campaign(const JobSpec& spec, const Search& search,
   const std::int64_t chunk = (all + kMostChunks - 1) / kMostChunks;
   const std::int64_t chunks = (all + chunk - 1) / chunk;
   const auto size_of = [&](std::int64_t c) { return std::min(chunk, all - c * chunk); };
-  auto opened = open_campaign({study_fingerprint(spec, list, chunk), chunks}, {"refused"}, options,
-                              std::nullopt);
+  auto opened = open_campaign({study_fingerprint(spec, list, chunk, options.folder), chunks},
+                              {"refused"}, options, std::nullopt);
   if (!opened) return opened.error();
   StudyRun run;
   run.of = all;

@@ -51,18 +51,13 @@ constexpr Entry kEntries[] = {
     {"mass_kg", {}},
     {"area", "size of the region of profile shifts within the limits, in modules²"}};
 
-struct Cell {
-  std::string text;
-  std::optional<double> key;  // value by which the column is sorted; rows without a value come last
-};
-
 struct Column {
   const QuantityInfo* info;
   std::string_view meaning;
   std::optional<std::size_t> gear;  // the gear, if each gear has its own value
 };
 
-Cell mark(bool is, const char* text) { return {is ? text : "", is ? 1.0 : 0.0}; }
+TableCell mark(bool is, const char* text) { return {is ? text : "", is ? 1.0 : 0.0}; }
 
 const Member* find(const ValueRecord& record, const QuantityInfo* info) {
   const auto it =
@@ -70,7 +65,7 @@ const Member* find(const ValueRecord& record, const QuantityInfo* info) {
   return it == record.end() ? nullptr : &*it;
 }
 
-Cell cell_of(const Column& column, const ValueRecord& record) {
+TableCell cell_of(const Column& column, const ValueRecord& record) {
   const Member* member = find(record, column.info);
   if (!member) return {std::string(kNoValue), std::nullopt};
   const Value& v = column.gear ? (*member->value.list())[*column.gear] : member->value;
@@ -126,20 +121,50 @@ std::string words_of(const Column& c) {
   return c.meaning.empty() ? words : fmt::format("{}: {}", words, c.meaning);
 }
 
-std::string heading(const Column& c) {
-  const std::string_view unit = unit_text(c.info->unit);
-  return fmt::format(
-      "<th scope=\"col\" class=\"value\" title=\"{}\" data-first=\"{}\">{}{}</th>",
-      escaped(words_of(c)), c.info->greater_first ? "descending" : "ascending", symbol_of(c),
-      unit.empty() ? "" : fmt::format(" <span class=\"unit\">{}</span>", escaped(unit)));
+TableColumn heading(const Column& c) {
+  return {symbol_of(c), std::string(unit_text(c.info->unit)), words_of(c),
+          c.info->greater_first ? "descending" : "ascending"};
 }
 
-std::string cell_html(const Cell& cell) {
-  return fmt::format("<td class=\"value\" data-v=\"{}\">{}</td>",
-                     cell.key ? fmt::format("{:.12g}", *cell.key) : "", cell.text);
+TableColumn front_heading() {
+  return {
+      "front", "",
+      "design on the Pareto front, which means that no other design is better in every objective",
+      "descending"};
 }
 
 }  // namespace
+
+std::string sortable_table(const std::vector<TableColumn>& columns,
+                           const std::vector<TableRow>& rows) {
+  std::string text =
+      "<div class=\"scroll sheet\" tabindex=\"0\" role=\"region\" aria-label=\"Designs\"><table "
+      "class=\"designs\">\n<thead><tr><th scope=\"col\" class=\"value\" aria-sort=\"ascending\" "
+      "data-first=\"ascending\" title=\"rank\">#</th>";
+  for (const TableColumn& c : columns)
+    text += fmt::format(
+        "<th scope=\"col\" class=\"value\" title=\"{}\" data-first=\"{}\">{}{}</th>",
+        escaped(c.meaning), c.first, c.head,
+        c.unit.empty() ? "" : fmt::format(" <span class=\"unit\">{}</span>", escaped(c.unit)));
+  text += "</tr></thead>\n<tbody>\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    text += fmt::format("<tr{1}><th scope=\"row\" class=\"value\" data-v=\"{0}\">{0}</th>", i + 1,
+                        rows[i].attributes);
+    for (const TableCell& cell : rows[i].cells)
+      text += fmt::format("<td class=\"value\" data-v=\"{}\">{}</td>",
+                          cell.key ? fmt::format("{:.12g}", *cell.key) : "", cell.html);
+    text += "</tr>\n";
+  }
+  return text + "</tbody></table></div>\n";
+}
+
+std::string column_key(const std::vector<TableColumn>& columns) {
+  std::string text;
+  for (const TableColumn& c : columns)
+    text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", c.head, escaped(c.meaning));
+  return "<details class=\"column-key\"><summary>Meaning of the columns</summary>\n<dl>\n" + text +
+         "</dl></details>\n";
+}
 
 std::string design_table(const SearchProblem& problem, const SearchAnswer& answer,
                          std::size_t rows) {
@@ -148,39 +173,28 @@ std::string design_table(const SearchProblem& problem, const SearchAnswer& answe
   std::vector<bool> front(answer.designs.size(), false);
   for (const std::size_t i : answer.pareto) front[i] = true;
   const bool fronts = problem.objectives.size() > 1;
-
-  std::string text =
-      "<div class=\"scroll sheet\" tabindex=\"0\" role=\"region\" aria-label=\"Designs\"><table "
-      "class=\"designs\">\n<thead><tr><th scope=\"col\" class=\"value\" aria-sort=\"ascending\" "
-      "data-first=\"ascending\" title=\"rank\">#</th>";
-  if (fronts)
-    text +=
-        "<th scope=\"col\" class=\"value\" title=\"design on the Pareto front, which means that no "
-        "other design is better in every objective\" data-first=\"descending\">front</th>";
-  for (const Column& c : columns) text += heading(c);
-  text += "</tr></thead>\n<tbody>\n";
+  std::vector<TableColumn> heads;
+  if (fronts) heads.push_back(front_heading());
+  for (const Column& c : columns) heads.push_back(heading(c));
+  std::vector<TableRow> table;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    text += fmt::format(
-        "<tr id=\"design-{0}\"{1}><th scope=\"row\" class=\"value\" data-v=\"{0}\">{0}</th>", i + 1,
-        front[i] ? " class=\"front\"" : "");
-    if (fronts) text += cell_html(mark(front[i], "●"));
-    for (const Column& c : columns) text += cell_html(cell_of(c, records[i]));
-    text += "</tr>\n";
+    TableRow& row = table.emplace_back();
+    row.attributes = fmt::format(" id=\"design-{}\"{}", i + 1, front[i] ? " class=\"front\"" : "");
+    if (fronts) row.cells.push_back(mark(front[i], "●"));
+    for (const Column& c : columns) row.cells.push_back(cell_of(c, records[i]));
   }
-  return text + "</tbody></table></div>\n";
+  return sortable_table(heads, table);
 }
 
 std::string design_table_key(const SearchProblem& problem, const SearchAnswer& answer,
                              std::size_t rows) {
-  std::string text;
-  if (problem.objectives.size() > 1)
-    text +=
-        "<dt>front</dt><dd>● design on the Pareto front, which means that no other design is "
-        "better in every objective</dd>\n";
-  for (const Column& c : columns_of(records_of(problem, answer, rows)))
-    text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", symbol_of(c), escaped(words_of(c)));
-  return "<details class=\"column-key\"><summary>Meaning of the columns</summary>\n<dl>\n" + text +
-         "</dl></details>\n";
+  std::vector<TableColumn> heads;
+  if (problem.objectives.size() > 1) {
+    heads.push_back(front_heading());
+    heads.back().meaning = "● " + heads.back().meaning;
+  }
+  for (const Column& c : columns_of(records_of(problem, answer, rows))) heads.push_back(heading(c));
+  return column_key(heads);
 }
 
 }  // namespace gearwright

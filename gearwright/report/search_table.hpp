@@ -1,11 +1,34 @@
-// The designs of a search as a sortable table.
+// Designs as a sortable table, and the table of a search.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "gearwright/design/search.hpp"
 
 namespace gearwright {
+
+struct TableColumn {
+  std::string head;                      ///< HTML
+  std::string unit, meaning;             ///< plain text
+  std::string_view first = "ascending";  ///< the order of the first click
+};
+struct TableCell {
+  std::string html;
+  std::optional<double> key;  ///< value by which the column is sorted; rows without a value come last
+};
+struct TableRow {
+  std::string attributes;  ///< of the element, with a space in front
+  std::vector<TableCell> cells;
+};
+
+/// A table with a column of ranks before the given columns. `rows` are in the order of their ranks.
+std::string sortable_table(const std::vector<TableColumn>& columns,
+                           const std::vector<TableRow>& rows);
+/// The meaning of the columns, folded.
+std::string column_key(const std::vector<TableColumn>& columns);
 
 /// A table of the first `rows` designs. Its rows have the ids "design-1", "design-2" and so on.
 /// Columns that have no meaning for this search are omitted, such as the helix angle of spur gears

@@ -15,32 +15,20 @@ namespace gearwright {
 namespace {
 
 std::string table_of(const StudyReport& report) {
-  std::string text =
-      "<div class=\"scroll sheet\" tabindex=\"0\" role=\"region\" aria-label=\"Designs\"><table "
-      "class=\"designs\">\n<thead><tr><th scope=\"col\" class=\"value\" aria-sort=\"ascending\" "
-      "data-first=\"ascending\" title=\"rank\">#</th>";
-  for (const StudyReport::Column& c : report.columns) {
-    text += fmt::format(
-        "<th scope=\"col\" class=\"value\" title=\"{}\" data-first=\"ascending\">{}{}</th>",
-        escaped(c.meaning), escaped(c.head),
-        c.unit.empty() ? "" : fmt::format(" <span class=\"unit\">{}</span>", escaped(c.unit)));
-  }
-  text += "</tr></thead>\n<tbody>\n";
+  std::vector<TableColumn> columns;
+  for (const StudyReport::Column& c : report.columns)
+    columns.push_back({escaped(c.head), c.unit, c.meaning});
+  std::vector<TableRow> rows;
   const std::size_t count = std::min(kStudyRows, report.rows.size());
   for (std::size_t i = 0; i < count; ++i) {
-    text += fmt::format("<tr><th scope=\"row\" class=\"value\" data-v=\"{0}\">{0}</th>", i + 1);
+    TableRow& row = rows.emplace_back();
     for (const StudyReport::Cell& cell : report.rows[i].cells)
-      text += fmt::format("<td class=\"value\" data-v=\"{}\">{}</td>",
-                          cell.key ? fmt::format("{:.12g}", *cell.key) : "", escaped(cell.text));
-    text += "</tr>\n";
+      row.cells.push_back({escaped(cell.text), cell.key});
   }
-  text += "</tbody></table></div>\n";
+  std::string text = sortable_table(columns, rows);
   if (count < report.rows.size())
     text += fmt::format("<p>The files contain {} more designs.</p>\n", report.rows.size() - count);
-  text += "<details class=\"column-key\"><summary>Meaning of the columns</summary>\n<dl>\n";
-  for (const StudyReport::Column& c : report.columns)
-    text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(c.head), escaped(c.meaning));
-  return text + "</dl></details>\n";
+  return text + column_key(columns);
 }
 
 std::string figure_of(const StudyReport& report) {

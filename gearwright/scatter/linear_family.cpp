@@ -67,9 +67,9 @@ double least_between(const Branches& a, const Branches& b) {
   return std::min(least, first->second + part * (falls->second - first->second));
 }
 
-// True if a member's field differs from that of the drawing. A new topography counts as a change.
+// True if a member's field differs from that of the drawing. The topography is that of the drawing.
 bool changed(const RemovalField& member, const RemovalField& drawn) {
-  if (member.has_topography() || drawn.has_topography()) return &member != &drawn;
+  if (member.waves() != drawn.waves()) return true;
   return std::any_of(RemovalField::kParameters.begin(), RemovalField::kParameters.end(),
                      [&](auto p) { return member.amount(p) != drawn.amount(p); });
 }

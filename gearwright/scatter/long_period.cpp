@@ -25,11 +25,22 @@ class PairCurve {
         te_(static_cast<std::size_t>(2 * most_ + 1), kNone),
         passed_(te_.size()) {
     const double first = touches[0].phi;
-    for (const PairTouch& t : touches)
-      offer_and_walk(static_cast<int>(std::lround((t.phi - first) / step_)), t);
+    for (const PairTouch& t : touches) {
+      const auto m = static_cast<int>(std::lround((t.phi - first) / step_));
+      if (transmission_.wavy()) {
+        offer(m, t);
+      } else {
+        offer_and_walk(m, t);
+      }
+    }
     // A branch that never leads here may lead with other pitches, so a pitch more is searched on each side.
     const int from = std::max(-most_, least() - n_);
     const int to = std::min(most_, greatest() + n_);
+    if (transmission_.wavy()) {
+      for (int m = from; m <= to; ++m)
+        if (const PairTouch t = transmission_.of_pair_0(first + m * step_); t.found()) offer(m, t);
+      return;
+    }
     const int stride = std::max(1, n_ / 4);
     for (int m = from; m <= to; m += stride)
       for (const PairTouch& t : transmission_.every_of_pair_0(first + m * step_))

@@ -71,10 +71,10 @@ void add(Deviation& d, const ContactSetup& setup, const ScatterTolerance& tolera
           },
           [&](const VaryingWave& w) {
             d.modified = true;
-            const FormWave wave{w.along_face, static_cast<int>(std::lround(x[0])),
-                                x[1] * kRadPerDeg, tolerance.unit * w.height};
-            add_wave(d.modifications[static_cast<std::size_t>(w.gear - 1)],
-                     flank_extent(setup.gear(w.gear)), wave);
+            for (auto& flank : d.modifications[static_cast<std::size_t>(w.gear - 1)])
+              (w.along_face ? flank.helix_wave : flank.profile_wave) = {
+                  static_cast<int>(std::lround(x[0])), x[1] * kRadPerDeg,
+                  tolerance.unit * w.height};
           }},
       tolerance.of);
 }

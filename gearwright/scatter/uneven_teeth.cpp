@@ -12,8 +12,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kPointsPerWave = 16;
-
 double range_of(const std::vector<double>& v) {
   const auto [least, greatest] = std::minmax_element(v.begin(), v.end());
   return *greatest - *least;
@@ -79,59 +77,6 @@ std::vector<double> uneven_pitch(const Gear& gear, const VaryingPitch& tolerance
   const double radius = std::abs(gear.reference_diameter) / 2;
   for (double& e : v) e *= limit / radius;
   return v;
-}
-
-void add_wave(std::array<FlankModifications, 2>& flanks, const FlankExtent& extent,
-              const FormWave& wave) {
-  GW_EXPECTS(wave.waves >= 1);
-  const auto shape = [&](double q) {
-    return 0.5 * wave.height * std::sin(std::numbers::pi * wave.waves * q + wave.phase);
-  };
-  const auto roll = [&](double rho) {
-    return std::sqrt(std::max(0.0, rho * rho - extent.r0 * extent.r0));
-  };
-  const double from = roll(extent.rho_root_form);
-  const double to = roll(extent.rho_tip_form);
-  const auto diameter = [&](double q) {
-    return 2.0 * std::hypot(extent.r0, from + 0.5 * (1.0 + q) * (to - from));
-  };
-  const int points = kPointsPerWave * wave.waves + 1;
-  const auto place = [&](int i) { return -1.0 + 2.0 * i / (points - 1); };
-  for (FlankModifications& m : flanks) {
-    Topography grid;
-    if (m.topography) grid = *m.topography;
-    if (!m.topography) {
-      grid.diameters = {2 * extent.rho_root_form, 2 * extent.rho_tip_form};
-      std::sort(grid.diameters.begin(), grid.diameters.end());
-      grid.heights = {-0.5 * extent.face_width, 0.5 * extent.face_width};
-      grid.removed.assign(4, 0.0);
-    }
-    // Waves along the face and along the profile are perpendicular, so the grid is the sum of a wave over
-    // its rows and a wave over its columns.
-    Topography next;
-    std::vector<double> along;
-    for (int i = 0; i < points; ++i) along.push_back(place(i));
-    if (!wave.along_face && extent.rho_tip_form < extent.rho_root_form)
-      std::reverse(along.begin(), along.end());
-    next.diameters = grid.diameters;
-    next.heights = grid.heights;
-    std::vector<double>& side = wave.along_face ? next.heights : next.diameters;
-    const std::array<double, 2> ends{side.front(), side.back()};
-    side.clear();
-    for (const double q : along)
-      side.push_back(wave.along_face ? 0.5 * extent.face_width * q : diameter(q));
-    side.front() = ends[0];
-    side.back() = ends[1];
-    for (std::size_t i = 0; i < next.diameters.size(); ++i) {
-      for (std::size_t j = 0; j < next.heights.size(); ++j) {
-        const std::size_t row = wave.along_face ? i : 0;
-        const std::size_t column = wave.along_face ? 0 : j;
-        next.removed.push_back(grid.removed[row * grid.heights.size() + column] +
-                               shape(along[wave.along_face ? j : i]));
-      }
-    }
-    m.topography = std::make_shared<const Topography>(std::move(next));
-  }
 }
 
 }  // namespace gearwright

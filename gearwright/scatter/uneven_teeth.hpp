@@ -1,14 +1,12 @@
-// Teeth with unequal pitches, and flanks with waves, within the tolerances of a grade.
+// Teeth with unequal pitches within the tolerances of a grade.
 //
 //   ε_k   angle by which tooth k is ahead, rad      r   reference radius, mm      χ   a phase
-//   f_f   height of a wave, mm                          q   −1 to 1 over the usable flank or the face
-//                                    theory: docs/theory/14-scatter.md, [T14.20], [T14.21]
+//                                    theory: docs/theory/14-scatter.md, [T14.20]
 // Internal to scatter/.
 #pragma once
 
 #include <vector>
 
-#include "gearwright/gear/modifications.hpp"
 #include "gearwright/scatter/tolerance.hpp"
 
 namespace gearwright {
@@ -22,20 +20,5 @@ namespace gearwright {
 ///           one of the two limits is reached
 std::vector<double> uneven_pitch(const Gear& gear, const VaryingPitch& tolerance, double share,
                                  double phase, double eccentric);
-
-struct FormWave {
-  bool along_face;
-  int waves;
-  double phase;   ///< χ  rad
-  double height;  ///< f_f  mm
-};
-
-/// Adds a wave to the modifications of both flanks: ½ f_f sin(π w q + χ).
-///
-/// Formula   [T14.21], by a spline with 16 points per wave
-/// Accuracy  1e-3 of the height
-/// Domain    waves ≥ 1; topographies made by this function only (contract)
-void add_wave(std::array<FlankModifications, 2>& flanks, const FlankExtent& extent,
-              const FormWave& wave);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// Laws of uneven pitches and of waves. TE over the long period is compared with its definition, a
+// Laws of uneven pitches. TE over the long period is compared with its definition, a
 // cold search for every tooth pair at every rotation.
 #include "gearwright/scatter/uneven_teeth.hpp"
 
@@ -56,33 +56,6 @@ TEST(UnevenPitch, StaysWithinBothLimits) {
   const double half = 0.5 * range_of(sine);
   for (std::size_t k = 0; k < sine.size(); ++k)
     EXPECT_NEAR(sine[k], half * std::sin(2 * std::numbers::pi * k / 43.0 + 0.7), 1e-2 * half);
-}
-
-TEST(FormWave, IsASineOfTheWholeHeight) {
-  const ContactSetup setup = testing::crowned_helical_pair().setup();
-  for (const int which : {1, 2}) {
-    const Gear& gear = setup.gear(which);
-    const FlankExtent extent = flank_extent(gear);
-    std::array<FlankModifications, 2> flanks{};
-    add_wave(flanks, extent, {false, 3, 0.4, 0.008});
-    add_wave(flanks, extent, {true, 2, 1.1, 0.006});
-    const auto field = make_removal_field(flanks[0], extent);
-    ASSERT_TRUE(field) << field.error().message();
-    const auto roll = [&](double rho) { return std::sqrt(rho * rho - extent.r0 * extent.r0); };
-    const double from = roll(extent.rho_root_form);
-    const double to = roll(extent.rho_tip_form);
-    for (int i = 0; i <= 37; ++i) {
-      for (int j = 0; j <= 23; ++j) {
-        const double q = -1.0 + 2.0 * i / 37;
-        const double z = extent.face_width * (-0.5 + j / 23.0);
-        const double rho = std::hypot(extent.r0, from + 0.5 * (1 + q) * (to - from));
-        const double exact =
-            0.004 * std::sin(std::numbers::pi * 3 * q + 0.4) +
-            0.003 * std::sin(2 * std::numbers::pi * 2 * z / extent.face_width + 1.1);
-        EXPECT_NEAR(field->at(std::log(rho), z).c, exact, 1e-3 * 0.008);
-      }
-    }
-  }
 }
 
 // [T14.22] is evaluated as printed, for every tooth pair separately.

@@ -1,0 +1,93 @@
+// The places at which teeth with form waves can touch, in closed form. Each wave has several crests, so
+// T has many local maxima, and a search of the whole flank from scratch costs hundreds of evaluations.
+//
+//   ridge    the greatest T over the profile, as a function of the height z
+//   x, y     place on flank 1 along s and z, −1 to 1 over the part that lies opposite flank 2
+//   φ        rotation of gear 1 at which the smooth flanks have their ridge at (x, y)
+//                                    theory: docs/theory/08-contact.md, [T8.28]
+//
+// On involutes with parallel axes, φ, the T of the smooth flanks, and the place on flank 2 are quadratic
+// functions of x and of y up to a small fraction of a micron. They are interpolated from nine exact
+// ridges. The waves are added in closed form, with one Newton step along the profile.
+//
+// Internal to contact/.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "gearwright/contact/contact_pair.hpp"
+
+namespace gearwright::detail {
+
+class WaveCrests {
+ public:
+  /// None if no wave exists, if a flank is no involute or has a topography, on crossed axes, if the waves
+  /// are so steep that T has several maxima along the profile, or if the quadratic functions miss the
+  /// exact ridges at the corners by more than a hundredth of the waves.
+  static std::optional<WaveCrests> of(const ContactPair& pair, const FlankPatch& one,
+                                      const FlankPatch& two);
+
+  /// A local maximum of the ridge.
+  struct Crest {
+    double te;    ///< T  rad, as estimated
+    double s, z;  ///< on flank 1
+  };
+  /// The crests of tooth pair 0 at a rotation, in order of z. Those whose T cannot reach `least` may be
+  /// missing.
+  ///
+  /// Accuracy  margin() in T
+  std::vector<Crest> at(double phi, double least) const;
+  /// rad: a crest that is lower by more than this cannot be the highest one.
+  double margin() const { return margin_; }
+  /// True if the patches never lie opposite each other.
+  bool apart() const { return z_lo_ >= z_hi_; }
+  double s2() const { return s2_; }  ///< a parameter of flank 2 to start from
+
+ private:
+  // A function that is quadratic in x and in y, from its values at −1, 0 and 1.
+  struct Biquadratic {
+    std::array<std::array<double, 3>, 3> c{};  // [power of y][power of x]
+    std::array<double, 3> along_x(double y) const;
+  };
+  struct Ridge {  // an exact ridge
+    double phi, te, roll2, bend, roll2_s, roll2_ss;
+  };
+  struct Node {
+    double te = 0.0, s = 0.0, z = 0.0;
+    double aside = 0.0;   // s minus that of the smooth ridge
+    double inside = 0.0;  // distance of the smooth ridge from the nearest end of D in s, > 0 inside
+    bool outside = true;  // true if D is empty here, or if T cannot reach the required value
+  };
+  std::optional<Ridge> solve(GapField& field, double s, double z, double phi) const;
+  bool make(const ContactPair& pair);
+  Node node(double phi, double z, double along_face, double least) const;
+  double along_face(double z) const;  // rad: the waves over the face
+
+  WaveCrests(const FlankPatch& one, const FlankPatch& two) : one_(one), two_(two) {}
+
+  FlankPatch one_, two_;
+  double s_mid_ = 0.0, s_half_ = 1.0;  // of x
+  double z_mid_ = 0.0, z_half_ = 1.0;  // of y
+  double z_lo_ = 0.0, z_hi_ = 0.0, z_shift_ = 0.0;
+  double phi_lo_ = 0.0, phi_hi_ = 0.0;
+  double roll2_lo_ = 0.0, roll2_hi_ = 0.0;
+  double roll1_ = 0.0, roll1_per_s_ = 0.0;  // L at s_mid_, and its slope
+  double s2_ = 0.0, arm_ = 1.0, margin_ = 0.0;
+  double across_ = 0.0, along_ = 0.0;  // rad: amplitudes over the profile and over the face
+  bool steep_ = false;                 // true if T may have several maxima over the profile
+  double branch_ = 0.0;  // greatest change of `aside` between two sections of one crest
+  struct Wave {
+    double height = 0.0;  // rad: amplitude
+    double rate = 0.0;    // phase per mm of L
+  };
+  std::array<Wave, 2> wave_;  // over the profile of each flank
+  struct Section {
+    double z, along_face;
+  };
+  std::vector<Section> sections_;
+  Biquadratic phi_, te_, roll2_, bend_, roll2_s_, roll2_ss_;
+};
+
+}  // namespace gearwright::detail
