@@ -133,11 +133,12 @@ const Quantities<ProposeView>& propose_quantities() {
              [](const V& v) { return um(v.helix_deviation); })
         .digits(2);
     q.number("deflection_slope_um", "linear deflection of the shafts along the face", "S",
-             "value of `[load]`, or of the shafts of the gears [T12.31]; null without either",
+             "of `[load]` and of the shafts of the gears under a uniform load, added [T12.37]; null "
+             "without either",
              [](const V& v) { return v.deflection ? um(v.deflection->slope) : Value(); })
         .digits(2);
     q.number("deflection_bow_um", "parabolic deflection of the shafts along the face", "B",
-             "value of `[load]`, or of the shafts of the gears [T12.31]; null without either",
+             "of `[load]` and of the shafts of the gears, likewise",
              [](const V& v) { return v.deflection ? um(v.deflection->bow) : Value(); })
         .digits(2);
     q.record<proposal_quantities>("proposals", "the spec as given, then the proposals",
