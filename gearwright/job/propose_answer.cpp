@@ -85,6 +85,11 @@ std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
   for (std::size_t i = 0; i < scores.size(); ++i)
     p.loads.push_back({task.request.torques[i], scores[i]});
   p.worst = worst_of(scores);
+  const auto most = std::max_element(
+      contact.torques.begin(), contact.torques.end(),
+      [](const LoadedTorque& x, const LoadedTorque& y) { return x.torque < y.torque; });
+  for (const LoadedPosition& at : most->positions)
+    p.transmission_error.push_back({at.rotation1.deg(), at.te.arcsec()});
   if (!helix_deviation) return std::nullopt;
   LoadRequest limit = task.request;
   limit.positions = std::min(kLimitPositions, limit.positions);
@@ -204,6 +209,15 @@ std::size_t recommended(const std::vector<Proposal>& list) {
     found = true;
   }
   return best;
+}
+
+std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress) {
+  if (!job.pair || job.spec.load.torques.empty() || !job.spec.load.rotations.empty() ||
+      not_made_for(job) || !grade_deviations(job).pitch)
+    return std::nullopt;
+  SolvedJob own = job;  // a copy, because `run` has the warnings of the spec as given
+  auto made = answer_propose(own, progress);
+  return made ? std::optional(std::move(made).take()) : std::nullopt;
 }
 
 Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
