@@ -98,6 +98,15 @@ std::optional<Error> not_for_points(const LoadInput& input) {
   return std::nullopt;
 }
 
+// The influence of a shaft holds for one face with line contact.
+Error not_for_shaft(int which, bool of_half) {
+  return {gear_field(which, "shaft"), "",
+          of_half ? "applies under load to single-helical gears only; leave it out, and give the "
+                    "slope and the bow of its deflection in `load`"
+                  : "applies under load only to teeth with line contact; these teeth have point "
+                    "contact. Leave it out; `errors` describe how their contact moves"};
+}
+
 // Lists the rotations of gear 1 for which `is` returns true, at most kMostNamed of them. Returns an
 // empty text if there are none.
 template <class Is>
@@ -189,10 +198,14 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
   if (half) setup = setup->half_at(half->middle, half->below);
   LoadTask task{std::move(setup).take(), {}, input.driver == 2};
   if (half) task.torque_share = 0.5;
-  task.with_errors =
-      input.deflection_slope != 0.0 || input.deflection_bow != 0.0 || errors != ContactErrors();
   LoadRequest& request = task.request;
   request.regime = regime_of(arranged);
+  for (const int which : {1, 2}) {
+    const auto& shaft = arranged.completed.gear(which).shaft;
+    if (!shaft) continue;
+    if (half || request.regime == LoadRegime::point) return not_for_shaft(which, half.has_value());
+    request.shafts[static_cast<std::size_t>(which - 1)] = shaft;
+  }
   if (request.regime == LoadRegime::point)
     if (auto error = not_for_points(input)) return *error;
   for (const double m : input.torques) request.torques.push_back(from_newton_metres(m));
@@ -207,6 +220,7 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
   request.deflection_slope = input.deflection_slope * kMmPerUm;
   request.deflection_bow = input.deflection_bow * kMmPerUm;
   request.deflection_offset = input.deflection_offset * kMmPerUm;
+  task.with_errors = request.deflects() || errors != ContactErrors();
   return task;
 }
 

@@ -6,6 +6,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/load/unloaded_tips.hpp"
+#include "gearwright/math/roll_length.hpp"
 
 namespace gearwright {
 
@@ -21,11 +22,6 @@ constexpr double kSame =
 double whole_um_above(double mm) { return std::ceil(mm * kUmPerMm - kNoise) / kUmPerMm; }
 
 double whole_um(double mm) { return std::round(mm * kUmPerMm) / kUmPerMm; }
-
-// The radius of curvature of an involute at a diameter, mm.
-double roll_length(double base_radius, double diameter) {
-  return std::sqrt(std::max(0.0, diameter * diameter / 4 - base_radius * base_radius));
-}
 
 PairModifications flanks_of(const LeadProposal& lead, bool gear2_drives) {
   PairModifications m;
@@ -73,40 +69,22 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
   if (std::abs(p.deflection[0] - p.deflection[1]) < kSame * greater)
     p.deflection = {greater, greater};
   const double r_b = pair->input.gears[0].radius;
-  const double start = roll_length(r_b, p.root_start);
-  const double form = roll_length(r_b, 2 * flank_extent(arranged.gear(1)).rho_root_form);
+  const double start = roll_length(p.root_start / 2, r_b);
+  const double form = roll_length(flank_extent(arranged.gear(1)).rho_root_form, r_b);
   p.root_factor = (start - form) / (start - mesh.rho1_true_begin);
   return std::optional(p);
 }
 
-FaceDeflection face_deflection(const RatedPair& pair, const MeshShafts& shafts, double torque) {
-  GW_EXPECTS(shafts.any());
-  const double F_t = 2 * torque / pair.gears[pair.place(1)].reference_diameter;
-  const std::vector<double> f = shaft_deviation(pair, shafts, F_t);
-  // Least squares fit of c + S x + B (1 − 4x²). The points are symmetric about x = 0, so S is
-  // independent of c and B.
-  const auto n = static_cast<double>(f.size());
-  const auto x_of = [&](std::size_t k) { return static_cast<double>(k) / (n - 1) - 0.5; };
-  double mean = 0.0;
-  for (std::size_t k = 0; k < f.size(); ++k) mean += (1 - 4 * x_of(k) * x_of(k)) / n;
-  double fx = 0.0;
-  double xx = 0.0;
-  double fg = 0.0;
-  double gg = 0.0;
-  for (std::size_t k = 0; k < f.size(); ++k) {
-    const double x = x_of(k);
-    const double g = 1 - 4 * x * x - mean;
-    fx += f[k] * x;
-    xx += x * x;
-    fg += f[k] * g;
-    gg += g * g;
-  }
-  constexpr double kSteps = 100.0;  // number of steps; they are 1 µm long
-  const double normal = std::cos(pair.beta_b);
-  const auto rounded = [&](double um) {
-    return std::round(-um * normal * kSteps) / kSteps / kUmPerMm;
-  };
-  return {rounded(fx / xx), rounded(fg / gg)};
+FaceDeflection face_deflection(const LoadTask& task, const PairCompliance& compliance,
+                               double torque) {
+  const ContactPair pair = task.pair();
+  const FaceSlices& face = compliance.slices[0];
+  const double line_load = torque / (task.setup.gear(1).base_radius() * (face.hi - face.lo));
+  const FaceDeflection of_shafts =
+      ShaftYield(pair, task.setup.gear(1), task.setup.gear(2), compliance, task.request)
+          .under(Eigen::VectorXd::Constant(face.count, line_load));
+  return {of_shafts.slope + task.request.deflection_slope,
+          of_shafts.bow + task.request.deflection_bow};
 }
 
 LeadProposal propose_lead(const FaceDeflection& deflection, double deviation, double face_1,

@@ -15,7 +15,6 @@
 
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/arrange/relief_start.hpp"
-#include "gearwright/rating/shaft_misalignment.hpp"
 
 namespace gearwright {
 
@@ -54,19 +53,13 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
                                                      ReliefLength length,
                                                      const LeadProposal* lead = nullptr);
 
-/// The shaft deflection in the form that `load` uses, mm.
-struct FaceDeflection {
-  double slope = 0.0;  ///< S  over the common face, > 0 towards +z
-  double bow = 0.0;    ///< B  in the middle
-  bool any() const { return slope != 0.0 || bow != 0.0; }
-};
-
-/// The deflection of both shafts under a torque on gear 1, N mm, as a line and a parabola along the
-/// face, normal to the flank and rounded to 0.01 µm.
+/// The deflection of the task under a torque on gear 1, N mm, that is uniform over the face: that of the
+/// shafts and the given one. A helix slope that cancels it makes the load uniform.
 ///
-/// Formula   [T12.31]
-/// Domain    a gear with a shaft is external (contract)
-FaceDeflection face_deflection(const RatedPair& pair, const MeshShafts& shafts, double torque);
+/// Formula   [T12.31], [T12.37]
+/// Domain    a pair with line contact, its compliance (contract)
+FaceDeflection face_deflection(const LoadTask& task, const PairCompliance& compliance,
+                               double torque);
 
 /// `face_1` is the face of gear 1 and `face` the common face, mm. `deviation` is f_Hβ of both gears
 /// together over the common face, mm, normal to the flank.

@@ -34,8 +34,7 @@ double mean_stiffness(const ContactPair& pair, const Gear& gear_1, const Gear& g
   request.torques = {torque};
   request.root_stress = false;
   request.progress = nullptr;
-  request.deflection_slope = request.deflection_bow = request.deflection_offset = 0.0;
-  return loaded_contact(pair, gear_1, gear_2, compliance, request)
+  return loaded_contact(pair, gear_1, gear_2, compliance, request.undeflected())
       .torques.front()
       .without_twist.mean;
 }
@@ -66,7 +65,7 @@ double solid_body(const Gear& gear) {
 // there is no such pair.
 double drafted(const LoadTask& task, double torque, double wider, bool solid) {
   std::array<Gear, 2> gears{task.setup.gear(1), task.setup.gear(2)};
-  LoadRequest request = task.request;
+  LoadRequest request = task.request.undeflected();
   for (std::size_t g = 0; g < 2; ++g) {
     gears[g].spec.face_width *= wider;
     if (solid) request.bodies[g].bore_diameter = solid_body(gears[g]);

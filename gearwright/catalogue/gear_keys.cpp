@@ -178,7 +178,9 @@ const KeyTable& gear_keys() {
        Key::part("modifications", modification_keys, {}, "flank modifications"),
        Key::part("material", material_keys, &GearInput::material, "material of the teeth"),
        Key::part("shaft", shaft_keys, &GearInput::shaft,
-                 "shaft and bearings, whose deflection determines K_Hβ of `rate`"),
+                 "shaft and bearings, whose deflection changes the contact under load of `load` "
+                 "and determines "
+                 "K_Hβ of `rate`"),
        Key::part("bore", bore_keys, &GearInput::bore,
                  "bore and keyway of the CAD files; for an internal gear the outside of the rim"),
        Key::part("double_helical", double_helical_keys, &GearInput::double_helical,

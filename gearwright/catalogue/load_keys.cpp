@@ -44,8 +44,9 @@ const KeyTable& load_keys() {
                  "`draft` uses a coarser mesh of the teeth and is two to three times as fast"),
        Key::number("deflection_slope_um", "", Range::between(-1e5, 1e5),
                    &LoadInput::deflection_slope, "0",
-                   "additional approach of the flanks that is linear along the common face, caused "
-                   "by the shafts; > 0 towards +z; only for line contact"),
+                   "additional approach of the flanks that is linear along the common face, from "
+                   "housing and bearings or from shafts without `[gearN.shaft]`; it is added to "
+                   "the deflection of `[gearN.shaft]`; > 0 towards +z; only for line contact"),
        Key::number("deflection_bow_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_bow,
                    "0",
                    "additional approach of the flanks that is parabolic along the face; the value "

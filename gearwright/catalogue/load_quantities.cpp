@@ -38,6 +38,8 @@ bool at_points(const P& p) { return p.regime == LoadRegime::point; }
 bool at_points(const T& t) { return t.all->regime == LoadRegime::point; }
 bool on_lines(const T& t) { return t.all->regime == LoadRegime::line; }
 
+bool on_shafts(const T& t) { return t.torque->shafts.has_value(); }
+
 ValueList shares(const LoadedPosition& p) {
   ValueList list;
   for (const LoadedPair& pair : p.pairs) list.push_back(Value(pair.share));
@@ -69,11 +71,13 @@ void say_position(Quantities<P>& q) {
          "numbers of a position are null if no teeth touch or the forces do not converge",
          [](const P& p) { return p.position->te; })
       .words("loaded transmission error");
-  q.number("approach_um", "approach under load", "Θ r_b2",
-           "approach of the flanks from the first contact without load, along the line of action "
-           "in the transverse section or, for point contact, along the normals; the approach "
-           "includes deflections and the twist of the bodies",
-           [](const P& p) { return p.position->approach * kUmPerMm; });
+  q.number(
+      "approach_um", "approach under load", "Θ r_b2",
+      "approach of the flanks from the first contact without load, along the line of action "
+      "in the transverse section or, for point contact, along the normals; the approach "
+      "includes deflections of the flanks and the twist of the bodies, but no displacement of the "
+      "axes by their shafts",
+      [](const P& p) { return p.position->approach * kUmPerMm; });
   q.number("share", "load shares", "",
            "share of each loaded tooth pair, with the pair nearest to its exit last; for point "
            "contact, share of each point",
@@ -207,6 +211,17 @@ void say_torque(Quantities<T>& q) {
          "maximum load along the face divided by its mean, averaged over the positions",
          [](const T& t) { return t.torque->face_load_factor; })
       .when(on_lines);
+  q.number("shaft_slope_um", "deflection of the shafts, linear along the face", "S",
+           "approach of the flanks by the shafts under the mean load along the face [T12.31], > 0 "
+           "towards +z; only with `[gearN.shaft]`",
+           [](const T& t) { return t.torque->shafts->slope * kUmPerMm; })
+      .digits(2)
+      .when(on_shafts);
+  q.number("shaft_bow_um", "deflection of the shafts, parabolic along the face", "B",
+           "value in the middle of the face [T12.31]",
+           [](const T& t) { return t.torque->shafts->bow * kUmPerMm; })
+      .digits(2)
+      .when(on_shafts);
   q.number("transverse_load_factor", "transverse load factor", "K_Hα",
            "greatest share of a tooth pair divided by its share without errors and deflections",
            [](const T& t) { return t.torque->transverse_load_factor; });

@@ -1,5 +1,8 @@
 #include "gearwright/catalogue/propose_quantities.hpp"
 
+#include <fmt/format.h>
+
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
@@ -50,6 +53,8 @@ const Quantities<ProposedLoad>& load_of_proposal_quantities() {
   return kAll;
 }
 
+}  // namespace
+
 const Quantities<Proposal>& proposal_quantities() {
   using P = Proposal;
   static const Quantities<P> kAll("propose.proposals", [](Quantities<P>& q) {
@@ -86,7 +91,20 @@ const Quantities<Proposal>& proposal_quantities() {
   return kAll;
 }
 
-}  // namespace
+std::string amounts_of(const ProposedGear& g) {
+  std::string list;
+  const auto add = [&](const char* words, const std::optional<double>& mm,
+                       const std::optional<double>& start = {}) {
+    if (mm.value_or(0.0) == 0.0) return;
+    list += fmt::format("{}{} {:.0f} µm", list.empty() ? "" : ", ", words, *mm * kUmPerMm);
+    if (start) list += fmt::format(" from {} mm", fixed_decimals(*start, 3));
+  };
+  add("tip relief", g.tip_relief, g.tip_start);
+  add("root relief", g.root_relief, g.root_start);
+  add("helix crowning", g.lead_crowning);
+  add("helix slope", g.lead_slope);
+  return list;
+}
 
 std::string words_of(const Proposal& p) {
   const char* profile = "";
@@ -132,12 +150,14 @@ const Quantities<ProposeView>& propose_quantities() {
              "grades",
              [](const V& v) { return um(v.helix_deviation); })
         .digits(2);
-    q.number("deflection_slope_um", "linear deflection of the shafts along the face", "S",
-             "value of `[load]`, or of the shafts of the gears [T12.31]; null without either",
-             [](const V& v) { return v.deflection ? um(v.deflection->slope) : Value(); })
+    q.number(
+         "deflection_slope_um", "linear deflection of the shafts along the face", "S",
+         "of `[load]` and of the shafts of the gears under a uniform load, added [T12.37]; null "
+         "without either",
+         [](const V& v) { return v.deflection ? um(v.deflection->slope) : Value(); })
         .digits(2);
     q.number("deflection_bow_um", "parabolic deflection of the shafts along the face", "B",
-             "value of `[load]`, or of the shafts of the gears [T12.31]; null without either",
+             "of `[load]` and of the shafts of the gears, likewise",
              [](const V& v) { return v.deflection ? um(v.deflection->bow) : Value(); })
         .digits(2);
     q.record<proposal_quantities>("proposals", "the spec as given, then the proposals",

@@ -36,7 +36,9 @@ struct Proposal {
   std::vector<ProposedLoad> loads{};       ///< at each torque
   LoadedScore worst = no_score();          ///< of all torques
   std::optional<LoadedScore> at_limits{};  ///< at the greatest helix slope deviations, the worst
-  Value spec{};                            ///< the whole spec with these modifications
+  /// Loaded transmission error under the greatest torque, over the rotation of gear 1: °, ″.
+  std::vector<Vec2> transmission_error{};
+  Value spec{};  ///< the whole spec with these modifications
 };
 
 struct ProposeView {
@@ -51,8 +53,11 @@ struct ProposeView {
 };
 
 const Quantities<ProposeView>& propose_quantities();
+const Quantities<Proposal>& proposal_quantities();
 
 /// "short tip relief with f_pb, helix crowning"
 std::string words_of(const Proposal& proposal);
+/// "tip relief 12 µm from 79.123 mm, helix crowning 8 µm"; empty if the gear is as given.
+std::string amounts_of(const ProposedGear& gear);
 
 }  // namespace gearwright

@@ -78,8 +78,8 @@ std::array<double, 2> bearing_reactions(const Shaft& shaft, const ShaftLoad& loa
   return {-load.force - second, second};
 }
 
-std::vector<double> shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
-                                     const std::vector<double>& z) {
+ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
+                                 const std::vector<double>& z) {
   GW_EXPECTS(shaft.possible() && load.lo < load.hi);
   const std::array<double, 2> R = bearing_reactions(shaft, load);
   const double b = load.hi - load.lo;
@@ -103,31 +103,37 @@ std::vector<double> shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
     for (std::size_t i = 0; i < 2; ++i)
       if (next == shaft.bearings[i]) at.Q -= R[i];
   }
-  const auto w_at = [&](double place) {
-    return std::lower_bound(states.begin(), states.end(), place,
-                            [](const ShaftState& s, double value) { return s.z < value; })
-        ->w;
+  const auto state_at = [&](double place) -> const ShaftState& {
+    return *std::lower_bound(states.begin(), states.end(), place,
+                             [](const ShaftState& s, double value) { return s.z < value; });
   };
 
   // A displacement and a rotation of the whole shaft make the deflections at the bearings correct.
   std::array<double, 2> off{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double place = shaft.bearing_stiffness ? -R[i] / (*shaft.bearing_stiffness)[i] : 0.0;
-    off[i] = place - w_at(shaft.bearings[i]);
+    off[i] = place - state_at(shaft.bearings[i]).w;
   }
   const double turn = (off[1] - off[0]) / (shaft.bearings[1] - shaft.bearings[0]);
-  std::vector<double> w;
-  w.reserve(z.size());
-  for (const double place : z)
-    w.push_back(w_at(place) + off[0] + turn * (place - shaft.bearings[0]));
-  return w;
+  ShaftDeflection found;
+  for (const double place : z) {
+    const ShaftState& state = state_at(place);
+    found.w.push_back(state.w + off[0] + turn * (place - shaft.bearings[0]));
+    found.slope.push_back(state.psi + turn);
+  }
+  return found;
+}
+
+double shaft_twist_per_length(const Shaft& shaft, double body) {
+  const double polar = std::numbers::pi * body * body * body * body / 32;
+  return 1 / (shaft_modulus_of_shear(shaft) * polar);
 }
 
 std::vector<double> shaft_twist(const Shaft& shaft, double torque, double body, double lo,
                                 double hi, const std::vector<double>& z) {
   GW_EXPECTS(shaft.possible() && body > 0.0 && lo < hi);
   const bool left = shaft.torque_from == ShaftSide::left;
-  const double polar = std::numbers::pi * body * body * body * body / 32;
+  const double per_length = shaft_twist_per_length(shaft, body);
   std::vector<double> twist;
   twist.reserve(z.size());
   for (const double place : z) {
@@ -135,8 +141,7 @@ std::vector<double> shaft_twist(const Shaft& shaft, double torque, double body, 
     // The torque decreases linearly from one end of the face. Its integral over t is therefore t (1
     // − t/(2 b)) times the torque at that end.
     const double t = left ? place - lo : hi - place;
-    twist.push_back(torque * t * (1 - t / (2 * (hi - lo))) /
-                    (shaft_modulus_of_shear(shaft) * polar));
+    twist.push_back(torque * t * (1 - t / (2 * (hi - lo))) * per_length);
   }
   return twist;
 }

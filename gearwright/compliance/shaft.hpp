@@ -48,14 +48,23 @@ struct ShaftLoad {
 /// Domain    shaft.possible() (contract)
 std::array<double, 2> bearing_reactions(const Shaft& shaft, const ShaftLoad& load);
 
-/// The deflection w at each z, mm.
+struct ShaftDeflection {
+  std::vector<double> w;      ///< mm
+  std::vector<double> slope;  ///< ψ  rad; with shear, it differs from dw/dz
+};
+/// The deflection at each z.
 ///
 /// Formula   [T11.49], [T11.50]
 /// Domain    shaft.possible(), lo < hi (contract)
 /// Laws      (1) w is linear in the load
 ///           (2) if lengths are multiplied by k and the force is unchanged, w is divided by k
-std::vector<double> shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
-                                     const std::vector<double>& z);
+ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
+                                 const std::vector<double>& z);
+
+/// Twist per torque and length of a solid body of the diameter `body`, 1/(G I_p)  rad/(N mm²).
+///
+/// Formula   [T11.51]
+double shaft_twist_per_length(const Shaft& shaft, double body);
 
 /// Twist of a gear at each z of its face, rad, relative to the end of the face at which the torque
 /// acts. It is positive in the sense in which the mesh force turns the gear. The gear is treated as

@@ -120,7 +120,7 @@ bool WaveCrests::make(const ContactPair& pair) {
     smooth[g] = flank[g].removal->smooth();
     flank[g].removal = &*smooth[g];
   }
-  GapField field(flank[0], flank[1], pair.mount(), pair.ratio(), pair.rotation_sign());
+  GapField field = pair.field(flank[0], flank[1]);
   s2_ = 0.5 * (two_.s_lo + two_.s_hi);
   z_shift_ = pair.mount().shift.z();
   z_lo_ = std::max(one_.z_lo, two_.z_lo - z_shift_);

@@ -81,6 +81,26 @@ std::optional<Figure> loaded_te_figure(const LoadScene& scene) {
   return fitted(std::move(f), false);
 }
 
+std::optional<Figure> compared_te_figure(const std::vector<TeCurve>& curves) {
+  Figure f{.id = "compared-te",
+           .title = "Loaded transmission error before and after",
+           .description =
+               "Transmission error relative to its mean over the rotation of gear 1, as given and "
+               "with modifications.",
+           .caption = ", each curve relative to its mean.",
+           .x = {"rotation of gear 1", "°"},
+           .y = {"transmission error", "arc seconds"}};
+  for (const TeCurve& curve : curves) {
+    std::vector<Vec2> values = curve.points;
+    if (values.size() < 2) continue;
+    f.pitch = (values[1].x() - values[0].x()) * static_cast<double>(values.size());
+    values.emplace_back(values.front().x() + f.pitch, values.front().y());
+    f.line(from_its_mean(std::move(values)), curve.style, curve.words);
+    f.keys.push_back({curve.style, curve.words});
+  }
+  return fitted(std::move(f), false);
+}
+
 std::optional<Figure> share_figure(const LoadScene& scene) {
   const double step = 1.0 / static_cast<double>(shown_torque(scene).positions.size());
   Figure f{.id = "load-share" + scene.part,

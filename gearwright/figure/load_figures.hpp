@@ -17,6 +17,13 @@ std::optional<Figure> loaded_te_figure(const LoadScene& scene);
 std::optional<Figure> share_figure(const LoadScene& scene);
 std::optional<Figure> stiffness_figure(const LoadScene& scene);
 std::optional<Figure> root_turn_figure(const LoadScene& scene);
+/// A transmission error over the rotation of gear 1: °, ″. The points are evenly spaced over a pitch.
+struct TeCurve {
+  std::string style, words;
+  std::vector<Vec2> points;
+};
+/// Curves of several pairs with the same teeth, each from its mean. There is none if no point has a value.
+std::optional<Figure> compared_te_figure(const std::vector<TeCurve>& curves);
 /// Values over the torque, the Harris map. There is none if only one torque is given.
 std::optional<Figure> harris_figure(const LoadScene& scene);
 

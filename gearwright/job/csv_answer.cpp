@@ -96,6 +96,7 @@ struct CsvColumn {
 void add_columns(const std::string& name, const QuantityInfo& info, const Cells& cells,
                  std::vector<CsvColumn>& all) {
   if (info.of && info.list.empty()) return;  // the columns of the record follow separately
+  if (info.type == Type::map) return;        // a spec is in --json only
   std::size_t longest = 0;
   Rows records;
   for (const Value* v : cells) {
@@ -184,6 +185,10 @@ std::string load_csv(const LoadAnalysis& answer) {
     for (const LoadedPosition& p : t.positions)
       rows.push_back(load_position_quantities().of({&t, &p, answer.contact->regime}));
   return records_csv(load_position_quantities().table(), rows);
+}
+
+std::string propose_csv(const ProposeView& view) {
+  return records_csv(proposal_quantities().table(), proposal_quantities().each(view.proposals));
 }
 
 std::string rating_csv(const RatingAnswer& answer) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "gearwright/catalogue/propose_quantities.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/rating_answer.hpp"
@@ -20,6 +21,8 @@ std::string quantities_csv(const SolvedJob& job);
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
 /// A row for each torque and position.
 std::string load_csv(const LoadAnalysis& answer);
+/// A row for each proposal, the spec as given first.
+std::string propose_csv(const ProposeView& view);
 /// A row for each quantity, with the columns key, quantity, symbol, unit, first, second, formula and branch.
 /// `second` is the value of gear 2.
 std::string rating_csv(const RatingAnswer& answer);

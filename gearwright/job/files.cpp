@@ -28,6 +28,7 @@
 #include "gearwright/job/k_diagrams.hpp"
 #include "gearwright/job/load_report.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/run_folder.hpp"
 #include "gearwright/job/scatter_answer.hpp"
@@ -358,6 +359,8 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (!contact) return contact.error();
   const auto load = load_part(job, options.progress);
   if (!load) return load.error();
+  const auto proposed =
+      options.wants("report") ? propose_part(job, options.progress) : std::nullopt;
   const auto compensation = compensation_part(job, options.progress);
   if (!compensation) return compensation.error();
   const auto scatter = scatter_part(job, options.progress);
@@ -394,6 +397,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.verdict = judge(job, {*contact ? &contact.value()->answer.judged() : nullptr, rated,
                                load.value().has_value()});
   if (*load && load.value()->report) report.load = &*load.value()->report;
+  if (proposed) report.propose = &*proposed;
   if (*compensation) report.compensate = &**compensation;
   if (scatter_shown) report.scatter = &*scatter_shown;
   report.rating = rated;

@@ -56,33 +56,6 @@ void complete_torque(JobSpec& spec, Json& tree) {
   tree["load"]["torque_Nm"] = torque;
 }
 
-bool deflection_given(const JobSpec& spec) {
-  return spec.given.contains("load.deflection_slope_um") ||
-         spec.given.contains("load.deflection_bow_um");
-}
-
-// The deflection of the shafts under the greatest torque, unless [load] has one.
-Result<std::optional<FaceDeflection>> complete_deflection(SolvedJob& job, Json& tree,
-                                                          double torque) {
-  LoadInput& load = job.spec.load;
-  if (deflection_given(job.spec))
-    return std::optional(
-        FaceDeflection{load.deflection_slope * kMmPerUm, load.deflection_bow * kMmPerUm});
-  auto shafts = job.spec.rating.input.shafts;
-  if (!shafts) return std::optional<FaceDeflection>();
-  const auto pair = rated_pair(*job.pair);
-  if (!pair) return pair.error();
-  shafts->hand1 = job.gear(1).spec.helix_angle.rad() < 0.0 ? -1.0 : 1.0;
-  const FaceDeflection found = face_deflection(*pair, *shafts, torque);
-  constexpr double kSteps = 1e5;  // of 1 mm: 0.01 µm
-  const auto um = [](double mm) { return std::round(mm * kSteps) / (kSteps / kUmPerMm); };
-  load.deflection_slope = um(found.slope);
-  load.deflection_bow = um(found.bow);
-  tree["load"]["deflection_slope_um"] = load.deflection_slope;
-  tree["load"]["deflection_bow_um"] = load.deflection_bow;
-  return std::optional(found);
-}
-
 LoadedScore worst_of(const std::vector<LoadedScore>& scores) {
   LoadedScore worst = scores.front();
   for (const LoadedScore& s : scores) worst = worse_of(worst, s);
@@ -112,6 +85,11 @@ std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
   for (std::size_t i = 0; i < scores.size(); ++i)
     p.loads.push_back({task.request.torques[i], scores[i]});
   p.worst = worst_of(scores);
+  const auto most = std::max_element(
+      contact.torques.begin(), contact.torques.end(),
+      [](const LoadedTorque& x, const LoadedTorque& y) { return x.torque < y.torque; });
+  for (const LoadedPosition& at : most->positions)
+    p.transmission_error.push_back({at.rotation1.deg(), at.te.arcsec()});
   if (!helix_deviation) return std::nullopt;
   LoadRequest limit = task.request;
   limit.positions = std::min(kLimitPositions, limit.positions);
@@ -196,10 +174,7 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
 }
 
 std::string origin(const ProposeAnswer& a, std::size_t i) {
-  if (i == 0 && !a.deflection) return "This is the spec as given.";
-  if (i == 0)
-    return "This is the spec as given. Its deflections of the shafts are those at the greatest "
-           "torque.";
+  if (i == 0) return "This is the spec as given.";
   return fmt::format("Proposal {} of the verb propose: {}.", i + 1, words_of(a.proposals[i]));
 }
 
@@ -236,6 +211,15 @@ std::size_t recommended(const std::vector<Proposal>& list) {
   return best;
 }
 
+std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress) {
+  if (!job.pair || job.spec.load.torques.empty() || !job.spec.load.rotations.empty() ||
+      not_made_for(job) || !grade_deviations(job).pitch)
+    return std::nullopt;
+  SolvedJob own = job;  // a copy, because `run` has the warnings of the spec as given
+  auto made = answer_propose(own, progress);
+  return made ? std::optional(std::move(made).take()) : std::nullopt;
+}
+
 Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   if (auto error = missing_error(SpecUse::propose, job.spec)) return *error;
   if (auto error = not_made_for(job)) return *error;
@@ -245,9 +229,6 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   complete_torque(given.spec, tree);
   a.torque = from_newton_metres(
       *std::max_element(given.spec.load.torques.begin(), given.spec.load.torques.end()));
-  auto deflection = complete_deflection(given, tree, a.torque);
-  if (!deflection) return deflection.error();
-  a.deflection = *deflection;
   const GradeDeviations grades = grade_deviations(given);
   a.pitch_deviation = grades.pitch;
   a.helix_deviation = grades.helix;
@@ -259,6 +240,7 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   task.request.progress = progress;
   const auto compliance = task.compliance();
   if (!compliance) return compliance.error();
+  if (task.request.deflects()) a.deflection = face_deflection(task, *compliance, a.torque);
   task.request.progress = nullptr;  // progress counts proposals, not their positions
   Proposal first;
   if (auto error = find_effects(first, task, *compliance, grades.helix, jobs.front().warnings))

@@ -6,6 +6,7 @@
 //                           theory: docs/theory/12-loaded-contact.md, [T12.27] to [T12.33]
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearwright/base/progress.hpp"
@@ -36,8 +37,10 @@ std::size_t recommended(const std::vector<Proposal>& proposals);
 
 /// {"propose"}, under its title.
 Json propose_json(const SolvedJob& job, const ProposeAnswer& answer);
-/// A table for people, and one for spreadsheets.
 std::string propose_listing(const SolvedJob& job, const ProposeAnswer& answer);
-std::string propose_csv(const ProposeAnswer& answer);
+
+/// The proposals in the report of `run`; none without a torque in [load] and grades, for gears without
+/// proposals, and if there is no result.
+std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -206,6 +206,35 @@ TEST(Propose, SlopeCancelsTheDeflection) {
   }
 }
 
+// The slope of the proposal makes the load on shafts that bend as even as a slope can, for both hands and
+// both drivers; the opposite slope makes it worse. The spec as given is unchanged.
+TEST(Propose, SlopeCancelsTheDeflectionOfTheShafts) {
+  for (const char* helix : {"15", "-15", "0"})
+    for (const char* driver : {"driver = 1\n", "driver = 2\n"}) {
+      const std::string text =
+          "[gear1]\nteeth = 23\nnormal_module_mm = 3\nface_width_mm = 30\nhelix_angle_deg = " +
+          std::string(helix) +
+          "\n[gear1.shaft]\nbearings_mm = [-25, 70]\ndiameter_mm = 30\n[gear2]\nteeth = 41\n" +
+          kDraft + driver + "torque_Nm = 300\n";
+      const ProposeAnswer a = propose_for(text);
+      EXPECT_FALSE(a.specs[0]["load"].contains("deflection_slope_um"));
+      const double before = *a.proposals[0].worst.face_load_factor;
+      EXPECT_GT(before, 1.1);
+      bool tried = false;
+      for (std::size_t i = 1; i < a.proposals.size(); ++i) {
+        const Proposal& p = a.proposals[i];
+        if (!p.lead || p.profile != ProposedProfile::as_given) continue;
+        tried = true;
+        EXPECT_LT(*p.worst.face_load_factor - 1, 0.5 * (before - 1)) << helix << driver;
+        Json opposite = a.specs[i];
+        for (auto& [key, value] : opposite["gear1"]["modifications"].items())
+          if (key.ends_with("lead_slope_um")) value = -value.get<double>();
+        EXPECT_GT(load_of_spec(opposite).torques[0].face_load_factor, before) << helix << driver;
+      }
+      EXPECT_TRUE(tried);
+    }
+}
+
 TEST(Propose, ReplacesModificationsOfTheSameDirection) {
   const std::string given =
       "[gear1.modifications]\nright_tip_relief_um = 10\nleft_tip_relief_um = 4\n"

@@ -14,23 +14,6 @@ namespace gearwright {
 
 namespace {
 
-std::string amount(const char* words, const std::optional<double>& mm,
-                   const std::optional<double>& start = {}) {
-  if (mm.value_or(0.0) == 0.0) return "";
-  return fmt::format(", {} {:.0f} µm", words, *mm * kUmPerMm) +
-         (start ? fmt::format(" from {} mm", fixed_decimals(*start, 3)) : "");
-}
-
-// "gear 1: tip 12 µm from 79.123 mm, crowning 8 µm"
-std::string amounts_of(const Proposal& p, std::size_t i) {
-  const ProposedGear& g = p.gears[i];
-  const std::string list = amount("tip relief", g.tip_relief, g.tip_start) +
-                           amount("root relief", g.root_relief, g.root_start) +
-                           amount("helix crowning", g.lead_crowning) +
-                           amount("helix slope", g.lead_slope);
-  return list.empty() ? "" : fmt::format("gear {}: {}", i + 1, list.substr(2));
-}
-
 std::string score_columns(const LoadedScore& s) {
   if (!std::isfinite(s.max_pressure))
     return fmt::format("{:>10}{:>11}{:>8}{:>6}", "–", "–", "–", "–");
@@ -65,10 +48,10 @@ std::string amounts(const ProposeAnswer& a) {
   for (std::size_t i = 1; i < a.proposals.size(); ++i) {
     int line = 0;
     for (const std::size_t gear : {0, 1}) {
-      const std::string text = amounts_of(a.proposals[i], gear);
+      const std::string text = amounts_of(a.proposals[i].gears[gear]);
       if (text.empty()) continue;
-      out +=
-          line++ == 0 ? fmt::format("  {:>2}  {}\n", i + 1, text) : fmt::format("      {}\n", text);
+      const std::string number = line++ == 0 ? std::to_string(i + 1) : "";
+      out += fmt::format("  {:>2}  gear {}: {}\n", number, gear + 1, text);
     }
   }
   return out;
@@ -87,19 +70,6 @@ std::string propose_listing(const SolvedJob& job, const ProposeAnswer& a) {
          fmt::format("\n* Recommended: {}, {}. {}\n", a.recommended + 1,
                      words_of(a.proposals[a.recommended]), a.reason) +
          "To print the spec of a proposal: --take NUMBER > modified.toml\n";
-}
-
-std::string propose_csv(const ProposeAnswer& a) {
-  std::string out =
-      "proposal,torque_Nm,peak_to_peak_arcsec,max_pressure_MPa,face_load_factor,edge_carries\n";
-  for (std::size_t i = 0; i < a.proposals.size(); ++i)
-    for (const ProposedLoad& l : a.proposals[i].loads)
-      out += fmt::format("{},{},{},{},{},{}\n", i + 1, format_number(newton_metres(l.torque)),
-                         format_number(l.score.peak_to_peak.arcsec()),
-                         format_number(l.score.max_pressure),
-                         l.score.face_load_factor ? format_number(*l.score.face_load_factor) : "",
-                         l.score.edge_carries ? "true" : "false");
-  return out;
 }
 
 }  // namespace gearwright

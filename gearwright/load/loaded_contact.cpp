@@ -45,10 +45,8 @@ LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& 
       compliance_(compliance),
       request_(request),
       perfect_(perfect),
-      undeflected_(request),
+      undeflected_(request.undeflected()),
       rotations_(request.rotations) {
-  undeflected_.deflection_slope = undeflected_.deflection_bow = undeflected_.deflection_offset =
-      0.0;
   found_.slices = compliance.slices;
   found_.regime = request.regime;
   const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
@@ -114,6 +112,9 @@ LoadedContact LoadedTurn::result() const {
                            result.regime == LoadRegime::line ? one_.base_radius() : 0.0,
                            result.body_twist[0] + result.body_twist[1], request_.rotations.empty(),
                            result.regime};
+  std::optional<ShaftYield> shafts;
+  if (request_.shafts[0] || request_.shafts[1])
+    shafts.emplace(pair_, one_, two_, compliance_, request_);
   for (std::size_t k = 0; k < result.torques.size(); ++k) {
     LoadedTorque& t = result.torques[k];
     for (std::size_t g = 0; g < 2; ++g) {
@@ -130,6 +131,7 @@ LoadedContact LoadedTurn::result() const {
     result.unfinished += std::count_if(t.positions.begin(), t.positions.end(),
                                        [](const LoadedPosition& p) { return p.unfinished; });
     summarise(t, basis);
+    if (shafts && t.face_load.size() > 0) t.shafts = shafts->under(t.face_load);
     if (perfect_share_[k].empty()) continue;
     const double perfect = greatest_of(perfect_share_[k]);
     t.transverse_load_factor = perfect > 0.0 ? t.max_share / perfect : LoadedPosition::kNone;

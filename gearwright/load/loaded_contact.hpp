@@ -15,10 +15,11 @@
 #include <complex>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "gearwright/contact/contact_point.hpp"
-#include "gearwright/load/pair_compliance.hpp"
+#include "gearwright/load/shaft_yield.hpp"
 
 namespace gearwright {
 
@@ -95,6 +96,8 @@ struct LoadedTorque {
   bool edge_carries = false;
   bool beyond_flank = false;  ///< true if an ellipse extends beyond an end of the flank
   Eigen::VectorXd face_load;  ///< N/mm, mean over the positions, by slice from −z on
+  /// The deflection of the shafts under `face_load`, for line contact; none without shafts.
+  std::optional<FaceDeflection> shafts{};
   /// The greatest principal stress of each gear over the positions, MPa: a row per root point, a
   /// column per slice from −z on; 0 without tension.
   std::array<Eigen::MatrixXd, 2> root_stress;

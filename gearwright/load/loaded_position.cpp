@@ -41,6 +41,7 @@ PositionSolver::PositionSolver(const ContactPair& pair, const Gear& one, const G
     : pair_(pair),
       compliance_(c),
       request_(request),
+      shafts_(pair, one, two, c, request),
       search_(pair, heights_of(c.slices[0], deflects(request))),
       transmission_(pair) {
   module_ = {one.spec.normal_module, two.spec.normal_module};
@@ -133,7 +134,11 @@ MatrixXd PositionSolver::yields(const Position& at) const {
     for (Index j = 0; j < m; ++j)
       yield(i, j) =
           all(at.rows[i].pair * n + at.rows[i].slice, at.rows[j].pair * n + at.rows[j].slice);
-  return yield;
+  if (!shafts_.any()) return yield;
+  std::vector<ShaftYield::Place> places;
+  for (const Row& row : at.rows)
+    places.push_back({row.slice, at.pairs[row.pair].at[row.slice]->radius});
+  return yield + at.problem.length * shafts_.between(places);
 }
 
 LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation1, bool& too_fine,
@@ -151,9 +156,13 @@ LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation
   out.unfinished = !x.found();
   if (out.unfinished) return out;
   out.max_pressure = out.max_width_ratio = 0.0;
-  out.te = Angle::radians(sign * (at.te - x.approach));
-  out.approach = x.approach * base_radius_;
-  out.tangent = x.yield_per_moment * base_radius_ * base_radius_;
+  // The displacement of the axes does not belong to the mesh. [T12.36]
+  const double arm = base_radius_ * std::sqrt(1 - sin_b_ * sin_b_);
+  const double of_axes = shafts_.of_axes() / (arm * arm);  // rad/(N mm)
+  const double approach = x.approach - of_axes * q.moment;
+  out.te = Angle::radians(sign * (at.te - approach));
+  out.approach = approach * base_radius_;
+  out.tangent = (x.yield_per_moment - of_axes) * base_radius_ * base_radius_;
   const int n = compliance_.slices[0].count;
   const double total = x.line_load.sum();
   std::vector<VectorXd> load(at.pairs.size(), VectorXd::Zero(n));

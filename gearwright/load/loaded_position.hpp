@@ -12,6 +12,7 @@
 #include "gearwright/load/gap_places.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "gearwright/load/root_forces.hpp"
+#include "gearwright/load/shaft_yield.hpp"
 
 namespace gearwright::detail {
 
@@ -71,6 +72,7 @@ class PositionSolver {
   const ContactPair& pair_;
   const PairCompliance& compliance_;
   const LoadRequest& request_;
+  ShaftYield shafts_;
   GapSearch search_;
   Transmission transmission_;
   std::array<double, 2> module_;  // mm

@@ -5,6 +5,7 @@
 
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/math/roll_length.hpp"
 
 namespace gearwright {
 
@@ -82,8 +83,7 @@ int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
     // R at the contact of the pinion's tip, where R is greatest, at the reference centre distance.
     const double between = (gear_2.base_radius() - gear_1.base_radius()) *
                            std::tan(gear_1.reference().transverse_pressure_angle);
-    const double base = gear_1.base_radius() / gear_1.tip_form_radius();
-    const double rho = gear_1.tip_form_radius() * std::sqrt(std::max(0.0, 1 - base * base));
+    const double rho = roll_length(gear_1.tip_form_radius(), gear_1.base_radius());
     if (between > 0.0)
       fair = std::max(fair, kFairWidth * std::sqrt(rho * (rho + between) / between / m));
   }
@@ -99,6 +99,13 @@ bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& 
   return face / request.slices < least * gear_1.spec.normal_module;
 }
 
+LoadRequest LoadRequest::undeflected() const {
+  LoadRequest rigid = *this;
+  rigid.shafts = {};
+  rigid.deflection_slope = rigid.deflection_bow = rigid.deflection_offset = 0.0;
+  return rigid;
+}
+
 Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,
     const std::array<std::shared_ptr<const ToothTable>, 2>& ready) {
@@ -108,6 +115,8 @@ Result<PairCompliance> pair_compliance(
   for (std::size_t g = 0; g < 2; ++g) {
     const double face = face_of({&gear_1, &gear_2}, g, request.regime);
     c.slices[g] = {request.slices, -face / 2, face / 2};
+    if (const auto& shaft = request.shafts[g])
+      c.shafts[g] = shaft_influence(*shaft, c.slices[g], (g == 0 ? gear_1 : gear_2).root_diameter);
   }
   c.half_width = kHertzWidth * gear_1.spec.normal_module;
   begin_stage(request.progress, "compliance of the teeth", 2 * kTableSteps);

@@ -1,5 +1,5 @@
-// Computes the compliance of the teeth of a pair: a table for each gear, which does not depend on
-// torque, errors and modifications.
+// Computes the compliance of the teeth of a pair, a table for each gear, and of their shafts. It does not
+// depend on torque, errors and modifications.
 //
 // Most of the computing time of a loaded contact is needed for the tables, so a caller with several
 // requests should keep them.
@@ -8,10 +8,12 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "gearwright/base/progress.hpp"
+#include "gearwright/compliance/shaft_influence.hpp"
 #include "gearwright/compliance/tooth_table.hpp"
 
 namespace gearwright {
@@ -31,12 +33,20 @@ struct LoadRequest {
   LoadRegime regime = LoadRegime::line;
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   std::array<ElasticBody, 2> bodies{};
-  // The deflection of the shafts, for line contact only. It is an approach of the flanks, mm.
+  /// The shafts of the gears, for line contact only; a gear without a shaft has a rigid one.
+  std::array<std::optional<Shaft>, 2> shafts{};
+  // A further deflection, for line contact only. It is an approach of the flanks, mm.
   double deflection_slope = 0.0;   ///< mm, increase from one end of the common face to the other
   double deflection_bow = 0.0;     ///< mm, height of the parabola in the middle of the face
   double deflection_offset = 0.0;  ///< mm, the part that is constant over the face
   bool root_stress = true;         ///< if false, tables and positions have no root stress
   Progress* progress = nullptr;
+
+  bool deflects() const {
+    return shafts[0] || shafts[1] || deflection_slope != 0.0 || deflection_bow != 0.0;
+  }
+  /// The same request with rigid shafts and without deflections.
+  LoadRequest undeflected() const;
 };
 
 /// A number of slices of the common face that is accurate and not too fine. It is 32, or less if the
@@ -60,9 +70,11 @@ struct PairCompliance {
   std::array<ElasticBody, 2> bodies;
   std::array<FaceSlices, 2> slices;  ///< mm, on each gear; equal on both gears for line contact
   double half_width = 0.0;           ///< a0  mm
+  std::array<std::optional<ShaftInfluence>, 2> shafts{};  ///< those of the request
 };
 
-/// Tables in `ready` are reused, which is allowed if same_compliance() is true.
+/// Tables in `ready` are reused, which is allowed if same_compliance() is true. The shafts are
+/// computed anew.
 ///
 /// Domain    gear 1 is external; with LoadRegime::line, involute gears on parallel axes; with
 ///           LoadRegime::point, gear 2 is also external (contract)

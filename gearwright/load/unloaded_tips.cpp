@@ -8,6 +8,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/load/loaded_position.hpp"
+#include "gearwright/math/roll_length.hpp"
 
 namespace gearwright {
 
@@ -41,8 +42,7 @@ PathPlace path_place(const Position& at, const FaceSlices& slices, double base_r
       const auto& place = p.at[static_cast<std::size_t>(j)];
       if (!place || place->kind != TouchKind::line) continue;
       const double z = slices.middle(j);
-      const double y = std::sqrt(place->radius[0] * place->radius[0] - base_radius * base_radius) -
-                       base_radius * p.turn;
+      const double y = roll_length(place->radius[0], base_radius) - base_radius * p.turn;
       n += 1.0;
       z1 += z;
       zz += z * z;
@@ -115,8 +115,7 @@ bool alike_sections(const ContactSetup& setup, const LoadRequest& request) {
     return m.lead_crowning == 0.0 && m.lead_slope == 0.0 && m.end_relief.amount == 0.0;
   };
   bool alike = setup.gear(1).spec.helix_angle.rad() == 0.0 &&
-               setup.place().errors == ContactErrors() && request.deflection_slope == 0.0 &&
-               request.deflection_bow == 0.0;
+               setup.place().errors == ContactErrors() && !request.deflects();
   for (const auto& gear : setup.modifications())
     alike = alike && std::all_of(gear.begin(), gear.end(), plain);
   return alike;
@@ -137,8 +136,7 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
   std::vector<TipPlace> tips;
   {
     const ContactPair pair = plain->pair(ContactErrors(), gear2_drives);
-    LoadRequest aligned = request;
-    aligned.deflection_slope = aligned.deflection_bow = aligned.deflection_offset = 0.0;
+    const LoadRequest aligned = request.undeflected();
     PositionSolver solver(pair, one, two, compliance, aligned);
     tips = tip_places(path_place(solver.prepare(0.0), compliance.slices[0], one.base_radius()),
                       path, compliance.slices[0], alike_sections(setup, request));
@@ -149,7 +147,7 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
   const double greatest = kGreatest * one.spec.normal_module;
   UnloadedTips found;
   found.amount = {greatest, greatest};
-  for (found.turns = 1; found.turns <= kMostTurns; ++found.turns) {
+  for (int turn = 1; turn <= kMostTurns; ++turn) {
     const auto relieved =
         setup.with_modifications(with_reliefs(setup.modifications(), found.amount, path));
     if (!relieved) return relieved.error();
@@ -169,7 +167,7 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
     }
     bool still = true;
     for (std::size_t g = 0; g < 2; ++g) {
-      if (found.turns == 1) found.unloaded[g] = least[g] > 0.0;
+      if (turn == 1) found.unloaded[g] = least[g] > 0.0;
       if (!found.unloaded[g] || !(least[g] > kClose) || !std::isfinite(least[g])) continue;
       found.amount[g] = std::max(0.0, found.amount[g] - least[g]);
       still = false;

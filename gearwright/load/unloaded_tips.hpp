@@ -28,7 +28,6 @@ struct UnloadedTips {
   std::array<double, 2> amount{};  ///< C_i  mm
   /// False if a tip carries load with the greatest relief that is tried, a fortieth of the module.
   std::array<bool, 2> unloaded{true, true};
-  int turns = 0;  ///< number of reliefs that were tried
 };
 
 /// The reliefs of the pair of `setup` under the greatest torque of the request, with its errors,

@@ -1,4 +1,5 @@
 #include "gearwright/pair/clearing_tip.hpp"
+#include "gearwright/math/roll_length.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,7 @@ std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double 
   const auto start = [&](std::size_t i) {
     const auto form = pair.gears[i].root_form_radius();
     const double base = pair.gears[i].base_radius();
-    const double from = std::max(form.value_or(base), base) + margin;
-    return from > base ? std::sqrt(from * from - base * base) : 0.0;
+    return roll_length(std::max(form.value_or(base), base) + margin, base);
   };
   const auto& mesh = pair.mesh;
   const double rho = tip == 2 ? mesh.rho2(start(0))

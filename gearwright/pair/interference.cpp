@@ -8,6 +8,7 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/math/lowest.hpp"
+#include "gearwright/math/roll_length.hpp"
 
 namespace gearwright::detail {
 
@@ -140,9 +141,7 @@ void find_internal_margins(ParallelPair& p) {
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);
   const double inv_w = involute(p.mesh.rack.sides[0].transverse_angle);
-  const auto roll = [](double r, double r_b) {
-    return std::sqrt(std::max(0.0, (r - r_b) * (r + r_b))) / r_b;
-  };
+  const auto roll = [](double r, double r_b) { return roll_length(r, r_b) / r_b; };
   const double inv_a1 = involute_of_roll(roll(r_a1, g1.base_radius()));
   const double inv_a2 = involute_of_roll(roll(r_a2, g2.base_radius()));
   if (const auto form = g1.root_form_radius()) {

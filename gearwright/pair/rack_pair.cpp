@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/math/roll_length.hpp"
 
 namespace gearwright {
 
@@ -53,7 +54,7 @@ void clip(RackPair& p) {
   const double r_b = p.pinion.base_radius();
   const double reach = p.pinion.reference_diameter / 2 * std::sin(alpha_t(p.pinion));
   const double r_Ff = p.pinion.root_form_radius().value_or(r_b);
-  const double flank = reach - std::sqrt(std::max(0.0, r_Ff * r_Ff - r_b * r_b));
+  const double flank = reach - roll_length(r_Ff, r_b);
   p.true_approach = std::min({p.approach, reach, flank});
   const double below = p.center_distance - p.pinion.reference_diameter / 2 + p.rack.form_depth();
   p.true_recess = std::min(p.recess, below / std::sin(alpha_t(p.pinion)));
@@ -180,7 +181,7 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
   p.base_pitch = reference.base_pitch_transverse;
   const double shifted = p.center_distance - r;  // from the pitch line to the datum line
   const double r_a = g.tip_form_radius(), r_b = g.base_radius();
-  p.recess = std::sqrt(std::max(0.0, r_a * r_a - r_b * r_b)) - r * sin_t;
+  p.recess = roll_length(r_a, r_b) - r * sin_t;
   p.approach = (p.rack.addendum - shifted) / sin_t;
   clip(p);
   const double face = std::min(g.spec.face_width, p.rack.face_width);

@@ -32,7 +32,7 @@ std::vector<double> shaft_deviation(const RatedPair& pair, const MeshShafts& sha
     // sense, with the same result.
     const double hand = which == 1 ? shafts.hand1 : -shafts.hand1;
     const ShaftLoad load{F_bt, push * hand * F_bt * r_b * tilt, -b / 2, b / 2};
-    const std::vector<double> w = shaft_deflection(*shaft, load, z);
+    const std::vector<double> w = shaft_deflection(*shaft, load, z).w;
     const std::vector<double> twist =
         shaft_twist(*shaft, F_bt * r_b, gear.root_diameter, load.lo, load.hi, z);
     for (std::size_t k = 0; k < z.size(); ++k) f[k] += (w[k] + r_b * twist[k]) / kMmPerUm;

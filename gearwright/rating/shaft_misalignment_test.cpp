@@ -61,8 +61,8 @@ TEST(ShaftMisalignment, ForcesAsVectors) {
         const Eigen::Vector3d arm(i == 0 ? r_w1 : -r_w2, 0, 0);
         const Eigen::Vector3d moment = arm.cross(on);
         const double lo = -pair.face_width / 2;
-        const auto u_x = shaft_deflection(*m.of[i], {on.x(), moment.y(), lo, -lo}, z);
-        const auto u_y = shaft_deflection(*m.of[i], {on.y(), -moment.x(), lo, -lo}, z);
+        const auto u_x = shaft_deflection(*m.of[i], {on.x(), moment.y(), lo, -lo}, z).w;
+        const auto u_y = shaft_deflection(*m.of[i], {on.y(), -moment.x(), lo, -lo}, z).w;
         const auto twist =
             shaft_twist(*m.of[i], std::abs(moment.z()), pair.gears[i].root_diameter, lo, -lo, z);
         for (std::size_t k = 0; k < z.size(); ++k) {

@@ -239,6 +239,7 @@ std::string report_html(const ReportInput& input) {
   if (input.rack) sections += rack_section(*input.rack, kShapes[0]);
   if (input.contact) sections += contact_section(*input.contact);
   if (input.load) sections += load_section(*input.load, kShapes);
+  if (input.propose) sections += propose_section(*input.propose);
   if (input.compensate) sections += compensate_section(*input.compensate);
   if (input.scatter) sections += scatter_section(*input.scatter);
   if (input.rating) sections += rating_section(*input.rating);

@@ -13,6 +13,7 @@
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/drawing_keys.hpp"
+#include "gearwright/catalogue/propose_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/figure/load_scene.hpp"
@@ -51,6 +52,7 @@ struct ReportInput {
                                                ///< empty
   const ContactReport* contact = nullptr;      ///< null if the spec requests no contact
   const LoadScene* load = nullptr;             ///< null if the spec requests no load
+  const ProposeView* propose = nullptr;        ///< null without proposals for the flanks
   const CompensateView* compensate = nullptr;  ///< null if the spec requests no corrections
   const ScatterView* scatter = nullptr;        ///< null if the spec has no [scatter]
   const RatingView* rating = nullptr;          ///< null if the spec requests no rating

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/propose_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/figure/distribution_figures.hpp"
@@ -65,6 +66,11 @@ std::string load_section(const LoadScene& report, const std::array<std::string, 
 /// Two kinds of figures of the root stress: along the fillet of each gear, and over the face. Empty
 /// if root stresses were not computed.
 std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes);
+
+/// Proposed flank modifications and their effects.
+///
+/// Domain    at least one proposal (contract)
+std::string propose_section(const ProposeView& view);
 
 /// Corrections: the changes to make, and their effect on each objective.
 ///

@@ -2,6 +2,7 @@
 results."""
 
 import json
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -286,6 +287,64 @@ gear2 = {{ teeth = 50, normal_module_mm = 4, helix_angle_deg = -22, face_width_m
         run = Run("load", CROSSED.format(rest=DRAFT + "torque_Nm = 5\ndeflection_bow_um = 3\n"), "--json")
         self.assertEqual(run.status, 1)
         self.assertEqual(run.json["error"]["key"], "load.deflection_bow_um")
+
+    def test_shafts_are_for_lines(self):
+        shaft = "[gear2.shaft]\nbearings_mm = [-40, 40]\ndiameter_mm = 20\n"
+        crossed = ("[gear1]\nteeth = 16\nnormal_module_mm = 2\nhelix_angle_deg = 45\n[gear2]\nteeth = 31\n"
+                   "normal_module_mm = 2\nhelix_angle_deg = 45\n[pair]\nshaft_angle_deg = 90\n")
+        halves = ("[gear1]\nteeth = 20\nnormal_module_mm = 2\nhelix_angle_deg = 25\nface_width_mm = 40\n"
+                  "[gear1.double_helical]\ngap_mm = 6\n[gear2]\nteeth = 31\n")
+        for gears, word in ((crossed, "point contact"), (halves, "single-helical")):
+            run = Run("load", gears + shaft + "[load]\ntorque_Nm = 20\n", "--json")
+            self.assertEqual(run.status, 1, run.out)
+            self.assertEqual(run.json["error"]["key"], "gear2.shaft")
+            self.assertIn(word, run.err)
+
+
+class Shafts(unittest.TestCase):
+    SPEC = """
+[gear1]
+teeth = 21
+normal_module_mm = 3
+helix_angle_deg = {beta}
+face_width_mm = 30
+[gear1.shaft]
+bearings_mm = [-30, 70]
+diameter_mm = 32
+youngs_modulus_MPa = {modulus}
+[gear2]
+teeth = 41
+[load]
+torque_Nm = [100, 400]
+positions = 8
+slices = 12
+accuracy = "draft"
+{rest}
+"""
+
+    def under_load(self, beta=12, modulus=206000, rest="", shaft=True):
+        spec = self.SPEC.format(beta=beta, modulus=modulus, rest=rest)
+        if not shaft:
+            spec = re.sub(r"\[gear1\.shaft\].*(?=\[gear2\])", "", spec, flags=re.DOTALL)
+        run = Run("load", spec, "--json")
+        self.assertEqual(run.status, 0, run.err)
+        return run.json["load"]["torques"]
+
+    def test_the_load_follows_the_shaft(self):
+        soft, stiff, none = self.under_load(), self.under_load(modulus=1e9), self.under_load(shaft=False)
+        for s, r, n in zip(soft, stiff, none):
+            more = s["face_load_factor"] - n["face_load_factor"]
+            self.assertGreater(more, 0.1)
+            self.assertAlmostEqual(r["face_load_factor"], n["face_load_factor"], delta=2 * more * 206000 / 1e9)
+            self.assertNotIn("shaft_slope_um", n)
+            # The deflection is nearly proportional to the torque.
+            self.assertAlmostEqual(r["shaft_slope_um"] * 1e9 / 206000, s["shaft_slope_um"], delta=0.3 * abs(s["shaft_slope_um"]))
+        self.assertAlmostEqual(soft[1]["shaft_slope_um"] / soft[0]["shaft_slope_um"], 4, delta=0.8)
+
+    def test_a_given_deflection_is_added(self):
+        plain = self.under_load()[1]
+        opposite = self.under_load(rest=f"deflection_slope_um = {-plain['shaft_slope_um']}")[1]
+        self.assertLess(opposite["face_load_factor"], plain["face_load_factor"])
 
 
 # The flanks of gear 1 meet below its tip diameter.

@@ -1,7 +1,10 @@
 """Tests the verb propose as a user calls it: the shortest spec, the table, --take, --csv, and errors."""
 
+import csv
 import json
+import tempfile
 import unittest
+from pathlib import Path
 
 from cli import Run
 
@@ -49,14 +52,30 @@ class Propose(unittest.TestCase):
         same = propose("--take", "2", "--json", gear1=graded)
         self.assertEqual(same.json, found["proposals"][1]["spec"])
 
+    def test_the_report_of_run_shows_proposals_for_graded_gears(self):
+        for gear1, shown in (("quality = 5", True), ("", False)):
+            with tempfile.TemporaryDirectory() as folder:
+                run = propose("--out", folder, gear1=gear1, verb="run")
+                self.assertEqual(run.status, 0, run.err)
+                page = (Path(folder) / "report.html").read_text()
+            self.assertEqual("Proposed modifications</h2>" in page, shown)
+            for figure in ("compared-te", "proposals-plot"):
+                self.assertEqual(f'id="{figure}"' in page, shown, figure)
+
     def test_text_and_csv(self):
         text = propose()
         self.assertIn("* Recommended:", text.out)
         self.assertIn("long tip relief", text.out)
         self.assertNotRegex(text.out, r"[ \t]\n")
-        rows = propose("--csv", load="torque_Nm = [50, 100]").out.splitlines()
-        self.assertEqual(len(rows), 1 + 2 * 5)
-        self.assertTrue(rows[0].startswith("proposal,torque_Nm,peak_to_peak_arcsec"))
+        rows = list(csv.DictReader(propose("--csv", load="torque_Nm = [50, 100]").out.splitlines()))
+        found = propose("--json", load="torque_Nm = [50, 100]").json["propose"]["proposals"]
+        self.assertEqual(len(rows), len(found))
+        for row, proposal in zip(rows, found):
+            self.assertEqual(row["profile"], proposal["profile"])
+            for i, load in enumerate(proposal["under_load"]):
+                self.assertEqual(float(row[f"under_load.{i + 1}.score.max_pressure_MPa"]), load["score"]["max_pressure_MPa"])
+        self.assertEqual(float(rows[1]["gears.1.tip_relief_um"]), found[1]["gears"][0]["tip_relief_um"])
+        self.assertNotIn("spec", rows[0])
 
     def test_errors(self):
         self.assertEqual(propose("--json", load="").json["error"]["key"], "load.torque_Nm")

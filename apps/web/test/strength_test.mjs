@@ -59,6 +59,33 @@ describe("load", () => {
     assert.deepEqual(page.complaints, []);
   });
 
+  it("a proposal is listed with its effects, and a click takes it", async () => {
+    const spec = example("quiet_pair") + 'positions = 8\nslices = 8\naccuracy = "draft"\n';
+    await put(page, spec, "load");
+    await finished(90);
+    const expected = native("propose", spec).propose;
+    await page.click("#room-load .proposals button");
+    await page.waitForSelector("#room-load .proposals tr[data-proposal]", { timeout: kPatience });
+    assert.equal(await page.locator("#room-load .proposals tr[data-proposal]").count(), expected.proposals.length);
+    for (const [i, proposal] of expected.proposals.entries()) {
+      const score = await page.textContent(
+        `#room-load tr[data-proposal="${i + 1}"] [data-score="peak_to_peak_arcsec"]`,
+      );
+      shows(score, proposal.worst.peak_to_peak_arcsec);
+    }
+    assert.ok(expected.recommended > 1);
+    await page.click(`#room-load button[aria-label="take proposal ${expected.recommended}"]`);
+    const { tip_relief_um } = expected.proposals[expected.recommended - 1].spec.gear1.modifications;
+    await page.waitForFunction(
+      (amount) => window.gearwright.text().includes(`tip_relief_um = ${amount}`),
+      tip_relief_um,
+    );
+    await settled(page);
+    await finished(90);
+    assert.equal(await page.locator("#room-load .proposals tr[data-proposal]").count(), 0);
+    assert.deepEqual(page.complaints, []);
+  });
+
   it("a spec without a torque makes the tab offer one, with an initial value and without an error", async () => {
     await put(page, example("helical_pair") + '\n[load]\npositions = 8\nslices = 8\naccuracy = "draft"\n', "load");
     await page.waitForSelector("#room-load .offered:not([hidden])");

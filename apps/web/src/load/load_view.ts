@@ -11,6 +11,7 @@ import { firstMaterial, firstTorque } from "../form/offer";
 import { judgement } from "../judgement";
 import { rowsOf } from "../quantity_table";
 import { at, bench } from "../workbench";
+import { Proposals } from "./proposals";
 
 /** The pause after the last change before the full result is computed. */
 const kRestMs = 1200;
@@ -61,6 +62,7 @@ export class LoadView extends AnswerView<Answer> {
   private readonly position = slider("position within the pitch", { min: 0, max: 1, step: 1 }, (i) =>
     this.choose(i),
   );
+  private readonly proposals = new Proposals();
   private readonly where = h("output", { class: "soft" });
   private full = false; // false if the result is a draft
   private torque = 0;
@@ -77,6 +79,7 @@ export class LoadView extends AnswerView<Answer> {
       slide("position", this.position, this.where),
       this.figures.element,
       this.table,
+      this.proposals.element,
     );
     this.bar.hidden = true;
     new ResizeObserver(() => {
@@ -88,6 +91,7 @@ export class LoadView extends AnswerView<Answer> {
     clearTimeout(this.rest);
     const solved = this.pair();
     if (!solved) return;
+    this.proposals.show(solved.text);
     if (solved.text === this.shown) this.draw();
     else if (this.wanted === "full" + solved.text) this.wait();
     else await this.compute(solved.text, "draft");

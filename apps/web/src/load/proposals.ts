@@ -1,0 +1,90 @@
+// Proposed flank modifications with their effects under load. A click replaces the design by the spec of a
+// proposal. The engine computes the proposals on request, because they take several times as long as one load.
+
+import { quantities, quantity } from "../catalogue";
+import { button, fill, h, scroller, sentenceOf, tableOf } from "../elements";
+import type { Json } from "../engine_worker";
+import { shownUnit, textOf } from "../numbers";
+import { at, bench } from "../workbench";
+
+type Record = { [key: string]: Json };
+/** The scores that are compared, by their keys in the catalogue. */
+const kScores = ["peak_to_peak_arcsec", "max_pressure_MPa", "face_load_factor", "edge_carries"];
+
+export class Proposals {
+  private readonly go = button("Propose modifications", () => void this.compute(), { class: "main" });
+  private readonly state = h("span", { class: "soft", "aria-live": "polite" });
+  private readonly table = scroller("table-room", "proposals");
+  readonly element = h("div", { class: "proposals" }, h("div", { class: "load-head" }, this.go, this.state), this.table);
+  private of = ""; // text of the spec of the proposals that are shown or computed
+
+  /** Removes the proposals of another spec. */
+  show(text: string): void {
+    if (this.of === text) return;
+    this.of = "";
+    this.go.disabled = false;
+    fill(this.state);
+    fill(this.table);
+  }
+
+  private async compute(): Promise<void> {
+    const text = bench.good?.text;
+    if (!text) return;
+    this.of = text;
+    this.go.disabled = true;
+    this.state.textContent = "Computing the proposals …";
+    try {
+      const answer = await bench.press.call("run", { text, verb: "propose" });
+      if (this.of !== text) return;
+      const proposals = (at(answer, "propose.proposals") ?? []) as Record[];
+      const reason = at(answer, "propose.reason") ?? at(answer, "error.message");
+      this.state.textContent = String(reason ?? "");
+      const best = Number(at(answer, "propose.recommended"));
+      if (proposals.length) fill(this.table, this.list(proposals, best));
+    } catch (reason) {
+      if (this.of === text) this.state.textContent = sentenceOf(reason);
+    }
+  }
+
+  private list(proposals: Record[], best: number): HTMLTableElement {
+    const score = (key: string) => quantity("load.torques", key)!;
+    const heads = kScores.map((key) => h("th", {}, score(key).words, " ", shownUnit(score(key).unit)));
+    return tableOf(
+      "numbers",
+      [h("th", {}, ""), h("th", {}, "modifications"), ...heads, h("th", {}, "")],
+      ...proposals.map((proposal, i) => {
+        const worst = proposal["worst"] as Record;
+        const take = button("Take", () => void this.take(proposal["spec"]!, i + 1), {
+          class: "main",
+          "aria-label": `take proposal ${i + 1}`,
+        });
+        return h(
+          "tr",
+          { class: i + 1 === best ? "taken" : null, "data-proposal": i + 1 },
+          h("th", {}, String(i + 1)),
+          h("td", {}, i ? wordsOf(proposal) : "as given", i + 1 === best && h("strong", {}, " recommended")),
+          ...kScores.map((key) => h("td", { "data-score": key }, textOf(score(key), worst[key]))),
+          h("td", {}, i > 0 && take),
+        );
+      }),
+    );
+  }
+
+  private async take(spec: Json, number: number): Promise<void> {
+    const text = await bench.front.call("tomlOf", { json: JSON.stringify(spec) });
+    bench.setText(text, "proposal " + number);
+  }
+}
+
+/** "long tip relief. Gear 1: tip relief 12 µm, helix crowning 5 µm. Gear 2: tip relief 11 µm" */
+function wordsOf(proposal: Record): string {
+  const table = quantities("propose.proposals.gears")!;
+  const amounts = (proposal["gears"] as Record[]).map((gear, i) => {
+    const list = table.quantities
+      .filter((info) => info.unit === "µm" && gear[info.key])
+      .map((info) => `${info.words} ${textOf(info, gear[info.key])} ${info.unit}`);
+    return list.length && `Gear ${i + 1}: ${list.join(", ")}`;
+  });
+  const profile = proposal["profile"] !== "as_given" && textOf(quantity("propose.proposals", "profile")!, proposal["profile"]);
+  return [profile, ...amounts].filter(Boolean).join(". ");
+}

@@ -1,0 +1,74 @@
+// Displacement of the flanks by the bending and the twist of the shafts, which couples all places of
+// contact along the face.
+//
+//   β_b, r_b, ρ   base helix angle; base radius and radius of curvature of a flank at a place
+//   s_i           +1 or −1, sign of the moment of the axial force in the plane of action
+//   S_ij          displacement along the normal at place i per normal force at place j, both gears
+//
+// A normal force on a flank is, for its shaft, a force cos β_b along the line of action, a moment
+// s_i ρ sin β_b in the plane of action, a moment r_b sin β_b perpendicular to this plane, and a torque
+// r_b cos β_b. The displacement along the normal contains the same four parts, so S is symmetric.
+//                                                theory: docs/theory/12-loaded-contact.md, [T12.35]
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gearwright/contact/contact_pair.hpp"
+#include "gearwright/load/pair_compliance.hpp"
+
+namespace gearwright {
+
+/// The part of an approach of the flanks that is linear and parabolic along the common face, mm.
+struct FaceDeflection {
+  double slope = 0.0;  ///< S  over the common face, > 0 towards +z
+  double bow = 0.0;    ///< B  in the middle
+  bool any() const { return slope != 0.0 || bow != 0.0; }
+};
+/// By least squares, with a constant part, from the values in the middles of equal slices from −z on.
+///
+/// Formula   [T12.31]
+/// Domain    at least three values (contract)
+FaceDeflection face_deflection(const Eigen::VectorXd& approach);
+
+class ShaftYield {
+ public:
+  /// The shafts of the request; without shafts, S is 0.
+  ///
+  /// Domain    LoadRegime::line; `compliance` of the same request (contract)
+  ShaftYield(const ContactPair& pair, const Gear& one, const Gear& two,
+             const PairCompliance& compliance, const LoadRequest& request);
+
+  struct Place {
+    int slice;                     ///< in the order of the frame N
+    std::array<double, 2> radius;  ///< mm, on each gear
+  };
+  bool any() const { return shafts_[0].influence || shafts_[1].influence; }
+  /// S  mm/N.
+  ///
+  /// Formula   [T12.35]
+  Eigen::MatrixXd between(const std::vector<Place>& places) const;
+  /// S for a contact at the pitch point in every slice, in the order of the housing frame, from −z on.
+  const Eigen::MatrixXd& at_pitch_point() const { return at_pitch_point_; }
+  /// The mean of S at the pitch point, mm/N: the displacement of the axes. It is not a part of the
+  /// approach, of the transmission error and of the stiffness of the mesh.
+  double of_axes() const { return any() ? at_pitch_point_.mean() : 0.0; }
+  /// The approach of the flanks under a line load, N/mm by slice from −z on.
+  FaceDeflection under(const Eigen::VectorXd& line_load) const;
+
+ private:
+  struct OfGear {
+    const ShaftInfluence* influence = nullptr;
+    double base_radius = 0.0, sign = 0.0;
+  };
+  Eigen::MatrixXd yield(const std::vector<int>& slices,
+                        const std::array<std::vector<double>, 2>& rho) const;
+
+  std::array<OfGear, 2> shafts_;
+  double sin_b_ = 0.0, cos_b_ = 1.0;
+  bool reversed_;  // true if the slices of N are in the order from +z on
+  FaceSlices slices_;
+  Eigen::MatrixXd at_pitch_point_;
+};
+
+}  // namespace gearwright
