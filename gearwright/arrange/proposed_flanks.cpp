@@ -99,12 +99,8 @@ FaceDeflection face_deflection(const RatedPair& pair, const MeshShafts& shafts, 
     fg += f[k] * g;
     gg += g * g;
   }
-  constexpr double kSteps = 100.0;  // of 1 µm
-  const double normal = std::cos(pair.beta_b);
-  const auto rounded = [&](double um) {
-    return std::round(-um * normal * kSteps) / kSteps / kUmPerMm;
-  };
-  return {rounded(fx / xx), rounded(fg / gg)};
+  const double approach = -std::cos(pair.beta_b) / kUmPerMm;
+  return {approach * fx / xx, approach * fg / gg};
 }
 
 LeadProposal propose_lead(const FaceDeflection& deflection, double deviation, double face_1,

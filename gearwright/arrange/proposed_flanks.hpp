@@ -61,7 +61,7 @@ struct FaceDeflection {
 };
 
 /// The part of the deflection of both shafts under a torque on gear 1, N mm, that is linear and
-/// parabolic along the face, normal to the flank and rounded to 0.01 µm.
+/// parabolic along the face, normal to the flank.
 ///
 /// Formula   [T12.31]
 /// Domain    a gear with a shaft is external (contract)

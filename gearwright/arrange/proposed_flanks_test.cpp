@@ -59,9 +59,9 @@ TEST(ProposedFlanks, DeflectionIsLinearInTheTorqueAndZeroWithoutIt) {
   const MeshShafts shafts = shafts_of(-60, 90);
   const FaceDeflection one = face_deflection(pair, shafts, 3e5);
   const FaceDeflection two = face_deflection(pair, shafts, 6e5);
-  EXPECT_NEAR(two.slope, 2 * one.slope, 2e-5);
-  EXPECT_NEAR(two.bow, 2 * one.bow, 2e-5);
-  const FaceDeflection none = face_deflection(pair, shafts, 1e-6);
+  EXPECT_NEAR(two.slope, 2 * one.slope, 1e-12 * std::abs(two.slope));
+  EXPECT_NEAR(two.bow, 2 * one.bow, 1e-12 * std::abs(two.bow));
+  const FaceDeflection none = face_deflection(pair, shafts, 0.0);
   EXPECT_EQ(none.slope, 0.0);
   EXPECT_EQ(none.bow, 0.0);
 }

@@ -65,22 +65,24 @@ bool deflection_given(const JobSpec& spec) {
 Result<std::optional<FaceDeflection>> complete_deflection(SolvedJob& job, Json& tree,
                                                           double torque) {
   LoadInput& load = job.spec.load;
-  if (deflection_given(job.spec))
+  const auto used = [&] {
     return std::optional(
         FaceDeflection{load.deflection_slope * kMmPerUm, load.deflection_bow * kMmPerUm});
+  };
+  if (deflection_given(job.spec)) return used();
   auto shafts = job.spec.rating.input.shafts;
   if (!shafts) return std::optional<FaceDeflection>();
   const auto pair = rated_pair(*job.pair);
   if (!pair) return pair.error();
   shafts->hand1 = job.gear(1).spec.helix_angle.rad() < 0.0 ? -1.0 : 1.0;
   const FaceDeflection found = face_deflection(*pair, *shafts, torque);
-  constexpr double kSteps = 1e5;  // of 1 mm: 0.01 µm
-  const auto um = [](double mm) { return std::round(mm * kSteps) / (kSteps / kUmPerMm); };
+  constexpr double kSteps = 100.0;  // of 1 µm
+  const auto um = [](double mm) { return std::round(mm * kUmPerMm * kSteps) / kSteps; };
   load.deflection_slope = um(found.slope);
   load.deflection_bow = um(found.bow);
   tree["load"]["deflection_slope_um"] = load.deflection_slope;
   tree["load"]["deflection_bow_um"] = load.deflection_bow;
-  return std::optional(found);
+  return used();
 }
 
 LoadedScore worst_of(const std::vector<LoadedScore>& scores) {
