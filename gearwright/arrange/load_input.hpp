@@ -37,7 +37,7 @@ struct LoadInput {
   std::vector<LoadProbeInput> probes{};
   // Of drives only:
   std::string floating{};            ///< body that is free to move radially; empty: none
-  std::vector<double> pin_errors{};  ///< µm, of each planet, tangential; one number: of the first
+  std::vector<double> pin_errors{};  ///< µm, of each pin, tangential; one number: of the first
 };
 
 constexpr int kMostTorques = 100, kMostProbes = 100, kMostReadings = 1000;
