@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -62,6 +63,7 @@ struct DriveSearchProblem {
   std::optional<std::array<double, 2>> face_width;  ///< b  mm, closed band of the sized face width
   double face_diameters = 1.2;                      ///< greatest b/d of the smallest gear if sized
   std::optional<double> safety_flank, safety_root;  ///< least S_H and S_F of every mesh
+  std::string series;  ///< of DIN 3967, "cd25", the allowances of all gears; empty: those of `base`
   /// Helix angle, losses, spacing, and the fixed and driving members. The numbers of teeth in it are not
   /// used.
   PlanetarySpec base;
@@ -117,6 +119,11 @@ void complete_ends(DriveSearchProblem& problem);
 PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
 /// The greatest face width that the search may choose, mm, from the band and from b/d.
 double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate);
+
+/// The mean thickness allowance of a gear by the series of the problem, mm. It is 0 for a gear that the
+/// series does not contain.
+double mean_allowance(const DriveSearchProblem& problem, const DriveCandidate& candidate,
+                      int teeth);
 
 /// The number by which candidates are ranked for an objective; smaller is better.
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,
