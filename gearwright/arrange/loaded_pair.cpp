@@ -34,22 +34,11 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
   }
   if (const auto& bore = gear.bore) {
     body.bore_diameter = bore->diameter;
-  } else if (gear.internal()) {
-    body.bore_diameter = rim(gear).diameter;
-    warnings.push_back(
-        {WarningCode::held_at_rim_as_drawn,
-         fmt::format("Gear {} has no `bore`, which would give the outside diameter of its rim. The "
-                     "gear is held at the rim diameter of its CAD files, {} mm.",
-                     which, format_number(body.bore_diameter)),
-         which});
-  } else {
-    body.bore_diameter = kShaft * gear.root_diameter;
-    warnings.push_back(
-        {WarningCode::held_at_half_the_root,
-         fmt::format("Gear {} has no bore, so its body is held at half the root diameter, {} mm.",
-                     which, format_number(body.bore_diameter)),
-         which});
+    return body;
   }
+  body.bore_diameter = gear.internal() ? rim(gear).diameter : kShaft * gear.root_diameter;
+  warnings.push_back(held_without_bore(std::to_string(which), gear.internal(), body.bore_diameter));
+  warnings.back().gear = which;
   return body;
 }
 
@@ -345,6 +334,17 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
   const auto compliance = task.compliance();
   if (!compliance) return compliance.error();
   return contact_of(warnings, task, *compliance);
+}
+
+Warning held_without_bore(const std::string& gear, bool internal, double diameter) {
+  if (internal)
+    return {WarningCode::held_at_rim_as_drawn,
+            fmt::format("Gear {} has no `bore`, which would give the outside diameter of its rim. "
+                        "The gear is held at the rim diameter of its CAD files, {} mm.",
+                        gear, format_number(diameter))};
+  return {WarningCode::held_at_half_the_root,
+          fmt::format("Gear {} has no bore, so its body is held at half the root diameter, {} mm.",
+                      gear, format_number(diameter))};
 }
 
 }  // namespace gearwright

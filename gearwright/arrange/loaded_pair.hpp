@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gearwright/arrange/arrange.hpp"
@@ -83,6 +84,9 @@ Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors
 /// the result are then added to `warnings`.
 std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,
                                 std::vector<Warning>& warnings);
+
+/// The note that a gear without a bore is held at a default diameter, mm.
+Warning held_without_bore(const std::string& gear, bool internal, double diameter);
 
 /// The warning that an edge of a tooth carries load under `torque`, N mm.
 Warning edge_carries_at(double torque);

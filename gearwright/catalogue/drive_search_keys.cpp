@@ -117,7 +117,12 @@ const KeyTable& drive_search_keys() {
        of_set("normal_pressure_angle_deg"),
        of_set("helix_angle_deg"),
        of_set("profile_shift"),
-       of_set("thickness_allowance_mm"),
+       of_set("thickness_allowance_mm", "by `thickness_series`"),
+       Key::text(
+           "thickness_series", &Problem::series, "\"cd25\"",
+           "thickness allowances of all gears by DIN 3967, the means of both ends, if a module "
+           "is given; `\"none\"` gives nominal teeth")
+           .with_excludes({"thickness_allowance_mm"}),
        face_width(),
        Key::positive(
            "face_width_diameters_max", "b/d", &Problem::face_diameters, "1.2",

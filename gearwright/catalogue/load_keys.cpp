@@ -56,7 +56,9 @@ const KeyTable& load_keys() {
                  "carrier of a planetary set"),
        Key::number("pin_error_um", "", Range::between(-1e5, 1e5), &LoadInput::pin_errors, "0",
                    "only for drives: error of position of the pin of each planet, tangential, > 0 "
-                   "counter-clockwise; a single number applies to the first planet")
+                   "counter-clockwise; a single number applies to the first planet; if planets "
+                   "mesh with each other, the numbers of one are followed by those of the other, "
+                   "in the order of the bodies")
            .with_list(KeyList{1, 1000, true})
            .with_fields({"pin_errors"}),
        {.key = "probe",

@@ -14,6 +14,7 @@
 #include "gearwright/design/drive_space.hpp"
 #include "gearwright/drive/drive_motion.hpp"
 #include "gearwright/drive/power_flow.hpp"
+#include "gearwright/inspection/thickness_series.hpp"
 
 namespace gearwright {
 
@@ -303,6 +304,14 @@ void give_modules(const DriveSearchProblem& problem, DriveSearchResult& result) 
   result.found = std::move(each);
 }
 
+// d = m_t z of a gear, mm.
+double reference_diameter(const DriveSearchProblem& problem, const DriveCandidate& candidate,
+                          int teeth) {
+  const PerMember& helix = problem.base.helix_deg;
+  const double beta = Angle::degrees(helix.each[0].value_or(helix.all.value_or(0.0))).rad();
+  return candidate.module * teeth / std::cos(beta);
+}
+
 }  // namespace
 
 bool DriveSearchProblem::asks(DriveObjective objective) const {
@@ -357,16 +366,21 @@ PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& ca
   return set;
 }
 
+double mean_allowance(const DriveSearchProblem& problem, const DriveCandidate& candidate,
+                      int teeth) {
+  const auto ends =
+      thickness_allowances(problem.series, reference_diameter(problem, candidate, teeth));
+  return ends ? ((*ends)[0] + (*ends)[1]) / 2 : 0.0;
+}
+
 double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate) {
   GW_EXPECTS(problem.face_width);
   int least = std::numeric_limits<int>::max();
   for (const int z : candidate.teeth)
     if (z > 0) least = std::min(least, z);
   for (const auto& [z1, z2] : candidate.stages) least = std::min({least, z1, z2});
-  const PerMember& helix = problem.base.helix_deg;
-  const double beta = Angle::degrees(helix.each[0].value_or(helix.all.value_or(0.0))).rad();
-  const double diameter = candidate.module * least / std::cos(beta);
-  return std::min((*problem.face_width)[1], problem.face_diameters * diameter);
+  return std::min((*problem.face_width)[1],
+                  problem.face_diameters * reference_diameter(problem, candidate, least));
 }
 
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -67,6 +68,8 @@ struct DriveSearchProblem {
   double face_diameters = 1.2;                      ///< if the face width is chosen: greatest b/d
                                                     ///< of the smallest gear
   std::optional<double> safety_flank, safety_root;  ///< lower limits of S_H and S_F of every mesh
+  std::string series;  ///< of DIN 3967, "cd25", for the allowances of all gears; if empty, `base` has
+                       ///< them
   /// Helix angle, losses, spacing, and the fixed and driving members. Its numbers of teeth are
   /// ignored.
   PlanetarySpec base;
@@ -124,6 +127,11 @@ void complete_ends(DriveSearchProblem& problem);
 PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
 /// The greatest face width that the search may choose, mm. It follows from the band and from b/d.
 double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate);
+
+/// The mean thickness allowance of a gear by the series of the problem, mm. It is 0 for a gear that the
+/// series does not contain.
+double mean_allowance(const DriveSearchProblem& problem, const DriveCandidate& candidate,
+                      int teeth);
 
 /// The number by which candidates are ranked for an objective; a smaller number is better.
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,

@@ -8,14 +8,6 @@
 
 namespace gearwright {
 
-namespace detail {
-
-Error not_loaded(const std::string& rule, const std::string& mesh) {
-  return {"load", "", mesh.empty() ? rule : fmt::format("{} (mesh {})", rule, mesh)};
-}
-
-}  // namespace detail
-
 namespace {
 
 using detail::not_loaded;
@@ -101,17 +93,20 @@ std::optional<Error> not_possible(const Drive& drive, const DriveLoadCase& load)
   if (load.pin_errors.empty()) return std::nullopt;
   const std::string count =
       fmt::format("{} number{}", load.pin_errors.size(), load.pin_errors.size() == 1 ? "" : "s");
-  const auto fits = [&](const PlanetSet& set) {
-    return static_cast<std::size_t>(set.group.count) == load.pin_errors.size();
-  };
   if (drive.sets.size() != 1)
     return Error{"load.pin_errors", count,
                  drive.sets.empty() ? "apply to planets, and the drive has none"
                                     : "apply to a drive with one set of planets only"};
-  if (!fits(drive.sets.front()))
+  const PlanetGroup& group = drive.sets.front().group;
+  if (group.pins() != load.pin_errors.size()) {
+    std::vector<std::string> names;
+    for (const std::size_t b : group.riders)
+      names.push_back(fmt::format("{} of {}", group.count, graph.bodies[b].name));
     return Error{"load.pin_errors", count,
-                 fmt::format("must be one number for each of the {} planets",
-                             drive.sets.front().group.count)};
+                 fmt::format("must be one number for each of the {} pins: {}; or a single number "
+                             "for the first of them",
+                             group.pins(), fmt::join(names, ", then "))};
+  }
   return std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/drive/drive_error.hpp"
+#include "gearwright/drive/rack_pitch.hpp"
 
 namespace gearwright {
 
@@ -223,7 +224,7 @@ std::optional<double> Drive::speed_ratio(std::size_t body) const {
   return *rpm / graph.speeds_rpm.front();
 }
 
-std::optional<double> Drive::rack_pitch(std::size_t body) const {
+std::optional<double> rack_pitch(const DriveGraph& graph, std::size_t body) {
   for (const DriveMesh& mesh : graph.meshes)
     for (const int side : {0, 1}) {
       const DriveGear& rack = graph.gear(mesh, side);
@@ -233,6 +234,10 @@ std::optional<double> Drive::rack_pitch(std::size_t body) const {
                std::cos(pinion.spec->helix_angle.rad());
     }
   return std::nullopt;
+}
+
+std::optional<double> Drive::rack_pitch(std::size_t body) const {
+  return gearwright::rack_pitch(graph, body);
 }
 
 std::optional<double> Drive::linear_speed(std::size_t body) const {

@@ -107,6 +107,9 @@ struct PlanetGroup {
   std::vector<std::size_t> riders;  ///< bodies
   std::vector<std::size_t> meshes;
   int count;  ///< N
+
+  /// Number of pins, N for each rider.
+  std::size_t pins() const { return riders.size() * static_cast<std::size_t>(count); }
 };
 
 /// The groups in the order of their first riders.   Domain  a checked graph

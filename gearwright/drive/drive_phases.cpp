@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "gearwright/drive/drive_places.hpp"
 
@@ -34,34 +33,6 @@ bool first_drives(const Drive& drive, std::size_t m, double load) {
     return drive.flow->driver[m] == 0;
   const DriveGear& a = drive.graph.gear(drive.graph.meshes[m], 0);
   return -a.factor() * load * turning(drive, a.body, m) > 0.0;
-}
-
-// The position of a body in the frame of the carrier.
-std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet& set,
-                                             std::size_t body) {
-  const auto& riders = set.group.riders;
-  const auto at = std::find(riders.begin(), riders.end(), body);
-  if (at == riders.end()) return 0.0;
-  std::optional<GeometryFault> fault;
-  const auto places = rider_places(drive.graph, set.group, drive.geometry.distance, fault);
-  if (!places) return std::nullopt;
-  const RiderPlace& place = (*places)[static_cast<std::size_t>(at - riders.begin())];
-  return std::polar(place.distance, place.angle);
-}
-
-// The direction from the axis of one gear of a mesh to the mesh, turns.
-std::optional<double> direction(const Drive& drive, std::size_t m, std::size_t gear) {
-  const DriveMesh& mesh = drive.graph.meshes[m];
-  const DriveGear& a = drive.graph.gear(mesh, 0);
-  const DriveGear& b = drive.graph.gear(mesh, 1);
-  double theta = mesh.direction.value_or(Angle()).rad();
-  if (const PlanetSet* set = set_of(drive, m)) {
-    const auto one = place_of(drive, *set, a.body), two = place_of(drive, *set, b.body);
-    if (!one || !two) return std::nullopt;
-    theta = std::arg(*two - *one);
-  }
-  const bool towards_b = gear == mesh.gears[0] && b.teeth > 0;
-  return theta / kTurn + (towards_b ? 0.0 : 0.5);
 }
 
 // The copies of a planet engage γ later. The copies of meshed planets follow their central gear of the
@@ -127,6 +98,32 @@ bool find_times(const Drive& drive, std::vector<MeshPhase>& phases) {
 }
 
 }  // namespace
+
+std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet& set,
+                                             std::size_t body) {
+  const auto& riders = set.group.riders;
+  const auto at = std::find(riders.begin(), riders.end(), body);
+  if (at == riders.end()) return 0.0;
+  std::optional<GeometryFault> fault;
+  const auto places = rider_places(drive.graph, set.group, drive.geometry.distance, fault);
+  if (!places) return std::nullopt;
+  const RiderPlace& place = (*places)[static_cast<std::size_t>(at - riders.begin())];
+  return std::polar(place.distance, place.angle);
+}
+
+std::optional<double> direction(const Drive& drive, std::size_t m, std::size_t gear) {
+  const DriveMesh& mesh = drive.graph.meshes[m];
+  const DriveGear& a = drive.graph.gear(mesh, 0);
+  const DriveGear& b = drive.graph.gear(mesh, 1);
+  double theta = mesh.direction.value_or(Angle()).rad();
+  if (const PlanetSet* set = set_of(drive, m)) {
+    const auto one = place_of(drive, *set, a.body), two = place_of(drive, *set, b.body);
+    if (!one || !two) return std::nullopt;
+    theta = std::arg(*two - *one);
+  }
+  const bool towards_b = gear == mesh.gears[0] && b.teeth > 0;
+  return theta / kTurn + (towards_b ? 0.0 : 0.5);
+}
 
 double turning(const Drive& drive, std::size_t body, std::size_t mesh) {
   const auto frame = drive.graph.frame(drive.graph.meshes[mesh]);

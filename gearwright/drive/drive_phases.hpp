@@ -8,6 +8,7 @@
 // Internal to drive/.
 #pragma once
 
+#include <complex>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,15 @@ double turning(const Drive& drive, std::size_t body, std::size_t mesh);
 
 /// The set with the mesh; null if the mesh has one copy.
 const PlanetSet* set_of(const Drive& drive, std::size_t mesh);
+
+/// The position of copy 0 of a body of the set in the frame of the carrier, mm; none if an idler has no
+/// place.
+std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet& set,
+                                             std::size_t body);
+
+/// The direction from the axis of a gear of a mesh to the mesh, of copy 0 of planets, turns; none as
+/// place_of().
+std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_t gear);
 
 /// The phases of all meshes; none if a mesh is not a pair of involute gears, if a load is too large
 /// for a fraction, or if an idler has no place.

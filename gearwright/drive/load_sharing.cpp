@@ -92,15 +92,15 @@ SharingSolution share_load(const SharingProblem& problem, VectorXd start) {
 
 SharingSolution share_load(const SharingProblem& problem) {
   // The displacements at which the springs carry their nominal forces, as nearly as they can.
-  const Eigen::Index n = problem.load.size();
-  MatrixXd normal = MatrixXd::Zero(n, n);
-  VectorXd rhs = VectorXd::Zero(n);
-  for (const auto& s : problem.springs) {
-    normal += s.row * s.row.transpose();
-    rhs += (s.spring->approach(s.nominal) - s.offset) * s.row;
+  const auto count = static_cast<Eigen::Index>(problem.springs.size());
+  MatrixXd rows(count, problem.load.size());
+  VectorXd approaches(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& s = problem.springs[static_cast<std::size_t>(i)];
+    rows.row(i) = s.row.transpose();
+    approaches[i] = s.spring->approach(s.nominal) - s.offset;
   }
-  normal.diagonal().array() += kHold * normal.diagonal().maxCoeff();
-  return share_load(problem, solve_linear(normal, rhs));
+  return share_load(problem, least_squares(rows, approaches));
 }
 
 }  // namespace gearwright::detail

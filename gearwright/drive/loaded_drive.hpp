@@ -23,7 +23,7 @@ struct DriveLoadCase {
   int positions = 64;                   ///< over a period of the mesh, at least
   int harmonics = 3;                    ///< of the transmission error
   std::optional<std::size_t> floating;  ///< body that is free to move radially
-  std::vector<double> pin_errors;       ///< mm, of each planet; empty: all 0
+  std::vector<double> pin_errors;       ///< mm, as PlanetErrors::pins
   std::vector<LoadRequest> requests;    ///< of each mesh: bodies, slices, accuracy
   MeshErrors errors{};                  ///< errors of mounting of the meshes
 };

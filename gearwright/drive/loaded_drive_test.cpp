@@ -135,6 +135,52 @@ TEST(LoadedDriveTest, AnErrorOfAPinUnloadsThePlanetAhead) {
   EXPECT_GT(*floating.greatest_displacement(), 1e-3);
 }
 
+// The second set of a train carries the torque that the first one passes on. Curves of a set reach the
+// output through the ratios of the sets behind it, and the peaks of both frequencies add up.
+TEST(LoadedDriveTest, SetsOfATrainAreThoseOfTheirStages) {
+  std::vector<StageSpec> stages(2);
+  const std::array<std::array<int, 3>, 2> teeth{{{20, 25, 70}, {19, 26, 71}}};
+  for (std::size_t s = 0; s < 2; ++s) {
+    PlanetarySpec set;
+    set.z(M::sun) = teeth[s][0];
+    set.z(M::planet) = teeth[s][1];
+    set.z(M::ring) = teeth[s][2];
+    set.planets = 3 + static_cast<int>(s);
+    set.normal_module = 2.0;
+    set.face_width.all = 8.0;
+    set.efficiency.all = 1.0;
+    stages[s].planetary = set;
+  }
+  auto input = train_of(stages);
+  ASSERT_TRUE(input);
+  const auto drive = make_drive(*input);
+  ASSERT_TRUE(drive);
+  ASSERT_EQ(drive->stages.size(), 2u);
+  constexpr int kPositions = 12;
+  double torque = 20.0;
+  const LoadedDrive whole = under(*drive, load_of(*drive, torque, kPositions));
+  ASSERT_EQ(whole.sets.size(), 2u);
+  ASSERT_EQ(whole.curves.size(), 2u);
+  const double behind = std::abs(drive->stages[1].motion.ratio->value());
+  double peaks = 0.0;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const Drive& stage = drive->stages[s];
+    const LoadedDrive one = under(stage, load_of(stage, torque, kPositions));
+    EXPECT_NEAR(whole.sets[s].mesh_load_factor, one.sets[0].mesh_load_factor, 1e-9);
+    for (std::size_t i = 0; i < one.sets[0].share.size(); ++i)
+      for (std::size_t j = 0; j < one.sets[0].share[i].size(); ++j)
+        EXPECT_NEAR(whole.sets[s].share[i][j], one.sets[0].share[i][j], 1e-9) << s << i << j;
+    const double scale = s == 0 ? behind : 1.0;
+    ASSERT_EQ(one.curves[0].loaded.size(), whole.curves[s].loaded.size());
+    for (std::size_t j = 0; j < one.curves[0].loaded.size(); ++j)
+      EXPECT_NEAR(whole.curves[s].loaded[j], one.curves[0].loaded[j] / scale,
+                  1e-9 * one.error.peak_to_peak);
+    peaks += one.error.peak_to_peak / scale;
+    torque *= std::abs(stage.motion.ratio->value());
+  }
+  EXPECT_NEAR(whole.error.peak_to_peak, peaks, 1e-9 * peaks);
+}
+
 // A drive of one mesh has the curve that loaded contact gives for its pair.
 TEST(LoadedDriveTest, OneMeshHasTheLoadedCurveOfItsPair) {
   StageSpec stage;

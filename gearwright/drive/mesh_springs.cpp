@@ -8,6 +8,10 @@
 
 namespace gearwright::detail {
 
+Error not_loaded(const std::string& rule, const std::string& mesh) {
+  return {"load", "", mesh.empty() ? rule : fmt::format("{} (mesh {})", rule, mesh)};
+}
+
 std::vector<double> load_levels(int copies) {
   if (copies < 2) return {1.0};
   // Each level costs little beside the tables and gaps. LoadedDriveTest.SpringsAgreeWithDirectSolutions

@@ -15,6 +15,8 @@ using Eigen::VectorXd;
 
 std::size_t count_of(const PlanetSet& set) { return static_cast<std::size_t>(set.group.count); }
 
+Vec2 unit_at(double turns) { return {std::cos(kTurn * turns), std::sin(kTurn * turns)}; }
+
 }  // namespace
 
 PlanetEquilibrium::PlanetEquilibrium(const Drive& drive, const PlanetSet& set,
@@ -97,38 +99,32 @@ std::optional<Index> PlanetEquilibrium::column(std::size_t body, std::size_t pla
   return drive_.graph.bodies[body].carrier ? *first + static_cast<Index>(planet) : *first;
 }
 
-// ∂y/∂D of a mesh: the component of a displacement along the line of action.
-Vec2 PlanetEquilibrium::pushed(std::size_t m, std::size_t planet, const MeshPhase& phase,
-                               std::size_t floating) const {
-  const DriveGraph& graph = drive_.graph;
-  const DriveMesh& mesh = graph.meshes[m];
-  const int side = graph.body(graph.gear(mesh, 0)).carrier ? 1 : 0;
-  const DriveGear& central = graph.gear(mesh, side);
-  if (graph.body(central).carrier) return Vec2::Zero();  // both ride, and move together
-  const bool carrier = graph.frame(mesh) == floating;
-  if (central.body != floating && !carrier) return Vec2::Zero();
-  // The planet's direction, and the force of a driving gear on the flank of the other.
-  std::optional<GeometryFault> fault;
-  const auto places = rider_places(graph, set_.group, drive_.geometry.distance, fault);
-  GW_EXPECTS(places.has_value());
-  const std::size_t rider = graph.gear(mesh, 1 - side).body;
-  const auto& riders = set_.group.riders;
-  const auto at = std::find(riders.begin(), riders.end(), rider) - riders.begin();
-  const double psi =
-      (*places)[static_cast<std::size_t>(at)].angle + kTurn * set_.assembly.turns[planet].value();
+// n, the direction of the force of the first gear on the second one. It presses the gears apart, and
+// along the tangent it has the sense of the first gear if that drives.
+Vec2 PlanetEquilibrium::push(std::size_t m, std::size_t planet, const MeshPhase& phase) const {
+  const DriveMesh& mesh = drive_.graph.meshes[m];
   const Pair& pair = *drive_.geometry.pairs[m];
-  const bool ring = central.teeth < 0;
-  const double r_c = pair.gear(side + 1).base_radius(), r_p = pair.gear(2 - side).base_radius();
-  const double cos_w = std::abs(r_c + (ring ? -r_p : r_p)) / *drive_.geometry.distance[m];
-  const double sin_w = std::sqrt(std::max(0.0, 1 - cos_w * cos_w));
-  const bool drives = phase.first_drives == (side == 0);
-  const double sense = turning(drive_, central.body, m) < 0.0 ? -1.0 : 1.0;
-  // The tangential component of n has the sense of the central gear if a sun drives or a ring is
-  // driven, otherwise the opposite sense. The radial component is outward.
-  const double along = sense * (ring == drives ? -1.0 : 1.0) * cos_w;
-  const Vec2 n(-along * std::sin(psi) + sin_w * std::cos(psi),
-               along * std::cos(psi) + sin_w * std::sin(psi));
-  return (ring ? -1.0 : 1.0) * (carrier ? -1.0 : 1.0) * n;
+  const auto outward = direction(drive_, m, mesh.gears[0]);
+  GW_EXPECTS(outward.has_value());
+  const double r_1 = pair.gear(1).base_radius(), r_2 = pair.gear(2).base_radius();
+  const double cos_w =
+      (pair.gear(2).internal() ? r_2 - r_1 : r_2 + r_1) / *drive_.geometry.distance[m];
+  const double turns = turning(drive_, drive_.graph.gear(mesh, 0).body, m) < 0.0 ? -1.0 : 1.0;
+  const double along = phase.first_drives ? turns * cos_w : -turns * cos_w;
+  const Vec2 u = unit_at(*outward + set_.assembly.turns[planet].value());
+  return std::sqrt(std::max(0.0, 1 - cos_w * cos_w)) * u + along * Vec2(-u.y(), u.x());
+}
+
+// ε t, the displacement of a gear's axis by the error of its pin.
+Vec2 PlanetEquilibrium::pin(const DriveGear& gear, std::size_t planet,
+                            const std::vector<double>& errors) const {
+  if (errors.empty() || !drive_.graph.body(gear).carrier) return Vec2::Zero();
+  const auto& riders = set_.group.riders;
+  const auto rider = std::find(riders.begin(), riders.end(), gear.body) - riders.begin();
+  const auto place = place_of(drive_, set_, gear.body);
+  GW_EXPECTS(place.has_value());
+  const double turns = std::arg(*place) / kTurn + set_.assembly.turns[planet].value();
+  return errors[static_cast<std::size_t>(rider) * count_of(set_) + planet] * unit_at(turns + 0.25);
 }
 
 void PlanetEquilibrium::find_rows(const std::vector<MeshPhase>& phases,
@@ -138,8 +134,6 @@ void PlanetEquilibrium::find_rows(const std::vector<MeshPhase>& phases,
   std::vector<double> radius(graph.bodies.size(), 0.0);
   problem_.load = VectorXd::Zero(unknowns_);
   output_ = VectorXd::Zero(unknowns_);
-  std::optional<GeometryFault> fault;
-  const auto places = rider_places(graph, set_.group, drive_.geometry.distance, fault);
   for (std::size_t k = 0; k < meshes_.size(); ++k) {
     const std::size_t m = meshes_[k];
     const DriveMesh& mesh = graph.meshes[m];
@@ -153,10 +147,14 @@ void PlanetEquilibrium::find_rows(const std::vector<MeshPhase>& phases,
       spring.row = VectorXd::Zero(unknowns_);
       spring.weight = weights_[k];
       spring.nominal = nominal_[k];
-      double teeth = 0.0;
+      const Vec2 n = push(m, i, phase);
       for (const int side : {0, 1}) {
         const DriveGear& gear = graph.gear(mesh, side);
-        teeth += gear.teeth;
+        const double sign = side == 0 ? 1.0 : -1.0;
+        spring.offset += sign * n.dot(pin(gear, i, errors.pins));
+        const bool floats = errors.floating == gear.body ||
+                            (graph.body(gear).carrier && errors.floating == graph.frame(mesh));
+        if (floats) spring.row.segment<2>(*displaced_) += sign * n;
         double& r = radius[gear.body];
         if (r == 0.0) r = std::abs(gear.teeth) * per_tooth;
         const auto c = column(gear.body, i);
@@ -165,15 +163,11 @@ void PlanetEquilibrium::find_rows(const std::vector<MeshPhase>& phases,
         // One copy gives the rotation of the output. Riders cancel.
         if (i == 0) output_[*c] -= phase.weight * spring.row[*c];
       }
-      if (!errors.pins.empty()) {
-        GW_EXPECTS(places.has_value());
-        spring.offset = -sigma * per_tooth * teeth * errors.pins[i] / places->front().distance;
-      }
       problem_.load += weights_[k] * nominal_[k] * spring.row;
-      if (displaced_) spring.row.segment<2>(*displaced_) = pushed(m, i, phase, *errors.floating);
       problem_.springs.push_back(std::move(spring));
     }
   }
+  if (displaced_) problem_.load.segment<2>(*displaced_).setZero();
 }
 
 PlanetState PlanetEquilibrium::solve(const std::vector<std::vector<MeshState>>& states) const {

@@ -1,7 +1,7 @@
 // The planets of a set between its central gears under load, in the frame of their carrier.
 //
-//   x_b    rotation of a body times its base radius, mm     D   displacement of the floating body
-//   y = σ (p_bt/2π) (z_a (θ_a − ψ_i) + z_b (θ_b − ψ_i)) ± n_i·D, ψ_i = ε_i/a           [T13.23]
+//   x_b    rotation of a body times its base radius, mm     D   displacement of an axis, mm
+//   y = σ (p_bt/2π) (z_a θ_a + z_b θ_b) + n·(D_a − D_b)                                [T13.23]
 //   F = F(δ), δ = y + e_0                                                              [T13.24]
 //   Σ w F ∂y/∂x = Q                                                                    [T13.25]
 //                                              theory: docs/theory/13-drives.md, 13.7
@@ -20,7 +20,8 @@ namespace gearwright::detail {
 /// What differs from an ideal set.
 struct PlanetErrors {
   std::optional<std::size_t> floating;  ///< body that is free to move radially
-  std::vector<double> pins;  ///< ε_i  mm, tangential, > 0 counter-clockwise; empty: all 0
+  std::vector<double> pins;  ///< ε  mm, tangential, > 0 counter-clockwise, of all planets of the
+                             ///< first rider, then of the next one; empty: all 0
 };
 
 /// A mesh of one planet in one position.
@@ -59,8 +60,8 @@ class PlanetEquilibrium {
   void find_unknowns();
   void find_rows(const std::vector<MeshPhase>& phases, const PlanetErrors& errors);
   std::optional<Eigen::Index> column(std::size_t body, std::size_t planet) const;
-  Vec2 pushed(std::size_t mesh, std::size_t planet, const MeshPhase& phase,
-              std::size_t floating) const;
+  Vec2 push(std::size_t mesh, std::size_t planet, const MeshPhase& phase) const;
+  Vec2 pin(const DriveGear& gear, std::size_t planet, const std::vector<double>& errors) const;
 
   const Drive& drive_;
   const PlanetSet& set_;

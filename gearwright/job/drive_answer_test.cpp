@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/drive_search_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -135,6 +136,45 @@ TEST(DriveAnswerTest, SearchesHaveTheNumbersOfTheirSpecs) {
     for (std::size_t i = 1; i < designs.size(); ++i)
       EXPECT_GE(designs[i - 1]["efficiency"], designs[i]["efficiency"]);
   }
+}
+
+// A listed drive has backlash by the series of DIN 3967 in every mesh, unless the search has allowances
+// of its own, and the verdict of its spec is green.
+TEST(DriveAnswerTest, SearchesGiveTheBacklashOfTheirSeries) {
+  for (const std::string kind : {"kind = \"planetary\"\nratio = [4.4, 4.6]\nsun_teeth = [15, 24]\n",
+                                 "kind = \"train\"\nratio = [11.9, 12.1]\npinion_teeth = [17, "
+                                 "19]\nwheel_teeth = [55, 70]\n"}) {
+    const auto backlash = [&](const std::string& keys) {
+      const auto answer =
+          answer_drive_search(drive_job("[search]\nnormal_module_mm = 2\n" + kind + keys), 3, 1);
+      EXPECT_TRUE(answer) << answer.error().message();
+      std::vector<double> list;
+      for (const Json& spec : answer->specs) {
+        const JobSpec job = drive_job(toml_text(spec));
+        const auto solved = solve_drive(job);
+        EXPECT_TRUE(solved);
+        EXPECT_EQ(solved->verdict.level, Level::green) << solved->verdict.headline;
+        for (const auto& pair : solved->drive.geometry.pairs)
+          list.push_back(pair->involute()->mesh.backlash.normal);
+      }
+      EXPECT_GE(list.size(), 6u);
+      return list;
+    };
+    // The means of cd25 are −69, −90 and −120 µm up to 50, 125 and 280 mm, and j_n = −(E_sn1 + E_sn2)
+    // at α_wn = α_n. Profile shifts change it by some percent.
+    for (const double j : backlash("")) {
+      EXPECT_GT(j, 0.95 * (0.069 + 0.069));
+      EXPECT_LT(j, 1.05 * (0.120 + 0.120));
+    }
+    for (const double j : backlash("thickness_series = \"none\"\n")) EXPECT_NEAR(j, 0.0, 1e-12);
+    for (const double j : backlash("thickness_allowance_mm = -0.03\n")) EXPECT_NEAR(j, 0.06, 0.003);
+  }
+  EXPECT_EQ(refused_drive_key("[search]\nkind = \"planetary\"\nratio = 4\nnormal_module_mm = 2\n"
+                              "thickness_series = \"zz9\"\n"),
+            "search.thickness_series");
+  EXPECT_EQ(refused_drive_key("[search]\nkind = \"planetary\"\nratio = 4\nthickness_series = "
+                              "\"cd25\"\n"),
+            "search.thickness_series");
 }
 
 constexpr const char* kSizedSearch =

@@ -187,6 +187,7 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
   if (problem.safety_flank) made["rating"]["safety_flank_min"] = *problem.safety_flank;
   if (problem.safety_root) made["rating"]["safety_root_min"] = *problem.safety_root;
   const bool train = !c.stages.empty();
+  const auto allowance = [&](int teeth) { return mean_allowance(problem, c, teeth); };
   Json shared = shared_keys(search, train);
   if (!problem.modules.empty()) shared["normal_module_mm"] = c.module;
   if (c.face_width) shared["face_width_mm"] = *c.face_width;
@@ -196,12 +197,18 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
       for (const char* key : {"speed_rpm", "torque_Nm"})
         if (k > 0) stage.erase(key);
       stage["teeth"] = c.stages[k];
+      if (!problem.series.empty())
+        stage["thickness_allowance_mm"] = {allowance(c.stages[k][0]), allowance(c.stages[k][1])};
       made["stage"].push_back(std::move(stage));
     }
     return made;
   }
-  for (std::size_t m = 0; m < kSetMembers; ++m)
-    if (c.teeth[m] > 0) shared[to_string(static_cast<SetMember>(m))] = c.teeth[m];
+  for (std::size_t m = 0; m < kSetMembers; ++m) {
+    if (c.teeth[m] == 0) continue;
+    const char* member = to_string(static_cast<SetMember>(m));
+    shared[member] = c.teeth[m];
+    if (!problem.series.empty()) shared["thickness_allowance_mm"][member] = allowance(c.teeth[m]);
+  }
   shared["planets"] = c.planets;
   const PlanetarySpec& base = problem.base;
   if (!shared.contains("spacing")) shared["spacing"] = "equal";

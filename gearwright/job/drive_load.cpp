@@ -1,7 +1,6 @@
 // A drive under load: the keys of [load] that apply to it, and each mesh as a pair under load.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/number_text.hpp"
@@ -54,26 +53,35 @@ Result<double> torque_of(const JobSpec& spec, const Drive& drive) {
   return given.empty() ? std::abs(*own) : given.front();
 }
 
-// Errors of the pins in mm, one for each planet.
+// Errors of the pins in mm; a single number is that of the first pin.
 std::vector<double> pins_of(const LoadInput& input, const Drive& drive) {
   std::vector<double> pins;
   for (const double error : input.pin_errors) pins.push_back(error * kMmPerUm);
-  if (pins.size() == 1 && drive.sets.size() == 1)
-    pins.resize(static_cast<std::size_t>(drive.sets.front().group.count), 0.0);
+  if (pins.size() == 1 && drive.sets.size() == 1) pins.resize(drive.sets.front().group.pins(), 0.0);
   return pins;
 }
 
-// Adds a warning of a mesh about one of its gears, once for each gear.
-void add_finding(Drive& drive, std::size_t mesh, Warning warning) {
-  if (warning.gear < 1) return;
-  const std::string from = fmt::format("Gear {}", warning.gear);
-  if (!warning.message.starts_with(from)) return;
-  const std::string& name = drive.graph.gear(drive.graph.meshes[mesh], warning.gear - 1).name;
-  warning.message = fmt::format("Gear {}{}", name, warning.message.substr(from.size()));
-  warning.gear = 0;
-  const auto same = [&](const Warning& w) { return w.message == warning.message; };
-  if (std::none_of(drive.findings.begin(), drive.findings.end(), same))
-    drive.findings.push_back(std::move(warning));
+// True if a mesh under load before this one has the gear too.
+bool has_earlier_mesh(const Drive& drive, std::size_t gear, std::size_t mesh) {
+  for (std::size_t m = 0; m < mesh; ++m) {
+    const auto& [a, b] = drive.graph.meshes[m].gears;
+    if (drive.flow->driver[m] >= 0 && (a == gear || b == gear)) return true;
+  }
+  return false;
+}
+
+// Notes the gears of a mesh that are held without a bore.
+void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
+               const std::vector<Warning>& warnings) {
+  for (const Warning& w : warnings) {
+    const bool ring = w.code == WarningCode::held_at_rim_as_drawn;
+    if (!ring && w.code != WarningCode::held_at_half_the_root) continue;
+    const auto side = static_cast<std::size_t>(w.gear - 1);
+    const std::size_t gear = drive.graph.meshes[mesh].gears[side];
+    if (has_earlier_mesh(drive, gear, mesh)) continue;
+    drive.findings.push_back(
+        held_without_bore(drive.graph.gears[gear].name, ring, request.bodies[side].bore_diameter));
+  }
 }
 
 // The mesh as a pair under load, by the spec that --take prints.
@@ -92,9 +100,7 @@ Result<LoadRequest> request_of(DriveJob& job, const Json& expanded, std::size_t 
   pair.spec.load.accuracy = load.accuracy;
   const auto task = load_task(pair);
   if (!task) return task.error();
-  for (const Warning& w : pair.warnings)
-    if (w.code == WarningCode::held_at_half_the_root || w.code == WarningCode::held_at_rim_as_drawn)
-      add_finding(job.drive, mesh, w);
+  note_held(job.drive, mesh, task->request, pair.warnings);
   return task->request;
 }
 

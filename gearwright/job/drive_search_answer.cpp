@@ -120,6 +120,9 @@ std::string drives_listing(const FoundDrives& f) {
     if (designs.left_out[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);
   if (designs.list.empty()) return text + "\n" + advice(f) + "\n";
+  if (!f.problem.series.empty())
+    text += fmt::format("All gears have the thickness allowances of series {} (DIN 3967).\n",
+                        f.problem.series);
   text += "\n" + design_row(f, "rank", [](const char* name) { return std::string(name); });
   for (std::size_t i = 0; i < designs.list.size() && i < kListedDrives; ++i) {
     const bool front =

@@ -22,21 +22,24 @@ constexpr double kSamePitch = 1e-9;
 // tooth reaches it.
 constexpr double kMaxWorkingHelix = 89.9;  // degrees
 
+constexpr double kAtEnd = 1e-9;  // rad, rounding of an angle that is the end of a range
+
 constexpr const char* kReach = "these gears need a shaft angle greater than {}° and less than {}°";
 
 // Parts of messages about the hands of the helices.
 struct Hands {
   const char* parallel;     ///< the relation of the hands on parallel axes
-  const char* shaft_angle;  ///< the sign rule of the shaft angle, and a remedy
+  const char* shaft_angle;  ///< the sign rule of the shaft angle
+  const char* changes;      ///< the effect of a helix angle on the range
 };
 constexpr Hands kExternal{
     "opposite",
-    "the angle is positive for two right-hand gears and negative for two left-hand gears); a "
-    "greater helix angle on either gear widens this range"};
-constexpr Hands kInternal{
-    "of the same hand",
-    "the angle is the helix angle of gear 1 minus the helix angle of the "
-    "internal gear, right hand > 0); another helix angle on either gear shifts this range"};
+    "the angle is positive for two right-hand gears and negative for two left-hand gears",
+    "widens"};
+constexpr Hands kInternal{"of the same hand",
+                          "the angle is the helix angle of gear 1 minus the helix angle of the internal gear, "
+                          "right hand > 0",
+                          "shifts"};
 
 // `rule` contains kReach, whose two placeholders are the ends of the range.
 Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {
@@ -76,9 +79,18 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
                               g + 1, helix, kMaxWorkingHelix, kReach));
   }
   const double miss = std::min(std::abs(sigma - range.from), std::abs(sigma - range.to));
+  const std::string place =
+      miss < kAtEnd
+          ? "is the end of the possible range, at which a working helix angle would be 90°"
+          : fmt::format("is outside the possible range by {:.6g}°", deg(miss));
+  // With this helix angle, the reference helix angles add up to the shaft angle.
+  const double helix = side_of(gears) * (deg(sigma) - gear_1.helix_angle.deg());
+  const std::string remedy =
+      std::abs(helix) < kMaxWorkingHelix
+          ? fmt::format("the helix angle {:.6g}° of gear 2 gives this shaft angle", helix)
+          : fmt::format("another helix angle on either gear {} this range", hands.changes);
   return beyond(range, sigma,
-                fmt::format("is outside the possible range by {:.6g}°; {} ({}", deg(miss), kReach,
-                            hands.shaft_angle));
+                fmt::format("{}; {} ({}); {}", place, kReach, hands.shaft_angle, remedy));
 }
 
 }  // namespace

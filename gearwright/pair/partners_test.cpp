@@ -36,6 +36,11 @@ TEST(Partners, crossed_axes_need_an_angle_within_reach) {
   EXPECT_EQ(refused(spec(20, -45_deg), spec(30, -45_deg), -90_deg), "");
   EXPECT_TRUE(has(refused(spec(20, 45_deg), spec(30, -45_deg), 90_deg), "parallel"));
   EXPECT_TRUE(has(refused(spec(20, 45_deg), spec(30, 45_deg), 0_deg), "-45"));
+  // The end of a range belongs to no gears, and the remedy is a helix angle that reaches it.
+  const std::string end = refused(spec(20, 30_deg), spec(40, 0_deg), 90_deg);
+  EXPECT_TRUE(has(end, "is the end of the possible range") && !has(end, " by 0°")) << end;
+  EXPECT_TRUE(has(end, "the helix angle 60° of gear 2")) << end;
+  EXPECT_EQ(refused(spec(20, 30_deg), spec(40, 60_deg), 90_deg), "");
   // A spur gear meshes with a helical gear at a shaft angle equal to its helix angle.
   EXPECT_EQ(refused(spec(20, 0_deg), spec(30, 30_deg), 30_deg), "");
   EXPECT_TRUE(has(refused(spec(20, 0_deg), spec(30, 0_deg), 30_deg), "must be 0"));

@@ -8,6 +8,7 @@
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/drive_search_keys.hpp"
 #include "gearwright/spec/read_drive.hpp"
+#include "gearwright/spec/read_search_rating.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -65,6 +66,13 @@ DriveSearchProblem read_drive_search(const Json& search) {
   t.finish();
   if (p.modules.empty() && p.size_max < kInfinity)
     t.fail("size_max_mm", "needs normal_module_mm, because sizes without a module are in modules");
+  if (p.modules.empty() && t.given("thickness_series"))
+    t.fail("thickness_series",
+           "needs normal_module_mm, because there are no teeth without a module");
+  if (!t.given("thickness_series") && !p.modules.empty() &&
+      !search.contains("thickness_allowance_mm"))
+    p.series = kUsualSeries;
+  check_series(t, p.series);
   if (p.kind == DriveKind::train) {
     for (const char* key : {"mesh_efficiency", "helix_angle_deg"})
       if (search.contains(key) && !search[key].is_number())

@@ -49,7 +49,6 @@ constexpr const char* kNeedsRating =
     "and [gear1.material] with name = \"16MnCr5\"";
 
 constexpr const char* kNoAllowances = "none";
-constexpr const char* kUsualSeries = "cd25";
 
 // Usual face widths, in reference diameters of the pinion. The shaft of a wider pinion bends and twists too
 // much, so its whole face does not carry. Narrower gears are rare in reducers.
@@ -59,9 +58,6 @@ constexpr std::array kUsualFace{0.2, 1.0};
 constexpr double kAnyDiameter = 100.0;
 
 void check_names(const TableReader& t, const SearchAllowances& allowances) {
-  if (!allowances.series.empty())
-    if (const auto ends = thickness_allowances(allowances.series, kAnyDiameter); !ends)
-      t.fail("thickness_series", ends.error().rule);
   if (const auto& tolerance = allowances.distance_tolerance)
     if (const auto half = js_deviation(*tolerance, kAnyDiameter); !half)
       t.fail("center_distance_tolerance", half.error().rule);
@@ -167,6 +163,13 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
   problem.rating = std::move(wanted);
 }
 
+void check_series(const TableReader& t, std::string& series) {
+  if (series == kNoAllowances) series.clear();
+  if (series.empty()) return;
+  if (const auto ends = thickness_allowances(series, kAnyDiameter); !ends)
+    t.fail("thickness_series", ends.error().rule);
+}
+
 void read_search_drawing(const Json& search, SearchProblem& p) {
   const TableReader t(search_keys(), search, "search");
   const bool wide = p.face_width || p.face_modules || p.face_diameters;
@@ -174,7 +177,7 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   if (safe && !wide && !p.crossed() && !p.shift_step) p.face_diameters = kUsualFace;
   SearchAllowances& allowances = p.allowances;
   const bool no_allowances = allowances.series == kNoAllowances;
-  if (no_allowances) allowances.series.clear();
+  check_series(t, allowances.series);
   check_names(t, allowances);
   check_faces(t, p);
   const std::string tolerance =

@@ -18,6 +18,13 @@ bool wants_rating(const SearchProblem& problem, const RatingTable& rating);
 /// the problem is incomplete, only the missing inputs of a rating are collected.
 void read_search_rating(const Json& tree, JobSpec& spec);
 
+/// Checks the name of a series of thickness allowances, the key `thickness_series`. "none" becomes an
+/// empty name.
+void check_series(const TableReader& t, std::string& series);
+
+/// The series of a search that has none of its own.
+inline constexpr const char* kUsualSeries = "cd25";
+
 /// Sets the check of drawings if the search has a rating, face widths or allowances, unless designs
 /// with interference are also listed. `search` is the table, whose rating must have been read.
 void read_search_drawing(const Json& search, SearchProblem& problem);

@@ -147,6 +147,26 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         page = (Run("run", self.LIFT, "--out", "o").folder / "o/report.html").read_text()
         self.assertTrue("Speed of the rack" in page and ">0.1276<" in page)
 
+    def test_a_rack_drives(self):
+        """Speed and force of a rack that drives give the speed of the pinion by its pitch circle, and the torque with the arm d/2."""
+        back = self.LIFT.replace('input = "shaft"\noutput = "bar"', 'input = "bar"\noutput = "shaft"')
+        drive = Run("drive", back.replace("speed_rpm = 60", "speed_m_per_s = 0.5").replace("torque_Nm = 10", "force_N = 800"), "--json")
+        self.assertEqual(drive.status, 0, drive.err)
+        bodies = drive.json["drive"]["bodies"]
+        d = 20 * 2 / math.cos(math.radians(10))
+        self.assertAlmostEqual(bodies["bar"]["speed_m_per_s"], 0.5, 14)
+        self.assertAlmostEqual(bodies["bar"]["force_N"], 800, 10)
+        self.assertAlmostEqual(bodies["shaft"]["speed_rpm"], 60 * 0.5 / (math.pi * d / 1000), 9)
+        self.assertAlmostEqual(abs(bodies["shaft"]["torque_Nm"]), 0.98 * 800 * d / 2000, 9)
+        self.assertAlmostEqual(bodies["bar"]["power_kW"], 0.4, 12)
+        for spec, words in ((back, ("drive.speed_rpm", "speed_m_per_s")),
+                            (back.replace("speed_rpm = 60\n", ""), ("drive.torque_Nm", "force_N")),
+                            (self.LIFT.replace("speed_rpm = 60", "speed_m_per_s = 0.5"), ("drive.speed_m_per_s", "input is a rack"))):
+            run = Run("drive", spec)
+            self.assertEqual(run.status, 1)
+            for word in words:
+                self.assertIn(word, run.err)
+
     def test_the_height_of_a_rack_reaches_its_pair(self):
         pair = Run("pair", Run("drive", self.LIFT, "--take", "1").out, "--json")
         self.assertEqual(pair.status, 0, pair.err)

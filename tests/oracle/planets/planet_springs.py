@@ -1,15 +1,17 @@
-"""Forces of planets between a sun and a ring, modelled as springs, from a slow minimisation of the energy.
+"""Planets between a sun and a ring as springs: their forces by a slow minimisation of the energy.
 
-Each planet is written down by its vectors: the point and the direction of both lines of action in the plane, the pin with
-its error, the sun with its displacement. Nothing of the program is used: no signs of teeth, no rows, no Newton steps.
-scipy minimises Σ ∫F dδ − T φ, by BFGS and Powell's method in turn until the energy does not fall. The printed number is the
+Each gear is a circle with an axis, a displacement of this axis and a rotation. A mesh acts along the straight line through its
+pitch point that touches both base circles. Nothing of the program is used: no signs of teeth, no rows, no Newton steps.
+scipy minimises Σ ∫F dδ − M φ, by BFGS and Powell's method in turn until the energy does not fall. The printed number is the
 error of the moment on the sun.
 
-    python3 planet_springs.py          computes all cases into planet_springs.json beside this file (ten seconds)
+    python3 planet_springs.py          all cases anew, into planet_springs.json beside this file (two minutes)
 
-Lengths in mm, forces in N, angles in rad. The sun turns counter-clockwise and drives, carrier and ring are fixed. A spring is
-F = k δ for δ > 0, or F = k δ + c δ² with `bend` = c. `lead` is a gap of the flanks of the mesh before they touch, as e_0 of
-docs/theory/13-drives.md: δ = y + lead.
+Lengths in mm, forces in N, angles in rad, counter-clockwise. All motions are those in the frame of the carrier, where the ring
+does not rotate. `distances` are those of the meshes in the order from the sun to the ring. `axes` are the polar coordinates of
+copy 0 of each rider, the idler first if there is one, and `pins` are the tangential errors of [rider][copy]. `floating` names
+the body that is free to move radially. A spring is F = k δ for δ > 0, or F = k δ + c δ² with `bend` = c. `lead` is the approach
+of the flanks of the mesh before the bodies move, as e_0 of docs/theory/13-drives.md: δ = y + lead.
 """
 import json
 import math
@@ -21,64 +23,114 @@ from scipy.optimize import minimize
 DATA = pathlib.Path(__file__).with_suffix(".json")
 
 
+def across(v):
+    return np.array([-v[1], v[0]])
+
+
+def polar(radius, angle):
+    return radius * np.array([math.cos(angle), math.sin(angle)])
+
+
+def motion(case):
+    """Sense of the sun in the frame of the carrier, and whether the sun drives its mesh. Willis: (ω_s − ω_c)/(ω_r − ω_c) = k."""
+    sun, ring = case["teeth"][0], case["teeth"][-1]
+    k = ring / sun * (-1) ** len(case["teeth"])
+    speed = {case["fixed"]: 0.0, case["input"]: 1.0}
+    if "carrier" not in speed:
+        s, r = speed["sun"], speed["ring"]
+        speed["carrier"] = (s - k * r) / (1 - k)
+    elif "sun" not in speed:
+        speed["sun"] = speed["carrier"] + k * (speed["ring"] - speed["carrier"])
+    elif "ring" not in speed:
+        speed["ring"] = speed["carrier"] + (speed["sun"] - speed["carrier"]) / k
+    relative = {name: speed[name] - speed["carrier"] for name in ("sun", "ring")}
+    # A central gear that is the input receives power; one that is the output delivers it. Power in the frame of the carrier
+    # enters at the sun or at the ring.
+    central = "sun" if case["fixed"] != "sun" else "ring"
+    enters = speed[central] * relative[central] > 0
+    if case["output"] == central:
+        enters = not enters
+    return math.copysign(1.0, relative["sun"]), enters == (central == "sun")
+
+
 class Set:
     def __init__(self, case):
         self.case = case
-        self.r_s, self.r_p = case["base_sun"], case["base_planet"]
-        self.r_r = case["base_ring"]
-        self.a = case["distance"]
-        self.floats = case["floating"]
-        self.n = len(case["angles"])
+        self.bases = case["bases"]
+        self.copies = len(case["angles"])
+        self.riders = len(self.bases) - 2
+        self.meshes = self.riders + 1
+        self.sense, self.sun_drives = motion(case)
+        self.lines = [[self.line(i, m) for m in range(self.meshes)] for i in range(self.copies)]
+
+    def axis(self, i, gear):
+        if gear in (0, self.riders + 1):
+            return np.zeros(2)
+        radius, angle = self.case["axes"][gear - 1]
+        return polar(radius, angle + self.case["angles"][i])
+
+    def line(self, i, m):
+        """Pitch point of the mesh between gears m and m + 1, and the direction of the force on gear m + 1."""
+        a, b = self.axis(i, m), self.axis(i, m + 1)
+        ring = m + 1 == self.meshes
+        apart = b - a
+        distance = np.linalg.norm(apart)
+        outward = -apart / distance if ring else apart / distance  # from gear m to its flank, away from its axis
+        if ring:
+            outward = a / np.linalg.norm(a)
+        ra, rb = self.bases[m], self.bases[m + 1]
+        pitch = a + outward * distance * ra / (rb - ra if ring else rb + ra)
+        turns = self.sense * (-1) ** m  # each external mesh reverses the sense
+        if not self.sun_drives:
+            turns = -turns  # gear m is pushed against its rotation, so it pushes back in that sense
+        cosine = ra / np.linalg.norm(pitch - a)
+        push = turns * cosine * across(outward) + math.sqrt(1 - cosine ** 2) * outward
+        assert abs(abs(np.cross(pitch - b, push)) - rb) < 1e-9 * rb
+        assert abs(abs(np.cross(pitch - a, push)) - ra) < 1e-9 * ra
+        return pitch, push
 
     def approaches(self, x):
-        """x: sun's angle, planets' angles (against the driven sense), then the sun's displacement; all in mm at the bases."""
-        sun, planets = x[0] / self.r_s, x[1:1 + self.n] / self.r_p
-        shift = x[1 + self.n:3 + self.n] if self.floats else np.zeros(2)
+        """x: rotations of the sun and of the riders times their base radii, then the displacement of the floating body."""
+        sun = x[0] / self.bases[0]
+        moved = x[-2:] if self.case["floating"] else np.zeros(2)
+        shift = {name: moved if self.case["floating"] == name else np.zeros(2) for name in ("sun", "ring", "carrier")}
         found = []
-        for i, psi in enumerate(self.case["angles"]):
-            out, along = np.array([math.cos(psi), math.sin(psi)]), np.array([-math.sin(psi), math.cos(psi)])
-            axis = self.a * out
-            pin = axis + self.case["pins"][i] * along
-            # The line of action of the sun's mesh pushes the planet forward and outward; a point of it on the sun.
-            w = math.acos((self.r_s + self.r_p) / self.a)
-            push = math.cos(w) * along + math.sin(w) * out
-            foot = self.r_s * (math.cos(w) * out - math.sin(w) * along)  # perpendicular to push, at the base radius
-            moved_sun = shift + sun * np.array([-foot[1], foot[0]])
-            arm = -self.r_p * (math.cos(w) * out - math.sin(w) * along)
-            moved_planet = (pin - axis) + -planets[i] * np.array([-arm[1], arm[0]])  # it turns clockwise
-            y_sun = (moved_sun - moved_planet) @ push
-            # The planet turns clockwise, so its outer side moves against the rotation of the sun and pushes the ring that
-            # way and outward.
-            v = math.acos((self.r_r - self.r_p) / self.a)
-            push = -math.cos(v) * along + math.sin(v) * out
-            arm = self.r_p * (math.cos(v) * out + math.sin(v) * along)
-            moved_planet = (pin - axis) + -planets[i] * np.array([-arm[1], arm[0]])
-            y_ring = moved_planet @ push  # the ring is fixed
-            found.append((y_sun, y_ring))
+        for i in range(self.copies):
+            turned, displaced = [sun], [shift["sun"]]
+            for r in range(self.riders):
+                turned.append(x[1 + i * self.riders + r] / self.bases[1 + r])
+                axis = self.axis(i, 1 + r)
+                tangent = across(axis) / np.linalg.norm(axis)
+                displaced.append(shift["carrier"] + self.case["pins"][r][i] * tangent)
+            turned.append(0.0)
+            displaced.append(shift["ring"])
+            row = []
+            for m in range(self.meshes):
+                pitch, push = self.lines[i][m]
+                at = [displaced[g] + turned[g] * across(pitch - self.axis(i, g)) for g in (m, m + 1)]
+                row.append((at[0] - at[1]) @ push)
+            found.append(row)
         return np.array(found)
 
+    def moment(self):
+        return self.case["torque"] * self.sense * (1 if self.sun_drives else -1)
+
     def energy(self, x):
-        total = -self.case["torque"] * x[0] / self.r_s
-        for i, pair in enumerate(self.approaches(x)):
-            for mesh, y in enumerate(pair):
-                d = max(0.0, y + self.case["lead"][i][mesh])
-                total += self.case["stiffness"][i][mesh] * d * d / 2 + self.case["bend"][i][mesh] * d ** 3 / 3
+        total = -self.moment() * x[0] / self.bases[0]
+        for i, row in enumerate(self.approaches(x)):
+            for m, y in enumerate(row):
+                d = max(0.0, y + self.case["lead"][i][m])
+                total += self.case["stiffness"][i][m] * d * d / 2 + self.case["bend"][i][m] * d ** 3 / 3
         return total
 
     def forces(self, x):
-        found = []
-        for i, pair in enumerate(self.approaches(x)):
-            row = []
-            for mesh, y in enumerate(pair):
-                d = max(0.0, y + self.case["lead"][i][mesh])
-                row.append(self.case["stiffness"][i][mesh] * d + self.case["bend"][i][mesh] * d * d)
-            found.append(row)
-        return found
+        d = np.maximum(0.0, self.approaches(x) + self.case["lead"])
+        return (np.array(self.case["stiffness"]) * d + np.array(self.case["bend"]) * d * d).tolist()
 
     def solve(self):
-        size = 1 + self.n + (2 if self.floats else 0)
-        x = np.full(size, 0.02)
-        scale = self.case["torque"] / self.r_s * 0.01
+        x = np.zeros(1 + self.riders * self.copies + (2 if self.case["floating"] else 0))
+        x[0] = math.copysign(0.1, self.moment())
+        scale = self.case["torque"] / self.bases[0] * 0.01
         for _ in range(60):
             before = self.energy(x)
             x = minimize(lambda v: self.energy(v) / scale, x, method="BFGS", options={"gtol": 1e-13, "maxiter": 5000}).x
@@ -90,45 +142,62 @@ class Set:
 
 
 def random_case(rng, number):
-    n = int(rng.integers(2, 6))
-    floats = bool(number % 2) and n > 2
-    sun, planet = int(rng.integers(15, 40)), int(rng.integers(15, 60))
-    ring = sun + 2 * planet
+    idler = number % 3 == 2
+    floating = (None, "sun", "ring", "carrier")[number % 4]
+    copies = int(rng.integers(3, 6)) if floating else int(rng.integers(2, 6))
+    fixed, given, output = (("ring", "sun", "carrier"), ("ring", "carrier", "sun"), ("sun", "ring", "carrier"),
+                            ("sun", "carrier", "ring"))[number % 7 % 4]
     module = float(rng.uniform(1, 8))
-    distance = module * (sun + planet) / 2 * float(rng.uniform(0.995, 1.02))
-    base = module * math.cos(math.radians(20)) / 2
-    base_sun, base_planet, base_ring = base * sun, base * planet, base * ring
-    places = sun + ring  # positions at which a planet meshes
+    sun = int(rng.integers(15, 40))
+    half = module / 2
+    if idler:
+        first, second = int(rng.integers(17, 25)), int(rng.integers(17, 40))
+        ring = sun + first + second + int(rng.integers(8, first)) + second
+        teeth = [sun, first, second, ring]
+        distances = [half * (sun + first), half * (first + second), half * (ring - second)]
+    else:
+        planet = int(rng.integers(17, 60))
+        ring = sun + 2 * planet
+        teeth = [sun, planet, ring]
+        distances = [half * (sun + planet)] * 2
+    factor = float(rng.uniform(0.997, 1.015))
+    distances = [a * factor for a in distances]
+    axes = [[distances[-1], 0.0]]
+    if idler:
+        a, b, c = distances[0], distances[2], distances[1]
+        axes.insert(0, [a, math.acos((a * a + b * b - c * c) / (2 * a * b))])
+    places = ring - sun if idler else ring + sun  # where a planet meshes
     torque = float(rng.uniform(5e3, 5e5))
-    force = torque / base_sun / n
+    bases = [half * math.cos(math.radians(20)) * z for z in teeth]
+    force = torque / bases[0] / copies
     typical = force / 5e4
+    meshes = len(teeth) - 1
     return {
-        "teeth": [sun, planet, ring], "module": module,
-        "base_sun": base_sun, "base_planet": base_planet, "base_ring": base_ring, "distance": distance,
-        "angles": [2 * math.pi * math.floor(i * places / n + 0.5) / places for i in range(n)],
-        "pins": [typical * float(rng.normal()) * (number % 3) for _ in range(n)],
-        "floating": floats, "torque": torque,
-        "stiffness": [[float(rng.uniform(3e4, 2e5)) for _ in range(2)] for _ in range(n)],
-        "bend": [[(number % 4 == 0) * float(rng.uniform(0, 5e4)) / typical for _ in range(2)] for _ in range(n)],
-        "lead": [[typical * float(rng.normal()) for _ in range(2)] for _ in range(n)],
+        "teeth": teeth, "module": module, "bases": bases, "distances": distances, "axes": axes,
+        "fixed": fixed, "input": given, "output": output,
+        "angles": [2 * math.pi * math.floor(i * places / copies + 0.5) / places for i in range(copies)],
+        "pins": [[typical * float(rng.normal()) * (number % 5 > 0) for _ in range(copies)] for _ in axes],
+        "floating": floating, "torque": torque,
+        "stiffness": [[float(rng.uniform(3e4, 2e5)) for _ in range(meshes)] for _ in range(copies)],
+        "bend": [[(number % 5 == 0) * float(rng.uniform(0, 5e4)) / typical for _ in range(meshes)] for _ in range(copies)],
+        "lead": [[typical * float(rng.normal()) for _ in range(meshes)] for _ in range(copies)],
     }
 
 
 def main():
     rng = np.random.default_rng(36)
     cases = []
-    for number in range(20):
+    for number in range(48):
         case = random_case(rng, number)
         model = Set(case)
         x = model.solve()
         case["forces"] = model.forces(x)
-        case["sun"] = x[0]
-        case["displacement"] = list(x[1 + model.n:]) if model.floats else [0.0, 0.0]
-        moment = sum(f[0] for f in case["forces"]) * case["base_sun"] / case["torque"]
-        print(number, model.n, model.floats, f"{moment - 1:.1e}",
-              [round(f[0] * model.n * case["base_sun"] / case["torque"], 4) for f in case["forces"]])
+        case["displacement"] = list(x[-2:]) if case["floating"] else [0.0, 0.0]
+        moment = sum(f[0] for f in case["forces"]) * case["bases"][0] / case["torque"]
+        print(number, model.copies, model.riders, case["floating"], case["input"], f"{moment - 1:.1e}",
+              [round(f[0] * model.copies * case["bases"][0] / case["torque"], 4) for f in case["forces"]], flush=True)
         cases.append(case)
-    DATA.write_text(json.dumps(cases, indent=1) + "\n")
+    DATA.write_text(json.dumps(cases, separators=(",", ":")).replace("},", "},\n") + "\n")
 
 
 if __name__ == "__main__":

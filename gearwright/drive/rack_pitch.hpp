@@ -1,0 +1,15 @@
+// The pitch of a rack in a drive. The graph counts the motion of a rack in pitches, because its body
+// moves by one pitch for each tooth of the pinion.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/drive/drive_graph.hpp"
+
+namespace gearwright {
+
+/// p_t of the rack on a body, mm, which its pinion determines. None if there is no rack on the body or
+/// no module.
+std::optional<double> rack_pitch(const DriveGraph& graph, std::size_t body);
+
+}  // namespace gearwright
