@@ -13,6 +13,7 @@
 #include "gearwright/cad/sheet.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/catalogue/drawing_keys.hpp"
+#include "gearwright/catalogue/unit_system.hpp"
 
 namespace gearwright {
 
@@ -28,12 +29,13 @@ struct DataGroup {
 
 struct GearSheetInput {
   ToothedBody body;
-  double reference_diameter;    ///< d    mm
-  std::vector<DataGroup> data;  ///< in their order
-  DrawingInput words;           ///< text of the title block, and the fits of bore and keyway
-  std::string tip_fit;          ///< of the tip diameter, empty if it has none
-  std::string mass;             ///< "0.41 kg", empty if unknown
-  std::string number;           ///< of the sheet, "1/2"
+  double reference_diameter;          ///< d    mm
+  std::vector<DataGroup> data;        ///< in their order
+  DrawingInput words;                 ///< text of the title block, and the fits of bore and keyway
+  std::string tip_fit;                ///< of the tip diameter, empty if it has none
+  std::string mass;                   ///< "0.41 kg", empty if unknown
+  std::string number;                 ///< of the sheet, "1/2"
+  UnitSystem units = UnitSystem::mm;  ///< of the dimensions; inches have four decimals
 };
 
 struct GearSheet {

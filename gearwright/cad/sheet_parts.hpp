@@ -23,6 +23,7 @@ struct TitleBlock {
   const DrawingInput& words;
   std::string scale, format, number;  ///< "1:2", "A4", "1/2"
   std::string mass, datum;            ///< "0.41 kg", empty if unknown; "axis of the bore"
+  UnitSystem units;                   ///< of the dimensions
 };
 
 /// Draws the title block at the lower right corner of `within`, 180 mm wide; returns the box that

@@ -21,8 +21,9 @@ struct DriveReportInput {
   std::string why_no_layout;            ///< the reason, a sentence
   Verdict verdict;
   std::vector<ReportFile> files;
-  std::string spec_text;  ///< the spec, verbatim; left out if empty
-  std::string version;    ///< of the program
+  std::string spec_text;              ///< the spec, verbatim; left out if empty
+  UnitSystem units = UnitSystem::mm;  ///< of tables and sentences
+  std::string version;                ///< of the program
 };
 
 /// The page, UTF-8.   Domain  a drive (contract)

@@ -19,6 +19,6 @@ std::string key_figures(const ReportInput& input);
 /// A box for each of these keys that the records have, in the order of the keys. For several
 /// records it shows the range from the value of the first to that of the last.
 std::string key_boxes(const QuantityTable& table, const std::vector<ValueRecord>& records,
-                      std::span<const std::string_view> keys);
+                      std::span<const std::string_view> keys, UnitSystem units);
 
 }  // namespace gearwright

@@ -53,8 +53,9 @@ struct ReportInput {
   const RatingView* rating = nullptr;          ///< null if the spec requests no rating
   Verdict verdict;                             ///< over gears, pair and contact
   std::vector<ReportFile> files;
-  std::string spec_text;  ///< the spec, verbatim; omitted if empty
-  std::string version;    ///< of the program
+  std::string spec_text;              ///< the spec, verbatim; omitted if empty
+  UnitSystem units = UnitSystem::mm;  ///< of tables and sentences
+  std::string version;                ///< of the program
 };
 
 /// The page, UTF-8.

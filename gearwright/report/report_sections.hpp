@@ -19,12 +19,17 @@
 
 namespace gearwright {
 
+/// "Lengths are in mm", as part of a sentence.
+std::string_view lengths_of_report(UnitSystem units);
+
 /// The findings, worst first. `whole` is the subject of findings that belong to no gear.
 std::string finding_list(const Verdict& verdict, std::string_view whole);
 
 /// A pair of involute gears: pictures, quantities, interference.
-std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes);
-std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>& shapes);
+std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes,
+                         UnitSystem units);
+std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>& shapes,
+                         UnitSystem units);
 
 /// The text `shared` about the results of both halves of a double-helical pair, and the pictures of each
 /// half under its heading. If there are pictures of one half only, the sentence `alike` is added.
@@ -39,11 +44,12 @@ std::string file_section(const std::vector<ReportFile>& files);
 /// flanks. Empty if there are none.
 std::string measure_section(const std::vector<ValueRecord>& measures,
                             const std::vector<std::vector<ValueRecord>>& ends,
-                            const std::vector<KDiagram>& diagrams);
+                            const std::vector<KDiagram>& diagrams, UnitSystem units);
 
 /// A pair of circular-arc gears: its quantities, and each contact in the transverse section through
 /// it.
-std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes);
+std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes,
+                             UnitSystem units);
 
 /// The rotations of the gears in the section through a contact, as counter-clockwise angles of
 /// their x axes, rad.
@@ -59,7 +65,8 @@ std::string contact_section(const ContactReport& report);
 ///
 /// Domain    at least one torque; positions evenly spaced over one pitch, some of which have
 ///           contact (contract)
-std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes);
+std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes,
+                         UnitSystem units = UnitSystem::mm);
 
 /// The root stress, along the drawn fillet of each gear and over the face; empty if there is none.
 std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes);
@@ -67,7 +74,7 @@ std::string root_stress_figures(const LoadScene& report, const std::array<std::s
 /// Corrections: the changes for a workshop, and their effect on each objective.
 ///
 /// Domain    the pair of `before` has contact at some position (contract)
-std::string compensate_section(const CompensateView& view);
+std::string compensate_section(const CompensateView& view, UnitSystem units = UnitSystem::mm);
 
 /// Effect of tolerances on the pair: percentiles, figures of the distributions, and the share of
 /// each tolerance.
@@ -83,6 +90,6 @@ std::optional<DistributionScene> distribution_scene(const ScatterView& view,
 std::vector<Figure> scatter_figures(const ScatterView& view);
 
 /// Strength: inputs, factors, stresses and safeties, each with its clause in the standard.
-std::string rating_section(const RatingView& view);
+std::string rating_section(const RatingView& view, UnitSystem units);
 
 }  // namespace gearwright

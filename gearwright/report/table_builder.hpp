@@ -19,11 +19,12 @@ class TableBuilder {
   /// Adds one value per column. The symbol is written as in html_text.hpp and may be empty.
   void row(std::string_view words, std::string_view symbol, std::string_view unit,
            const std::vector<std::string>& values);
-  void row(const QuantityInfo& info, const std::vector<std::string>& values);
+  /// Adds the values for a row of the catalogue.
+  void row(const TextRow& text, const std::vector<std::string>& values);
   /// Adds one value common to all columns, or to all except the last, which then contains a note.
   void common(std::string_view words, std::string_view symbol, std::string_view unit,
               const std::string& value, const std::optional<std::string>& note = {});
-  void common(const QuantityInfo& info, const std::string& value,
+  void common(const TextRow& text, const std::string& value,
               const std::optional<std::string>& note = {});
   /// Adds the rows of the catalogue without the heading of the group, with a value per column or
   /// one that is common to all. The table has as many columns as there are records, or two for one
