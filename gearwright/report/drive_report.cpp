@@ -241,7 +241,8 @@ std::string drive_report_html(const DriveReportInput& input) {
       to_string(input.verdict.level), escaped(sentence_in(input.units, input.verdict.headline)),
       key_boxes(drive_quantities().table(), {drive_quantities().of(drive)}, kKeyFigures,
                 input.units),
-      sentence_in(input.units, finding_list(input.verdict, "")), picture_hint());
+      sentence_in(input.units, finding_list(input.verdict, "")),
+      picture_hint() + hint_of_units(input.units));
   const std::string sections =
       sentence_in(input.units,
                   drive_overview(input) + section_part(input) + power_part(drive, input.units) +

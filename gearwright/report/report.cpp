@@ -163,7 +163,13 @@ std::string foot(const ReportInput& input) {
 std::string_view lengths_of_report(UnitSystem units) {
   return units == UnitSystem::mm
              ? "Lengths are in mm"
-             : "Lengths in tables and sentences are in inch, those on the axes of pictures in mm,";
+             : "Lengths are in inch, except where mm is shown, as on the axes of pictures,";
+}
+
+std::string hint_of_units(UnitSystem units) {
+  if (units == UnitSystem::mm) return {};
+  return "<p class=\"kind\">Lengths are in inch, except where mm is shown, as on the axes of "
+         "pictures.</p>\n";
 }
 
 std::string finding_list(const Verdict& verdict, std::string_view whole) {
@@ -237,7 +243,7 @@ std::string report_html(const ReportInput& input) {
       sentence_in(units, finding_list(input.verdict, input.pair   ? "Pair"
                                                      : input.rack ? "Rack and pinion"
                                                                   : "")),
-      picture_hint());
+      picture_hint() + hint_of_units(units));
   // The decisive parts come first, then the data sheets of the gears.
   std::string sections;
   if (input.pair) {

@@ -21,6 +21,8 @@ namespace gearwright {
 
 /// "Lengths are in mm", as part of a sentence.
 std::string_view lengths_of_report(UnitSystem units);
+/// A line for the head of a report whose tables and pictures have different units; otherwise empty.
+std::string hint_of_units(UnitSystem units);
 
 /// The findings, worst first. `whole` is the subject of findings that belong to no gear.
 std::string finding_list(const Verdict& verdict, std::string_view whole);
