@@ -74,7 +74,27 @@ void add_needs(Json& schema, const Json& needs) {
   }
 }
 
+// A tree in which no key of any table matches `other`, except keys that match `both`.
+Json without_names(const char* other, const char* both, const char* self) {
+  const Json again{{"$ref", self}};
+  const Json name{{"anyOf", {{{"not", {{"pattern", other}}}}, {{"pattern", both}}}}};
+  return {{"if", {{"type", "object"}}},
+          {"then", {{"propertyNames", name}, {"additionalProperties", again}}},
+          {"else", {{"if", {{"type", "array"}}}, {"then", {{"items", again}}}}}};
+}
+
 }  // namespace
+
+void separate_units(Json& schema) {
+  constexpr const char *kMm = "#/$defs/only_mm", *kInch = "#/$defs/only_inch";
+  schema["$defs"]["only_mm"] = without_names("_u?in$", "_per_in$", kMm);
+  schema["$defs"]["only_inch"] =
+      without_names("_[mu]m$", "module_mm$|modules_mm$|_N_per_um$", kInch);
+  schema["allOf"].push_back(
+      {{"if", {{"properties", {{"units", {{"const", "inch"}}}}}, {"required", {"units"}}}},
+       {"then", {{"$ref", kInch}}},
+       {"else", {{"$ref", kMm}}}});
+}
 
 void add_inch_names(Json& schema) {
   if (schema.is_array()) {

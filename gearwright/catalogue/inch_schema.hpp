@@ -9,4 +9,7 @@ namespace gearwright {
 /// is then satisfied by either name.
 void add_inch_names(nlohmann::ordered_json& schema);
 
+/// Adds to the schema of specs that all lengths of a spec have the names of its `units`.
+void separate_units(nlohmann::ordered_json& schema);
+
 }  // namespace gearwright

@@ -191,6 +191,7 @@ std::string spec_schema() {
   defs[std::string(blank_keys().name)] = table_schema(blank_keys());
   schema["$defs"] = std::move(defs);
   add_inch_names(schema);
+  separate_units(schema);
   return schema.dump(2) + "\n";
 }
 
