@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
@@ -127,6 +129,11 @@ std::string face_words(const SearchProblem& p) {
 
 // The tables of a pair that a search does not use; its designs have them.
 constexpr const char* kPairTables[] = {"errors", "contact", "load", "compensate", "scatter"};
+
+// A pitch without the rounding error of the module that was computed from it: 3 for 25.4/(25.4/3).
+double without_rounding(double pitch) {
+  return std::strtod(fmt::format("{:.15g}", pitch).c_str(), nullptr);
+}
 
 // The table [rating], with the required safeties of the search.
 Json rating_of(const Json& tree, const SearchLimits& limits) {
@@ -341,7 +348,10 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
   for (int i = 0; i < 2; ++i) {
     Json g;
     g["teeth"] = teeth[i];
-    g["normal_module_mm"] = row.trial.module;
+    if (tree["search"].contains("diametral_pitches_per_in"))
+      g["normal_diametral_pitch_per_in"] = without_rounding(kMmPerInch / row.trial.module);
+    else
+      g["normal_module_mm"] = row.trial.module;
     g["normal_pressure_angle_deg"] = tidy_degrees(p.normal_pressure_angle);
     g["helix_angle_deg"] = tidy_degrees(row.trial.helix[i]);
     g["profile_shift"] = row.shift[i];

@@ -111,6 +111,9 @@ class Words(unittest.TestCase):
             used = {d["module_mm"] for d in found}
             self.assertTrue(found)
             self.assertTrue(used <= (modules or {25.4 / p for p in (2, 2.25, 2.5, 3, 4, 6, 8, 10, 12, 16)}), used)
+        taken = Run("search", text.format("3"), "--take", "1").out
+        self.assertEqual(taken.count("normal_diametral_pitch_per_in = 3.0\n"), 2, taken)
+        self.assertEqual(Run("pair", taken).status, 0)
         run = Run("search", text.format("[8, 8]"), "--json")
         self.assertIn("diametral_pitches_per_in", run.err)
 
