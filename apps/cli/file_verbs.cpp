@@ -18,6 +18,7 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/rexs_export.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::apps {
 
@@ -79,14 +80,16 @@ std::string collision(const Options& o) {
 }
 
 // Prints the result of a run and returns its exit status.
-int end_run(const Options& o, const RunFiles& made, const std::string& listing) {
+int end_run(const Options& o, UnitSystem units, const RunFiles& made, const std::string& listing,
+            const std::vector<Warning>& warnings) {
   if (o.json) {
     // The output is the content of result.json, except that `files` lists all files.
     Json j = parse_json(made.result);
     j["files"] = files_json(made.files);
-    print_json(j);
+    print_json(in_units(units, j));
   } else {
-    print(listing + file_listing(made.files) + verdict_listing(made.verdict));
+    print(listing + sentence_in(units, warning_listing(warnings) + file_listing(made.files) +
+                                           verdict_listing(made.verdict)));
   }
   return status(o, made.verdict);
 }
@@ -97,17 +100,19 @@ int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs:
   if (!job) return door.fail(job.error());
   const auto made = write_drive_files(*job, out, options);
   if (!made) return door.fail(made.error());
-  return end_run(o, *made, drive_listing(job->drive) + warning_listing(job->drive.findings));
+  return end_run(o, spec.units(), *made, drive_listing(job->drive, spec.units()),
+                 job->drive.findings);
 }
 
 // Writes files and prints their list.
-int end_export(const Options& o, const std::vector<JobFile>& files,
+int end_export(const Options& o, UnitSystem units, const std::vector<JobFile>& files,
                const std::vector<Warning>& warnings) {
   write_files(files);
   if (o.json) {
-    print_json({{"files", files_json(files)}, {"warnings", warnings_json(warnings)}});
+    print_json(
+        in_units(units, {{"files", files_json(files)}, {"warnings", warnings_json(warnings)}}));
   } else {
-    print(warning_listing(warnings) + file_listing(files));
+    print(sentence_in(units, warning_listing(warnings) + file_listing(files)));
   }
   return 0;
 }
@@ -136,7 +141,7 @@ int export_drive(const Options& o, const Door& door, const JobSpec& spec,
     if (!file) return door.fail(file.error());
     files.push_back(std::move(file).take());
   }
-  return end_export(o, files, job->drive.findings);
+  return end_export(o, spec.units(), files, job->drive.findings);
 }
 
 }  // namespace
@@ -179,7 +184,7 @@ int run_verb(const Options& o) {
     return write_everything(job, out, options);
   });
   if (!made) return door.fail(made.error());
-  return end_run(o, *made, gear_listing(job) + pair_listing(job) + warning_listing(job.warnings));
+  return end_run(o, spec->units(), *made, gear_listing(job) + pair_listing(job), job.warnings);
 }
 
 int export_verb(const Options& o) {
@@ -245,7 +250,7 @@ int export_verb(const Options& o) {
     if (!file) return door.fail(file.error());
     files.push_back(std::move(file).take());
   }
-  return end_export(o, files, job->warnings);
+  return end_export(o, spec->units(), files, job->warnings);
 }
 
 int import_verb(const Options& o) {

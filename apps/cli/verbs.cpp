@@ -25,6 +25,7 @@
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
 #include "gearwright/spec/toml_text.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::apps {
 
@@ -111,16 +112,17 @@ int gear_as_rack(const Options& o) {
     }
     racks.push_back(*rack);
   }
+  const UnitSystem units = job->spec.units();
   const Verdict verdict = judge(*job);
   if (o.csv) {
     print(quantities_csv(*job));
   } else if (o.json) {
     Json j = job_json(*job, verdict);
     for (std::size_t i = 0; i < racks.size(); ++i) j["gears"][i]["as_rack"] = rack_json(racks[i]);
-    print_json(j);
+    print_json(in_units(units, j));
   } else {
-    print(gear_listing(*job) + rack_listing(racks) + warning_listing(job->warnings) +
-          verdict_listing(verdict));
+    print(gear_listing(*job) + rack_listing(racks, units) +
+          sentence_in(units, warning_listing(job->warnings) + verdict_listing(verdict)));
   }
   return status(o, verdict);
 }
@@ -153,13 +155,13 @@ int outline_verb(const Options& o) {
   const auto body = make_body(*job, which, false);
   if (!body) return door.fail(body.error());
   if (o.csv) {
-    print(outline_csv(body->outline, o.points));
+    print(outline_csv(body->outline, o.points, spec->units()));
   } else if (o.json) {
     Json j = outline_json(body->outline, o.points);
     j["warnings"] = warnings_json(job->warnings);
-    print_json(j);
+    print_json(in_units(spec->units(), j));
   } else {
-    print(outline_listing(body->outline, o.points));
+    print(outline_listing(body->outline, o.points, spec->units()));
   }
   return 0;
 }

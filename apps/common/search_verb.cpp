@@ -15,6 +15,7 @@
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_refusal.hpp"
 #include "gearwright/spec/toml_text.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::apps {
 
@@ -141,7 +142,8 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
                 c.json);
   }
   const Json taken =
-      pair_spec(spec, search, run.answer.designs[static_cast<std::size_t>(*c.take - 1)]);
+      spec_in(spec.units(),
+              pair_spec(spec, search, run.answer.designs[static_cast<std::size_t>(*c.take - 1)]));
   if (c.json) {
     print_json(taken);
   } else {
@@ -175,7 +177,7 @@ int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecTe
       print(toml_text(taken));
     }
   } else if (c.json) {
-    print_json(answer->record);
+    print_json(answer_json(*answer));
   } else {
     print(answer->listing());
   }
@@ -199,6 +201,9 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
     return search_drives_verb(c, *spec, *text);
   }
   if (!spec->search) return speaks ? fail(no_search(), c.json, &*text) : 1;
+  if (c.out)
+    if (const auto error = only_in_mm(*spec, "search with --out, whose files are in mm"))
+      return speaks ? fail(*error, c.json, &*text) : 1;
   const Search search(*spec->search);
   options.yes_large = c.yes_large;
   options.top = c.top;
@@ -221,9 +226,9 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   if (!run->finished) return speaks ? say_unfinished(c, *run) : run->stopped ? 3 : 0;
   if (c.take) return take_one(c, *spec, search, *run);
   if (c.json) {
-    print(search_json_text(search, *run));
+    print(search_json_text(search, *run, spec->units()));
   } else {
-    print(search_listing(search, *run) + written_files(run->files));
+    print(search_listing(search, *run, spec->units()) + written_files(run->files));
   }
   return 0;
 }

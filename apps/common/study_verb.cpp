@@ -83,6 +83,8 @@ int run_study_verb(const StudyCommand& c, const SpecText& text, const Together* 
                                "designs, with [scatter] added"
                              : "--out, --top, --shard and --resume are for the designs of a "
                                "search; for one pair, run writes files"});
+  if (const auto error = only_in_mm(*spec, "the study of the designs of a search"))
+    return failed(*error);
   options.designs = c.designs;
   options.folder = text.folder;
   options.top = c.top;

@@ -154,6 +154,7 @@ std::string page_of(const Model& source, const std::vector<int>& gears, bool con
   if (load && load->report) input.load = &*load->report;
   input.verdict = judge(job, {.contact = part ? &part->answer.judged() : nullptr});
   input.spec_text = source.job.spec.text;
+  input.units = source.job.spec.units();
   input.version = kVersion;
   return report_html(input);
 }

@@ -252,7 +252,9 @@ void bind_search(py::module_& m) {
           "feasible")
       .def(
           "as_dict",
-          [](const Found& f) { return to_python(parse_json(search_json_text(*f.search, f.run))); },
+          [](const Found& f) {
+            return to_python(parse_json(search_json_text(*f.search, f.run, f.spec.units())));
+          },
           "The output of the program with --json")
       .def(
           "report", [](const Found& f) { return search_page(f.spec, *f.search, f.run); },

@@ -49,11 +49,9 @@ constexpr std::array<Scale, 18> kScales{{{50, 1},
                                          {1, 5000},
                                          {1, 10000}}};
 
-std::string millimetres(double value) { return short_decimals(value, 4); }
 std::string with_fit(const std::string& size, const std::string& fit) {
   return fit.empty() ? size : size + " " + fit;
 }
-std::string diameter(double radius) { return "Ø" + millimetres(2 * radius); }
 
 // Both views have the same scale. The transverse view is centred on the origin, and the axial view
 // is to its right.
@@ -93,9 +91,13 @@ class Views {
   bool ring() const { return input_.body.outline.teeth < 0; }
   bool keyed() const { return !ring() && bore_ && bore_->keyway; }
   const Bore& bore() const { return *input_.body.bore; }
+  std::string length(double mm) const {
+    return input_.units == UnitSystem::mm ? short_decimals(mm, 4)
+                                          : fixed_decimals(value_in(input_.units, Unit::mm, mm), 4);
+  }
+  std::string diameter(double radius) const { return "Ø" + length(2 * radius); }
   std::string keyway_words() const {
-    return "Keyway " + with_fit(millimetres(bore().keyway_width), input_.words.keyway_fit) +
-           " wide";
+    return "Keyway " + with_fit(length(bore().keyway_width), input_.words.keyway_fit) + " wide";
   }
   double shelf() const { return k_ * body_ + kShelf; }
   double elbow() const { return shelf() / std::sqrt(3.0); }  // the leader has an inclination of 60°
@@ -178,7 +180,7 @@ class Views {
       metal(-k_ * limit, -k_ * r);
       metal(k_ * top, k_ * limit);
       vertical(-r, r, x0, x0 - kFirst, with_fit(diameter(r), input_.words.bore_fit));
-      if (keyed()) vertical(-r, top, x0, x0 - kFirst - kNext, millimetres(r + top));
+      if (keyed()) vertical(-r, top, x0, x0 - kFirst - kNext, length(r + top));
     }
     double place = x1 + kFirst;
     for (const double r : radii_to_the_right()) {
@@ -188,9 +190,9 @@ class Views {
       place += kNext;
     }
     const double y = -k_ * body_;
-    draw_dimension(
-        *sheet_, {Direction::across, origin_.x() + x0, origin_.x() + x1, origin_.y() + y,
-                  origin_.y() + y, origin_.y() + y - kFirst, millimetres(input_.body.face_width)});
+    draw_dimension(*sheet_,
+                   {Direction::across, origin_.x() + x0, origin_.x() + x1, origin_.y() + y,
+                    origin_.y() + y, origin_.y() + y - kFirst, length(input_.body.face_width)});
   }
 
   // The outline of a double-helical gear with its groove, and the roots of both halves.
@@ -261,7 +263,8 @@ Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double
   const SheetBox frame = draw_frame(sheet);
   Sheet draft = sheet;
   const SheetBox block = draw_title_block(
-      draft, frame, {input.words, "", a4 ? "A4" : "A3", input.number, input.mass, datum});
+      draft, frame,
+      {input.words, "", a4 ? "A4" : "A3", input.number, input.mass, datum, input.units});
   const Place place = place_of(size, frame, block, input.data);
   const Vec2 room = place.views.hi - place.views.lo - Vec2(2 * kInner, 2 * kInner);
   for (const Scale& scale : kScales) {
@@ -273,8 +276,9 @@ Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double
     const std::string words = fmt::format("{:g}:{:g}", scale.paper, scale.gear);
     views.draw(sheet, place.views.lo + Vec2(kInner, kInner) + (room - needed) / 2 - box.lo);
     draw_data(sheet, place.data, input.data, place.columns);
-    draw_title_block(sheet, frame,
-                     {input.words, words, a4 ? "A4" : "A3", input.number, input.mass, datum});
+    draw_title_block(
+        sheet, frame,
+        {input.words, words, a4 ? "A4" : "A3", input.number, input.mass, datum, input.units});
     return GearSheet{std::move(sheet), words, outline->deviation_mm};
   }
   contract_failed("postcondition", "a scale", __FILE__, __LINE__);

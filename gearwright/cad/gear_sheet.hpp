@@ -13,6 +13,7 @@
 #include "gearwright/cad/sheet.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/catalogue/drawing_keys.hpp"
+#include "gearwright/catalogue/unit_system.hpp"
 
 namespace gearwright {
 
@@ -34,6 +35,7 @@ struct GearSheetInput {
   std::string tip_fit;          ///< fit of the tip diameter; empty if it has none
   std::string mass;             ///< "0.41 kg", empty if unknown
   std::string number;           ///< number of the sheet, such as "1/2"
+  UnitSystem units = UnitSystem::mm;  ///< of the dimensions; inches have four decimals
 };
 
 struct GearSheet {

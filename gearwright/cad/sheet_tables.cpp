@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -156,7 +158,7 @@ SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock
   };
   row(kFieldRow,
       {{25, "Scale", block.scale},
-       {45, "Dimensions in", "mm, angles in degrees"},
+       {45, "Dimensions in", fmt::format("{}, angles in degrees", to_string(block.units))},
        {25, "Projection", ""},
        {40, "Datum A", block.datum},
        {22, "Format", block.format},

@@ -20,10 +20,6 @@ struct CorrectionEntry {
   std::string_view words;
 
   std::string_view unit() const { return key_unit(key); }
-  /// "µm", "°", "mm"
-  std::string_view shown_unit() const {
-    return unit() == "um" ? "µm" : unit() == "deg" ? "°" : unit();
-  }
   /// The key of a flank correction in the table of modifications, "lead_crowning_um".
   std::string_view own_key() const { return key.substr(key.find('.') + 1); }
 };

@@ -14,7 +14,7 @@ namespace gearwright {
 /// A correction that was found. `key` and `unit` are those of the files: "gear1.lead_crowning_um", "um".
 struct FoundCorrection {
   std::string key, unit;
-  std::string words, shown_unit;  ///< for users: "helix crowning of gear 1", "µm"
+  std::string words;  ///< for users: "helix crowning of gear 1"
   double value;
   std::string spec_key;  ///< key of the correction in the corrected spec
   bool at_bound;         ///< true if the value is at the end of the searched range

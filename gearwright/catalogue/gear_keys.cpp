@@ -150,11 +150,13 @@ const KeyTable& gear_keys() {
                {"outside_diameter", "outer_diameter", "addendum_diameter", "diameter", "od"}),
        {.key = "rack",
         .kind = KeyKind::table,
-        .words = {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D", "GBT12759"},
+        .words = {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D", "GBT12759", "AGMA-14.5", "AGMA-20",
+                  "AGMA-25", "AGMA-stub"},
         .tables = {straight_rack_keys, arc_rack_keys, double_arc_rack_keys, rack_of_arcs_keys},
         .fallback = "\"ISO53-A\"",
         .meaning = "the rack that cuts the gear, which is a rack of ISO 53, a rack of double "
-                   "circular arcs of GB/T 12759, or a table",
+                   "circular arcs of GB/T 12759, a rack of AGMA with its pressure angle (full "
+                   "depth of 14.5°, 20° or 25°, or stub of 20°), or a table",
         .also = {"profile", "basic_rack", "tool", "hob", "standard"}},
        {.key = "cut_by",
         .kind = KeyKind::table,

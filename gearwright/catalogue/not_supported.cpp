@@ -8,7 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// In a path, `#` is any number. A path that begins with "*." matches a key of any table.
+// In a path, `#` is any number. A path that begins with "*." matches a key of any table, and one that begins with "**." a
+// key of any table except the spec itself.
 struct Row {
   std::string_view path;
   std::string_view value;  // value of a known key; empty for an unknown key
@@ -22,9 +23,9 @@ constexpr std::string_view kTwoHalves =
     "is not allowed; describe a double-helical gear by the table [gear1.double_helical], for "
     "example with gap_mm = 0. In this case helix_angle_deg is the angle of the half at z > 0";
 constexpr std::string_view kUnits =
-    "is not a key, because units cannot be chosen. Lengths are in mm and angles in degrees, as the "
-    "end of each key shows. An inch is 25.4 mm. normal_diametral_pitch_per_in can be given instead "
-    "of the module";
+    "is not a key; give units = \"inch\" at the top of the spec, before the first table, to have "
+    "the "
+    "lengths of all tables in inch";
 constexpr std::string_view kInternal =
     "is determined by the number of teeth; teeth = -61 is an internal gear with 61 teeth, and a "
     "positive number is an external gear";
@@ -58,13 +59,15 @@ constexpr auto kRows = std::to_array<Row>({
     {"stage[#].gears[#].form", "\"rack\"",
      "is not supported in a stage, whose gears both turn; describe a rack by [[drive.gear]] with "
      "form = \"rack\""},
-    {"*.units", "", kUnits},
+    {"**.units", "", kUnits},
     {"*.unit", "", kUnits},
 });
 
 bool digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 bool matches(std::string_view pattern, std::string_view path) {
+  if (pattern.starts_with("**."))
+    return path.find('.') != path.npos && matches(pattern.substr(1), path);
   if (pattern.starts_with("*."))
     return path.substr(path.rfind('.') + 1) ==
            pattern.substr(2);  // npos + 1 is 0, the beginning of the path

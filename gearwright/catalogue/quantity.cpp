@@ -17,17 +17,26 @@ const QuantityInfo* QuantityTable::find(std::string_view key) const {
 
 int digits_of(const QuantityInfo& info) { return info.digits.value_or(unit_digits(info.unit)); }
 
+UnitSystem system_of(const QuantityInfo& info, UnitSystem units) {
+  const bool in_both = unit_of(info.key) != Unit::none && !metric_unit(info.key);
+  return in_both ? UnitSystem::mm : units;
+}
+
 Value angles_in(Unit unit, Angle angle) {
   return unit == Unit::arcsec ? angle.arcsec() : angle.deg();
 }
 
-std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none) {
+std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none,
+                    UnitSystem units) {
   const std::string absent(info.nothing.empty() ? none : std::string_view(info.nothing));
   if (all_nothing(value)) return absent;
   if (const ValueList* list = value.list()) {
     std::string text;
     for (const Value& v : *list)
-      text += (text.empty() ? "" : info.two == Two::ends ? " … " : ", ") + text_of(info, v, none);
+      text += (text.empty()            ? ""
+               : info.two == Two::ends ? " … "
+                                       : ", ") +
+              text_of(info, v, none, units);
     return text;
   }
   if (const auto* flag = std::get_if<bool>(&value.variant())) return *flag ? "yes" : "no";
@@ -41,7 +50,8 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
   }
   if (const auto* x = std::get_if<double>(&value.variant())) {
     if (!std::isfinite(*x)) return absent;
-    return fixed_decimals(info.unit == Unit::percent ? 100 * *x : *x, digits_of(info));
+    if (info.unit == Unit::percent) return fixed_decimals(100 * *x, digits_of(info));
+    return text_in(system_of(info, units), info.unit, *x, digits_of(info));
   }
   return absent;
 }
@@ -80,7 +90,8 @@ std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
 
 class Groups {
  public:
-  Groups(Doors door, std::string_view none) : door_(door), none_(none) {}
+  Groups(Doors door, UnitSystem units, std::string_view none)
+      : door_(door), units_(units), none_(none) {}
 
   void add(const std::vector<const ValueRecord*>& records, const std::string& heading) {
     for (const Across& a : across(records)) {
@@ -92,7 +103,8 @@ class Groups {
       if (info.type == Type::record) {
         nest(a, title);
       } else {
-        group(title).rows.push_back({&info, texts(a)});
+        group(title).rows.push_back(
+            {&info, texts(a), unit_text(system_of(info, units_), info.unit)});
       }
     }
   }
@@ -123,9 +135,9 @@ class Groups {
     for (const Member* m : a.members) {
       const ValueList* list = m && a.info->two == Two::gears ? m->value.list() : nullptr;
       if (list) {
-        for (const Value& v : *list) texts.push_back(text_of(*a.info, v, none_));
+        for (const Value& v : *list) texts.push_back(text_of(*a.info, v, none_, units_));
       } else {
-        texts.push_back(text_of(*a.info, m ? m->value : Value(), none_));
+        texts.push_back(text_of(*a.info, m ? m->value : Value(), none_, units_));
       }
     }
     return texts;
@@ -139,6 +151,7 @@ class Groups {
   }
 
   Doors door_;
+  UnitSystem units_;
   std::string_view none_;
   std::vector<TextGroup> groups_;
 };
@@ -147,10 +160,10 @@ class Groups {
 
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
-                                   std::string_view none) {
+                                   UnitSystem units, std::string_view none) {
   std::vector<const ValueRecord*> all;
   for (const ValueRecord& r : records) all.push_back(&r);
-  Groups groups(door, none);
+  Groups groups(door, units, none);
   groups.add(all, "");
   std::vector<TextGroup> found = groups.take();
   const auto place = [&](const TextGroup& g) {

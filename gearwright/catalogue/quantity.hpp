@@ -20,6 +20,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/catalogue/term.hpp"
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/catalogue/value.hpp"
 
 namespace gearwright {
@@ -308,14 +309,19 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
 /// (0.17 µm on a radius of 1 m) and for pure numbers.
 int digits_of(const QuantityInfo& info);
 
+/// The system of the values of a quantity in an answer in these units. Modules are in mm in both systems.
+UnitSystem system_of(const QuantityInfo& info, UnitSystem units);
+
 /// A value as text for users without its unit, or `none` if there is no value. A list is written "x, y, z",
 /// and two ends are written "lo … hi".
-std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–");
+std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–",
+                    UnitSystem units = UnitSystem::mm);
 
 /// A row for users with one quantity and a text for each column. A value that both gears share has one text.
 struct TextRow {
   const QuantityInfo* info;
   std::vector<std::string> texts;
+  std::string_view unit;  ///< the unit of the texts, "mm" or "in"
 };
 
 /// A heading with its rows.
@@ -326,10 +332,10 @@ struct TextGroup {
 
 /// The table for users, either of records side by side (two gears) or of one record with values for each gear
 /// (a pair). It contains the quantities of the interface `door` that at least one record shows, under their
-/// headings. The quantities of inner records are also rows. `table` is the table of the records.
+/// headings, in these units. The quantities of inner records are also rows. `table` is the table of the records.
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
-                                   std::string_view none = "–");
+                                   UnitSystem units, std::string_view none = "–");
 
 /// The text with a capital first letter: "Tip diameter" for "tip diameter".
 std::string capitalised(std::string words);

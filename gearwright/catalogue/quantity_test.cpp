@@ -196,7 +196,8 @@ TEST(Catalogue, WhatIsNotThereIsADashAtEveryDoor) {
     }
   for (const Doors door : {kListing, kPage}) {
     int rows = 0;
-    for (const TextGroup& g : text_groups(gear_quantities().table(), {record}, door, "-")) {
+    for (const TextGroup& g :
+         text_groups(gear_quantities().table(), {record}, door, UnitSystem::mm, "-")) {
       for (const TextRow& row : g.rows) {
         if (row.info != info) continue;
         ++rows;

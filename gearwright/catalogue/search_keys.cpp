@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/design/search_space.hpp"
 
 namespace gearwright {
@@ -94,6 +95,17 @@ std::vector<Key> trial_keys() {
        .fallback = "`\"ISO54-I\"`",
        .meaning = "normal modules",
        .fields = {"modules"}},
+      {.key = "diametral_pitches_per_in",
+       .symbol = "P_nd",
+       .words = {"coarse", "fine", "coarse+fine"},
+       .range = Range::between(kMmPerInch / 1e3, kMmPerInch / 1e-3, " per inch"),
+       .list = kNumbers,
+       .form = "\"coarse\", \"fine\", \"coarse+fine\", a number or a list of numbers in 1/in",
+       .excludes = {"modules_mm"},
+       .meaning =
+           "normal diametral pitches, instead of `modules_mm`; the coarse series is 2 to 16, "
+           "and the fine series 20 to 200",
+       .fields = {"pitches"}},
       Key::positive("center_distance_mm", "a", &P::center_distance, "free",
                     "centre distance; a single number is the exact centre distance")
           .with_list(kBand)

@@ -46,6 +46,8 @@ const KeyTable& spec_keys() {
       "One gear, a pair of gears, a drive or a search; lengths are in mm and angles in degrees, as "
       "the keys show",
       {Key::text("title", &SpecTables::title, "", "title of listings and of the report"),
+       Key::word("units", {"mm", "inch"}, KeyPlace::unused(), "\"mm\"",
+                 "units of the lengths of the spec and of its answers; see Units"),
        table_key("drawing", drawing_keys, &SpecTables::drawing,
                  "the title block of the report and of drawings"),
        table_key("gear1", gear_keys, {}, "the first gear, the pinion of an internal pair"),

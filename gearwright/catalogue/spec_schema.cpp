@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/inch_schema.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 
@@ -189,6 +190,8 @@ std::string spec_schema() {
   defs["whole_gear"] = whole_gear();
   defs[std::string(blank_keys().name)] = table_schema(blank_keys());
   schema["$defs"] = std::move(defs);
+  add_inch_names(schema);
+  separate_units(schema);
   return schema.dump(2) + "\n";
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -95,14 +96,8 @@ std::string named(std::string_view member, const GivenKeys& given, std::string_v
   return table ? "[" + s->path + "]" : s->path;
 }
 
-}  // namespace
-
-std::string spelled_member(std::string_view member, const GivenKeys& given) {
-  const auto s = spelling_of(member, given);
-  return s ? s->path : std::string(member);
-}
-
-std::string spelled(std::string_view sentence, const GivenKeys& given, std::string_view owner) {
+// The sentence with keys instead of the members in backticks.
+std::string in_keys(std::string_view sentence, const GivenKeys& given, std::string_view owner) {
   std::string text;
   while (!sentence.empty()) {
     const std::size_t begin = sentence.find('`');
@@ -115,11 +110,12 @@ std::string spelled(std::string_view sentence, const GivenKeys& given, std::stri
   return text += sentence;
 }
 
-Error spelled(const Error& error, const GivenKeys& given) {
+// The error with keys, whose numbers are in the units of the catalogue.
+Error with_keys(const Error& error, const GivenKeys& given) {
   const std::size_t dot = error.field.rfind('.');
   const std::string_view owner =
       dot == std::string::npos ? std::string_view() : std::string_view(error.field).substr(0, dot);
-  Error worded{error.field, error.value, spelled(error.rule, given, owner), error.kind};
+  Error worded{error.field, error.value, in_keys(error.rule, given, owner), error.kind};
   const auto s = spelling_of(error.field, given);
   if (!s) return worded;
   worded.field = s->path;
@@ -134,6 +130,38 @@ Error spelled(const Error& error, const GivenKeys& given) {
   Error made = worded;
   made.field = own->path.substr(own->path.rfind('.') + 1);
   return {s->path, "", "this value gives " + made.message(), error.kind};
+}
+
+// The error in the units of the spec. A value that the spec gives is shown as it is written.
+Error in_units_of(const GivenKeys& given, const Error& error) {
+  const KeyUnit* unit = metric_unit(error.field);
+  Error made{key_in(given.units, error.field), error.value,
+             sentence_in(given.units, error.rule, unit), error.kind};
+  if (!unit || error.value.empty()) return made;
+  char* end = nullptr;
+  const double value = std::strtod(error.value.c_str(), &end);
+  if (const auto it = given.written.find(error.field); it != given.written.end()) {
+    made.value = it->second;
+  } else if (*end == '\0') {
+    made.value = format_number(unit->to_inch(value));
+  }
+  return made;
+}
+
+}  // namespace
+
+std::string spelled_member(std::string_view member, const GivenKeys& given) {
+  const auto s = spelling_of(member, given);
+  return key_in(given.units, s ? s->path : std::string(member));
+}
+
+std::string spelled(std::string_view sentence, const GivenKeys& given, std::string_view owner) {
+  return sentence_in(given.units, in_keys(sentence, given, owner));
+}
+
+Error spelled(const Error& error, const GivenKeys& given) {
+  const Error worded = with_keys(error, given);
+  return given.units == UnitSystem::mm ? worded : in_units_of(given, worded);
 }
 
 }  // namespace gearwright

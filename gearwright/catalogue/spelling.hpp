@@ -8,19 +8,27 @@
 // enclosing tables.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/catalogue/unit_system.hpp"
 
 namespace gearwright {
 
 /// Paths of the keys that a spec gives, "gear1.left_tip_relief_um". If several keys set one member,
 /// the error names the key that is given.
-using GivenKeys = std::set<std::string, std::less<>>;
+struct GivenKeys : std::set<std::string, std::less<>> {
+  using set::set;
+  UnitSystem units = UnitSystem::mm;  ///< of the spec; the paths are always those of the catalogue
+  /// For a spec in inch, the values of the lengths as they are written, by path.
+  std::map<std::string, std::string, std::less<>> written{};
+};
 
-/// The error with keys instead of members. Other words are unchanged, so a second call has no effect.
+/// The error with keys instead of members, in the units of the spec. Other words are unchanged, so a second call has no
+/// effect.
 Error spelled(const Error& error, const GivenKeys& given = {});
 
 /// Replaces members by keys in a sentence about `owner`, "gear1". If `owner` is empty, the sentence is about the spec.

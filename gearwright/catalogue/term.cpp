@@ -38,7 +38,11 @@ constexpr std::array kUnitRows{UnitRow{Unit::none, "", "", 5},
                                UnitRow{Unit::kg_per_mm, "kg/mm", "", 6},
                                UnitRow{Unit::modules, "", "", 5},
                                UnitRow{Unit::modules_squared, "", "", 5},
-                               UnitRow{Unit::percent, "%", "", 3}};
+                               UnitRow{Unit::percent, "%", "", 3},
+                               UnitRow{Unit::inch, "in", "_in", 5},
+                               UnitRow{Unit::microinch, "µin", "_uin", 2},
+                               UnitRow{Unit::per_inch, "1/in", "", 5},
+                               UnitRow{Unit::inch_per_rad, "in/rad", "_in_per_rad", 5}};
 
 const UnitRow& row(Unit unit) {
   const UnitRow& r = kUnitRows[static_cast<std::size_t>(unit)];

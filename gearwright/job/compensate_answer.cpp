@@ -152,7 +152,8 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   std::string list;
   for (const FoundCorrection& c : answer.corrections) {
     if (!c.at_bound) continue;
-    list += fmt::format("{}{}, {:g} {}", list.empty() ? "" : "; ", c.words, c.value, c.shown_unit);
+    list += fmt::format("{}{}, {:g} {}", list.empty() ? "" : "; ", c.words, c.value,
+                        unit_text(unit_of(c.key)));
   }
   if (list.empty()) return std::nullopt;
   return Warning{

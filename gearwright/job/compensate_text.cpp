@@ -17,17 +17,20 @@ Json compensate_json(const SolvedJob& job, const CompensateAnswer& a) {
 }
 
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) {
+  const UnitSystem units = job.spec.units();
   std::string out = title_listing(job.spec);
   const auto head = [&](const char* text) { out += fmt::format("\n{}\n", text); };
   const auto row = [&](const std::string& what, const std::string& value) {
     out += fmt::format("  {:<44}{}\n", what, value);
   };
-  out += quantity_listing(compensate_quantities().table(), {compensate_quantities().of(a)}, {});
+  out +=
+      quantity_listing(units, compensate_quantities().table(), {compensate_quantities().of(a)}, {});
   head("All corrections together, for the worst of the errors");
   for (const FoundCorrection& c : a.corrections) {
-    row(c.words, fmt::format("{:>11} {}{}", fixed_decimals(c.value, 4), c.shown_unit,
+    row(c.words, fmt::format("{:>11} {}{}", text_in(units, unit_of(c.key), c.value, 4),
+                             unit_text(units, unit_of(c.key)),
                              c.at_bound ? "  (at the end of the range)" : ""));
-    if (c.value != 0.0) row("  key in the spec: " + c.spec_key, "");
+    if (c.value != 0.0) row("  key in the spec: " + key_in(units, c.spec_key), "");
   }
   if (a.nothing_to_correct)
     out += fmt::format(
@@ -37,12 +40,12 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   for (const AimedLoad& l : a.loads) {
     const auto& quantities = loaded_score_quantities();
     head(fmt::format("Under {} N m", format_number(newton_metres(l.torque))).c_str());
-    out += quantity_listing(quantities.table(), {quantities.of(l.before), quantities.of(l.after)},
-                            {"before", "after"});
+    out += quantity_listing(units, quantities.table(),
+                            {quantities.of(l.before), quantities.of(l.after)}, {"before", "after"});
   }
   if (!a.loads.empty()) head("Without load");
   const auto& scores = score_quantities();
-  out += quantity_listing(scores.table(), {scores.of(a.before), scores.of(a.after)},
+  out += quantity_listing(units, scores.table(), {scores.of(a.before), scores.of(a.after)},
                           {"before", "after"});
   const auto arcsec = [](const ContactScore& s) {
     return std::isfinite(s.peak_to_peak.rad()) ? fixed_decimals(s.peak_to_peak.arcsec(), 4) + " ″"

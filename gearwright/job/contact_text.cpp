@@ -67,14 +67,16 @@ std::string legend_of(const ContactResult& result) {
 }
 
 // Lists the transmission error and the movement of the whole gears, and where each half touches.
-std::string halves_listing(const ContactAnswer& answer) {
+std::string halves_listing(const ContactAnswer& answer, UnitSystem units) {
+  const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 4); };
+  const std::string_view unit = unit_text(units, Unit::mm);
   const auto line = [](const auto&... cells) {
     return fmt::format("  {:>11}{:>15}{:>13}  {:<9}{:>10}{:>10}  {:<9}{:>10}{:>10}\n", cells...);
   };
   std::string out =
       "\n" +
       line("rotation1", "TE", "axial float", "z > 0", "diam. 1", "z 1", "z < 0", "diam. 1", "z 1") +
-      line("°", "arcsec", "µm", "", "mm", "mm", "", "mm", "mm");
+      line("°", "arcsec", unit_text(units, Unit::um), "", unit, unit, "", unit, unit);
   const auto& positions = answer.driving.positions;
   const std::size_t step = std::max<std::size_t>(1, positions.size() / 32);
   for (std::size_t i = 0; i < positions.size(); i += step) {
@@ -86,9 +88,9 @@ std::string halves_listing(const ContactAnswer& answer) {
     const ContactPoint& a = answer.halves[0].driving.positions[i];
     const ContactPoint& b = answer.halves[1].driving.positions[i];
     out += line(fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(p.te.arcsec(), 5),
-                fixed_decimals(answer.float_axial[i] * kUmPerMm, 4), to_string(a.kind),
-                fixed_decimals(a.diameter[0], 4), fixed_decimals(a.height[0], 4), to_string(b.kind),
-                fixed_decimals(b.diameter[0], 4), fixed_decimals(b.height[0], 4));
+                text_in(units, Unit::um, answer.float_axial[i] * kUmPerMm, 4), to_string(a.kind),
+                mm(a.diameter[0]), mm(a.height[0]), to_string(b.kind), mm(b.diameter[0]),
+                mm(b.height[0]));
   }
   return out +
          "\n  axial float: movement of gear 1 relative to gear 2; z 1: height from the middle of "
@@ -108,6 +110,9 @@ Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
 
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const ContactResult& r = answer.driving;
+  const UnitSystem units = job.spec.units();
+  const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 4); };
+  const std::string_view unit = unit_text(units, Unit::mm);
   std::string out = title_listing(job.spec);
   std::vector<ValueRecord> records{contact_record(job, answer)};
   std::vector<std::string> columns;
@@ -116,14 +121,15 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
     columns.emplace_back(columns.size() == 1 ? "half z > 0" : "half z < 0");
     records.push_back(contact_record(job, half));
   }
-  out += quantity_listing(contact_quantities().table(), records, columns);
+  out += quantity_listing(job.spec.units(), contact_quantities().table(), records, columns);
   const auto row = [&](const char* what, const std::string& value) {
     out += fmt::format("  {:<42}{}\n", what, value);
   };
   for (std::size_t i = 0; i < kErrorCount; ++i) {
     if (job.spec.errors.value[i] != 0.0)
-      row(fmt::format("errors.{}", error_entries()[i].key).c_str(),
-          fmt::format("{}", job.spec.errors.value[i]));
+      row(key_in(units, fmt::format("errors.{}", error_entries()[i].key)).c_str(),
+          fmt::format("{}",
+                      value_in(units, unit_of(error_entries()[i].key), job.spec.errors.value[i])));
   }
   row("Contact", kinds_of(r));
   if (!r.harmonics.empty()) {
@@ -133,7 +139,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
                            r.rack ? kUmPerMm * r.rack.of(r.harmonics[i]) : r.harmonics[i].arcsec());
     row("Harmonics 1 to 5, amplitudes", waves + (r.rack ? " µm" : " arcsec"));
   }
-  if (!answer.halves.empty()) return out + halves_listing(answer);
+  if (!answer.halves.empty()) return out + halves_listing(answer, units);
   const RackTravel rack = r.rack;
   const auto line = [](const auto&... cells) {
     return fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n",
@@ -141,7 +147,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   };
   out += "\n" + line("rotation1", "TE", "tooth", "kind", "diam. 1", rack ? "height 2" : "diam. 2",
                      "z 1", "z 2", "major", "minor");
-  out += line("°", rack ? "µm" : "arcsec", "", "", "mm", "mm", "mm", "mm", "mm", "mm");
+  out += line("°", rack ? "µm" : "arcsec", "", "", unit, unit, unit, unit, unit, unit);
   // The rows are limited to one page. --json has all positions.
   const std::size_t step = std::max<std::size_t>(1, r.positions.size() / 32);
   for (std::size_t i = 0; i < r.positions.size(); i += step) {
@@ -150,14 +156,12 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
       out += fmt::format("  {:>11.4f}{:>15}\n", p.rotation1.deg(), "no contact");
       continue;
     }
-    const std::string major =
-        p.ellipse && p.ellipse->semi_major ? fixed_decimals(*p.ellipse->semi_major, 4) : "-";
-    const std::string minor = p.ellipse ? fixed_decimals(p.ellipse->semi_minor, 4) : "-";
+    const std::string major = p.ellipse && p.ellipse->semi_major ? mm(*p.ellipse->semi_major) : "-";
+    const std::string minor = p.ellipse ? mm(p.ellipse->semi_minor) : "-";
     const double te = rack ? kUmPerMm * rack.of(p.te) : p.te.arcsec();
-    out +=
-        line(fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(te, 5), p.pair, to_string(p.kind),
-             fixed_decimals(p.diameter[0], 4), fixed_decimals(p.diameter[1], 4),
-             fixed_decimals(p.height[0], 4), fixed_decimals(p.height[1], 4), major, minor);
+    out += line(fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(te, 5), p.pair,
+                to_string(p.kind), mm(p.diameter[0]), mm(p.diameter[1]), mm(p.height[0]),
+                mm(p.height[1]), major, minor);
   }
   return out + "\n  " + legend_of(r) + "\n";
 }

@@ -61,13 +61,9 @@ bool at_bound(const Correction& range, double value) {
 FoundCorrection found_correction(const WorkshopCorrection& correction, double value,
                                  std::string spec_key, bool at_bound) {
   const CorrectionEntry& c = entry_of(correction);
-  return {std::string(c.key),
-          std::string(c.unit()),
-          std::string(c.words),
-          std::string(c.shown_unit()),
-          value,
-          std::move(spec_key),
-          at_bound};
+  return {std::string(c.key),   std::string(c.unit()),
+          std::string(c.words), value,
+          std::move(spec_key),  at_bound};
 }
 
 Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,

@@ -53,48 +53,51 @@ void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
   }
 }
 
-void add_row(const QuantityInfo& info, const std::string& path, const std::string& first,
-             const std::string& second, std::string& out) {
-  out += row({path, cell(info.words), cell(info.symbol), std::string(unit_text(info.unit)), first,
-              second});
+void add_row(UnitSystem units, const QuantityInfo& info, const std::string& path,
+             const Value& first, const Value& second, std::string& out) {
+  const UnitSystem own = system_of(info, units);
+  out += row({path, cell(info.words), cell(info.symbol), std::string(unit_text(own, info.unit)),
+              csv_cell(first, own, info.unit), csv_cell(second, own, info.unit)});
 }
 
 // Adds a quantity of one or two records. Plain values of two records, or two values of one record, are side by
 // side. A longer list of one record has a row for each value. Lists of records are in --json only.
-void add_rows(const QuantityInfo& info, const std::string& path, const Cells& cells,
-              std::string& out) {
+void add_rows(UnitSystem units, const QuantityInfo& info, const std::string& path,
+              const Cells& cells, std::string& out) {
   const ValueList* list = cells.front()->list();
   if (cells.size() == 1 && list) {
     if (!all_plain(*list)) return;
     if (list->size() == 2) {
-      add_row(info, path, csv_cell((*list)[0]), csv_cell((*list)[1]), out);
+      add_row(units, info, path, (*list)[0], (*list)[1], out);
     } else {
       for (std::size_t i = 0; i < list->size(); ++i)
-        add_row(info, fmt::format("{}.{}", path, i + 1), csv_cell((*list)[i]), "", out);
+        add_row(units, info, fmt::format("{}.{}", path, i + 1), (*list)[i], kNothing, out);
     }
     return;
   }
   if (!std::all_of(cells.begin(), cells.end(), [](const Value* v) { return plain(*v); })) return;
-  add_row(info, path, csv_cell(*cells[0]), cells.size() > 1 ? csv_cell(*cells[1]) : "", out);
+  add_row(units, info, path, *cells[0], cells.size() > 1 ? *cells[1] : kNothing, out);
 }
 
 // Adds the records of the two gears side by side, or the record of the pair.
-void add_records(const std::string& path, const QuantityTable& table, const Rows& records,
-                 std::string& out) {
+void add_records(UnitSystem units, const std::string& path, const QuantityTable& table,
+                 const Rows& records, std::string& out) {
   each_column(table, records, [&](const RecordColumn& column, const Cells& cells) {
-    add_rows(column.info(), path + "." + column.name("."), cells, out);
+    add_rows(units, column.info(), path + "." + key_in(units, column.name(".")), cells, out);
   });
 }
 
 // A column of plain values and its heading.
 struct CsvColumn {
   std::string name;
+  UnitSystem units;
+  Unit unit;
   Cells cells;
 };
 
 // Adds a column for each plain value of a quantity, including the values in its lists and records.
-void add_columns(const std::string& name, const QuantityInfo& info, const Cells& cells,
-                 std::vector<CsvColumn>& all) {
+void add_columns(UnitSystem units, const std::string& name, const QuantityInfo& info,
+                 const Cells& cells, std::vector<CsvColumn>& all) {
   if (info.of && info.list.empty()) return;  // the columns of the record follow separately
   if (info.type == Type::map) return;        // a spec is in --json only
   std::size_t longest = 0;
@@ -107,31 +110,32 @@ void add_columns(const std::string& name, const QuantityInfo& info, const Cells&
     Cells items;
     for (const Value* v : cells)
       items.push_back(v->list() && i < v->list()->size() ? &(*v->list())[i] : &kNothing);
-    add_columns(fmt::format("{}.{}", name, i + 1), info, items, all);
+    add_columns(units, fmt::format("{}.{}", name, i + 1), info, items, all);
   }
   if (info.of) {
     each_column(info.of(), records, [&](const RecordColumn& column, const Cells& inner) {
-      add_columns(name + "." + column.name("."), column.info(), inner, all);
+      add_columns(units, name + "." + key_in(units, column.name(".")), column.info(), inner, all);
     });
   } else if (longest == 0 && !std::all_of(cells.begin(), cells.end(),
                                           [](const Value* v) { return all_nothing(*v); })) {
-    all.push_back({name, cells});
+    all.push_back({name, system_of(info, units), info.unit, cells});
   }
 }
 
 // A table of records, with a column for every value that at least one of the rows has.
-std::string records_csv(const QuantityTable& table, const ValueList& records) {
+std::string records_csv(UnitSystem units, const QuantityTable& table, const ValueList& records) {
   Rows rows;
   for (const Value& v : records) rows.push_back(v.record());
   std::vector<CsvColumn> columns;
   each_column(table, rows, [&](const RecordColumn& column, const Cells& cells) {
-    add_columns(column.name("."), column.info(), cells, columns);
+    add_columns(units, key_in(units, column.name(".")), column.info(), cells, columns);
   });
   std::vector<std::string> line;
   for (const CsvColumn& column : columns) line.push_back(column.name);
   std::string out = row(line);
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    for (std::size_t c = 0; c < columns.size(); ++c) line[c] = csv_cell(*columns[c].cells[r]);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      line[c] = csv_cell(*columns[c].cells[r], columns[c].units, columns[c].unit);
     out += row(line);
   }
   return out;
@@ -139,59 +143,64 @@ std::string records_csv(const QuantityTable& table, const ValueList& records) {
 
 }  // namespace
 
-std::string csv_cell(const Value& value) {
+std::string csv_cell(const Value& value, UnitSystem units, Unit unit) {
   if (const auto* n = std::get_if<long long>(&value.variant())) return std::to_string(*n);
   if (const auto* flag = std::get_if<bool>(&value.variant())) return *flag ? "1" : "0";
-  if (const auto* x = std::get_if<double>(&value.variant())) return fmt::format("{}", *x);
+  if (const auto* x = std::get_if<double>(&value.variant()))
+    return fmt::format("{}", value_in(units, unit, *x));
   if (const auto* s = std::get_if<std::string>(&value.variant())) return cell(*s);
   return {};
 }
 
 std::string quantities_csv(const SolvedJob& job) {
   std::string out = row({"key", "quantity", "symbol", "unit", "first", "second"});
+  const UnitSystem units = job.spec.units();
   std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < job.gears.size(); ++i)
     records.push_back(gear_record(job.gears[i], job.halves[i]));
   Rows gears;
   for (const ValueRecord& record : records) gears.push_back(&record);
-  add_records("gears", gear_quantities().table(), gears, out);
+  add_records(units, "gears", gear_quantities().table(), gears, out);
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
     if (!job.halves[i]) continue;
     const ValueRecord halves = double_helical_quantities().of(*job.halves[i]);
-    add_records(fmt::format("gears.{}", i), double_helical_quantities().table(), {&halves}, out);
+    add_records(units, fmt::format("gears.{}", i), double_helical_quantities().table(), {&halves},
+                out);
   }
   if (job.pair) {
     const ValueRecord pair = pair_quantities().of(*job.pair);
-    add_records("pair", pair_quantities().table(), {&pair}, out);
+    add_records(units, "pair", pair_quantities().table(), {&pair}, out);
   }
   if (job.rack) {
     const ValueRecord rack = rack_quantities().of(job.rack->rack);
     const ValueRecord pair = rack_pair_quantities().of(*job.rack);
-    add_records("rack", rack_quantities().table(), {&rack}, out);
-    add_records("pair", rack_pair_quantities().table(), {&pair}, out);
+    add_records(units, "rack", rack_quantities().table(), {&rack}, out);
+    add_records(units, "pair", rack_pair_quantities().table(), {&pair}, out);
   }
   return out;
 }
 
-std::string contact_csv(const SolvedJob&, const ContactAnswer& answer) {
-  return records_csv(position_quantities().table(),
+std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer) {
+  return records_csv(job.spec.units(), position_quantities().table(),
                      position_quantities().each(answer.driving.positions));
 }
 
-std::string load_csv(const LoadAnalysis& answer) {
+std::string load_csv(const SolvedJob& job, const LoadAnalysis& answer) {
   ValueList rows;
   if (!answer.contact) return {};
   for (const LoadedTorque& t : answer.contact->torques)
     for (const LoadedPosition& p : t.positions)
       rows.push_back(load_position_quantities().of({&t, &p, answer.contact->regime}));
-  return records_csv(load_position_quantities().table(), rows);
+  return records_csv(job.spec.units(), load_position_quantities().table(), rows);
 }
 
-std::string propose_csv(const ProposeView& view) {
-  return records_csv(proposal_quantities().table(), proposal_quantities().each(view.proposals));
+std::string propose_csv(const SolvedJob& job, const ProposeView& view) {
+  return records_csv(job.spec.units(), proposal_quantities().table(),
+                     proposal_quantities().each(view.proposals));
 }
 
-std::string rating_csv(const RatingAnswer& answer) {
+std::string rating_csv(const SolvedJob& job, const RatingAnswer& answer) {
+  const UnitSystem units = job.spec.units();
   std::string out =
       row({"key", "quantity", "symbol", "unit", "first", "second", "formula", "branch"});
   const std::vector<FactorSource> sources = factor_sources(answer.rating);
@@ -203,20 +212,21 @@ std::string rating_csv(const RatingAnswer& answer) {
                                      [&](const FactorSource& s) { return s.key == info.key; });
     const bool known = source != sources.end();
     const std::string branches = known ? fmt::format("{}", fmt::join(source->branches, "; ")) : "";
-    out +=
-        row({"rating." + info.key, cell(info.words), cell(info.symbol),
-             std::string(unit_text(info.unit)), csv_cell(two ? two->front() : m.value),
-             two ? csv_cell(two->back()) : "", known ? cell(source->formula) : "", cell(branches)});
+    out += row({"rating." + key_in(units, info.key), cell(info.words), cell(info.symbol),
+                std::string(unit_text(units, info.unit)),
+                csv_cell(two ? two->front() : m.value, units, info.unit),
+                two ? csv_cell(two->back(), units, info.unit) : "",
+                known ? cell(source->formula) : "", cell(branches)});
   }
   return out;
 }
 
-std::string outline_csv(const Outline& outline, int points) {
-  std::string out = row({"arc", "x_mm", "y_mm"});
+std::string outline_csv(const Outline& outline, int points, UnitSystem units) {
+  std::string out = row({"arc", key_in(units, "x_mm"), key_in(units, "y_mm")});
   for (const Arc& arc : outline.arcs) {
     for (const Vec2& p : sample(arc, points))
-      out += row(
-          {std::string(to_string(arc.name)), fmt::format("{}", p.x()), fmt::format("{}", p.y())});
+      out += row({std::string(to_string(arc.name)), csv_cell(p.x(), units, Unit::mm),
+                  csv_cell(p.y(), units, Unit::mm)});
   }
   return out;
 }

@@ -69,10 +69,17 @@ std::string body_listing(const Drive& drive) {
   return out;
 }
 
-std::string mesh_listing(const Drive& drive) {
+std::string mesh_listing(const Drive& drive, UnitSystem units) {
   const bool powered = drive.flow && !drive.flow->self_locking();
-  std::string out = fmt::format("\nMeshes\n  {:<18}{:>14}{:>12}{:>12}{:>12}{:>14}{:>12}{:>10}\n",
-                                "", "teeth/turn", "Hz", "η", "P_m/P_in", "a mm", "ε_γ", "j_n mm");
+  const auto head = [&](const char* what) {
+    return fmt::format("{} {}", what, unit_text(units, Unit::mm));
+  };
+  const auto length = [&](const std::optional<double>& mm) {
+    return mm ? text_in(units, Unit::mm, *mm, 4) : std::string(kAbsent);
+  };
+  std::string out =
+      fmt::format("\nMeshes\n  {:<18}{:>14}{:>12}{:>12}{:>12}{:>14}{:>12}{:>10}\n", "",
+                  "teeth/turn", "Hz", "η", "P_m/P_in", head("a"), "ε_γ", head("j_n"));
   const auto n = drive.speed_rpm(drive.graph.inputs.front());
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
     const auto& pair = drive.geometry.pairs[m];
@@ -82,13 +89,12 @@ std::string mesh_listing(const Drive& drive) {
     if (powered && drive.flow->power_in > 0.0)
       power = drive.flow->mesh_power[m] / drive.flow->power_in;
     if (pair && pair->involute()) backlash = pair->involute()->mesh.backlash.normal;
-    out +=
-        fmt::format("  {:<18}{:>14}{:>12}{:>12}{:>12}{:>14}{:>12}{:>10}\n",
-                    printable(drive.graph.meshes[m].name, 17), number(teeth, 5),
-                    teeth && n ? fixed_decimals(*teeth * std::abs(*n) / 60, 3) : kAbsent,
-                    eta ? fixed_decimals(eta->first_drives, 5) : kAbsent, number(power, 4),
-                    number(drive.geometry.distance[m], 4),
-                    pair ? fixed_decimals(pair->contact_ratio(), 3) : kAbsent, number(backlash, 4));
+    out += fmt::format("  {:<18}{:>14}{:>12}{:>12}{:>12}{:>14}{:>12}{:>10}\n",
+                       printable(drive.graph.meshes[m].name, 17), number(teeth, 5),
+                       teeth && n ? fixed_decimals(*teeth * std::abs(*n) / 60, 3) : kAbsent,
+                       eta ? fixed_decimals(eta->first_drives, 5) : kAbsent, number(power, 4),
+                       length(drive.geometry.distance[m]),
+                       pair ? fixed_decimals(pair->contact_ratio(), 3) : kAbsent, length(backlash));
   }
   return out;
 }
@@ -102,11 +108,12 @@ std::string shift_listing(const Drive& drive) {
   return list.empty() ? "" : "\nProfile shifts: " + list + "\n";
 }
 
-std::string set_listing(const PlanetSet& set) {
+std::string set_listing(const PlanetSet& set, UnitSystem units) {
   return "\nPlanets\n" +
-         quantity_listing(assembly_quantities().table(), {assembly_quantities().of(set)}, {}) +
+         quantity_listing(units, assembly_quantities().table(), {assembly_quantities().of(set)},
+                          {}) +
          "\nPhases\n" +
-         quantity_listing(phasing_quantities().table(), {phasing_quantities().of(set)}, {});
+         quantity_listing(units, phasing_quantities().table(), {phasing_quantities().of(set)}, {});
 }
 
 std::string drive_csv(const Drive& drive) {
@@ -131,14 +138,14 @@ std::string load_factor_sentence(const Drive& drive) {
                      fixed_decimals(*rated, 3), fixed_decimals(*computed, 3));
 }
 
-std::string load_listing(const Drive& drive) {
+std::string load_listing(const Drive& drive, UnitSystem units) {
   if (!drive.loaded) return "";
-  std::string out = "\nUnder load\n" + quantity_listing(drive_load_quantities().table(),
+  std::string out = "\nUnder load\n" + quantity_listing(units, drive_load_quantities().table(),
                                                         {drive_load_quantities().of(drive)}, {});
   for (const PlanetShares& shares : drive.loaded->sets) {
     const std::size_t carrier = drive.sets[shares.set].group.carrier;
     out += fmt::format("\nPlanets of {} under load\n", printable(drive.graph.bodies[carrier].name));
-    out += quantity_listing(planet_share_quantities().table(),
+    out += quantity_listing(units, planet_share_quantities().table(),
                             {planet_share_quantities().of({&drive, &shares})}, {});
   }
   return out + load_factor_sentence(drive);
@@ -163,7 +170,7 @@ std::string safety_listing(const Drive& drive) {
 }
 
 Result<Answer> answer_of(const JobSpec& spec, Result<DriveJob> solved,
-                         std::string (*listing)(const Drive&)) {
+                         std::string (*listing)(const Drive&, UnitSystem)) {
   if (!solved) return solved.error();
   const auto job = std::make_shared<const DriveJob>(std::move(solved).take());
   Answer answer;
@@ -174,8 +181,8 @@ Result<Answer> answer_of(const JobSpec& spec, Result<DriveJob> solved,
       answer.warnings.insert(answer.warnings.end(), r->rating.limits.begin(),
                              r->rating.limits.end());
   answer.verdict = job->verdict;
-  answer.listing = [job, listing, title = title_listing(spec, "\n")] {
-    return title + listing(job->drive);
+  answer.listing = [job, listing, title = title_listing(spec, "\n"), units = spec.units()] {
+    return title + listing(job->drive, units);
   };
   answer.csv = [job] { return drive_csv(job->drive); };
   return answer;
@@ -183,15 +190,15 @@ Result<Answer> answer_of(const JobSpec& spec, Result<DriveJob> solved,
 
 }  // namespace
 
-std::string drive_listing(const Drive& drive) {
+std::string drive_listing(const Drive& drive, UnitSystem units) {
   std::string out =
-      quantity_listing(drive_quantities().table(), {drive_quantities().of(drive)}, {});
+      quantity_listing(units, drive_quantities().table(), {drive_quantities().of(drive)}, {});
   if (drive.motion.ratio && !drive.motion.ratio->whole())
     out += "  exact ratio " + fraction(*drive.motion.ratio) + "\n";
   if (!drive.ratings.empty()) out += safety_listing(drive);
-  out += load_listing(drive);
-  out += body_listing(drive) + mesh_listing(drive) + shift_listing(drive);
-  for (const PlanetSet& set : drive.sets) out += set_listing(set);
+  out += load_listing(drive, units);
+  out += body_listing(drive) + mesh_listing(drive, units) + shift_listing(drive);
+  for (const PlanetSet& set : drive.sets) out += set_listing(set, units);
   return out;
 }
 
@@ -211,9 +218,11 @@ Result<Answer> answer_drive(const JobSpec& spec, Progress* progress) {
 }
 
 Result<Answer> answer_drive_rating(const JobSpec& spec, Progress* progress) {
-  return answer_of(spec, with_load(solve_rated_drive(spec), progress), [](const Drive& drive) {
-    return safety_listing(drive) + load_listing(drive) + body_listing(drive) + mesh_listing(drive);
-  });
+  return answer_of(spec, with_load(solve_rated_drive(spec), progress),
+                   [](const Drive& drive, UnitSystem units) {
+                     return safety_listing(drive) + load_listing(drive, units) +
+                            body_listing(drive) + mesh_listing(drive, units);
+                   });
 }
 
 }  // namespace gearwright

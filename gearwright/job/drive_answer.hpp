@@ -9,7 +9,7 @@
 namespace gearwright {
 
 /// Tables for users: the whole drive, bodies, meshes, planets, phases, and the stages of a train.
-std::string drive_listing(const Drive& drive);
+std::string drive_listing(const Drive& drive, UnitSystem units);
 
 /// The drive, under load if the spec has [load].
 ///

@@ -11,6 +11,7 @@
 #include "gearwright/job/run_folder.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/report/drive_report.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 
@@ -56,6 +57,7 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
     report.verdict = job.verdict;
     report.files = report_files(files);
     report.spec_text = job.spec.text;
+    report.units = job.spec.units();
     report.version = kVersion;
     files.insert(files.begin(), {folder / "report.html", "report", std::nullopt,
                                  "one self-contained page", drive_report_html(report)});
@@ -64,7 +66,7 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
   result["warnings"] = warnings_json(job.drive.findings);
   result["verdict"] = verdict_json(job.verdict);
   result["files"] = files_json(files);
-  const std::string text = json_text(result, 2) + "\n";
+  const std::string text = json_text(in_units(job.spec.units(), result), 2) + "\n";
   if (options.wants("result"))
     files.insert(files.begin(),
                  {folder / "result.json", "result", std::nullopt, "all numbers, as JSON", text});

@@ -16,6 +16,7 @@
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive_search.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 
@@ -76,7 +77,10 @@ std::string design_row(const FoundDrives& f, const std::string& rank, const auto
   return row + fmt::format("  {}\n", cell("phases"));
 }
 
-std::string design_cell(const FoundDrive& d, std::string_view name) {
+std::string design_cell(const FoundDrive& d, std::string_view name, UnitSystem units) {
+  const auto length = [&](const std::optional<double>& mm, int decimals) {
+    return mm && std::isfinite(*mm) ? text_in(units, Unit::mm, *mm, decimals) : "-";
+  };
   const DriveCandidate& c = d.candidate;
   const auto eta = [](const std::optional<PowerFlow>& flow) {
     return drive_number(flow ? std::optional(flow->efficiency) : std::nullopt, 5);
@@ -85,21 +89,21 @@ std::string design_cell(const FoundDrive& d, std::string_view name) {
   if (name == "teeth") return teeth_text(c);
   if (name == "N") return fmt::format("{}", c.planets);
   if (name == "m_n mm") return fmt::format("{:g}", c.module);
-  if (name == "b mm") return drive_number(c.face_width, 0);
+  if (name == "b mm") return length(c.face_width, units == UnitSystem::mm ? 0 : 2);
   if (name == "ratio") return drive_number(d.drive.motion.ratio->value(), 5);
   if (name == "η") return eta(d.drive.flow);
   if (name == "η back") return eta(d.drive.backward);
-  if (name == "size mm") return drive_number(c.size, 2);
+  if (name == "size mm") return length(c.size, 2);
   if (name == "c mm")
-    return drive_number(
-        set && set->neighbours ? std::optional(set->neighbours->clearance) : std::nullopt, 3);
+    return length(set && set->neighbours ? std::optional(set->neighbours->clearance) : std::nullopt,
+                  3);
   if (name == "S_H" || name == "S_F")
     return drive_number(least_safety(d.drive, name == "S_H" ? &Rating::S_H : &Rating::S_F), 3);
   constexpr const char* kClasses[] = {"in phase", "sequential", "counter", "mixed"};
   return set ? kClasses[static_cast<std::size_t>(set->phasing.kind)] : "-";
 }
 
-std::string drives_listing(const FoundDrives& f) {
+std::string drives_listing(const FoundDrives& f, UnitSystem units) {
   const DriveDesigns& designs = f.designs;
   std::string text =
       fmt::format("{} sets of numbers of teeth were tested, and {} satisfy all limits\n",
@@ -119,16 +123,20 @@ std::string drives_listing(const FoundDrives& f) {
   for (std::size_t i = 0; i < std::size(kFaults); ++i)
     if (designs.left_out[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);
-  if (designs.list.empty()) return text + "\n" + advice(f) + "\n";
+  if (designs.list.empty()) return text + "\n" + sentence_in(units, advice(f)) + "\n";
   if (!f.problem.series.empty())
     text += fmt::format("All gears have the thickness allowances of series {} (DIN 3967).\n",
                         f.problem.series);
-  text += "\n" + design_row(f, "rank", [](const char* name) { return std::string(name); });
+  text += "\n" + design_row(f, "rank", [&](std::string name) {
+            if (name.ends_with(" mm") && name != "m_n mm")
+              name.replace(name.size() - 2, 2, unit_text(units, Unit::mm));
+            return name;
+          });
   for (std::size_t i = 0; i < designs.list.size() && i < kListedDrives; ++i) {
     const bool front =
         std::find(designs.pareto.begin(), designs.pareto.end(), i) != designs.pareto.end();
     text += design_row(f, fmt::format("{}{}", front ? "*" : "", i + 1),
-                       [&](const char* name) { return design_cell(designs.list[i], name); });
+                       [&](const char* name) { return design_cell(designs.list[i], name, units); });
   }
   if (!designs.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
   if (designs.list.size() > kListedDrives)
@@ -139,15 +147,20 @@ std::string drives_listing(const FoundDrives& f) {
   return text;
 }
 
-std::string drives_csv(const FoundDrives& f) {
+std::string drives_csv(const FoundDrives& f, UnitSystem units) {
   constexpr const char* kColumns[] = {"ratio",        "efficiency",       "efficiency_backward",
                                       "size_mm",      "normal_module_mm", "face_width_mm",
                                       "safety_flank", "safety_root"};
-  std::string out = fmt::format("teeth,planets,{}\r\n", fmt::join(kColumns, ","));
+  std::string out = "teeth,planets";
+  for (const char* key : kColumns) out += "," + key_in(units, key);
+  out += "\r\n";
   for (const FoundDrive& d : f.designs.list) {
-    const Json row = to_json(found_drive_quantities().of(d));
+    const Json row = in_units(units, to_json(found_drive_quantities().of(d)));
     out += fmt::format("{},{}", csv_cell(Value(teeth_text(d.candidate))), d.candidate.planets);
-    for (const char* key : kColumns) out += "," + (row[key].is_null() ? "" : json_text(row[key]));
+    for (const char* key : kColumns) {
+      const Json& value = row[key_in(units, key)];
+      out += "," + (value.is_null() ? "" : json_text(value));
+    }
     out += "\r\n";
   }
   return out;
@@ -181,9 +194,9 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
   for (const FoundDrive& d : found->designs.list)
     answer.specs.push_back(drive_spec(spec, problem, d.candidate));
   answer.why_none = "no drive satisfies all limits";
-  answer.listing = [found] { return drives_listing(*found); };
-  answer.csv = [found] { return drives_csv(*found); };
-  return answer;
+  answer.listing = [found, units = spec.units()] { return drives_listing(*found, units); };
+  answer.csv = [found, units = spec.units()] { return drives_csv(*found, units); };
+  return in_units_of(spec, std::move(answer));
 }
 
 }  // namespace gearwright

@@ -35,6 +35,7 @@
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/report/report.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 
@@ -403,6 +404,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.rating = rated;
   report.files = report_files(files);
   report.spec_text = job.spec.text;
+  report.units = job.spec.units();
   report.version = kVersion;
   std::vector<JobFile> all;
   if (options.wants("report")) {
@@ -417,7 +419,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (scatter_shown) result["scatter"] = to_json(scatter_quantities().of(*scatter_shown));
   if (rated) result["rating"] = to_json(rating_quantities().of(*rated));
   result["files"] = files_json(all);
-  const std::string text = json_text(result, 2) + "\n";
+  const std::string text = json_text(in_units(job.spec.units(), result), 2) + "\n";
   if (options.wants("result")) {
     all.insert(all.begin(),
                {folder / "result.json", "result", std::nullopt, "all numbers, as JSON", text});

@@ -167,29 +167,32 @@ Json fit_json(const FitAnswer& answer) {
   return {{"fit", to_json(fit_quantities().of(fit_view(answer)))}};
 }
 
-std::string fit_listing(const FitAnswer& answer) {
+std::string fit_listing(const FitAnswer& answer, UnitSystem units) {
+  const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 4); };
+  const std::string_view unit = unit_text(units, Unit::mm);
   const Fit& f = answer.fit;
   if (f.branches.empty()) {
     std::string text = "\nThere is no such pair: " + f.reason + ".\n";
     if (f.nearest_distance)
-      text += fmt::format("  nearest centre distance at this shaft angle  {:.4f} mm\n",
-                          *f.nearest_distance);
+      text += fmt::format("  nearest centre distance at this shaft angle  {} {}\n",
+                          mm(*f.nearest_distance), unit);
     if (f.nearest_shaft_angle)
       text += fmt::format("  nearest shaft angle at this centre distance  {:.5f}°\n",
                           f.nearest_shaft_angle->deg());
     return text;
   }
-  std::string text =
-      fmt::format("\n  {:>6}  {:>11} {:>11}  {:>9} {:>9}  {:>11}  {:>11}  {:>10}\n", "branch",
-                  "helix 1", "helix 2", "shift 1", "shift 2", "distance mm", "shaft angle", "α_wn");
+  std::string text = fmt::format("\n  {:>6}  {:>11} {:>11}  {:>9} {:>9}  {:>11}  {:>11}  {:>10}\n",
+                                 "branch", "helix 1", "helix 2", "shift 1", "shift 2",
+                                 fmt::format("distance {}", unit), "shaft angle", "α_wn");
   int number = 0;
   for (const FitBranch& b : f.branches) {
     text += fmt::format(
-        "  {:>6}  {:>10.5f}° {:>10.5f}°  {:>9.5f} {:>9.5f}  {:>11.4f}  {:>10.5f}°  {:>9.5f}°\n",
-        ++number, b.helix[0].deg(), b.helix[1].deg(), b.shift[0], b.shift[1], b.center_distance,
+        "  {:>6}  {:>10.5f}° {:>10.5f}°  {:>9.5f} {:>9.5f}  {:>11}  {:>10.5f}°  {:>9.5f}°\n",
+        ++number, b.helix[0].deg(), b.helix[1].deg(), b.shift[0], b.shift[1], mm(b.center_distance),
         b.shaft_angle.deg(), b.working_normal_pressure_angle.deg());
     if (const auto& error = answer.refused[static_cast<std::size_t>(number - 1)])
-      text += fmt::format("          rejected by the verb pair: {}\n", error->message());
+      text += fmt::format("          rejected by the verb pair: {}\n",
+                          sentence_in(units, error->message()));
   }
   if (answer.transverse_contact_ratio)
     text += fmt::format("\n  transverse contact ratio {:.4f}\n", *answer.transverse_contact_ratio);

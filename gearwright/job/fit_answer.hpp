@@ -33,6 +33,6 @@ FitView fit_view(const FitAnswer& answer);
 Json fit_json(const FitAnswer& answer);
 
 /// A table for people.
-std::string fit_listing(const FitAnswer& answer);
+std::string fit_listing(const FitAnswer& answer, UnitSystem units);
 
 }  // namespace gearwright

@@ -97,36 +97,39 @@ Json identify_json(const IdentifyAnswer& answer) {
   return {{"identify", to_json(identify_quantities().of(answer.found))}};
 }
 
-std::string identify_listing(const IdentifyAnswer& answer) {
+std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
   const Identification& found = answer.found;
   std::string text;
   if (const auto& c = found.contradiction) {
     const std::string unit = unit_of(c->reading);
     text += fmt::format(
-        "\nThe {} contradicts the other readings, because it is {}{} instead of {}{}. The gears "
-        "below agree with all other readings.\n",
-        tool_text(c->reading, c->tool), format_number(c->value), unit,
-        format_number(c->expected, c->value), unit);
+        "\n{}The gears below agree with all other readings.\n",
+        sentence_in(units, fmt::format("The {} contradicts the other readings, because it is {}{} "
+                                       "instead of {}{}. ",
+                                       tool_text(c->reading, c->tool), format_number(c->value),
+                                       unit, format_number(c->expected, c->value), unit)));
   }
-  if (!found.reason.empty()) text += "\n" + capitalised(found.reason) + ".\n";
+  if (!found.reason.empty()) text += "\n" + sentence_in(units, capitalised(found.reason)) + ".\n";
   if (found.candidates.empty()) return text;
   text += fmt::format("\n  {:>9}  {:>10}  {:>12}  {:>5}  {:>19}  {:>17}  {:>10}\n", "candidate",
                       "likelihood", "module", "α_n", "helix angle", "x_E", "tip");
   int number = 0;
   for (const IdentifiedGear& g : found.candidates) {
-    text += fmt::format("  {:>9}  {:>8.2f} %  {:>12}  {:>4g}°  {:>18}°  {:>17}  {:>7.3f} mm\n",
+    text += fmt::format("  {:>9}  {:>8.2f} %  {:>12}  {:>4g}°  {:>18}°  {:>17}  {:>7} {}\n",
                         ++number, 100 * g.likelihood, module_text(g), g.normal_pressure_angle.deg(),
                         plus_minus(g.helix_angle.deg(), g.helix_uncertainty.deg(), 3),
-                        plus_minus(g.generating_shift, g.shift_uncertainty, 4), g.tip_diameter);
+                        plus_minus(g.generating_shift, g.shift_uncertainty, 4),
+                        text_in(units, Unit::mm, g.tip_diameter, 3), unit_text(units, Unit::mm));
   }
   for (std::size_t i = 1; i < answer.notes.front().size(); ++i)
-    text += (i == 1 ? "\n" : "") + answer.notes.front()[i] + "\n";
+    text += (i == 1 ? "\n" : "") + sentence_in(units, answer.notes.front()[i]) + "\n";
   if (const auto& n = found.next) {
     const std::string unit = unit_of(n->reading);
-    text += fmt::format(
-        "\nTo decide between the candidates 1 and {}, measure the {}, which is {:.3f}{} or "
-        "{:.3f}{}.\n",
-        n->rival + 1, tool_text(n->reading, n->tool), n->expect[0], unit, n->expect[1], unit);
+    text += sentence_in(
+        units, fmt::format("\nTo decide between the candidates 1 and {}, measure the {}, which is "
+                           "{:.3f}{} or {:.3f}{}.\n",
+                           n->rival + 1, tool_text(n->reading, n->tool), n->expect[0], unit,
+                           n->expect[1], unit));
   }
   return text + "\nThe option --take NUMBER > gear.toml writes the spec of a candidate.\n";
 }

@@ -26,6 +26,6 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec);
 Json identify_json(const IdentifyAnswer& answer);
 
 /// A table for people.
-std::string identify_listing(const IdentifyAnswer& answer);
+std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units);
 
 }  // namespace gearwright

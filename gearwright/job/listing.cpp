@@ -54,10 +54,11 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
 
 }  // namespace
 
-std::string quantity_listing(const QuantityTable& table, const std::vector<ValueRecord>& records,
+std::string quantity_listing(UnitSystem units, const QuantityTable& table,
+                             const std::vector<ValueRecord>& records,
                              const std::vector<std::string>& columns,
                              const std::function<std::string(const QuantityInfo&)>& note) {
-  const std::vector<TextGroup> groups = text_groups(table, records, kListing, "-");
+  const std::vector<TextGroup> groups = text_groups(table, records, kListing, units, "-");
   std::size_t words_width = kWordsWidth;
   for (const TextGroup& g : groups) {
     for (const TextRow& row : g.rows)
@@ -68,9 +69,8 @@ std::string quantity_listing(const QuantityTable& table, const std::vector<Value
   for (const TextGroup& g : groups) {
     if (!g.title.empty()) text += (columns.empty() ? "\n" : "") + g.title + "\n";
     for (const TextRow& row : g.rows)
-      text +=
-          line(row.info->words, words_width, row.info->symbol, row.texts, unit_text(row.info->unit),
-               columns.size(), note ? note(*row.info) : std::string());
+      text += line(row.info->words, words_width, row.info->symbol, row.texts, row.unit,
+                   columns.size(), note ? note(*row.info) : std::string());
   }
   return text;
 }
@@ -84,23 +84,28 @@ std::vector<std::string> gear_columns(std::size_t count) {
 std::string pair_listing(const SolvedJob& job) {
   if (job.rack) {
     return "\nRack\n" +
-           quantity_listing(rack_quantities().table(), {rack_quantities().of(job.rack->rack)}, {}) +
+           quantity_listing(job.spec.units(), rack_quantities().table(),
+                            {rack_quantities().of(job.rack->rack)}, {}) +
            "\nRack and pinion\n" +
-           quantity_listing(rack_pair_quantities().table(), {rack_pair_quantities().of(*job.rack)},
-                            {});
+           quantity_listing(job.spec.units(), rack_pair_quantities().table(),
+                            {rack_pair_quantities().of(*job.rack)}, {});
   }
-  return job.pair ? pair_listing(*job.pair) + pair_interval_listing(job) : std::string();
+  return job.pair ? pair_listing(*job.pair, job.spec.units()) + pair_interval_listing(job)
+                  : std::string();
 }
 
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
                              const ValueRecord& lower, const ValueRecord& upper) {
+  const UnitSystem units = job.spec.units();
   const std::string subject = gear_columns(job.gears.size())[gear];
   const auto allowance = [&](const Arranged& end) {
-    return fixed_decimals(end.gears[gear].spec.thickness_allowance, 4);
+    return text_in(units, Unit::mm, end.gears[gear].spec.thickness_allowance, 4);
   };
-  return fmt::format("\nValues at the thickness allowances {} and {} mm of {}\n",
-                     allowance(job.ends->lower), allowance(job.ends->upper), subject) +
-         quantity_listing(table, differing(lower, upper), {subject + " lower", subject + " upper"});
+  return fmt::format("\nValues at the thickness allowances {} and {} {} of {}\n",
+                     allowance(job.ends->lower), allowance(job.ends->upper),
+                     unit_text(units, Unit::mm), subject) +
+         quantity_listing(units, table, differing(lower, upper),
+                          {subject + " lower", subject + " upper"});
 }
 
 std::string title_listing(const JobSpec& spec, std::string_view before) {
@@ -112,14 +117,14 @@ std::string gear_listing(const SolvedJob& job) {
   for (std::size_t i = 0; i < job.gears.size(); ++i)
     records.push_back(gear_record(job.gears[i], job.halves[i]));
   std::string text =
-      title_listing(job.spec, "\n") +
-      quantity_listing(gear_quantities().table(), records, gear_columns(records.size()));
+      title_listing(job.spec, "\n") + quantity_listing(job.spec.units(), gear_quantities().table(),
+                                                       records, gear_columns(records.size()));
   std::vector<ValueRecord> halves;
   for (const auto& of : job.halves)
     if (of) halves.push_back(double_helical_quantities().of(*of));
   if (!halves.empty())
-    text +=
-        quantity_listing(double_helical_quantities().table(), halves, gear_columns(halves.size()));
+    text += quantity_listing(job.spec.units(), double_helical_quantities().table(), halves,
+                             gear_columns(halves.size()));
   for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i)
     text += interval_listing(job, i, gear_quantities().table(),
                              gear_quantities().of(job.ends->lower.gears[i]),
@@ -127,7 +132,7 @@ std::string gear_listing(const SolvedJob& job) {
   return text;
 }
 
-std::string pair_listing(const Pair& pair) {
+std::string pair_listing(const Pair& pair, UnitSystem units) {
   const char* kind =
       pair.visit(Overloaded{[](const ArcPair&) { return "Circular-arc pair, parallel axes"; },
                             [](const CrossedPair&) { return "Pair on crossed axes"; },
@@ -138,7 +143,7 @@ std::string pair_listing(const Pair& pair) {
   const bool halves = pair.gear(1).gap.has_value();
   return fmt::format("\n{}{}\n", kind,
                      halves ? "; contact ratios and axial force are those of one half" : "") +
-         quantity_listing(pair_quantities().table(), {pair_quantities().of(pair)}, {});
+         quantity_listing(units, pair_quantities().table(), {pair_quantities().of(pair)}, {});
 }
 
 std::string pair_interval_listing(const SolvedJob& job) {
@@ -147,9 +152,9 @@ std::string pair_interval_listing(const SolvedJob& job) {
   const auto both = differing(pair_quantities().of(*job.ends->lower.pair),
                               pair_quantities().of(*job.ends->upper.pair));
   return "\nValues with the thinnest teeth and the most backlash\n" +
-         quantity_listing(pair_quantities().table(), {both[0]}, {}) +
+         quantity_listing(job.spec.units(), pair_quantities().table(), {both[0]}, {}) +
          "\nValues with the thickest teeth and the least backlash\n" +
-         quantity_listing(pair_quantities().table(), {both[1]}, {});
+         quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {});
 }
 
 std::string warning_listing(const std::vector<Warning>& warnings) {
@@ -172,12 +177,13 @@ std::string file_listing(const std::vector<JobFile>& files) {
   return out;
 }
 
-std::string outline_listing(const Outline& outline, int n) {
-  std::string out = "arc          x_mm                    y_mm\n";
+std::string outline_listing(const Outline& outline, int n, UnitSystem units) {
+  std::string out = pad("arc", 13) + pad(key_in(units, "x_mm"), 24) + key_in(units, "y_mm") + "\n";
+  const auto number = [&](double mm) { return fmt::format("{}", value_in(units, Unit::mm, mm)); };
   for (const Arc& arc : outline.arcs) {
     const std::string name(to_string(arc.name));
     for (const Vec2& p : sample(arc, n)) {
-      out += pad(name, 13) + pad(fmt::format("{}", p.x()), 24) + fmt::format("{}\n", p.y());
+      out += pad(name, 13) + pad(number(p.x()), 24) + number(p.y()) + "\n";
     }
   }
   return out;

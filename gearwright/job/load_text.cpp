@@ -57,15 +57,18 @@ Json load_json(const SolvedJob& job, const LoadAnalysis& answer) {
 }
 
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
+  const UnitSystem units = job.spec.units();
   std::string out = title_listing(job.spec);
   for (std::size_t i = 0; i < answer.probes.size(); ++i) {
     const LoadProbeInput& input = job.spec.load.probes[i];
     const ProbeAnswer& p = answer.probes[i];
+    const auto position = [&](double mm) { return format_number(value_in(units, Unit::mm, mm)); };
+    const std::string_view unit = unit_text(units, Unit::mm);
     out +=
-        fmt::format("  Probe {} on gear {}, diameter {} mm: {:.6g} µm per {}\n", i + 1, input.gear,
-                    format_number(input.diameter), p.own * kUmPerMm, input.z ? "N" : "N/mm");
+        fmt::format("  Probe {} on gear {}, diameter {} {}: {:.6g} µm per {}\n", i + 1, input.gear,
+                    position(input.diameter), unit, p.own * kUmPerMm, input.z ? "N" : "N/mm");
     for (std::size_t k = 0; k < p.profile.size(); ++k)
-      out += fmt::format("    z = {:>9} mm{:>16.6g} µm per N\n", format_number(input.read_z[k]),
+      out += fmt::format("    z = {:>9} {}{:>16.6g} µm per N\n", position(input.read_z[k]), unit,
                          p.profile[k] * kUmPerMm);
   }
   if (!answer.contact) return out;
@@ -73,14 +76,14 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
   const auto views = torque_views(*answer.contact, whole.standard);
   for (std::size_t i = 0; i < views.size(); ++i) {
     const LoadedTorque& t = *views[i].torque;
-    out += quantity_listing(load_torque_quantities().table(),
+    out += quantity_listing(units, load_torque_quantities().table(),
                             {load_torque_quantities().of(views[i])}, {});
     if (!answer.halves.empty()) out += halves_listing(answer, i);
     out +=
         fmt::format("\n  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}  {}\n", "rotation1", "TE", "approach",
                     "pressure", "root 1", "root 2", whole.halves.empty() ? "shares" : "");
-    out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}\n", "°", "arcsec", "µm", "N/mm²",
-                       "N/mm²", "N/mm²");
+    out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}\n", "°", "arcsec",
+                       unit_text(units, Unit::um), "N/mm²", "N/mm²", "N/mm²");
     // The rows are limited to one page. --json has all positions.
     const std::size_t step = std::max<std::size_t>(1, t.positions.size() / 32);
     for (std::size_t at = 0; at < t.positions.size(); at += step) {
@@ -94,7 +97,7 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
       for (const LoadedPair& k : p.pairs) shares += fmt::format(" {:.3f}", k.share);
       out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11} {}\n",
                          fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(p.te.arcsec(), 4),
-                         fixed_decimals(p.approach * kUmPerMm, 4),
+                         text_in(units, Unit::um, p.approach * kUmPerMm, 4),
                          fixed_decimals(p.max_pressure, 1), fixed_decimals(p.root_stress[0], 1),
                          fixed_decimals(p.root_stress[1], 1), shares);
     }

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/inspection/balls.hpp"
 #include "gearwright/job/interval.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -31,9 +33,28 @@ Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, in
   return measure(arranged, request, warnings);
 }
 
+// The tools of a gear. If an inch spec gives the diametral pitch P and no tool, the pins are those of North American
+// practice, 1.728/P for an external and 1.68/P for an internal gear (ANSI/AGMA 2002-B88, the sizes of Van Keuren), if
+// they touch the usable flanks.
+MeasureInput tools_of(const SolvedJob& job, int which) {
+  constexpr double kExternalPin = 1.728, kInternalPin = 1.68;  // modules
+  MeasureInput tools = job.spec.gear(which).measure;
+  const auto pitch_given = [&](int gear) {
+    return job.spec.given.contains(gear_field(gear, "normal_diametral_pitch_per_in"));
+  };
+  const bool pitch = job.spec.units() == UnitSystem::inch && (pitch_given(1) || pitch_given(which));
+  if (!pitch || tools.pin_diameter || tools.ball_diameter) return tools;
+  const Gear& gear = job.gears[static_cast<std::size_t>(which - 1)];
+  if (gear.internal() && gear.spec.helix_angle.rad() != 0.0) return tools;  // no straight pin fits
+  const double pin = (gear.internal() ? kInternalPin : kExternalPin) * gear.spec.normal_module;
+  const auto seat = ball_in_space(gear, pin);
+  if (seat && seat->usable()) tools.pin_diameter = pin;
+  return tools;
+}
+
 Result<GearMeasures> measured(const SolvedJob& job, int which, const std::optional<Pair>& pair,
                               std::vector<Warning>& warnings) {
-  return measured(job, job, which, job.spec.gear(which).measure, pair, warnings);
+  return measured(job, job, which, tools_of(job, which), pair, warnings);
 }
 
 }  // namespace
@@ -64,7 +85,7 @@ namespace {
 // The measurements of a gear at one end of its tolerances, with the tools of the nominal gear.
 ValueRecord measured_at(const SolvedJob& job, const Arranged& end, std::size_t i,
                         const GearMeasures& nominal) {
-  MeasureInput tools = job.spec.gears[i]->measure;
+  MeasureInput tools = tools_of(job, static_cast<int>(i) + 1);
   if (nominal.span) tools.span_teeth = nominal.span->teeth;
   if (nominal.balls) tools.ball_diameter = nominal.balls->seat.ball_diameter;
   if (nominal.pins) tools.pin_diameter = nominal.pins->seat.ball_diameter;
@@ -108,7 +129,8 @@ std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures
   std::vector<ValueRecord> records;
   for (const GearMeasures& m : measures) records.push_back(measure_quantities().of(m));
   const QuantityTable& table = measure_quantities().table();
-  std::string text = quantity_listing(table, records, gear_columns(records.size()));
+  std::string text =
+      quantity_listing(job.spec.units(), table, records, gear_columns(records.size()));
   for (std::size_t i = 0; job.ends && i < measures.size(); ++i)
     text += interval_listing(job, i, table, measured_at(job, job.ends->lower, i, measures[i]),
                              measured_at(job, job.ends->upper, i, measures[i]));

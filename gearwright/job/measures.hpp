@@ -50,6 +50,6 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
 /// {normal_module_mm, normal_pressure_angle_deg, helix_angle_deg, profile_shift,
 /// reference_diameter_mm}
 Json rack_json(const ReferenceInput<double>& rack);
-std::string rack_listing(const std::vector<ReferenceInput<double>>& racks);
+std::string rack_listing(const std::vector<ReferenceInput<double>>& racks, UnitSystem units);
 
 }  // namespace gearwright

@@ -27,19 +27,24 @@ FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges) {
 
 namespace {
 
-void append(std::string& text, int which, const std::string& flank,
+void append(std::string& text, UnitSystem units, int which, const std::string& flank,
             const std::vector<NominalPoint>& points) {
+  const auto length = [&](double mm) { return value_in(units, Unit::mm, mm); };
   for (const NominalPoint& p : points)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", which, flank, p.diameter, p.height,
-                        p.point.x(), p.point.y(), p.point.z(), p.normal.x(), p.normal.y(),
-                        p.normal.z());
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", which, flank, length(p.diameter),
+                        length(p.height), length(p.point.x()), length(p.point.y()),
+                        length(p.point.z()), p.normal.x(), p.normal.y(), p.normal.z());
 }
 
 }  // namespace
 
 Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
                                 const std::optional<int>& fillet) {
-  std::string text = "gear,flank,diameter_mm,height_mm,x_mm,y_mm,z_mm,nx,ny,nz\n";
+  const UnitSystem units = job.spec.units();
+  std::string text = "gear,flank";
+  for (const char* key : {"diameter_mm", "height_mm", "x_mm", "y_mm", "z_mm"})
+    text += "," + key_in(units, key);
+  text += ",nx,ny,nz\n";
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
     const int which = static_cast<int>(i) + 1;
     const Gear& gear = job.gears[i];
@@ -53,12 +58,12 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
       const auto field = make_removal_field(job.completed.gears[i]->modifications[right ? 0 : 1],
                                             extent_of(gear, *ranges));
       if (!field) return within(gear_field(which, "modifications"), field.error());
-      append(text, which, flank, nominal_points(gear, *field, side, *ranges, grid));
+      append(text, units, which, flank, nominal_points(gear, *field, side, *ranges, grid));
       if (!fillet) continue;
       const auto points = fillet_points(gear, side, *ranges, {*fillet, grid.helix});
       if (points.empty())
         return Error{gear_field(which), "", "has no root fillet on which points could be computed"};
-      append(text, which, std::string(flank) + "_fillet", points);
+      append(text, units, which, std::string(flank) + "_fillet", points);
     }
   }
   return text;

@@ -43,12 +43,12 @@ std::string effects(const ProposeAnswer& a) {
   return out;
 }
 
-std::string amounts(const ProposeAnswer& a) {
+std::string amounts(const ProposeAnswer& a, UnitSystem units) {
   std::string out = "\nAmounts in whole µm, reliefs rounded upwards\n";
   for (std::size_t i = 1; i < a.proposals.size(); ++i) {
     int line = 0;
     for (const std::size_t gear : {0, 1}) {
-      const std::string text = amounts_of(a.proposals[i].gears[gear]);
+      const std::string text = sentence_in(units, amounts_of(a.proposals[i].gears[gear]));
       if (text.empty()) continue;
       const std::string number = line++ == 0 ? std::to_string(i + 1) : "";
       out += fmt::format("  {:>2}  gear {}: {}\n", number, gear + 1, text);
@@ -64,11 +64,12 @@ Json propose_json(const SolvedJob& job, const ProposeAnswer& a) {
 }
 
 std::string propose_listing(const SolvedJob& job, const ProposeAnswer& a) {
+  const UnitSystem units = job.spec.units();
   return title_listing(job.spec) +
-         quantity_listing(propose_quantities().table(), {propose_quantities().of(a)}, {}) +
-         amounts(a) + effects(a) +
+         quantity_listing(units, propose_quantities().table(), {propose_quantities().of(a)}, {}) +
+         amounts(a, units) + effects(a) +
          fmt::format("\n* Recommended: {}, {}. {}\n", a.recommended + 1,
-                     words_of(a.proposals[a.recommended]), a.reason) +
+                     words_of(a.proposals[a.recommended]), sentence_in(units, a.reason)) +
          "To print the spec of a proposal: --take NUMBER > modified.toml\n";
 }
 

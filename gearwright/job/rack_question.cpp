@@ -98,10 +98,11 @@ Json rack_json(const ReferenceInput<double>& rack) {
   return to_json(as_rack_quantities().of(rack));
 }
 
-std::string rack_listing(const std::vector<ReferenceInput<double>>& racks) {
+std::string rack_listing(const std::vector<ReferenceInput<double>>& racks, UnitSystem units) {
   std::vector<ValueRecord> records;
   for (const auto& rack : racks) records.push_back(as_rack_quantities().of(rack));
-  return quantity_listing(as_rack_quantities().table(), records, gear_columns(records.size()));
+  return quantity_listing(units, as_rack_quantities().table(), records,
+                          gear_columns(records.size()));
 }
 
 }  // namespace gearwright

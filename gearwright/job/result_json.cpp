@@ -10,6 +10,7 @@
 #include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/job/interval.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 
@@ -59,7 +60,7 @@ Json job_json(const SolvedJob& job, const Verdict& verdict) {
   Json j = job_record(job);
   j["warnings"] = warnings_json(job.warnings);
   j["verdict"] = verdict_json(verdict);
-  return j;
+  return in_units(job.spec.units(), j);
 }
 
 Json verdict_json(const Verdict& verdict) { return to_json(verdict_quantities().of(verdict)); }

@@ -14,6 +14,7 @@
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/identify_quantities.hpp"
+#include "gearwright/catalogue/inch_schema.hpp"
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
@@ -215,13 +216,15 @@ Json result_schema() {
   properties["drawing"] = schema.reference(drawing_quantities().table());
   properties["verdict"] = schema.reference(verdict_quantities().table());
   properties["error"] = error_schema();
-  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-          {"title", "Gearwright result"},
-          {"description", "The output of gearwright VERB SPEC --json"},
-          {"type", "object"},
-          {"properties", std::move(properties)},
-          {"additionalProperties", false},
-          {"$defs", std::move(schema.definitions())}};
+  Json whole{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+             {"title", "Gearwright result"},
+             {"description", "The output of gearwright VERB SPEC --json"},
+             {"type", "object"},
+             {"properties", std::move(properties)},
+             {"additionalProperties", false},
+             {"$defs", std::move(schema.definitions())}};
+  add_inch_names(whole);
+  return whole;
 }
 
 }  // namespace gearwright

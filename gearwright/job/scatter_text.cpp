@@ -191,7 +191,7 @@ std::string probability_listing(const ScatterAnswer& a) {
          share_row("contact is lost", a.scatter.contact_lost);
 }
 
-std::string index_listing(const ScatterAnswer& a) {
+std::string index_listing(const ScatterAnswer& a, UnitSystem units) {
   std::string out;
   for (const ScatterQuantity q : {ScatterQuantity::peak_to_peak, ScatterQuantity::least_play}) {
     const ScatterEntry& entry = scatter_entries()[static_cast<std::size_t>(q)];
@@ -211,14 +211,15 @@ std::string index_listing(const ScatterAnswer& a) {
     for (std::size_t g = 0; g < a.task.groups.size(); ++g) {
       const Estimate& first = indices->first[g];
       const Estimate& total = indices->total[g];
-      out += fmt::format("  {:<44}{}{}{}{}\n", printable(a.task.groups[g].name), text(first.value),
-                         text(first.standard_error), text(total.value), text(total.standard_error));
+      out += fmt::format("  {:<44}{}{}{}{}\n", printable(key_in(units, a.task.groups[g].name)),
+                         text(first.value), text(first.standard_error), text(total.value),
+                         text(total.standard_error));
     }
   }
   return out;
 }
 
-std::string worst_listing(const ScatterView& view) {
+std::string worst_listing(const ScatterView& view, UnitSystem units) {
   std::string out = head("Worst values within all ranges, found by a search");
   for (const auto& worst : {view.worst_peak_to_peak, view.worst_least_play}) {
     if (!worst) continue;
@@ -229,17 +230,19 @@ std::string worst_listing(const ScatterView& view) {
                        worst->worst->corner ? ", at a corner of the ranges" : "");
     for (const auto& [name, value] : worst->at) {
       const ValueList* list = value.list();
-      const auto number = [](const Value& v) { return format_number(v.number().value_or(0.0)); };
+      const auto number = [&, unit = unit_of(name)](const Value& v) {
+        return format_number(value_in(units, unit, v.number().value_or(0.0)));
+      };
       std::string shown = list ? "" : number(value);
       for (std::size_t i = 0; list && i < list->size(); ++i)
         shown += (i == 0 ? "" : ", ") + number((*list)[i]);
-      out += fmt::format("    {:<40}{}\n", name, shown);
+      out += fmt::format("    {:<40}{}\n", key_in(units, name), shown);
     }
   }
   return out;
 }
 
-std::string loosening_listing(const ScatterAnswer& a) {
+std::string loosening_listing(const ScatterAnswer& a, UnitSystem units) {
   const Loosening& l = *a.scatter.loosening;
   const auto arcsec = [](double rad) {
     return fixed_decimals(Angle::radians(rad).arcsec(), scatter_entries()[0].digits);
@@ -253,14 +256,14 @@ std::string loosening_listing(const ScatterAnswer& a) {
   for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {
     const Loosening::Change& c = l.by_tolerance[i];
     out += fmt::format(
-        "  {:<44}{:>12}{:>21}\n", a.task.tolerances[i].name,
+        "  {:<44}{:>12}{:>21}\n", key_in(units, a.task.tolerances[i].name),
         c.factor ? fmt::format("{:.2f}", *c.factor) : fmt::format("over {:g}", kMostFactor),
         arcsec(c.halved));
   }
   if (l.tighten_first) {
     const std::size_t i = *l.tighten_first;
     out += fmt::format("  Tighten {} first, because half of this tolerance gives {} ″.\n",
-                       a.task.tolerances[i].name, arcsec(l.by_tolerance[i].halved));
+                       key_in(units, a.task.tolerances[i].name), arcsec(l.by_tolerance[i].halved));
   } else {
     out += "  No tolerance lowers the percentile if it is halved.\n";
   }
@@ -290,13 +293,14 @@ std::string robust_load_listing(const RobustView& r) {
   return out;
 }
 
-std::string robust_listing(const RobustView& r) {
+std::string robust_listing(const RobustView& r, UnitSystem units) {
   std::string out = head(fmt::format(
       "Corrections for the {} % point of the {}", format_number(r.percent),
       r.under_load ? "loaded transmission error, peak to peak, under the worst of the torques"
                    : "transmission error, peak to peak"));
   for (const FoundCorrection& c : r.corrections)
-    out += fmt::format("  {:<44}{:>11} {}{}\n", c.words, fixed_decimals(c.value, 4), c.shown_unit,
+    out += fmt::format("  {:<44}{:>11} {}{}\n", c.words, text_in(units, unit_of(c.key), c.value, 4),
+                       unit_text(units, unit_of(c.key)),
                        c.at_bound ? "  (at the end of the range)" : "");
   for (const auto& [words, j] :
        {std::pair{"without corrections", &r.before}, {"with corrections", &r.after}}) {
@@ -342,10 +346,11 @@ Json scatter_json(const SolvedJob& job, const ScatterAnswer& a) {
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
   std::string out =
       title_listing(job.spec) + spread_listing(a) + probability_listing(a) + loaded_listing(a);
-  if (a.task.indices) out += index_listing(a);
-  if (a.task.worst_case) out += worst_listing(scatter_view(job, a));
-  if (a.scatter.loosening) out += loosening_listing(a);
-  if (a.robust) out += robust_listing(robust_view(job, a));
+  const UnitSystem units = job.spec.units();
+  if (a.task.indices) out += index_listing(a, units);
+  if (a.task.worst_case) out += worst_listing(scatter_view(job, a), units);
+  if (a.scatter.loosening) out += loosening_listing(a, units);
+  if (a.robust) out += robust_listing(robust_view(job, a), units);
   return out;
 }
 
@@ -356,16 +361,19 @@ std::vector<std::string> scatter_columns(const ScatterTask& task) {
   return names;
 }
 
-std::string scatter_csv(const SolvedJob&, const ScatterAnswer& a) {
+std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& a) {
+  const UnitSystem units = job.spec.units();
+  const std::vector<std::string> names = scatter_columns(a.task);
   std::string out = "replicate,sample";
-  for (const std::string& name : scatter_columns(a.task)) out += "," + name;
+  for (const std::string& name : names) out += "," + key_in(units, name);
   for (const ScatterEntry& entry : scatter_entries()) out += fmt::format(",{}", entry.key);
   out += ",contact_lost\r\n";
   const auto n = static_cast<std::size_t>(a.task.samples);
   for (std::size_t i = 0; i < a.scatter.samples.size(); ++i) {
     const ScatterSample& sample = a.scatter.samples[i];
     out += fmt::format("{},{}", i / n, i % n);
-    for (const double x : sample.x) out += "," + csv_cell(Value(x));
+    for (std::size_t k = 0; k < sample.x.size(); ++k)
+      out += "," + csv_cell(Value(sample.x[k]), units, unit_of(names[k]));
     for (const ScatterEntry& entry : scatter_entries()) {
       const double value = sample.member[entry.quantity];
       out += "," + (std::isnan(value) ? std::string() : csv_cell(Value(entry.shown(value))));

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
@@ -13,6 +15,7 @@
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/report/search_report.hpp"
 #include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 
@@ -81,22 +84,27 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
 
 // The columns of a search for drawings: face width and overlap ratio, backlash at both ends, the smaller
 // safety of the two gears, and mass.
-std::string drawing_heads(const SearchProblem& p) {
-  return (p.sizes_faces() ? fmt::format(" {:>6} {:>6}", "b mm", "ε_β") : "") +
-         (p.allowances.thin_teeth() ? fmt::format(" {:>13}", "j_n mm") : "") +
+std::string drawing_heads(const SearchProblem& p, UnitSystem units) {
+  const auto head = [&](const char* what) {
+    return fmt::format("{} {}", what, unit_text(units, Unit::mm));
+  };
+  return (p.sizes_faces() ? fmt::format(" {:>6} {:>6}", head("b"), "ε_β") : "") +
+         (p.allowances.thin_teeth() ? fmt::format(" {:>13}", head("j_n")) : "") +
          (p.rating ? fmt::format(" {:>6} {:>6}", "S_H", "S_F") : "") +
          (p.weighs() ? fmt::format(" {:>9}", "mass kg") : "");
 }
-std::string drawing_cells(const SearchProblem& problem, const DesignRow& row) {
+std::string drawing_cells(const SearchProblem& problem, const DesignRow& row, UnitSystem units) {
+  const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 3); };
   const auto lesser = [](const std::array<std::optional<double>, 2>& s) {
     return s[0] && s[1] ? fmt::format(" {:>6.3f}", std::min(*s[0], *s[1])) : "      -";
   };
   std::string cells;
   if (problem.sizes_faces())
-    cells += fmt::format(" {:>6g} {:>6.3f}", row.face_width, row.overlap_ratio);
+    cells += fmt::format(" {:>6.4g} {:>6.3f}", value_in(units, Unit::mm, row.face_width),
+                         row.overlap_ratio);
   if (problem.allowances.thin_teeth()) {
     const auto& [least, most] = row.backlash_ends;
-    cells += least && most ? fmt::format(" {:.3f} … {:.3f}", *least, *most) : "             -";
+    cells += least && most ? fmt::format(" {} … {}", mm(*least), mm(*most)) : "             -";
   }
   return cells + (problem.rating ? lesser(row.flank_safety) + lesser(row.root_safety) : "") +
          (problem.weighs() ? fmt::format(" {:>9.3f}", row.mass) : "");
@@ -122,6 +130,11 @@ std::string face_words(const SearchProblem& p) {
 // The tables of a pair that a search does not use; its designs have them.
 constexpr const char* kPairTables[] = {"errors", "contact", "load", "compensate", "scatter"};
 
+// A pitch without the rounding error of the module that was computed from it: 3 for 25.4/(25.4/3).
+double without_rounding(double pitch) {
+  return std::strtod(fmt::format("{:.15g}", pitch).c_str(), nullptr);
+}
+
 // The table [rating], with the required safeties of the search.
 Json rating_of(const Json& tree, const SearchLimits& limits) {
   Json rating = tree["rating"];
@@ -138,7 +151,7 @@ Json design_row_json(const Search& search, const DesignRow& row, bool with_edges
   return to_json(design_quantities().of(view));
 }
 
-std::string search_json_text(const Search& search, const SearchRun& run) {
+std::string search_json_text(const Search& search, const SearchRun& run, UnitSystem units) {
   const SearchAnswer& a = run.answer;
   Json head = to_json(search_quantities().of(
       {&search.problem(), &a, &run.changes, run.safest ? &*run.safest : nullptr}));
@@ -183,7 +196,8 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   }
   if (!run.changes_left_out.empty())
     warn(WarningCode::changes_left_out, run.changes_left_out + ".");
-  return text + ",\n  \"warnings\": " + json_text(warnings_json(warnings)) + "\n}\n";
+  text = text + ",\n  \"warnings\": " + json_text(warnings_json(warnings)) + "\n}\n";
+  return units == UnitSystem::mm ? text : json_text(in_units(units, parse_json(text)), 2) + "\n";
 }
 
 Json unfinished_json(const SearchRun& run) {
@@ -263,7 +277,8 @@ std::vector<std::string> change_lines(const SearchRun& run) {
   return lines;
 }
 
-std::string search_listing(const Search& search, const SearchRun& run, std::size_t most) {
+std::string search_listing(const Search& search, const SearchRun& run, UnitSystem units,
+                           std::size_t most) {
   const SearchAnswer& a = run.answer;
   const SearchProblem& p = search.problem();
   std::string text =
@@ -271,9 +286,9 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
                   a.counts.tested, p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
   for (const std::string& line : rejected_lines(a.counts)) text += "  ruled out by " + line + "\n";
   text += margin_line(p.limits) + "\n";
-  if (p.rating) text += rating_line(p) + "\n";
+  if (p.rating) text += sentence_in(units, rating_line(p)) + "\n";
   if (p.rating_unused) text += std::string(kRatingUnused) + "\n";
-  if (p.draw) text += drawing_line(p) + "\n";
+  if (p.draw) text += sentence_in(units, drawing_line(p)) + "\n";
   if (p.shift_step) {
     text += fmt::format("{} of {} points of the grid of profile shifts are feasible (step {})\n",
                         a.counts.points_feasible, a.counts.points_tested, *p.shift_step);
@@ -282,7 +297,8 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
     if (run.safest) text += safest_line(*run.safest) + "\n";
     if (!run.changes.empty()) {
       text += "\nNo design is feasible. Each of these changes alone would make designs feasible:\n";
-      for (const std::string& line : change_lines(run)) text += "  " + line + "\n";
+      for (const std::string& line : change_lines(run))
+        text += "  " + sentence_in(units, line) + "\n";
       if (!run.changes_left_out.empty()) text += "Note: " + run.changes_left_out + ".\n";
     } else {
       text += run.changes_left_out.empty()
@@ -293,22 +309,23 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
   }
   const bool helical =
       std::any_of(p.helix.begin(), p.helix.end(), [](Angle b) { return b != Angle(); });
-  const std::string strength = drawing_heads(p);
+  const std::string strength = drawing_heads(p, units);
   text += fmt::format(
       "\n{:>4} {:>7} {:>4} {:>5}{} {:>8} {:>10} {:>8} {:>8} {:>7} {:>7} {:>7}{} {:>7}  {}\n",
-      "rank", "module", "z1", "z2", helical ? "   helix" : "", "ratio", "a mm", "x1", "x2", "ε_α",
-      "ε eff", "ζ max", strength, "area", "shifts");
+      "rank", "module", "z1", "z2", helical ? "   helix" : "", "ratio",
+      fmt::format("a {}", unit_text(units, Unit::mm)), "x1", "x2", "ε_α", "ε eff", "ζ max",
+      strength, "area", "shifts");
   for (std::size_t i = 0; i < a.designs.size() && i < most; ++i) {
     const DesignRow& r = a.designs[i];
     const auto zeta = r.max_sliding();
     text += fmt::format(
-        "{:>4} {:>7g} {:>4} {:>5}{} {:>8.4f} {:>10.4f} {:>8.4f} {:>8.4f} {:>7.4f} {:>7.4f} {:>7}{} "
+        "{:>4} {:>7g} {:>4} {:>5}{} {:>8.4f} {:>10} {:>8.4f} {:>8.4f} {:>7.4f} {:>7.4f} {:>7}{} "
         "{:>7.4f}  {}{}{}\n",
         i + 1, r.trial.module, r.trial.z1, r.trial.z2,
         helical ? fmt::format(" {:>7.3f}", tidy_degrees(r.trial.helix[0])) : "", r.ratio,
-        r.center_distance, r.shift[0], r.shift[1], r.contact_ratio, r.contact_ratio_true,
-        zeta ? fmt::format("{:.3f}", *zeta) : "-", drawing_cells(p, r), r.area,
-        r.balanced ? "balanced" : "middle",
+        text_in(units, Unit::mm, r.center_distance, 4), r.shift[0], r.shift[1], r.contact_ratio,
+        r.contact_ratio_true, zeta ? fmt::format("{:.3f}", *zeta) : "-", drawing_cells(p, r, units),
+        r.area, r.balanced ? "balanced" : "middle",
         std::find(a.pareto.begin(), a.pareto.end(), i) != a.pareto.end() ? ", front" : "",
         r.interference ? ", interference" : "");
   }
@@ -331,7 +348,10 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
   for (int i = 0; i < 2; ++i) {
     Json g;
     g["teeth"] = teeth[i];
-    g["normal_module_mm"] = row.trial.module;
+    if (tree["search"].contains("diametral_pitches_per_in"))
+      g["normal_diametral_pitch_per_in"] = without_rounding(kMmPerInch / row.trial.module);
+    else
+      g["normal_module_mm"] = row.trial.module;
     g["normal_pressure_angle_deg"] = tidy_degrees(p.normal_pressure_angle);
     g["helix_angle_deg"] = tidy_degrees(row.trial.helix[i]);
     g["profile_shift"] = row.shift[i];

@@ -15,14 +15,15 @@ inline constexpr std::size_t kListedDesigns = 20;
 /// One design as JSON with the keys of search.designs[i].
 Json design_row_json(const Search& search, const DesignRow& row, bool with_edges = true);
 
-/// The whole result as JSON text, with one design per line, because the array may be long.
-std::string search_json_text(const Search& search, const SearchRun& run);
+/// The whole result as JSON text in these units, for mm with one design per line, because the array may be long.
+std::string search_json_text(const Search& search, const SearchRun& run,
+                             UnitSystem units = UnitSystem::mm);
 
 /// The result of a run that has not finished or was stopped.
 Json unfinished_json(const SearchRun& run);
 
-/// Lists the counts and the best designs. If there are none, it lists changes that would help.
-std::string search_listing(const Search& search, const SearchRun& run,
+/// Lists the counts and the best designs in these units. If there are none, it lists changes that would help.
+std::string search_listing(const Search& search, const SearchRun& run, UnitSystem units,
                            std::size_t most = kListedDesigns);
 
 /// The conditions that all designs satisfy: "every design runs without interference, form clearance ≥

@@ -24,6 +24,7 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 
@@ -182,7 +183,7 @@ Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
                    const LoadAnalysis&) { return judge(job, {.load = true}); },
        .record = load_json,
        .listing = load_listing,
-       .csv = [](const SolvedJob&, const LoadAnalysis& a) { return load_csv(a); }},
+       .csv = load_csv},
       spec, progress);
 }
 
@@ -194,7 +195,8 @@ Json rating_json(const SolvedJob& job, const RatingAnswer& answer) {
 std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
   const auto& quantities = rating_quantities();
   return title_listing(job.spec, "\n") +
-         quantity_listing(quantities.table(), {quantities.of(answer)}, gear_columns(2),
+         quantity_listing(job.spec.units(), quantities.table(), {quantities.of(answer)},
+                          gear_columns(2),
                           [&](const QuantityInfo& s) { return source_text(answer.rating, s.key); });
 }
 
@@ -207,19 +209,19 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
                    const RatingAnswer& a) { return judge(job, {.rating = &a}); },
        .record = rating_json,
        .listing = rating_listing,
-       .csv = [](const SolvedJob&, const RatingAnswer& a) { return rating_csv(a); }},
+       .csv = rating_csv},
       spec, progress);
 }
 
 // The answer of a verb that computes gears and does not need them as input. `specs` are the computed gears.
 template <class Found>
-Answer proposals(Found&& found, Json (*record)(const Found&),
-                 std::string (*listing)(const Found&)) {
+Answer proposals(UnitSystem units, Found&& found, Json (*record)(const Found&),
+                 std::string (*listing)(const Found&, UnitSystem)) {
   Answer answer;
   answer.record = record(found);
   answer.specs = found.specs;
   const auto state = std::make_shared<const Found>(std::move(found));
-  answer.listing = [state, listing] { return listing(*state); };
+  answer.listing = [state, listing, units] { return listing(*state, units); };
   return answer;
 }
 
@@ -227,7 +229,7 @@ Result<Answer> run_identify(const JobSpec& spec, Progress*) {
   auto found = answer_identify(spec);
   if (!found) return found.error();
   auto notes = found->notes;
-  Answer answer = proposals(std::move(found).take(), identify_json, identify_listing);
+  Answer answer = proposals(spec.units(), std::move(found).take(), identify_json, identify_listing);
   answer.notes = std::move(notes);
   return answer;
 }
@@ -236,7 +238,7 @@ Result<Answer> run_fit(const JobSpec& spec, Progress* progress) {
   auto found = answer_fit(spec, progress);
   if (!found) return found.error();
   std::string reason = found->fit.reason;
-  Answer answer = proposals(std::move(found).take(), fit_json, fit_listing);
+  Answer answer = proposals(spec.units(), std::move(found).take(), fit_json, fit_listing);
   answer.why_none = std::move(reason);
   return answer;
 }
@@ -303,15 +305,33 @@ constexpr Verb kVerbs[] = {
 
 Json answer_json(const Answer& answer) {
   Json json = answer.record;
-  if (!answer.verdict) return json;
-  json["warnings"] = warnings_json(answer.warnings);
-  json["verdict"] = verdict_json(*answer.verdict);
-  return json;
+  if (answer.verdict) {
+    json["warnings"] = warnings_json(answer.warnings);
+    json["verdict"] = verdict_json(*answer.verdict);
+  }
+  return in_units(answer.units, json);
 }
 
 std::string answer_text(const Answer& answer) {
-  return answer.listing() + warning_listing(answer.warnings) +
-         (answer.verdict ? verdict_listing(*answer.verdict) : "");
+  return answer.listing() +
+         sentence_in(answer.units, warning_listing(answer.warnings) +
+                                       (answer.verdict ? verdict_listing(*answer.verdict) : ""));
+}
+
+Result<Answer> Verb::run(const JobSpec& spec, Progress* progress) const {
+  auto found = solve(spec, progress);
+  return found ? Result<Answer>(in_units_of(spec, std::move(found).take())) : found;
+}
+
+Answer in_units_of(const JobSpec& spec, Answer answer) {
+  if (spec.units() == UnitSystem::mm) return answer;
+  answer.units = spec.units();
+  for (Json& proposal : answer.specs) proposal = spec_in(answer.units, proposal);
+  answer.expanded = spec_in(answer.units, answer.expanded);
+  for (auto& notes : answer.notes)
+    for (std::string& note : notes) note = sentence_in(answer.units, note);
+  answer.why_none = sentence_in(answer.units, answer.why_none);
+  return answer;
 }
 
 std::span<const Verb> verbs() { return kVerbs; }

@@ -33,9 +33,14 @@ struct Answer {
   std::string why_none;                  ///< the reason if a verb that proposes specs has none
   std::function<std::string()> listing;  ///< the record for a terminal
   std::function<std::string()> csv;      ///< empty if the verb has no table
+  UnitSystem units =
+      UnitSystem::mm;  ///< of the specs, of their notes and of all output; `record` is in mm
 };
 
-/// The record, followed by `warnings` and `verdict` if the verb judges gears.
+/// The answer with its specs and notes in the units of the spec.
+Answer in_units_of(const JobSpec& spec, Answer answer);
+
+/// The record, followed by `warnings` and `verdict` if the verb judges gears, in the units of the answer.
 Json answer_json(const Answer& answer);
 /// The listing, warnings and verdict.
 std::string answer_text(const Answer& answer);
@@ -50,8 +55,12 @@ struct Verb {
   /// The option --take: there is none; a flag for a single proposed spec; or the number of one of several.
   enum class Take { none, flag, number } take;
   const char* take_meaning;
+  Result<Answer> (*solve)(const JobSpec& spec, Progress* progress);
+
+  /// The answer in the units of the spec.
+  ///
   /// Throws  IoError if a file named in the spec cannot be read
-  Result<Answer> (*run)(const JobSpec& spec, Progress* progress);
+  Result<Answer> run(const JobSpec& spec, Progress* progress) const;
 };
 
 /// All verbs, in the order for users.

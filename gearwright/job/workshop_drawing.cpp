@@ -40,8 +40,13 @@ std::string with_minus(std::string number) {
   return number.starts_with('-') ? "−" + number.substr(1) : number;
 }
 
-std::string number(const QuantityInfo& info, double value) {
-  const std::string text = short_decimals(value, digits_of(info));
+// A value with the unit of the sheet. Lengths in inch have four decimals, also if the last is zero.
+std::string number(const QuantityInfo& info, double value, UnitSystem units) {
+  const UnitSystem own = system_of(info, units);
+  if (unit_in(own, info.unit) == Unit::inch)
+    return with_minus(fixed_decimals(value_in(own, info.unit, value), 4));
+  const int digits = digits_in(own, info.unit, digits_of(info));
+  const std::string text = short_decimals(value_in(own, info.unit, value), digits);
   return with_minus(text) + (info.unit == Unit::deg ? "°" : "");
 }
 
@@ -51,7 +56,8 @@ enum class Sign { kept, dropped };
 /// A record, and the same record at the lower and at the upper end of its tolerances.
 struct Records {
   ValueRecord nominal;
-  std::vector<ValueRecord> ends;  ///< two, or none
+  UnitSystem units;
+  std::vector<ValueRecord> ends{};  ///< two, or none
 
   std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const {
     const Member* const m = find(nominal, path);
@@ -59,7 +65,7 @@ struct Records {
     const auto x = m->value.number();
     if (!x || m->info->type != Type::number) return with_minus(text_of(*m->info, m->value));
     if (const auto limits = between(*m->info, path)) return limits;
-    return number(*m->info, sign == Sign::kept ? *x : std::abs(*x));
+    return number(*m->info, sign == Sign::kept ? *x : std::abs(*x), units);
   }
 
  private:
@@ -68,7 +74,8 @@ struct Records {
     const Member *const a = find(ends[0], path), *const b = find(ends[1], path);
     if (!a || !b || !a->value.number() || !b->value.number()) return std::nullopt;
     const double x = *a->value.number(), y = *b->value.number();
-    const std::string from = number(info, std::min(x, y)), to = number(info, std::max(x, y));
+    const std::string from = number(info, std::min(x, y), units),
+                      to = number(info, std::max(x, y), units);
     return from == to ? std::nullopt : std::optional(from + " … " + to);
   }
 };
@@ -111,7 +118,11 @@ void add_rack(Group& group, const Gear& gear) {
 Group teeth(const Gear& gear, const std::optional<Halves>& halves, const Records& r) {
   Group group("Gear data, symbols of ISO 21771");
   group.row(r, "teeth");
-  group.row(r, "normal_module_mm");
+  if (r.units == UnitSystem::inch)
+    group.row("Normal diametral pitch", "P_nd",
+              fmt::format("{:.8g}", kMmPerInch / gear.spec.normal_module));
+  else
+    group.row(r, "normal_module_mm");
   group.row(r, "normal_pressure_angle_deg");
   group.row(r, "helix_angle_deg", Sign::dropped);
   if (halves)
@@ -120,7 +131,7 @@ Group teeth(const Gear& gear, const std::optional<Halves>& halves, const Records
   else if (gear.spec.helix_angle.rad() != 0.0)
     group.row(r, "hand_of_helix");
   if (halves) {
-    const Records two{double_helical_quantities().of(*halves), {}};
+    const Records two{double_helical_quantities().of(*halves), r.units};
     if (halves->given.stagger_pitches != 0.0) group.row(two, "stagger_pitches");
     for (const char* key : {"half_face_width_mm", "gap_mm", "groove_diameter_mm"})
       group.row(two, key);
@@ -132,12 +143,16 @@ Group teeth(const Gear& gear, const std::optional<Halves>& halves, const Records
 }
 
 // Adds a size with the limits of its fit. If the size has no fit, the limits are left blank.
-void size_rows(Group& group, const std::string& what, const std::string& symbol, double size,
-               const std::string& fit, const std::optional<std::array<double, 2>>& deviations) {
-  const std::string text = with_minus(short_decimals(size, 4));
+void size_rows(Group& group, UnitSystem units, const std::string& what, const std::string& symbol,
+               double size, const std::string& fit,
+               const std::optional<std::array<double, 2>>& deviations) {
+  const bool mm = units == UnitSystem::mm;
+  const auto inch = [&](double x) { return fixed_decimals(value_in(units, Unit::mm, x), 4); };
+  const std::string text = mm ? with_minus(short_decimals(size, 4)) : inch(size);
   group.row(what, symbol, fit.empty() ? text : text + " " + fit);
   // A limit of half a µm needs a fourth decimal.
   const auto limit = [&](double deviation) {
+    if (!mm) return inch(size + deviation);
     const double um = 1e3 * (size + deviation);
     return fixed_decimals(size + deviation, std::abs(um - std::round(um)) < 1e-6 ? 3 : 4);
   };
@@ -150,20 +165,20 @@ std::optional<std::array<double, 2>> limits_of(const std::string& fit, double si
   return deviations ? std::optional(*deviations) : std::nullopt;
 }
 
-Group bore_group(const Gear& gear, const DrawingInput& words) {
+Group bore_group(const Gear& gear, const DrawingInput& words, UnitSystem units) {
   Group group("Bore and keyway");
   if (gear.internal() || !gear.bore) return group;
   const Bore& bore = *gear.bore;
-  size_rows(group, "Bore", "Ø", bore.diameter, words.bore_fit,
+  size_rows(group, units, "Bore", "Ø", bore.diameter, words.bore_fit,
             limits_of(words.bore_fit, bore.diameter));
   if (!bore.has_keyway()) return group;
   const double width = bore.keyway_width;
-  size_rows(group, "Keyway, width", "b", width, words.keyway_fit,
+  size_rows(group, units, "Keyway, width", "b", width, words.keyway_fit,
             limits_of(words.keyway_fit, width));
   std::optional<std::array<double, 2>> depth;
   if (!words.keyway_fit.empty()) depth = {0.0, keyway_depth_deviation(width)};
-  size_rows(group, "Keyway, bore with depth", "d + t_2", bore.diameter + bore.keyway_depth, "",
-            depth);
+  size_rows(group, units, "Keyway, bore with depth", "d + t_2", bore.diameter + bore.keyway_depth,
+            "", depth);
   return group;
 }
 
@@ -195,17 +210,22 @@ Group thickness(bool ring, const Records& gear, const Records& measure) {
   return group;
 }
 
-std::string amount(const ModificationEntry& entry, const FlankModifications& m) {
-  const std::string text = with_minus(short_decimals(kUmPerMm * entry.amount_of(m), 3)) + " µm";
+std::string amount(const ModificationEntry& entry, const FlankModifications& m, UnitSystem units) {
+  const double um = value_in(units, Unit::um, kUmPerMm * entry.amount_of(m));
+  const std::string text =
+      fmt::format("{} {}", with_minus(short_decimals(um, digits_in(units, Unit::um, 3))),
+                  unit_text(units, Unit::um));
   if (!entry.relief || !(m.*entry.relief).reach) return text;
   const bool diameter = entry.reach == "_start_mm";
-  return text + (diameter ? " from Ø" : " over ") + short_decimals(*(m.*entry.relief).reach, 4);
+  return text + (diameter ? " from Ø" : " over ") +
+         short_decimals(value_in(units, Unit::mm, *(m.*entry.relief).reach), 4);
 }
 
-Group modifications(const std::array<FlankModifications, 2>& flanks) {
+Group modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem units) {
   Group group("Flank modifications, material removed");
   for (const ModificationEntry& entry : modification_entries()) {
-    const std::array<std::string, 2> texts{amount(entry, flanks[0]), amount(entry, flanks[1])};
+    const std::array<std::string, 2> texts{amount(entry, flanks[0], units),
+                                           amount(entry, flanks[1], units)};
     const std::string words = capitalised(std::string(entry.words));
     for (const std::size_t i : {0u, 1u}) {
       if (entry.amount_of(flanks[i]) == 0.0) continue;
@@ -223,9 +243,9 @@ Group modifications(const std::array<FlankModifications, 2>& flanks) {
 
 Group tolerances(const ToleranceInput& asked, const Records& measure) {
   if (!asked.quality) return Group("");
-  Group group(fmt::format("Tolerances in µm, ISO 1328-1:{}, class {}",
-                          asked.edition == FlankTolerances::iso_2013 ? 2013 : 1995,
-                          *asked.quality));
+  Group group(
+      fmt::format("Tolerances in {}, ISO 1328-1:{}, class {}", unit_text(measure.units, Unit::um),
+                  asked.edition == FlankTolerances::iso_2013 ? 2013 : 1995, *asked.quality));
   for (const char* key :
        {"single_pitch_um", "cumulative_pitch_um", "profile_total_um", "profile_form_um",
         "profile_slope_um", "helix_total_um", "helix_form_um", "helix_slope_um", "runout_um"})
@@ -239,7 +259,7 @@ Group mate(const SolvedJob& job, int which) {
   const Gear& other = job.gears[which == 1 ? 1 : 0];
   group.row("Number of teeth", which == 1 ? "z_2" : "z_1",
             with_minus(fmt::format("{}", other.spec.teeth)));
-  Records pair{pair_quantities().of(*job.pair), {}};
+  Records pair{pair_quantities().of(*job.pair), job.spec.units()};
   if (job.ends && job.ends->lower.pair && job.ends->upper.pair)
     pair.ends = {pair_quantities().of(*job.ends->lower.pair),
                  pair_quantities().of(*job.ends->upper.pair)};
@@ -252,8 +272,9 @@ Group mate(const SolvedJob& job, int which) {
 std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
   const auto i = static_cast<std::size_t>(which - 1);
   const GearInput& input = *job.completed.gears[i];
-  Records gear{gear_quantities().of(job.gears[i]), {}};
-  Records measure{measure_records(job)[i], {}};
+  const UnitSystem units = job.spec.units();
+  Records gear{gear_quantities().of(job.gears[i]), units};
+  Records measure{measure_records(job)[i], units};
   if (job.ends) {
     gear.ends = {gear_quantities().of(job.ends->lower.gears[i]),
                  gear_quantities().of(job.ends->upper.gears[i])};
@@ -263,8 +284,8 @@ std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
   teeth(job.gears[i], job.halves[i], gear).add_to(groups);
   diameters(gear).add_to(groups);
   thickness(job.gears[i].internal(), gear, measure).add_to(groups);
-  bore_group(job.gears[i], job.spec.drawing).add_to(groups);
-  modifications(input.modifications).add_to(groups);
+  bore_group(job.gears[i], job.spec.drawing, units).add_to(groups);
+  modifications(input.modifications, units).add_to(groups);
   tolerances(input.tolerance, measure).add_to(groups);
   mate(job, which).add_to(groups);
   return groups;
@@ -312,7 +333,8 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
                          words,
                          job.spec.gear(which).tolerance.tip_fit.value_or(""),
                          mass_of(job, which, *body),
-                         fmt::format("{}/{}", i + 1, gears.size())};
+                         fmt::format("{}/{}", i + 1, gears.size()),
+                         job.spec.units()};
     if (job.gears.size() > 1) input.words.title += fmt::format(", gear {}", which);
     const auto& material = job.spec.gear(which).material.name;
     if (words.material.empty() && material) input.words.material = *material;

@@ -68,12 +68,13 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
   return angles;
 }
 
-std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes) {
+std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes,
+                             UnitSystem units) {
   std::string figures;
   for (std::size_t i = 0; i < pair.contacts.size(); ++i) figures += contact_figure(pair, i, shapes);
   return fmt::format(
       "<section class=\"pair\">\n<h2>Pair</h2>\n<div class=\"figures\">{}</div>\n{}</section>\n",
-      figures, pair_table(pair));
+      figures, pair_table(pair, units));
 }
 
 }  // namespace gearwright

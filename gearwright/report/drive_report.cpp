@@ -51,7 +51,7 @@ std::string drive_kind(const Drive& drive) {
 // A table with a column for each body, or for each mesh.
 template <class View, class List>
 std::string table_of(const std::string& caption, const Quantities<View>& quantities,
-                     const Drive& drive, const List& list) {
+                     const Drive& drive, const List& list, UnitSystem units) {
   std::vector<std::string> names;
   std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -59,7 +59,7 @@ std::string table_of(const std::string& caption, const Quantities<View>& quantit
     records.push_back(quantities.of({&drive, i}));
   }
   TableBuilder table(caption, names);
-  table.groups(text_groups(quantities.table(), records, kPage));
+  table.groups(text_groups(quantities.table(), records, kPage, units));
   return table.str();
 }
 
@@ -67,7 +67,7 @@ std::string drive_overview(const DriveReportInput& input) {
   const Drive& drive = *input.drive;
   std::string text = "<section>\n<h2>The drive</h2>\n";
   if (input.places) text += figure_html(scheme_figure(drive, *input.places), kSchemeWidth);
-  text += table_of("Bodies", drive_body_quantities(), drive, drive.graph.bodies);
+  text += table_of("Bodies", drive_body_quantities(), drive, drive.graph.bodies, input.units);
   return text + "</section>\n";
 }
 
@@ -79,33 +79,33 @@ std::string section_part(const DriveReportInput& input) {
   return head + drive_section_figures(*input.drive, *input.layout) + "</section>\n";
 }
 
-std::string power_part(const Drive& drive) {
+std::string power_part(const Drive& drive, UnitSystem units) {
   std::string text = "<section>\n<h2>Power</h2>\n";
   if (const auto figure = power_figure(drive)) text += figure_html(*figure, kSchemeWidth);
-  text += table_of("Meshes", drive_mesh_quantities(), drive, drive.graph.meshes);
+  text += table_of("Meshes", drive_mesh_quantities(), drive, drive.graph.meshes, units);
   const auto groups =
-      text_groups(drive_quantities().table(), {drive_quantities().of(drive)}, kPage);
+      text_groups(drive_quantities().table(), {drive_quantities().of(drive)}, kPage, units);
   TableBuilder whole("The whole drive", {"Value"});
   whole.groups(groups);
   return text + whole.str() + "</section>\n";
 }
 
 // A table of the rating of each mesh, with the factors of the standard.
-std::string strength_part(const Drive& drive) {
+std::string strength_part(const Drive& drive, UnitSystem units) {
   if (drive.ratings.empty()) return "";
   std::string text = "<section>\n<h2>Strength</h2>\n";
   for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
     const auto rating = mesh_rating(drive, m);
     if (!rating) continue;
     TableBuilder table(drive.graph.meshes[m].name, {"Gear 1", "Gear 2"});
-    table.groups(text_groups(rating_quantities().table(), {*rating}, kPage));
+    table.groups(text_groups(rating_quantities().table(), {*rating}, kPage, units));
     text += table.str();
   }
   return text + "</section>\n";
 }
 
 // Load sharing of the planets, and the rotation of the output under load.
-std::string load_part(const Drive& drive) {
+std::string load_part(const Drive& drive, UnitSystem units) {
   if (!drive.loaded) return "";
   const LoadedDrive& loaded = *drive.loaded;
   std::string text = fmt::format(
@@ -129,28 +129,29 @@ std::string load_part(const Drive& drive) {
     figures += html_of(loaded_output_figure(drive, c));
   text += side_by_side(figures);
   TableBuilder whole("Under load", {"Value"});
-  whole.groups(
-      text_groups(drive_load_quantities().table(), {drive_load_quantities().of(drive)}, kPage));
+  whole.groups(text_groups(drive_load_quantities().table(), {drive_load_quantities().of(drive)},
+                           kPage, units));
   text += whole.str();
   for (const PlanetShares& shares : loaded.sets) {
     const std::size_t carrier = drive.sets[shares.set].group.carrier;
     TableBuilder table(fmt::format("Planets of {} under load", drive.graph.bodies[carrier].name),
                        {"Value"});
     table.groups(text_groups(planet_share_quantities().table(),
-                             {planet_share_quantities().of({&drive, &shares})}, kPage));
+                             {planet_share_quantities().of({&drive, &shares})}, kPage, units));
     text += table.str();
   }
   return text + "</section>\n";
 }
 
-std::string planets_part(const Drive& drive) {
+std::string planets_part(const Drive& drive, UnitSystem units) {
   std::string text;
   for (const PlanetSet& set : drive.sets) {
     TableBuilder table(fmt::format("Planets of {}", drive.graph.bodies[set.group.carrier].name),
                        {"Value"});
     table.groups(
-        text_groups(assembly_quantities().table(), {assembly_quantities().of(set)}, kPage));
-    table.groups(text_groups(phasing_quantities().table(), {phasing_quantities().of(set)}, kPage));
+        text_groups(assembly_quantities().table(), {assembly_quantities().of(set)}, kPage, units));
+    table.groups(
+        text_groups(phasing_quantities().table(), {phasing_quantities().of(set)}, kPage, units));
     text += table.str();
   }
   return text.empty() ? text : "<section>\n<h2>Planets</h2>\n" + text + "</section>\n";
@@ -185,7 +186,7 @@ std::string with_prefix(const std::string& html, const std::string& prefix) {
   return text;
 }
 
-std::string mesh_parts(const Drive& drive) {
+std::string mesh_parts(const Drive& drive, UnitSystem units) {
   std::string text;
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
     const auto& pair = drive.geometry.pairs[m];
@@ -196,7 +197,7 @@ std::string mesh_parts(const Drive& drive) {
         "<h2>Mesh {}</h2>\n<p>Gear 1 is {}, gear 2 is {}.</p>\n", escaped(mesh.name),
         escaped(drive.graph.gear(mesh, 0).name), escaped(drive.graph.gear(mesh, 1).name));
     std::string section =
-        pair_section(*parallel, {shape_name(mesh.gears[0]), shape_name(mesh.gears[1])});
+        pair_section(*parallel, {shape_name(mesh.gears[0]), shape_name(mesh.gears[1])}, units);
     constexpr std::string_view kHead = "<h2>Pair</h2>\n";
     const std::size_t at = section.find(kHead);
     GW_EXPECTS(at != std::string::npos);
@@ -218,11 +219,12 @@ std::string gears_part(const Drive& drive) {
 std::string drive_foot(const DriveReportInput& input) {
   return fmt::format(
       "<footer>\n<p>Gearwright{}. Speeds and ratios are exact fractions. The teeth are as cut by "
-      "the given racks and pinion cutters. Lengths are in mm and angles in degrees; “{}” means "
+      "the given racks and pinion cutters. {} and angles in degrees; “{}” means "
       "that there is no such value. Speeds and torques are positive counter-clockwise, and powers "
       "are positive where power enters the drive. Of the power losses, only those of the teeth are "
       "considered.</p>\n</footer>\n",
-      input.version.empty() ? std::string() : " " + escaped(input.version), kNoValue);
+      input.version.empty() ? std::string() : " " + escaped(input.version),
+      lengths_of_report(input.units), kNoValue);
 }
 
 }  // namespace
@@ -236,13 +238,18 @@ std::string drive_report_html(const DriveReportInput& input) {
       "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict {}\"><b>{}</b> "
       "{}</p>\n<dl class=\"keyfigures\">\n{}</dl>\n{}{}</header>\n",
       escaped(drive_kind(drive)), escaped(title), to_string(input.verdict.level),
-      to_string(input.verdict.level), escaped(input.verdict.headline),
-      key_boxes(drive_quantities().table(), {drive_quantities().of(drive)}, kKeyFigures),
-      finding_list(input.verdict, ""), picture_hint());
-  const std::string sections = drive_overview(input) + section_part(input) + power_part(drive) +
-                               strength_part(drive) + load_part(drive) + planets_part(drive) +
-                               mesh_parts(drive) + gears_part(drive) + file_section(input.files) +
-                               spec_section(input.spec_text);
+      to_string(input.verdict.level), escaped(sentence_in(input.units, input.verdict.headline)),
+      key_boxes(drive_quantities().table(), {drive_quantities().of(drive)}, kKeyFigures,
+                input.units),
+      sentence_in(input.units, finding_list(input.verdict, "")),
+      picture_hint() + hint_of_units(input.units));
+  const std::string sections =
+      sentence_in(input.units,
+                  drive_overview(input) + section_part(input) + power_part(drive, input.units) +
+                      strength_part(drive, input.units) + load_part(drive, input.units) +
+                      planets_part(drive, input.units) + mesh_parts(drive, input.units) +
+                      gears_part(drive) + file_section(input.files)) +
+      spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + drive_foot(input);
   return page + page_end(turn_script());
 }

@@ -32,8 +32,8 @@ std::string box(const std::string& words, std::string_view symbol, const std::st
 }  // namespace
 
 std::string key_boxes(const QuantityTable& table, const std::vector<ValueRecord>& records,
-                      std::span<const std::string_view> keys) {
-  const std::vector<TextGroup> groups = text_groups(table, records, kPage);
+                      std::span<const std::string_view> keys, UnitSystem units) {
+  const std::vector<TextGroup> groups = text_groups(table, records, kPage, units);
   std::string text;
   for (const std::string_view key : keys) {
     for (const TextGroup& group : groups) {
@@ -44,7 +44,7 @@ std::string key_boxes(const QuantityTable& table, const std::vector<ValueRecord>
       std::string value;
       for (const std::string& one : row->texts)
         if (value != one) value += (value.empty() ? "" : between) + one;
-      const std::string unit(unit_text(row->info->unit));
+      const std::string unit(row->unit);
       text += box(with_symbols(capitalised(row->info->words)), row->info->symbol,
                   escaped(value + (unit == "″" || unit.empty() ? unit : " " + unit)));
       break;
@@ -54,25 +54,26 @@ std::string key_boxes(const QuantityTable& table, const std::vector<ValueRecord>
 }
 
 std::string key_figures(const ReportInput& input) {
+  const UnitSystem units = input.units;
   std::string text;
   if (input.pair) {
     const std::vector<ValueRecord> nominal{pair_quantities().of(*input.pair)};
     const auto& ends = input.pair_ends.empty() ? nominal : input.pair_ends;
-    text += key_boxes(pair_quantities().table(), nominal, kOfPair);
-    text += key_boxes(pair_quantities().table(), ends, kBacklash);
+    text += key_boxes(pair_quantities().table(), nominal, kOfPair, units);
+    text += key_boxes(pair_quantities().table(), ends, kBacklash, units);
   }
   if (input.rack)
     text += key_boxes(rack_pair_quantities().table(), {rack_pair_quantities().of(*input.rack)},
-                      kOfRack);
+                      kOfRack, units);
   if (input.rating)
-    text +=
-        key_boxes(rating_quantities().table(), {rating_quantities().of(*input.rating)}, kOfRating);
+    text += key_boxes(rating_quantities().table(), {rating_quantities().of(*input.rating)},
+                      kOfRating, units);
   if (input.load) {
     const auto views = torque_views(input.load->contact, input.load->standard);
     const auto& torques = input.load->contact.torques;
     const auto shown = static_cast<std::size_t>(&shown_torque(*input.load) - torques.data());
     text += key_boxes(load_torque_quantities().table(), {load_torque_quantities().of(views[shown])},
-                      kOfLoad);
+                      kOfLoad, units);
   } else if (input.contact) {
     text += box("Transmission error, peak to peak", "",
                 te_unit(input.contact->driving.rack).text(input.contact->driving.peak_to_peak));

@@ -19,6 +19,6 @@ std::string key_figures(const ReportInput& input);
 /// A box for each of these keys for which the records have a value, in the order of `keys`. If
 /// there are several records, a box shows the range from the first value to the last.
 std::string key_boxes(const QuantityTable& table, const std::vector<ValueRecord>& records,
-                      std::span<const std::string_view> keys);
+                      std::span<const std::string_view> keys, UnitSystem units);
 
 }  // namespace gearwright

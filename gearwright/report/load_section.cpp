@@ -34,7 +34,7 @@ std::string finding(const LoadScene& report) {
   return text;
 }
 
-std::string facts(const LoadScene& report) {
+std::string facts(const LoadScene& report, UnitSystem units) {
   std::vector<ValueRecord> records;
   std::vector<std::string> columns;
   const auto& quantities = load_torque_quantities();
@@ -44,7 +44,7 @@ std::string facts(const LoadScene& report) {
     columns.push_back(torque_words(*views[i].torque));
   }
   TableBuilder table("Under load", columns);
-  for (const TextGroup& group : text_groups(quantities.table(), records, kPage)) {
+  for (const TextGroup& group : text_groups(quantities.table(), records, kPage, units)) {
     for (const TextRow& row : group.rows) {
       if (row.info->key == "torque_Nm") continue;  // the column headings contain this value
       // The texts for one torque: one text, or two if each gear has its own.
@@ -52,7 +52,7 @@ std::string facts(const LoadScene& report) {
       std::vector<std::string> texts;
       for (std::size_t i = 0; i < columns.size(); ++i)
         texts.push_back(each == 2 ? row.texts[2 * i] + ", " + row.texts[2 * i + 1] : row.texts[i]);
-      table.row(*row.info, texts);
+      table.row(row, texts);
     }
   }
   return table.str() + "<p>If a row has two values in a column, the first is for gear 1.</p>\n";
@@ -134,7 +134,8 @@ std::string halves_of(const LoadScene& report, const std::array<std::string, 2>&
 
 }  // namespace
 
-std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes) {
+std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes,
+                         UnitSystem units) {
   const auto& torques = report.contact.torques;
   GW_EXPECTS((report.pair || at_points(report)) && !torques.empty());
   return fmt::format(
@@ -142,7 +143,7 @@ std::string load_section(const LoadScene& report, const std::array<std::string, 
       "bends, its root deforms the body, and the flanks flatten where they touch. At each of {} "
       "positions of a pitch the load is shared so that no flanks overlap and no force is "
       "tensile.</p>\n<p><strong>{}</strong></p>\n{}{}{}</section>\n",
-      torques.front().positions.size(), finding(report), facts(report), te_part(report),
+      torques.front().positions.size(), finding(report), facts(report, units), te_part(report),
       report.halves.empty() ? pictures_of(report, shapes) : halves_of(report, shapes));
 }
 

@@ -33,24 +33,25 @@ std::string rack_figure(const RackPair& pair, const std::string& shape) {
   return figure_html(figure, kRackWidth);
 }
 
-std::string rack_table(const RackPair& pair) {
+std::string rack_table(const RackPair& pair, UnitSystem units) {
   TableBuilder rack("Rack data, symbols of ISO 21771", {"Rack"});
-  rack.groups(text_groups(rack_quantities().table(), {rack_quantities().of(pair.rack)}, kPage));
+  rack.groups(
+      text_groups(rack_quantities().table(), {rack_quantities().of(pair.rack)}, kPage, units));
   return rack.str();
 }
 
-std::string rack_pair_table(const RackPair& pair) {
+std::string rack_pair_table(const RackPair& pair, UnitSystem units) {
   TableBuilder mesh("Rack and pinion, symbols of ISO 21771", {"Pinion", "Rack"});
   mesh.groups(
-      text_groups(rack_pair_quantities().table(), {rack_pair_quantities().of(pair)}, kPage));
+      text_groups(rack_pair_quantities().table(), {rack_pair_quantities().of(pair)}, kPage, units));
   return mesh.str();
 }
 
 }  // namespace
 
-std::string rack_section(const RackPair& pair, const std::string& shape) {
+std::string rack_section(const RackPair& pair, const std::string& shape, UnitSystem units) {
   return "<section class=\"pair\">\n<h2>Rack and pinion</h2>\n" + rack_figure(pair, shape) +
-         rack_pair_table(pair) + rack_table(pair) + "</section>\n";
+         rack_pair_table(pair, units) + rack_table(pair, units) + "</section>\n";
 }
 
 }  // namespace gearwright

@@ -91,7 +91,7 @@ std::string few_teeth_section(const ReportInput& input) {
     if (root_is_worth_a_picture(*input.gears[i])) ++pictures;
     shifts += shift_figures(*input.gears[i], kShapes[i], name);
   }
-  const std::string table = few_teeth_table(input.gears);
+  const std::string table = few_teeth_table(input.gears, input.units);
   if (table.empty() && pictures == 0) return {};
   // If there is one picture, the table is beside it. Two pictures are side by side above the table.
   const std::string first = pictures == 0 ? table
@@ -106,7 +106,7 @@ std::string gear_section(const ReportInput& input) {
   for (std::size_t i = 0; i < input.gears.size(); ++i) {
     pictures += tooth_part(*input.gears[i], kShapes[i], fmt::format("Gear {}", i + 1));
   }
-  const std::string table = gear_table(input.gears, input.halves);
+  const std::string table = gear_table(input.gears, input.halves, input.units);
   if (input.gears.size() == 1) {
     return fmt::format("<section>\n<h2>{}</h2>\n", input.rack ? "Pinion" : "Gear") +
            in_columns(table, pictures) + "</section>\n";
@@ -141,17 +141,19 @@ std::string foot(const ReportInput& input) {
                                      [](const Gear* gear) { return gear->cut_by.has_value(); });
   return fmt::format(
       "<footer>\n<p>Gearwright{}. The geometry is the nominal geometry of the teeth as cut by the "
-      "given {}. Symbols and terms are those of ISO 21771. Lengths are in mm and angles in "
+      "given {}. Symbols and terms are those of ISO 21771. {} and angles in "
       "degrees; “{}” means that there is no such value.{}</p>\n<p>Numbers are computed in double "
       "precision, by closed formulas, or by iteration until only rounding errors remain. They are "
-      "shown with {} decimals of a millimetre and {} of a degree. Outlines of teeth follow the "
+      "shown with {} decimals of {} and {} of a degree. Outlines of teeth follow the "
       "exact curves within {:g} normal modules. Manufacturing deviations and temperature are not "
       "considered.{}{}</p>\n</footer>\n",
-      version, by_pinion ? "racks and pinion cutters" : "racks", kNoValue,
+      version, by_pinion ? "racks and pinion cutters" : "racks", lengths_of_report(input.units),
+      kNoValue,
       crossed ? " On crossed axes, teeth touch at points. The contact ratio is the mean number of "
                 "these points on the line of action."
               : "",
-      kLengthDigits, kAngleDigits, kOutlineTolerance,
+      digits_in(input.units, Unit::mm, kLengthDigits),
+      input.units == UnitSystem::mm ? "a millimetre" : "an inch", kAngleDigits, kOutlineTolerance,
       input.load ? " Load and deflection are considered only in the part under load."
                  : " Load and deflection are not considered.",
       input.rating ? " Strength is considered only in the rating."
@@ -159,6 +161,18 @@ std::string foot(const ReportInput& input) {
 }
 
 }  // namespace
+
+std::string_view lengths_of_report(UnitSystem units) {
+  return units == UnitSystem::mm
+             ? "Lengths are in mm"
+             : "Lengths are in inch, except where mm is shown, as on the axes of pictures,";
+}
+
+std::string hint_of_units(UnitSystem units) {
+  if (units == UnitSystem::mm) return {};
+  return "<p class=\"kind\">Lengths are in inch, except where mm is shown, as on the axes of "
+         "pictures.</p>\n";
+}
 
 std::string finding_list(const Verdict& verdict, std::string_view whole) {
   std::string text;
@@ -173,25 +187,27 @@ std::string finding_list(const Verdict& verdict, std::string_view whole) {
   return text.empty() ? text : "<ul class=\"warnings\">\n" + text + "</ul>\n";
 }
 
-std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes) {
+std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes,
+                         UnitSystem units) {
   const bool meet = pair.flanks_meet();
   const std::string path = meet ? side_by_side(figure_html(path_figure(pair), kWideFigure) +
-                                               "<div>" + path_table(pair) + "</div>")
-                                : path_table(pair);
+                                               "<div>" + path_table(pair, units) + "</div>")
+                                : path_table(pair, units);
   return fmt::format(
       "<section class=\"pair\">\n<h2>Pair</h2>\n{}{}{}{}{}</section>\n",
       mesh_part(pair, shapes, meet ? figure_html(ratio_figure(pair), kBarWidth) : std::string()),
-      pair_table(pair), interference_table(pair), path, centrode_figures(pair));
+      pair_table(pair, units), interference_table(pair, units), path, centrode_figures(pair));
 }
 
-std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>&) {
+std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>&,
+                         UnitSystem units) {
   const auto wide = [](const Figure& figure) { return figure_html(figure, kWideFigure); };
   const std::string flanks = pair.flanks_meet() ? wide(face_use_figure(pair)) +
                                                       wide(speed_figure(pair)) + speed_table(pair)
                                                 : std::string();
   return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_part(pair) +
-         in_columns(pair_table(pair) + interference_table(pair),
-                    wide(section_figure(pair)) + flanks + path_table(pair)) +
+         in_columns(pair_table(pair, units) + interference_table(pair, units),
+                    wide(section_figure(pair)) + flanks + path_table(pair, units)) +
          "<h3>Other positions of these gears</h3>\n" +
          in_columns(range_figure(pair), wide(face_width_figure(pair))) + min_distance_part(pair) +
          "</section>\n";
@@ -216,6 +232,7 @@ std::string report_html(const ReportInput& input) {
   for (const Gear* gear : input.gears) GW_EXPECTS(gear != nullptr);
   GW_EXPECTS(!input.rack || input.gears.size() == 1);
   GW_EXPECTS(!input.pair || input.gears.size() == 2);
+  const UnitSystem units = input.units;
   const std::string title = input.title.empty() ? default_title(input) : input.title;
   std::string page = page_head(title, input.version);
   page += "<body>\n" + definitions(input);
@@ -223,29 +240,30 @@ std::string report_html(const ReportInput& input) {
       "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict {}\"><b>{}</b> "
       "{}</p>\n{}{}{}{}</header>\n",
       kind_of(input), escaped(title), to_string(input.verdict.level),
-      to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
-      key_figures(input),
-      finding_list(input.verdict, input.pair   ? "Pair"
-                                  : input.rack ? "Rack and pinion"
-                                               : ""),
-      picture_hint());
+      to_string(input.verdict.level), escaped(sentence_in(units, input.verdict.headline)),
+      title_block(input.drawing), key_figures(input),
+      sentence_in(units, finding_list(input.verdict, input.pair   ? "Pair"
+                                                     : input.rack ? "Rack and pinion"
+                                                                  : "")),
+      picture_hint() + hint_of_units(units));
   // The most important sections come first, and the data sheets of the gears later.
   std::string sections;
   if (input.pair) {
     sections += input.pair->visit(
-        Overloaded{[](const ArcPair& pair) { return arc_pair_section(pair, kShapes); },
-                   [](const auto& pair) { return pair_section(pair, kShapes); }});
+        Overloaded{[&](const ArcPair& pair) { return arc_pair_section(pair, kShapes, units); },
+                   [&](const auto& pair) { return pair_section(pair, kShapes, units); }});
   }
-  if (input.rack) sections += rack_section(*input.rack, kShapes[0]);
+  if (input.rack) sections += rack_section(*input.rack, kShapes[0], units);
   if (input.contact) sections += contact_section(*input.contact);
-  if (input.load) sections += load_section(*input.load, kShapes);
+  if (input.load) sections += load_section(*input.load, kShapes, units);
   if (input.propose) sections += propose_section(*input.propose);
-  if (input.compensate) sections += compensate_section(*input.compensate);
+  if (input.compensate) sections += compensate_section(*input.compensate, units);
   if (input.scatter) sections += scatter_section(*input.scatter);
-  if (input.rating) sections += rating_section(*input.rating);
+  if (input.rating) sections += rating_section(*input.rating, units);
   sections += gear_section(input) + few_teeth_section(input) +
-              measure_section(input.measures, input.measure_ends, input.k_diagrams);
-  sections += file_section(input.files) + spec_section(input.spec_text);
+              measure_section(input.measures, input.measure_ends, input.k_diagrams, units);
+  sections =
+      sentence_in(units, sections + file_section(input.files)) + spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + foot(input);
   return page + page_end(turn_script());
 }

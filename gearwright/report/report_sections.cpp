@@ -96,25 +96,26 @@ std::string in_words(std::string_view errors) {
   return text;
 }
 
-std::string corrections(const CompensateView& v) {
+std::string corrections(const CompensateView& v, UnitSystem units) {
   TableBuilder t("Corrections", {"Change of the drawing"});
   for (const FoundCorrection& c : v.corrections)
-    t.row(capitalised(c.words), "", c.shown_unit, {fixed(c.value, kLengthDigits)});
+    t.row(capitalised(c.words), "", unit_text(units, unit_of(c.key)),
+          {text_in(units, unit_of(c.key), c.value, kLengthDigits)});
   return t.str();
 }
 
-std::string scores(const CompensateView& v) {
+std::string scores(const CompensateView& v, UnitSystem units) {
   const auto& quantities = score_quantities();
   const auto& loaded = loaded_score_quantities();
   TableBuilder t("Results for the worst combination of errors", {"Before", "After"});
   for (const AimedLoad& l : v.loads) {
     t.group(fmt::format("Under {:.6g} N m", l.torque / kMmPerM));
     for (const TextGroup& g :
-         text_groups(loaded.table(), {loaded.of(l.before), loaded.of(l.after)}, kPage))
+         text_groups(loaded.table(), {loaded.of(l.before), loaded.of(l.after)}, kPage, units))
       t.rows(g);
   }
-  const auto unloaded =
-      text_groups(quantities.table(), {quantities.of(v.before), quantities.of(v.after)}, kPage);
+  const auto unloaded = text_groups(
+      quantities.table(), {quantities.of(v.before), quantities.of(v.after)}, kPage, units);
   if (v.loads.empty()) {
     t.groups(unloaded);
   } else {
@@ -130,11 +131,11 @@ std::string scores(const CompensateView& v) {
 }
 
 // Additional results for circular-arc teeth, computed in closed form.
-std::string closed_forms(const CompensateView& v) {
+std::string closed_forms(const CompensateView& v, UnitSystem units) {
   if (!v.setting && !v.lead) return {};
   TableBuilder t("Results in closed form", {"Value"});
   const auto& quantities = compensate_quantities();
-  t.groups(text_groups(quantities.table(), {quantities.of(v)}, kPage));
+  t.groups(text_groups(quantities.table(), {quantities.of(v)}, kPage, units));
   return t.str();
 }
 
@@ -150,21 +151,22 @@ std::string finding(const Rating& r) {
       least(r.S_F), least(r.S_H));
 }
 
-std::string table(const RatingView& view) {
+std::string table(const RatingView& view, UnitSystem units) {
   TableBuilder t("Strength, as rated", {"Gear 1", "Gear 2", "Clause of the standard, branch"});
   const auto both = [](const FactorPair& f) {
     return fixed(f[0].value, 2) + " / " + fixed(f[1].value, 2);
   };
   t.decisive(fmt::format("S_F {}; S_H {}", both(view.rating.S_F), both(view.rating.S_H)));
   const auto& quantities = rating_quantities();
-  for (const TextGroup& group : text_groups(quantities.table(), {quantities.of(view)}, kPage)) {
+  for (const TextGroup& group :
+       text_groups(quantities.table(), {quantities.of(view)}, kPage, units)) {
     t.group(group.title.empty() ? "Standard" : group.title);
     for (const TextRow& row : group.rows) {
       const std::string place = source_text(view.rating, row.info->key);
       if (row.texts.size() > 1)
-        t.row(*row.info, {row.texts.front(), row.texts.back(), place});
+        t.row(row, {row.texts.front(), row.texts.back(), place});
       else
-        t.common(*row.info, row.texts.front(), place);
+        t.common(row, row.texts.front(), place);
     }
   }
   return t.str();
@@ -174,15 +176,15 @@ std::string table(const RatingView& view) {
 
 std::string measure_section(const std::vector<ValueRecord>& measures,
                             const std::vector<std::vector<ValueRecord>>& ends,
-                            const std::vector<KDiagram>& diagrams) {
-  const auto groups = text_groups(measure_quantities().table(), measures, kPage);
+                            const std::vector<KDiagram>& diagrams, UnitSystem units) {
+  const auto groups = text_groups(measure_quantities().table(), measures, kPage, units);
   if (groups.empty()) return {};
   const std::vector<std::string> columns = gear_headings(measures.size());
   TableBuilder table("Inspection dimensions, including the thickness allowances", columns);
   table.groups(groups);
   std::string text = table.str();
   for (std::size_t i = 0; i < std::min(ends.size(), columns.size()); ++i) {
-    const auto differing = text_groups(measure_quantities().table(), ends[i], kPage);
+    const auto differing = text_groups(measure_quantities().table(), ends[i], kPage, units);
     if (differing.empty()) continue;
     TableBuilder interval(columns[i] + " at the limits of the thickness allowance",
                           {"Lower", "Upper"});
@@ -192,18 +194,18 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
   return "<section>\n<h2>Inspection</h2>\n" + text + k_figures(diagrams) + "</section>\n";
 }
 
-std::string compensate_section(const CompensateView& view) {
+std::string compensate_section(const CompensateView& view, UnitSystem units) {
   GW_EXPECTS(!view.before.nothing_touches() && !view.corrections.empty());
   const std::string what = fmt::format(
       "\n<p>The following changes of the gears compensate the errors of this pair. {} "
       "<code>gearwright compensate --take</code> prints the specification with the "
       "corrections.</p>\n<p><strong>{}</strong></p>\n{}",
-      aim_words(view.aim), finding(view), corrections(view));
+      aim_words(view.aim), finding(view), corrections(view, units));
   return "<section class=\"compensate\">\n<h2>Corrections</h2>\n" +
-         in_columns(what, "\n" + scores(view)) + closed_forms(view) + "</section>\n";
+         in_columns(what, "\n" + scores(view, units)) + closed_forms(view, units) + "</section>\n";
 }
 
-std::string rating_section(const RatingView& view) {
+std::string rating_section(const RatingView& view, UnitSystem units) {
   const bool plastic = view.rating.edition == RatingEdition::vdi_2736;
   const std::string method =
       fmt::format("{}{}", name(view.rating.edition), plastic ? "" : ", method B");
@@ -211,7 +213,7 @@ std::string rating_section(const RatingView& view) {
       "<section class=\"rating\">\n<h2>Strength</h2>\n<p>The strength is rated by {}. Scuffing and "
       "micropitting are not rated{}.</p>\n<p><strong>{}</strong></p>\n{}</section>\n",
       method, plastic ? ", and wear and deformation are not rated either" : "",
-      finding(view.rating), table(view));
+      finding(view.rating), table(view, units));
 }
 
 std::string halves_part(std::string_view shared, std::string_view alike,

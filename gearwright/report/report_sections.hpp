@@ -20,13 +20,20 @@
 
 namespace gearwright {
 
+/// "Lengths are in mm", as part of a sentence.
+std::string_view lengths_of_report(UnitSystem units);
+/// A line for the head of a report whose tables and pictures have different units; otherwise empty.
+std::string hint_of_units(UnitSystem units);
+
 /// The findings, worst first. If a finding does not belong to a single gear, its subject is
 /// `whole`.
 std::string finding_list(const Verdict& verdict, std::string_view whole);
 
 /// A pair of involute gears: pictures, quantities, interference.
-std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes);
-std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>& shapes);
+std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes,
+                         UnitSystem units);
+std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>& shapes,
+                         UnitSystem units);
 
 /// The text `shared` about both halves of a double-helical pair, followed by the pictures of each
 /// half under a heading. If there are pictures of one half only, the sentence `alike` is added.
@@ -41,11 +48,12 @@ std::string file_section(const std::vector<ReportFile>& files);
 /// and the K-diagrams. Empty if there are no dimensions.
 std::string measure_section(const std::vector<ValueRecord>& measures,
                             const std::vector<std::vector<ValueRecord>>& ends,
-                            const std::vector<KDiagram>& diagrams);
+                            const std::vector<KDiagram>& diagrams, UnitSystem units);
 
 /// A pair of circular-arc gears: its quantities, and a picture of each contact in the transverse
 /// section through the contact point.
-std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes);
+std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes,
+                             UnitSystem units);
 
 /// The rotations of both gears in the transverse section through a contact point, as
 /// counter-clockwise angles of their x axes, rad.
@@ -61,7 +69,8 @@ std::string contact_section(const ContactReport& report);
 ///
 /// Domain    at least one torque; positions evenly spaced over one pitch, with contact at some of
 ///           them (contract)
-std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes);
+std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes,
+                         UnitSystem units = UnitSystem::mm);
 
 /// Two kinds of figures of the root stress: along the fillet of each gear, and over the face. Empty
 /// if root stresses were not computed.
@@ -75,7 +84,7 @@ std::string propose_section(const ProposeView& view);
 /// Corrections: the changes to make, and their effect on each objective.
 ///
 /// Domain    `before` has contact at some position (contract)
-std::string compensate_section(const CompensateView& view);
+std::string compensate_section(const CompensateView& view, UnitSystem units = UnitSystem::mm);
 
 /// The effect of tolerances on the pair: percentiles, figures of the distributions, and the
 /// influence of each tolerance.
@@ -91,6 +100,6 @@ std::optional<DistributionScene> distribution_scene(const ScatterView& view,
 std::vector<Figure> scatter_figures(const ScatterView& view);
 
 /// Strength: inputs, factors, stresses and safeties, each with its clause of the standard.
-std::string rating_section(const RatingView& view);
+std::string rating_section(const RatingView& view, UnitSystem units);
 
 }  // namespace gearwright

@@ -21,7 +21,8 @@ TEST(CompensateSection, NamesTheErrorsOfARangeInWords) {
   CompensateView view;
   view.before = score(3.0);
   view.after = score(2.0);
-  view.corrections = {{"", "um", "helix crowning of gear 1", "µm", 3.56, "", false}};
+  view.corrections = {
+      {"gear1.lead_crowning_um", "um", "helix crowning of gear 1", 3.56, "", false}};
   view.scenarios = {{"as given", score(1.5), score(1.6)},
                     {"crossing_deg = -0.01, center_distance_mm = 0.02", score(3.0), score(2.0)}};
   const std::string text = compensate_section(view);

@@ -17,7 +17,12 @@ namespace gearwright {
 
 namespace {
 
-std::string length(const std::optional<double>& mm) { return fixed(mm, kLengthDigits); }
+std::string length(UnitSystem units, double mm) {
+  return text_in(units, Unit::mm, mm, kLengthDigits);
+}
+std::string with_unit(UnitSystem units, double mm) {
+  return length(units, mm) + " " + std::string(unit_text(units, Unit::mm));
+}
 std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
 std::string none() { return std::string(kNoValue); }
 
@@ -106,12 +111,12 @@ void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
   }
 }
 
-std::vector<TextGroup> gear_groups(const std::vector<const Gear*>& gears,
+std::vector<TextGroup> gear_groups(UnitSystem units, const std::vector<const Gear*>& gears,
                                    const std::array<std::optional<Halves>, 2>& halves = {}) {
   std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < gears.size(); ++i)
     records.push_back(gear_record(*gears[i], halves[i]));
-  return text_groups(gear_quantities().table(), records, kPage);
+  return text_groups(gear_quantities().table(), records, kPage, units);
 }
 
 // A sentence about what was checked, for a pair without interference.
@@ -162,16 +167,16 @@ std::string strike_rows(const std::string& caption, const std::vector<CollisionR
   return text + "</tbody></table></div>\n";
 }
 
-std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions) {
+std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions, UnitSystem units) {
   std::vector<CollisionRow> rows;
   for (const Collision& s : collisions)
-    rows.push_back({to_string(s.cause), s.gear, length(s.depth) + " mm", s.message});
+    rows.push_back({to_string(s.cause), s.gear, with_unit(units, s.depth), s.message});
   return rows;
 }
 
 // The rows of `named` that do not already occur among the rows of the overlap.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
-                                  const std::vector<CollisionRow>& listed) {
+                                  const std::vector<CollisionRow>& listed, UnitSystem units) {
   std::vector<CollisionRow> rows;
   for (const Interference& i : named) {
     const bool again = std::any_of(listed.begin(), listed.end(),
@@ -180,7 +185,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
     const auto* turn = std::get_if<Angle>(&i.amount);
     rows.push_back({to_string(i.code), i.gear,
                     turn ? fixed(kDegPerRad * turn->rad(), kAngleDigits) + "°"
-                         : length(std::get<double>(i.amount)) + " mm",
+                         : with_unit(units, std::get<double>(i.amount)),
                     i.message});
   }
   return rows;
@@ -195,11 +200,11 @@ std::vector<std::string> gear_headings(std::size_t gears) {
 }
 
 std::string gear_table(const std::vector<const Gear*>& gears,
-                       const std::array<std::optional<Halves>, 2>& halves) {
+                       const std::array<std::optional<Halves>, 2>& halves, UnitSystem units) {
   using namespace gear_group;
   // Gears with few teeth have additional rows, which are in a separate table.
   std::vector<TextGroup> common, cutter;
-  for (TextGroup& g : gear_groups(gears, halves)) {
+  for (TextGroup& g : gear_groups(units, gears, halves)) {
     if (g.title == kCutter)
       cutter.push_back(std::move(g));
     else if (g.title == kTeeth || g.title == kDiameters || g.title == kTooth)
@@ -211,7 +216,7 @@ std::string gear_table(const std::vector<const Gear*>& gears,
     std::vector<ValueRecord> records;
     for (std::size_t i = 0; i < gears.size(); ++i)
       if (halves[i]) records.push_back(double_helical_quantities().of(*halves[i]));
-    table.groups(text_groups(double_helical_quantities().table(), records, kPage));
+    table.groups(text_groups(double_helical_quantities().table(), records, kPage, units));
   }
   add_rack(table, gears);
   add_arcs(table, gears);
@@ -219,14 +224,14 @@ std::string gear_table(const std::vector<const Gear*>& gears,
   return table.str();
 }
 
-std::string few_teeth_table(const std::vector<const Gear*>& gears) {
+std::string few_teeth_table(const std::vector<const Gear*>& gears, UnitSystem units) {
   using namespace gear_group;
   const bool any = std::any_of(gears.begin(), gears.end(), [](const Gear* g) {
     return (g->tooth && (g->tooth->root_fillet || g->tooth->tip_fillet)) ||
            root_is_worth_a_picture(*g);
   });
   if (!any) return {};
-  std::vector<TextGroup> groups = gear_groups(gears);
+  std::vector<TextGroup> groups = gear_groups(units, gears);
   std::erase_if(groups, [](const TextGroup& g) {
     return g.title != kUndercut && g.title != kRootFillet && g.title != kTipFillet;
   });
@@ -237,14 +242,14 @@ std::string few_teeth_table(const std::vector<const Gear*>& gears) {
   return table.str();
 }
 
-std::string pair_table(const Pair& pair) {
+std::string pair_table(const Pair& pair, UnitSystem units) {
   TableBuilder t("Pair data, symbols of ISO 21771", gear_headings(2));
   const auto& quantities = pair_quantities();
-  t.groups(text_groups(quantities.table(), {quantities.of(pair)}, kPage));
+  t.groups(text_groups(quantities.table(), {quantities.of(pair)}, kPage, units));
   return t.str();
 }
 
-std::string path_table(const InvolutePair& p) {
+std::string path_table(const InvolutePair& p, UnitSystem units) {
   const Mesh<double>& m = p.mesh;
   struct Mark {
     const char* letter;
@@ -258,31 +263,33 @@ std::string path_table(const InvolutePair& p) {
        {"C", crossed ? "pitch point of gear 1" : "pitch point", m.rho1_C},
        {"D", crossed ? "one pitch after A" : "one base pitch after A", m.rho1_D},
        {"E", "end of contact, at the tip of gear 1", m.rho1_E}}};
+  const std::string unit = ", " + std::string(unit_text(units, Unit::mm));
   std::vector<std::vector<std::string>> rows;
   for (const Mark& mark : marks) {
     const SpecificSliding<double> s = specific_sliding(p.input, m, mark.rho1);
     rows.push_back({fmt::format("<strong>{}</strong> {}", mark.letter, mark.words),
-                    length((mark.rho1 - m.rho1_C) / m.line_cosine), length(mark.rho1),
-                    length(m.rho2(mark.rho1)), ratio(s.zeta_1), ratio(s.zeta_2)});
+                    length(units, (mark.rho1 - m.rho1_C) / m.line_cosine), length(units, mark.rho1),
+                    length(units, m.rho2(mark.rho1)), ratio(s.zeta_1), ratio(s.zeta_2)});
   }
   return value_table(crossed ? "Points of the line of action; ζ is the sliding distance divided "
                                "by the distance that the contact travels on the flank"
                              : "Points of the path of contact",
-                     {"Point", "from C, mm", symbol_html("ρ_1") + ", mm",
-                      symbol_html("ρ_2") + ", mm", symbol_html("ζ_1"), symbol_html("ζ_2")},
+                     {"Point", "from C" + unit, symbol_html("ρ_1") + unit,
+                      symbol_html("ρ_2") + unit, symbol_html("ζ_1"), symbol_html("ζ_2")},
                      rows);
 }
 
-std::string interference_table(const InvolutePair& p) {
+std::string interference_table(const InvolutePair& p, UnitSystem units) {
   const std::vector<CollisionRow> overlap =
-      p.overlap ? rows_of(*p.overlap) : std::vector<CollisionRow>{};
+      p.overlap ? rows_of(*p.overlap, units) : std::vector<CollisionRow>{};
   if (overlap.empty() && p.interference.empty() && p.beyond_flank.empty())
     return nothing_strikes(p);
   return strike_rows("Overlap of the outlines, with the teeth in the middle of the backlash",
                      overlap) +
          strike_rows(p.overlap ? "Causes of the overlap" : "Interference",
-                     rows_of(p.interference, overlap)) +
-         strike_rows("Contact beyond the flanks, before the flanks touch", rows_of(p.beyond_flank));
+                     rows_of(p.interference, overlap, units)) +
+         strike_rows("Contact beyond the flanks, before the flanks touch",
+                     rows_of(p.beyond_flank, units));
 }
 
 }  // namespace gearwright

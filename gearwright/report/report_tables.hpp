@@ -18,19 +18,21 @@ std::vector<std::string> gear_headings(std::size_t gears);
 /// Gears side by side: the data of the drawing, the derived values, and how the gears are cut. If a
 /// gear is double-helical, `gears` contains one of its halves.
 std::string gear_table(const std::vector<const Gear*>& gears,
-                       const std::array<std::optional<Halves>, 2>& halves);
+                       const std::array<std::optional<Halves>, 2>& halves,
+                       UnitSystem units = UnitSystem::mm);
 
 /// Additional data of gears with few teeth: the points F, C and J, and the circular fillets. The
 /// symbols are those of gear_figures.hpp. Empty if no gear has such data.
-std::string few_teeth_table(const std::vector<const Gear*>& gears);
+std::string few_teeth_table(const std::vector<const Gear*>& gears,
+                            UnitSystem units = UnitSystem::mm);
 
 /// The quantities of a pair in the catalogue, under their headings.
-std::string pair_table(const Pair& pair);
+std::string pair_table(const Pair& pair, UnitSystem units = UnitSystem::mm);
 
 /// The points A to E: distance from the pitch point, radii of curvature, sliding.
-std::string path_table(const InvolutePair& pair);
+std::string path_table(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
 /// Interference by name and amount, or a sentence if none was found.
-std::string interference_table(const InvolutePair& pair);
+std::string interference_table(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
 }  // namespace gearwright

@@ -94,7 +94,8 @@ std::string robust_part(const ScatterView& view) {
   const RobustView& r = *view.robust;
   std::string list;
   for (const FoundCorrection& c : r.corrections)
-    list += fmt::format("{}{} {:g} {}", list.empty() ? "" : ", ", c.words, c.value, c.shown_unit);
+    list += fmt::format("{}{} {:g} {}", list.empty() ? "" : ", ", c.words, c.value,
+                        unit_text(unit_of(c.key)));
   const auto percentile = [](const JudgedView& j) {
     return shown(scatter_entries()[0], j.family->percentile().estimate.value);
   };

@@ -64,8 +64,8 @@ void TableBuilder::row(std::string_view words, std::string_view symbol, std::str
   text_ += "</tr>\n";
 }
 
-void TableBuilder::row(const QuantityInfo& info, const std::vector<std::string>& values) {
-  row(capitalised(info.words), info.symbol, unit_text(info.unit), values);
+void TableBuilder::row(const TextRow& text, const std::vector<std::string>& values) {
+  row(capitalised(text.info->words), text.info->symbol, text.unit, values);
 }
 
 void TableBuilder::common(std::string_view words, std::string_view symbol, std::string_view unit,
@@ -77,17 +77,17 @@ void TableBuilder::common(std::string_view words, std::string_view symbol, std::
   text_ += "</tr>\n";
 }
 
-void TableBuilder::common(const QuantityInfo& info, const std::string& value,
+void TableBuilder::common(const TextRow& text, const std::string& value,
                           const std::optional<std::string>& note) {
-  common(capitalised(info.words), info.symbol, unit_text(info.unit), value, note);
+  common(capitalised(text.info->words), text.info->symbol, text.unit, value, note);
 }
 
 void TableBuilder::rows(const TextGroup& group) {
   for (const TextRow& each : group.rows) {
     if (each.texts.size() == columns_)
-      row(*each.info, each.texts);
+      row(each, each.texts);
     else
-      common(*each.info, each.texts.front());
+      common(each, each.texts.front());
   }
 }
 

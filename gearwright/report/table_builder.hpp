@@ -20,12 +20,13 @@ class TableBuilder {
   /// may be empty.
   void row(std::string_view words, std::string_view symbol, std::string_view unit,
            const std::vector<std::string>& values);
-  void row(const QuantityInfo& info, const std::vector<std::string>& values);
+  /// Adds the values for a row of the catalogue.
+  void row(const TextRow& text, const std::vector<std::string>& values);
   /// Adds a row with a single value, which spans all columns. If there is a note, it takes the last
   /// column.
   void common(std::string_view words, std::string_view symbol, std::string_view unit,
               const std::string& value, const std::optional<std::string>& note = {});
-  void common(const QuantityInfo& info, const std::string& value,
+  void common(const TextRow& text, const std::string& value,
               const std::optional<std::string>& note = {});
   /// Adds the rows of a group of the catalogue, without the heading of the group. A row has one
   /// value for each column, or one value for all columns. The table has as many columns as there

@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/basic_root.hpp"
 #include "gearwright/spec/read_modifications.hpp"
+#include "gearwright/tool/agma_rack.hpp"
 
 namespace gearwright {
 
@@ -196,7 +197,8 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   c.helix_angle = Angle::degrees(helix.value_or(0.0));
   const double cos_beta = std::cos(c.helix_angle.rad());
   const auto module = t.one_of("normal_module_mm", "module", cos_beta);
-  const auto alpha = t.one_of("normal_pressure_angle_deg", "pressure angle", cos_beta);
+  const auto alpha =
+      rack_angle(t, t.one_of("normal_pressure_angle_deg", "pressure angle", cos_beta));
   c.normal_pressure_angle = Angle::degrees(alpha.value_or(20.0));
   c.rack = read_rack(t, module);
   if (keys.find("cut_by")) {
@@ -227,6 +229,7 @@ StraightRack read_straight_rack(TableReader& gear) {
   const Json* node = gear.any("rack");
   if (!node) return *iso53_rack("ISO53-A");
   if (node->is_string()) {
+    if (const AgmaRack* agma = agma_rack(node->get<std::string>())) return agma->rack;
     const auto rack = iso53_rack(node->get<std::string>());
     if (!rack) {
       gear.fail("rack", fmt::format("must be \"{}\" or a table, [{}]",
@@ -237,6 +240,19 @@ StraightRack read_straight_rack(TableReader& gear) {
   }
   if (!node->is_object()) gear.fail("rack", "must be a name in quotes or a table");
   return read_table<StraightRack>(straight_rack_keys(), *node, gear.name("rack"));
+}
+
+std::optional<double> rack_angle(TableReader& gear, std::optional<double> given) {
+  const Json* node = gear.any("rack");
+  const AgmaRack* const agma =
+      node && node->is_string() ? agma_rack(node->get<std::string>()) : nullptr;
+  if (!agma) return given;
+  const double own = agma->normal_pressure_angle.deg();
+  if (given && std::abs(*given - own) > kSameInput * own)
+    gear.fail("rack", fmt::format("has a pressure angle of {:g}°, but the gear is given one of "
+                                  "{:.6g}°; leave out the pressure angle",
+                                  own, *given));
+  return own;
 }
 
 Rack read_rack(TableReader& gear, std::optional<double> module) {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search_space.hpp"
@@ -25,10 +26,39 @@ const std::vector<double>& iso54_modules(int series) {
 
 namespace {
 
+// Diametral pitches in general use, 1/in.   Source: Shigley, Mechanical Engineering Design, tooth sizes
+constexpr std::array kCoarsePitches{2.0, 2.25, 2.5, 3.0, 4.0, 6.0, 8.0, 10.0, 12.0, 16.0};
+constexpr std::array kFinePitches{20.0, 24.0, 32.0,  40.0,  48.0, 64.0,
+                                  80.0, 96.0, 120.0, 150.0, 200.0};
+
 constexpr std::size_t kMaxAngles = 100'000;  // greatest number of angles in a range with a step
+
+// The modules of the diametral pitches, or nothing if none are given.
+std::optional<std::vector<double>> read_pitches(TableReader& t) {
+  const Json* given = t.any("diametral_pitches_per_in");
+  if (!given) return std::nullopt;
+  std::vector<double> pitches;
+  if (given->is_string()) {
+    if (*given == "coarse" || *given == "coarse+fine")
+      pitches = {kCoarsePitches.begin(), kCoarsePitches.end()};
+    if (*given == "fine" || *given == "coarse+fine")
+      pitches.insert(pitches.end(), kFinePitches.begin(), kFinePitches.end());
+    if (pitches.empty())
+      t.fail("diametral_pitches_per_in",
+             "must be " + form_of(*t.keys().find("diametral_pitches_per_in")));
+  } else {
+    pitches = *t.numbers("diametral_pitches_per_in");
+  }
+  std::sort(pitches.rbegin(), pitches.rend());  // the modules then rise
+  if (const auto twice = std::adjacent_find(pitches.begin(), pitches.end()); twice != pitches.end())
+    t.fail("diametral_pitches_per_in", fmt::format("contains {} twice", *twice));
+  for (double& p : pitches) p = kMmPerInch / p;
+  return pitches;
+}
 
 std::vector<double> read_modules(TableReader& t) {
   const Json* given = t.any("modules_mm");
+  if (auto modules = read_pitches(t)) return *modules;
   if (!given) return iso54_modules(1);
   const Json& node = *given;
   std::vector<double> modules;
@@ -177,6 +207,7 @@ Blank read_blank(const Json* node, const std::string& path) {
            "must be \"straight\" or absent, because a search covers involute gears "
            "only");
   }
+  b.alpha_deg = rack_angle(t, b.alpha_deg);
   if (t.has("rack")) b.rack = read_straight_rack(t);
   if (b.rack && (b.rack->protuberance != 0.0 || b.rack->tip_fillet_radius != 0.0 ||
                  b.rack->semi_topping_angle)) {

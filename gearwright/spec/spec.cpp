@@ -23,6 +23,7 @@
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/read_search_rating.hpp"
 #include "gearwright/spec/table_reader.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 
@@ -196,17 +197,18 @@ void check_modifications(const Json* gear, const char* name, const std::filesyst
   read_modifications(t, folder);
 }
 
-JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUse use) {
-  Inherited made = inherit(with_named_materials(given));
+JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
+                  const std::filesystem::path& folder, SpecUse use) {
+  Inherited made = inherit(with_named_materials(spec_in_mm));
   if (is_drive(made.tree) || is_drive_search(made.tree.value("search", Json())))
     lend_speed(made.tree);
   const Json& tree = made.tree;
   TableReader t(spec_keys(), tree, "");
   t.refuse_unknown();
   JobSpec spec;
+  spec.given = given;
   Lacks lacks;
   spec.tree = std::make_shared<const SpecTree>(SpecTree{tree});
-  note_keys(given, "", spec.given);
   spec.inherited = made.noted;
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
@@ -272,12 +274,20 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
 
 Result<JobSpec> read_parsed(const Json& tree, std::string text, const std::filesystem::path& folder,
                             SpecUse use) {
+  GivenKeys given;
+  Json in_mm;
   try {
-    JobSpec spec = read_tree(tree, folder, use);
+    in_mm = in_catalogue_units(tree, given);
+  } catch (const SpecError& e) {
+    return e.error;
+  }
+  note_keys(in_mm, "", given);
+  try {
+    JobSpec spec = read_tree(in_mm, given, folder, use);
     spec.text = std::move(text);
     return spec;
   } catch (const SpecError& e) {
-    return e.error;
+    return given.units == UnitSystem::mm ? e.error : spelled(e.error, given);
   }
 }
 
@@ -297,6 +307,13 @@ Result<JobSpec> read_spec(const SpecText& text, SpecUse use) {
 Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
                           const std::filesystem::path& folder, SpecUse use) {
   return read_spec({"", std::string(text), format, folder}, use);
+}
+
+std::optional<Error> only_in_mm(const JobSpec& spec, std::string_view feature) {
+  if (spec.units() == UnitSystem::mm) return std::nullopt;
+  return Error{
+      "units", "\"inch\"",
+      fmt::format("is not supported by {}; give the spec in mm, without the key units", feature)};
 }
 
 Result<JobSpec> read_spec_file(const std::filesystem::path& path) {

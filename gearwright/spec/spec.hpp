@@ -1,6 +1,7 @@
 // The spec file: a gear or a pair as on a drawing, in TOML or JSON.
 //
-// Lengths are in mm and angles in degrees, as given in the key. Absent keys are also absent in the structs.
+// Lengths are in mm, or in inch if the spec gives units = "inch", and angles in degrees, as given in the key. A
+// spec that was read is in mm. Absent keys are also absent in the structs.
 // job/solved_job.hpp computes the values that follow from the spec.
 #pragma once
 
@@ -38,6 +39,8 @@ struct JobSpec : SpecTables {
   /// The readings in [gearN.measured]. An unknown gear has readings but is not in `gears`.
   std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;
   std::vector<std::string> inherited;  ///< keys of gear 2 copied from gear 1: material, quality
+
+  UnitSystem units() const { return given.units; }  ///< of the text, and of answers
 };
 
 /// Reads a spec from text. File names are relative to `folder`, or to the working directory if
@@ -53,6 +56,9 @@ Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
                           SpecUse use = SpecUse::geometry);
 
 Result<JobSpec> read_spec(const SpecText& text, SpecUse use = SpecUse::geometry);
+
+/// The error of a spec in inch for a feature whose results are in mm only; nothing for a spec in mm.
+std::optional<Error> only_in_mm(const JobSpec& spec, std::string_view feature);
 
 /// Reads the text of the file with read_spec_text(), then the spec.
 Result<JobSpec> read_spec_file(const std::filesystem::path& path);

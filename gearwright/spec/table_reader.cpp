@@ -11,6 +11,7 @@
 #include "gearwright/base/missing.hpp"
 #include "gearwright/catalogue/key_hint.hpp"
 #include "gearwright/catalogue/not_supported.hpp"
+#include "gearwright/catalogue/unit_system.hpp"
 
 namespace gearwright {
 
@@ -316,6 +317,8 @@ void TableReader::refuse_unknown() const {
     } else {
       error = Error{name(called), shown(value),
                     fmt::format("unknown key in {}; {}", where, key_hint(keys_, path_, key))};
+      if (inch_unit(key) && keys_.find(metric_key(key)))
+        error->rule += ". A length in inch needs units = \"inch\" at the top of the spec";
     }
   }
   if (!error) return;

@@ -180,8 +180,7 @@ class ByName(Asked):
                 (gear + "form = \"rack\"\n", "gear1.form", "must not be a rack"),
                 (two + "[pair]\nherringbone = true\n", "pair.herringbone", "[gear1.double_helical]", "gap_mm = 0"),
                 (gear + "herringbone = true\n", "gear1.herringbone", "[gear1.double_helical]", "gap_mm = 0"),
-                ("units = \"inch\"\n" + gear, "units", "mm", "normal_diametral_pitch_per_in"),
-                (gear + "units = \"inch\"\n", "gear1.units", "mm", "normal_diametral_pitch_per_in"),
+                (gear + "units = \"inch\"\n", "gear1.units", "at the top of the spec"),
                 (gear + "[gear1.rack]\npoints = [[0, 0], [1, 1]]\n", "gear1.rack.points", "not supported", "arcs"),
                 (gear + "internal = true\n", "gear1.internal", "teeth = -61"),
                 (gear + "[gear1.measured]\nhelix_deg = 15\n", "gear1.measured.helix_deg", "helix_angle_deg")):

@@ -24,6 +24,18 @@ def program(verb, *args):
                                      check=True).stdout)
 
 
+def test_a_spec_in_inch_has_answers_in_inch():
+    spec = {"units": "inch", "gear1": {"teeth": 17, "normal_diametral_pitch_per_in": 10, "face_width_in": 1},
+            "gear2": {"teeth": 43}, "pair": {"center_distance_in": 3.01}}
+    mm = gw.solve({"gear1": {"teeth": 17, "normal_module_mm": 2.54, "face_width_mm": 25.4}, "gear2": {"teeth": 43},
+                   "pair": {"center_distance_mm": 76.454}}, "pair")
+    inch = gw.solve(spec, "pair")
+    assert inch["pair"]["backlash"]["normal_in"] == pytest.approx(mm["pair"]["backlash"]["normal_mm"] / 25.4, rel=1e-12)
+    assert inch["gears"][0]["normal_module_mm"] == 2.54
+    with pytest.raises(gw.SpecError, match=r"face_width_in = -1: must be greater than 0"):
+        gw.solve(spec | {"gear1": spec["gear1"] | {"face_width_in": -1}}, "pair")
+
+
 def test_search_finds_what_the_program_finds(tmp_path):
     found = gw.search(SOURCE / "examples/gearbox_search.toml", top=50, progress=False)
     told = program("search", SOURCE / "examples/gearbox_search.toml", "--top", 50)

@@ -5,11 +5,16 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
+import tomllib
 import unittest
 
 BIN, NODE = os.environ["GW_BIN"], os.environ["GW_NODE"]
 SOURCE = pathlib.Path(os.environ["GW_SOURCE"])
+sys.path.insert(0, str(SOURCE / "tests/cli"))
+import inch  # noqa: E402
+
 VERBS = ("gear", "pair", "measure", "identify", "fit", "contact", "outline", "search")
 
 
@@ -21,6 +26,12 @@ def answers():
             p = subprocess.run([BIN, verb, spec, "--json"], capture_output=True, text=True, timeout=120)
             if p.stdout.strip():
                 found[f"{spec.name} {verb}"] = json.loads(p.stdout)
+    for name in ("helical_pair", "misaligned_pair", "crossed_pair", "gearbox_search", "steering_rack"):
+        spec = {"units": "inch"} | inch.spec_in_inch(tomllib.loads((SOURCE / f"examples/{name}.toml").read_text()))
+        for verb in VERBS:
+            p = subprocess.run([BIN, verb, "-", "--json"], input=json.dumps(spec), capture_output=True, text=True)
+            if p.stdout.strip():
+                found[f"{name} {verb} in inch"] = json.loads(p.stdout)
     return found
 
 

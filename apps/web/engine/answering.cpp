@@ -29,7 +29,7 @@ Result<std::string> answered(std::string_view verb, const JobSpec& spec) {
     const Search search(*spec.search);
     const auto run = run_search(spec, search, {});
     if (!run) return run.error();
-    return search_json_text(search, *run);
+    return search_json_text(search, *run, spec.units());
   }
   const auto json = answer_json(verb, spec);
   if (!json) return json.error();

@@ -16,6 +16,10 @@ SpecText spec_text(std::string text);
 /// Reads the spec.   Errors  a text of more than kMaxSpec bytes; the errors of read_spec
 Result<JobSpec> read(const SpecText& text, SpecUse use = SpecUse::geometry);
 
+/// The name of the sessions in the error of a spec in inch. The page has its own switch between mm and inch.
+inline constexpr std::string_view kInPage =
+    "an interactive session, such as the page, whose own switch shows lengths in inch";
+
 /// Returns {"error": …} with the keys of the spec and the line, as in the program.
 std::string refusal(const Error& error, const SpecText* text = nullptr,
                     const GivenKeys& given = {});

@@ -33,6 +33,7 @@ Result<std::shared_ptr<SearchSession>> SearchSession::open(std::string given, in
   SpecText text = spec_text(std::move(given));
   auto spec = read(text);
   if (!spec) return spec.error();
+  if (auto error = only_in_mm(*spec, kInPage)) return *error;
   if (!spec->search) return no_search();
   const std::size_t designs = most > 0 ? static_cast<std::size_t>(most) : kDefaultDesigns;
   std::shared_ptr<SearchSession> session(

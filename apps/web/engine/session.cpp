@@ -53,6 +53,7 @@ Result<std::shared_ptr<Session>> Session::open(std::string text) {
   std::shared_ptr<Session> session(new Session(spec_text(std::move(text))));
   const auto spec = read(session->text_);
   if (!spec) return spec.error();
+  if (auto error = only_in_mm(*spec, kInPage)) return *error;
   session->job_.spec = *spec;
   auto solved = solve(*spec, Scope::everything);
   if (!solved) return spelled(solved.error(), spec->given);

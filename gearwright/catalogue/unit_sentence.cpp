@@ -1,0 +1,191 @@
+// Sentences in inch. The sentences of the program are written in mm. The numbers and keys in them are converted here.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/catalogue/unit_system.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// A number at the beginning of a text.
+struct NumberText {
+  std::string_view text;
+  double value;
+};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool of_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || is_digit(c);
+}
+
+std::optional<NumberText> number_at(std::string_view text) {
+  std::size_t end = text.starts_with('-') ? 1 : 0;
+  const std::size_t first = end;
+  const auto skip_digits = [&] {
+    while (end < text.size() && is_digit(text[end])) ++end;
+  };
+  skip_digits();
+  if (end == first) return std::nullopt;
+  if (end + 1 < text.size() && text[end] == '.' && is_digit(text[end + 1])) {
+    ++end;
+    skip_digits();
+  }
+  if (end + 2 < text.size() && text[end] == 'e' && (text[end + 1] == '-' || text[end + 1] == '+')) {
+    end += 2;
+    skip_digits();
+  }
+  if (end < text.size() && of_word(text[end])) return std::nullopt;  // "2nd"
+  return NumberText{text.substr(0, end),
+                    std::strtod(std::string(text.substr(0, end)).c_str(), nullptr)};
+}
+
+// The number in the inch unit, with at least as many digits as the text has, and with four or more.
+std::string number_in(const NumberText& number, const KeyUnit& unit) {
+  const double x = unit.to_inch(number.value);
+  if (x == 0.0) return "0";
+  int digits = 0;
+  for (const char c : number.text.substr(0, number.text.find('e')))
+    if (is_digit(c) && (digits > 0 || c != '0')) ++digits;
+  const int power = static_cast<int>(std::floor(std::log10(std::abs(x))));
+  return short_decimals(x, std::max(0, std::max(4, digits) - 1 - power));
+}
+
+struct Symbol {
+  std::string_view metric, inch, key;
+};
+constexpr std::array kSymbols{Symbol{" mm", " in", "_mm"}, Symbol{" µm", " µin", "_um"}};
+
+// The unit behind a number, if it is a length alone and not a part of another unit, "N/mm" or "mm²".
+const Symbol* symbol_at(std::string_view text) {
+  for (const Symbol& s : kSymbols) {
+    if (!text.starts_with(s.metric)) continue;
+    const char next = text.size() == s.metric.size() ? '.' : text[s.metric.size()];
+    const bool part =
+        of_word(next) || next == '/' || (static_cast<unsigned char>(next) & 0x80) != 0;
+    if (!part) return &s;
+  }
+  return nullptr;
+}
+
+bool ends_with_any(std::string_view text, std::initializer_list<std::string_view> ends) {
+  for (const std::string_view end : ends)
+    if (text.ends_with(end)) return true;
+  return false;
+}
+
+bool starts_with_any(std::string_view text, std::initializer_list<std::string_view> starts) {
+  for (const std::string_view start : starts)
+    if (text.starts_with(start)) return true;
+  return false;
+}
+
+bool limit_follows(std::string_view before) {
+  return ends_with_any(before, {"between ", "than ", "least ", "most ", "usually "});
+}
+
+// The unit that a number shares with the next number: "between 3 and 4 mm", "3 … 4 mm".
+const Symbol* shared_symbol(std::string_view before, std::string_view after) {
+  const bool listed = limit_follows(before) || before.ends_with("allowances ");
+  for (const std::string_view join : {" … ", " × ", " to ", " and ", " or ", ", "}) {
+    if (!after.starts_with(join) || (join.size() < 5 && join != " to " && !listed) ||
+        (join == " and " && !listed))
+      continue;
+    const std::string_view rest = after.substr(join.size());
+    if (const auto next = number_at(rest)) return symbol_at(rest.substr(next->text.size()));
+  }
+  return nullptr;
+}
+
+class SentenceInInch {
+ public:
+  SentenceInInch(std::string_view sentence, const KeyUnit* of) : text_(sentence), of_(of) {}
+
+  std::string converted() {
+    while (at_ < text_.size()) {
+      const bool begins = at_ == 0 || (!of_word(text_[at_ - 1]) && text_[at_ - 1] != '.');
+      const auto number = begins ? number_at(rest()) : std::nullopt;
+      if (number) {
+        take(*number);
+      } else if (begins && of_word(text_[at_])) {
+        take_word();
+      } else {
+        out_ += text_[at_++];
+      }
+    }
+    return std::move(out_);
+  }
+
+ private:
+  std::string_view rest() const { return text_.substr(at_); }
+
+  void take(const NumberText& number) {
+    const std::string_view before = text_.substr(0, at_);
+    const std::string_view after = rest().substr(number.text.size());
+    const Symbol* const own = symbol_at(after);
+    const Symbol* const symbol = own ? own : shared_symbol(before, after);
+    const bool module = ends_with_any(before, {"module ", "module of "});
+    const bool limit =
+        of_ && !symbol &&
+        (limit_follows(before) || (limits_ && ends_with_any(before, {"and ", "to "})));
+    const bool bare = after.empty() || starts_with_any(after, {",", ";", ".", ":", ")", " and ",
+                                                               " to ", " or ", " ("});
+    at_ += number.text.size();
+    if (symbol && !module) {
+      out_ += number_in(number, *metric_unit(symbol->key));
+      if (!own) return;
+      out_ += symbol->inch;
+      at_ += symbol->metric.size();
+    } else if (limit && bare) {
+      out_ += number_in(number, *of_);
+      limits_ = true;
+    } else {
+      out_ += number.text;
+    }
+  }
+
+  // Copies a word or a path of keys. A key of a length gets its name in inch, and a number behind "key = " is its value.
+  void take_word() {
+    std::size_t end = 0;
+    const auto joins = [&](std::size_t i) {
+      return starts_with_any(rest().substr(i), {".", "[", "]"}) && i + 1 < rest().size() &&
+             (of_word(rest()[i + 1]) || rest().substr(i).starts_with("]."));
+    };
+    while (end < rest().size() && (of_word(rest()[end]) || joins(end))) ++end;
+    const std::string_view word = rest().substr(0, end);
+    const KeyUnit* const unit =
+        word.find('_') == std::string_view::npos ? nullptr : metric_unit(word);
+    out_ += unit ? key_in(UnitSystem::inch, word) : std::string(word);
+    at_ += end;
+    if (!unit || !rest().starts_with(" = ")) return;
+    const auto value = number_at(rest().substr(3));
+    if (!value || symbol_at(rest().substr(3 + value->text.size()))) return;
+    out_ += " = " + number_in(*value, *unit);
+    at_ += 3 + value->text.size();
+    constexpr std::string_view kInstead = " instead of ";
+    if (!rest().starts_with(kInstead)) return;
+    const auto other = number_at(rest().substr(kInstead.size()));
+    if (!other) return;
+    out_ += std::string(kInstead) + number_in(*other, *unit);
+    at_ += kInstead.size() + other->text.size();
+  }
+
+  std::string_view text_;
+  const KeyUnit* of_;
+  std::string out_;
+  std::size_t at_ = 0;
+  bool limits_ = false;  // true after a limit without a unit: "between 3" of "between 3 and 4"
+};
+
+}  // namespace
+
+std::string sentence_in(UnitSystem units, std::string_view sentence, const KeyUnit* of) {
+  return units == UnitSystem::mm ? std::string(sentence) : SentenceInInch(sentence, of).converted();
+}
+
+}  // namespace gearwright

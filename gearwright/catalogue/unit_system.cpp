@@ -1,0 +1,136 @@
+#include "gearwright/catalogue/unit_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "gearwright/base/number_text.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr long double kMm = 25.4L, kUm = 0.0254L;
+
+// The first row whose ending matches is used, so a longer ending precedes a shorter one.
+constexpr std::array kKeyUnits{KeyUnit{"_mm_per_rad", "_in_per_rad", kMm, false},
+                               KeyUnit{"_mm_per_turn", "_in_per_turn", kMm, false},
+                               KeyUnit{"_per_mm", "_per_in", kMm, true},
+                               KeyUnit{"_per_um", "_per_uin", kUm, true},
+                               KeyUnit{"_mm", "_in", kMm, false},
+                               KeyUnit{"_um", "_uin", kUm, false}};
+
+// Keys that have the same name in both systems.
+constexpr std::array<std::string_view, 6> kInBoth{"module_mm",
+                                                  "normal_module_mm",
+                                                  "transverse_module_mm",
+                                                  "modules_mm",
+                                                  "normal_diametral_pitch_per_in",
+                                                  "diametral_pitches_per_in"};
+
+std::string_view last_key(std::string_view path) {
+  if (path.ends_with(']')) path = path.substr(0, path.rfind('['));
+  return path.substr(path.rfind('.') + 1);  // npos + 1 is 0
+}
+
+const KeyUnit* unit_with(std::string_view path, std::string_view KeyUnit::*ending) {
+  const std::string_view key = last_key(path);
+  const bool force = key.find("_N_") != std::string_view::npos || key.ends_with("_per_N");
+  if (force || std::find(kInBoth.begin(), kInBoth.end(), key) != kInBoth.end()) return nullptr;
+  const auto it = std::find_if(kKeyUnits.begin(), kKeyUnits.end(),
+                               [&](const KeyUnit& u) { return key.ends_with(u.*ending); });
+  return it == kKeyUnits.end() ? nullptr : &*it;
+}
+
+std::string renamed(std::string_view path, std::string_view from, std::string_view to) {
+  const std::size_t end =
+      path.ends_with(']') ? path.rfind('[') : path.size();  // an index follows the key
+  return std::string(path.substr(0, end - from.size())) + std::string(to) +
+         std::string(path.substr(end));
+}
+
+double rounded(double x, int digits) {
+  return std::strtod(fmt::format("{:.{}e}", x, digits - 1).c_str(), nullptr);
+}
+
+constexpr int kSafeDigits = 15;  // every decimal of 15 digits survives a conversion to double
+
+struct UnitPair {
+  Unit metric, inch;
+  const KeyUnit* ratio;
+};
+
+constexpr std::array kUnitPairs{UnitPair{Unit::mm_per_rad, Unit::inch_per_rad, &kKeyUnits[0]},
+                                UnitPair{Unit::per_mm, Unit::per_inch, &kKeyUnits[2]},
+                                UnitPair{Unit::mm, Unit::inch, &kKeyUnits[4]},
+                                UnitPair{Unit::um, Unit::microinch, &kKeyUnits[5]}};
+
+const UnitPair* pair_of(UnitSystem units, Unit unit) {
+  if (units == UnitSystem::mm) return nullptr;
+  const auto it = std::find_if(kUnitPairs.begin(), kUnitPairs.end(),
+                               [&](const UnitPair& p) { return p.metric == unit; });
+  return it == kUnitPairs.end() ? nullptr : &*it;
+}
+
+}  // namespace
+
+std::string_view to_string(UnitSystem units) { return units == UnitSystem::mm ? "mm" : "inch"; }
+
+Unit unit_in(UnitSystem units, Unit unit) {
+  const UnitPair* pair = pair_of(units, unit);
+  return pair ? pair->inch : unit;
+}
+
+double value_in(UnitSystem units, Unit unit, double value) {
+  const UnitPair* pair = pair_of(units, unit);
+  return pair ? pair->ratio->to_inch(value) : value;
+}
+
+int digits_in(UnitSystem units, Unit unit, int digits) {
+  const UnitPair* pair = pair_of(units, unit);
+  if (!pair) return digits;
+  const bool larger = (pair->ratio->size > 1) != pair->ratio->inverse;  // an inch needs one more
+  return std::max(0, digits + (larger ? 1 : -1));
+}
+
+std::string text_in(UnitSystem units, Unit unit, double value, int decimals) {
+  return fixed_decimals(value_in(units, unit, value), digits_in(units, unit, decimals));
+}
+
+std::string_view unit_text(UnitSystem units, Unit unit) { return unit_text(unit_in(units, unit)); }
+
+double KeyUnit::to_metric(double inch_value) const {
+  const auto there = [&](double y) { return static_cast<double>(inverse ? y / size : y * size); };
+  const double exact = there(inch_value);
+  const double shorter = rounded(exact, kSafeDigits);
+  // A number of a mm spec that was divided by 25.4 in double is one rounding away.
+  const auto back = static_cast<double>(inverse ? shorter * size : shorter / size);
+  return std::nextafter(back, inch_value) == inch_value ? shorter : exact;
+}
+
+double KeyUnit::to_inch(double metric_value) const {
+  const auto exact = static_cast<double>(inverse ? metric_value * size : metric_value / size);
+  if (!std::isfinite(exact)) return exact;
+  for (int digits = kSafeDigits; digits < kSafeDigits + 2; ++digits)
+    if (const double shorter = rounded(exact, digits); to_metric(shorter) == metric_value)
+      return shorter;
+  return exact;
+}
+
+const KeyUnit* metric_unit(std::string_view key) { return unit_with(key, &KeyUnit::metric); }
+const KeyUnit* inch_unit(std::string_view key) { return unit_with(key, &KeyUnit::inch); }
+
+std::string key_in(UnitSystem units, std::string_view key) {
+  const KeyUnit* unit = units == UnitSystem::mm ? nullptr : metric_unit(key);
+  return unit ? renamed(key, unit->metric, unit->inch) : std::string(key);
+}
+
+std::string metric_key(std::string_view key) {
+  const KeyUnit* unit = inch_unit(key);
+  return unit ? renamed(key, unit->inch, unit->metric) : std::string(key);
+}
+
+}  // namespace gearwright

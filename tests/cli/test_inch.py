@@ -1,0 +1,144 @@
+"""Specs in inch. The same gears in mm and in inch have the same answer, number by number; errors, listings and printed specs
+are in the units of the spec."""
+import json
+import re
+import tomllib
+import unittest
+
+import inch
+from cli import SOURCE, Run
+
+PAIR = """
+units = "inch"
+[gear1]
+teeth = 17
+normal_diametral_pitch_per_in = 10
+helix_angle_deg = 15
+profile_shift = 0.3
+face_width_in = 1
+[gear1.modifications]
+tip_relief_uin = 400
+tip_relief_start_in = 1.95
+[gear2]
+teeth = 43
+profile_shift = 0.1
+[pair]
+backlash_in = 0.004
+"""
+VERBS = ("gear", "pair", "measure", "rate", "identify", "fit", "drive", "contact", "outline", "search")
+LENGTH_IN_MM = re.compile(r"\d (mm|µm)(?![²/\w])|_mm\b|_um\b")
+
+
+class Law(unittest.TestCase):
+    def test_the_answer_in_inch_is_the_answer_in_mm(self):
+        compared = 0
+        for path in sorted(SOURCE.glob("examples/**/*.toml")):
+            spec = tomllib.loads(path.read_text())
+            in_inch = {"units": "inch"} | inch.spec_in_inch(spec)
+            for verb in VERBS:
+                mm = Run(verb, json.dumps(spec), "--json", name="case.json")
+                if mm.status != 0:
+                    continue
+                other = Run(verb, json.dumps(in_inch), "--json", name="case.json")
+                self.assertEqual(other.status, 0, f"{path} {verb}: {other.err}")
+                self.assertEqual(inch.differences(mm.json, other.json), [], f"{path} {verb}")
+                compared += len(inch.numbers(mm.json))
+        self.assertGreater(compared, 50_000)
+
+
+class Words(unittest.TestCase):
+    def test_errors_are_in_inch(self):
+        for old, new, *words in (
+                ("face_width_in = 1", "face_width_in = -1", "gear1.face_width_in = -1: must be greater than 0"),
+                ("face_width_in = 1", "face_with_in = 1", "gear1.face_with_in = 1: unknown key", "face_width_in"),
+                ("[pair]", "[pair]\nbearing_span_in = -2", "pair.bearing_span_in = -2: must be greater than 0"),
+                ("[pair]", "[contact]\nmarking_in = 1\n[pair]", "contact.marking_in = 1: ", "at most 0.03937",
+                 "usually 0.0001181 to 0.0003937"),
+                ("[pair]", "[pair]\ncenter_distance_in = 1", "pair.center_distance_in = 1:"),
+                ('"inch"', '"cm"', 'units = "cm": must be one of "mm", "inch"')):
+            run = Run("pair", PAIR.replace(old, new))
+            self.assertEqual(run.status, 1, new)
+            for text in words:
+                self.assertIn(text, run.err)
+            if "cm" not in new:
+                self.assertNotRegex(run.err, LENGTH_IN_MM)
+
+    def test_units_are_never_mixed_silently(self):
+        run = Run("pair", PAIR.replace("face_width_in = 1", "face_width_mm = 25"))
+        self.assertIn("gear1.face_width_mm = 25: is not allowed", run.err)
+        self.assertIn("give face_width_in = 0.984251968503937", run.err)
+        run = Run("pair", PAIR.replace('units = "inch"', ""))
+        self.assertEqual(run.status, 1)
+        self.assertIn('needs units = "inch" at the top', run.err)
+
+    def test_no_listing_mixes_units(self):
+        for verb in ("gear", "pair", "measure", "contact"):
+            text = Run(verb, PAIR).out
+            for line in text.splitlines():
+                if "module" not in line and "per mm" not in line:
+                    self.assertNotRegex(line, LENGTH_IN_MM, verb)
+            self.assertIn("  in\n", text.replace("in  in", "in  in\n"))
+
+    def test_tables_for_spreadsheets(self):
+        rows = Run("pair", PAIR, "--csv").out.splitlines()
+        self.assertIn("pair.center_distance_in,centre distance,a,in,", "\n".join(rows))
+        self.assertIn("gears.normal_module_mm,normal module,m_n,mm,2.54,2.54", rows)
+        self.assertTrue(Run("outline", PAIR, "--csv", "--gear", "1").out.startswith("arc,x_in,y_in"))
+
+    def test_pins_of_a_gear_given_by_its_diametral_pitch(self):
+        pins = [g["measure"]["over_pins"]["pin_diameter_in"] for g in Run("measure", PAIR, "--json").json["gears"]]
+        self.assertEqual(pins, [0.1728, 0.1728])
+        ring = Run("measure", 'units = "inch"\n[gear1]\nteeth = -60\nnormal_diametral_pitch_per_in = 8\n', "--json").json
+        self.assertEqual(ring["gears"][0]["measure"]["over_pins"]["pin_diameter_in"], 0.21)
+        by_module = Run("measure", PAIR.replace("normal_diametral_pitch_per_in = 10", "normal_module_mm = 2.54"), "--json")
+        self.assertNotEqual(by_module.json["gears"][0]["measure"]["over_pins"]["pin_diameter_in"], 0.1728)
+
+    def test_racks_of_agma_bring_their_pressure_angle(self):
+        for rack, degrees, whole in (("AGMA-14.5", 14.5, 2.157), ("AGMA-20", 20, 2.25), ("AGMA-25", 25, 2.25),
+                                     ("AGMA-stub", 20, 1.8)):
+            gear = f'units = "inch"\n[gear1]\nteeth = 40\nnormal_diametral_pitch_per_in = 4\nrack = "{rack}"\n'
+            made = Run("gear", gear, "--json").json["gears"][0]
+            self.assertEqual(made["normal_pressure_angle_deg"], degrees)
+            self.assertAlmostEqual((made["tip_diameter_in"] - made["root_diameter_in"]) / 2 * 4, whole, delta=1e-12)
+            run = Run("gear", gear + "normal_pressure_angle_deg = 17.5\n")
+            self.assertIn(f"has a pressure angle of {degrees}°", run.err)
+
+    def test_a_search_tries_diametral_pitches(self):
+        text = ('units = "inch"\n[search]\nratio = [2.9, 3.1]\npinion_teeth = [18, 22]\ncenter_distance_in = [3, 12]\n'
+                "diametral_pitches_per_in = {}\n")
+        for pitches, modules in (("[8, 10]", {3.175, 2.54}), ('"coarse"', None)):
+            found = Run("search", text.format(pitches), "--json").json["search"]["designs"]
+            used = {d["module_mm"] for d in found}
+            self.assertTrue(found)
+            self.assertTrue(used <= (modules or {25.4 / p for p in (2, 2.25, 2.5, 3, 4, 6, 8, 10, 12, 16)}), used)
+        taken = Run("search", text.format("3"), "--take", "1").out
+        self.assertEqual(taken.count("normal_diametral_pitch_per_in = 3.0\n"), 2, taken)
+        self.assertEqual(Run("pair", taken).status, 0)
+        run = Run("search", text.format("[8, 8]"), "--json")
+        self.assertIn("diametral_pitches_per_in", run.err)
+
+
+class Printed(unittest.TestCase):
+    def test_a_printed_spec_keeps_its_units_and_its_numbers(self):
+        spec = "units = \"inch\"\n" + (SOURCE / "examples/crossed_fit.toml").read_text()
+        spec = json.dumps({"units": "inch"} | inch.spec_in_inch(tomllib.loads(spec)))
+        taken = Run("fit", spec, "--take", "1", name="case.json")
+        self.assertEqual(taken.status, 0, taken.err)
+        self.assertTrue(taken.out.startswith('units = "inch"') or '\nunits = "inch"' in taken.out, taken.out)
+        self.assertNotRegex(taken.out, r"(?<!module)_mm")
+        again = Run("pair", taken.out, "--json")
+        self.assertEqual(again.status, 0, again.err)
+        branch = Run("fit", spec, "--json", name="case.json").json["fit"]["branches"][0]
+        self.assertEqual(again.json["pair"]["center_distance_in"], branch["spec"]["pair"]["center_distance_in"])
+        self.assertEqual(branch["spec"]["units"], "inch")
+
+    def test_what_is_in_mm_only_says_so(self):
+        search = json.dumps({"units": "inch"} | inch.spec_in_inch(
+            tomllib.loads((SOURCE / "examples/gearbox_search.toml").read_text())))
+        run = Run("search", search, "--out", "found", name="case.json")
+        self.assertEqual(run.status, 1)
+        self.assertIn("give the spec in mm", run.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
