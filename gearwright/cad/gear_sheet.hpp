@@ -29,12 +29,12 @@ struct DataGroup {
 
 struct GearSheetInput {
   ToothedBody body;
-  double reference_diameter;    ///< d    mm
-  std::vector<DataGroup> data;  ///< in the order of the table
-  DrawingInput words;           ///< text of the title block, and the fits of bore and keyway
-  std::string tip_fit;          ///< fit of the tip diameter; empty if it has none
-  std::string mass;             ///< "0.41 kg", empty if unknown
-  std::string number;           ///< number of the sheet, such as "1/2"
+  double reference_diameter;          ///< d    mm
+  std::vector<DataGroup> data;        ///< in the order of the table
+  DrawingInput words;                 ///< text of the title block, and the fits of bore and keyway
+  std::string tip_fit;                ///< fit of the tip diameter; empty if it has none
+  std::string mass;                   ///< "0.41 kg", empty if unknown
+  std::string number;                 ///< number of the sheet, such as "1/2"
   UnitSystem units = UnitSystem::mm;  ///< of the dimensions; inches have four decimals
 };
 

@@ -68,8 +68,9 @@ struct DriveSearchProblem {
   double face_diameters = 1.2;                      ///< if the face width is chosen: greatest b/d
                                                     ///< of the smallest gear
   std::optional<double> safety_flank, safety_root;  ///< lower limits of S_H and S_F of every mesh
-  std::string series;  ///< of DIN 3967, "cd25", for the allowances of all gears; if empty, `base` has
-                       ///< them
+  std::string
+      series;  ///< of DIN 3967, "cd25", for the allowances of all gears; if empty, `base` has
+               ///< them
   /// Helix angle, losses, spacing, and the fixed and driving members. Its numbers of teeth are
   /// ignored.
   PlanetarySpec base;

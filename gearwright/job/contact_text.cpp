@@ -159,9 +159,9 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
     const std::string major = p.ellipse && p.ellipse->semi_major ? mm(*p.ellipse->semi_major) : "-";
     const std::string minor = p.ellipse ? mm(p.ellipse->semi_minor) : "-";
     const double te = rack ? kUmPerMm * rack.of(p.te) : p.te.arcsec();
-    out += line(fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(te, 5), p.pair,
-                to_string(p.kind), mm(p.diameter[0]), mm(p.diameter[1]), mm(p.height[0]),
-                mm(p.height[1]), major, minor);
+    out +=
+        line(fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(te, 5), p.pair, to_string(p.kind),
+             mm(p.diameter[0]), mm(p.diameter[1]), mm(p.height[0]), mm(p.height[1]), major, minor);
   }
   return out + "\n  " + legend_of(r) + "\n";
 }

@@ -148,7 +148,7 @@ Result<Answer> run_propose(const JobSpec& spec, Progress* progress) {
        .judge = [](const SolvedJob&, const ProposeAnswer& a) { return a.verdict; },
        .record = propose_json,
        .listing = propose_listing,
-       .csv = [](const SolvedJob&, const ProposeAnswer& a) { return propose_csv(a); },
+       .csv = [](const SolvedJob& job, const ProposeAnswer& a) { return propose_csv(job, a); },
        .specs = [](const ProposeAnswer& a) { return a.specs; },
        .notes = [](const ProposeAnswer& a) { return a.notes; }},
       spec, progress);

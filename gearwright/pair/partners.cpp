@@ -36,10 +36,11 @@ constexpr Hands kExternal{
     "opposite",
     "the angle is positive for two right-hand gears and negative for two left-hand gears",
     "widens"};
-constexpr Hands kInternal{"of the same hand",
-                          "the angle is the helix angle of gear 1 minus the helix angle of the internal gear, "
-                          "right hand > 0",
-                          "shifts"};
+constexpr Hands kInternal{
+    "of the same hand",
+    "the angle is the helix angle of gear 1 minus the helix angle of the internal gear, "
+    "right hand > 0",
+    "shifts"};
 
 // `rule` contains kReach, whose two placeholders are the ends of the range.
 Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {

@@ -20,9 +20,9 @@ struct DriveReportInput {
   std::string why_no_layout;            ///< if `layout` is null, the reason, as a sentence
   Verdict verdict;
   std::vector<ReportFile> files;
-  std::string spec_text;  ///< the spec, verbatim; left out if empty
+  std::string spec_text;              ///< the spec, verbatim; left out if empty
   UnitSystem units = UnitSystem::mm;  ///< of tables and sentences
-  std::string version;    ///< version of the program
+  std::string version;                ///< version of the program
 };
 
 /// The page, UTF-8.   Domain  a drive (contract)

@@ -58,9 +58,9 @@ struct ReportInput {
   const RatingView* rating = nullptr;          ///< null if the spec requests no rating
   Verdict verdict;                             ///< on the gears, the pair and the contact
   std::vector<ReportFile> files;
-  std::string spec_text;  ///< the spec, verbatim; omitted if empty
+  std::string spec_text;              ///< the spec, verbatim; omitted if empty
   UnitSystem units = UnitSystem::mm;  ///< of tables and sentences
-  std::string version;    ///< version of the program
+  std::string version;                ///< version of the program
 };
 
 /// The page, UTF-8.

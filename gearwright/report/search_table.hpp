@@ -17,7 +17,8 @@ struct TableColumn {
 };
 struct TableCell {
   std::string html;
-  std::optional<double> key;  ///< value by which the column is sorted; rows without a value come last
+  std::optional<double>
+      key;  ///< value by which the column is sorted; rows without a value come last
 };
 struct TableRow {
   std::string attributes;  ///< of the element, with a space in front
