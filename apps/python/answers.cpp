@@ -251,9 +251,11 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
     return contact_of(p, py::none(), py::none(), {});
   });
   for (const Quantity<ContactPoint>& q : position_quantities().list()) {
-    if (q.info.of) continue;
+    // The transmission error along a rack has the name of the angle, which comes first.
+    const std::string name = name_of(q.info);
+    if (q.info.of || py::hasattr(contact, name.c_str())) continue;
     contact.def_property_readonly(
-        name_of(q.info).c_str(),
+        name.c_str(),
         [&info = q.info](const ContactValue& c) { return column(c, info); },
         (docstring(q.info) + " The array has one value for each position.").c_str());
   }

@@ -91,7 +91,7 @@ class GapField {
   Place2 on_gear_2(const Complex& w1, double z) const;
   /// T at a point of flank 1, without derivatives; `s2` as in at().
   double value(const Place2& place, double& s2) const;
-  /// Normal distance of the flanks per radian of gap angle, 1/|∇φ2*|, mm. [T8.3]
+  /// Normal distance of the flanks per radian of gap angle, 1/|∇φ2*|, mm. [T8.3], on a rack [T8.30]
   static double arm(const GapJet& j);
 
   const FlankPatch& one() const { return *one_; }

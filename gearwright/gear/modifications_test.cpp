@@ -412,8 +412,7 @@ TEST(RemovalField, refuses_what_does_not_fit_and_names_it) {
   m = {};
   m.root_relief = {0.02, 41.0, ReliefShape::linear};
   EXPECT_EQ(refusal_of(m), "root_relief.reach");
-  m = {};
-  m.end_relief = {0.02, 12.6, ReliefShape::linear};
+  m = {.end_relief = {0.02, 12.6, ReliefShape::linear}};
   EXPECT_EQ(refusal_of(m), "end_relief.reach");
   m.end_relief.reach = 0.09;
   EXPECT_EQ(refusal_of(m), "end_relief.amount");
@@ -430,9 +429,7 @@ TEST(RemovalField, refuses_what_does_not_fit_and_names_it) {
 
 TEST(RemovalField, refuses_a_topography_that_does_not_cover_the_flank) {
   const auto with = [](std::shared_ptr<const Topography> t) {
-    FlankModifications m;
-    m.topography = std::move(t);
-    return m;
+    return FlankModifications{.topography = std::move(t)};
   };
   EXPECT_EQ(refusal_of(with(tilted(41.0, 47.5, 12.5))), "");
   EXPECT_EQ(refusal_of(with(tilted(41.001, 47.5, 12.5))), "topography");
