@@ -5,7 +5,7 @@
 #
 # The result is build/portable/libraries/TARGET with include/ and lib/. Sources are fetched once with
 # apt-get source, which uses separate package lists and leaves those of the system unchanged. A second
-# call does nothing.
+# call does nothing. The exit status is 75 if the sources cannot be fetched.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 target=${1:?usage: tools/portable_libraries.sh TARGET}
@@ -30,8 +30,8 @@ fetch() {
   [ ! -f /etc/apt/sources.list ] || sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >"$sources/apt/parts/debian.list"
   local options=(-qq -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts="$sources/apt/parts"
     -o Dir::State::lists="$sources/apt/lists" -o Dir::Cache="$sources/apt/cache" -o APT::Sandbox::User=root)
-  apt-get "${options[@]}" update
-  (cd "$sources" && apt-get "${options[@]}" source "${packages[@]}")
+  apt-get "${options[@]}" update || exit 75
+  (cd "$sources" && apt-get "${options[@]}" source "${packages[@]}") || exit 75
   echo "${packages[*]}" >"$sources/complete"
 }
 
