@@ -30,19 +30,21 @@
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/tool/rack.hpp"
 
-// Two gears: mount, and the requirements on the housing
+// Two gears: mount, mount_rack, and the requirements on the housing
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 // From a drawing with missing numbers to gears and pair: arrange, and judge, the verdict on them
 #include "gearwright/arrange/arrange.hpp"
 #include "gearwright/arrange/judge.hpp"
 
-// Contact under errors: contact, contact_pattern, map_of_errors, ContactSetup, compensate
+// Contact under errors: contact (of a pair, or of a rack), contact_pattern, map_of_errors, ContactSetup, compensate
 #include "gearwright/contact/corrections.hpp"
 #include "gearwright/contact/error_map.hpp"
 #include "gearwright/contact/pair_contact.hpp"
 #include "gearwright/contact/pattern.hpp"
+#include "gearwright/contact/rack_contact.hpp"
 
 // Elastic teeth: loaded, teeth under torque; probes of one tooth
 #include "gearwright/arrange/loaded_pair.hpp"

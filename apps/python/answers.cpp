@@ -255,8 +255,7 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
     const std::string name = name_of(q.info);
     if (q.info.of || py::hasattr(contact, name.c_str())) continue;
     contact.def_property_readonly(
-        name.c_str(),
-        [&info = q.info](const ContactValue& c) { return column(c, info); },
+        name.c_str(), [&info = q.info](const ContactValue& c) { return column(c, info); },
         (docstring(q.info) + " The array has one value for each position.").c_str());
   }
   py::class_<RatingValue> rating(m, "Rating", "The strength of a pair by the standard");

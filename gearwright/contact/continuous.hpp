@@ -43,6 +43,9 @@ struct CurveExtremes {
 CurveExtremes continuous_extremes(Transmission& transmission,
                                   const std::vector<PairTouch>& touches);
 
+/// The least number of positions with which a whole pitch is examined for its extremes.
+inline constexpr int kLeastSpanPositions = 32;
+
 /// Peak to peak of the continuous curve over a pitch; none if contact is lost at some position.
 ///
 /// Domain    positions ≥ 2 (contract)

@@ -70,7 +70,8 @@ Result<RackContact> contact(const RackPair& pair, const ContactErrors& errors,
   other.influences.clear();
   found.non_working = analyse_contact(*driven_by(!options.gear2_drives), other);
   found.min_play = least_play(found, found.non_working, options.gear2_drives);
-  found.continuous_span = continuous_span(*found.pair, options.request.positions);
+  found.continuous_span =
+      continuous_span(*found.pair, std::max(kLeastSpanPositions, options.request.positions));
   return found;
 }
 

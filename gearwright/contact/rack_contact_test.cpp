@@ -173,8 +173,8 @@ TEST(RackContact, AgreesWithNestedGrids) {
   }
 }
 
-// The mirror image of a pair under mirrored errors has the same transmission error.
-TEST(RackContact, BothHandsAndBothDriversAreMirrorImages) {
+// The mirror image of a pair in the plane z = 0 under mirrored errors has the same transmission error.
+TEST(RackContact, BothHandsAreMirrorImages) {
   ContactOptions options;
   options.modifications[0] = on_both_flanks(crowned());
   ContactErrors errors = misaligned();
@@ -186,6 +186,23 @@ TEST(RackContact, BothHandsAndBothDriversAreMirrorImages) {
   for (std::size_t i = 0; i < right->positions.size(); ++i)
     EXPECT_NEAR(right->rack.of(right->positions[i].te), left->rack.of(left->positions[i].te),
                 1e-11);
+}
+
+// A rack that drives touches the other flanks. The mirror image in the plane y = 0 exchanges the
+// flanks and reverses both motions.
+TEST(RackContact, TheRackDrivesAsTheMirrorImageIsDriven) {
+  ContactOptions options;
+  options.modifications[0] = on_both_flanks(crowned());
+  ContactErrors errors = misaligned();
+  const auto driven = contact(rack_pair(25), errors, options);
+  errors.crossing = -errors.crossing;
+  options.gear2_drives = true;
+  const auto driving = contact(rack_pair(-25), errors, options);
+  ASSERT_TRUE(driven && driving);
+  const std::size_t n = driven->positions.size();
+  for (std::size_t i = 1; i < n; ++i)
+    EXPECT_NEAR(driving->rack.of(driving->positions[i].te),
+                -driven->rack.of(driven->positions[n - i].te), 1e-11);
 }
 
 // Derivatives of the transmission error are the limits of differences.

@@ -15,8 +15,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kLeastPositions = 32;  // per pitch, for the continuous curve
-
 std::vector<double> spread(const std::array<double, 2>& range, int n) {
   std::vector<double> values;
   for (int i = 0; i < n; ++i)
@@ -154,8 +152,8 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup, const 
   if (std::none_of(positions.begin(), positions.end(), touches))
     return nothing_touches(*answer.setup);
   answer.min_play = least_play(answer.driving, answer.other, gear2_drives);
-  answer.continuous_span =
-      continuous_span(answer.setup->pair(gear2_drives), std::max(kLeastPositions, input.positions));
+  answer.continuous_span = continuous_span(answer.setup->pair(gear2_drives),
+                                           std::max(kLeastSpanPositions, input.positions));
   if (input.map) {
     const auto te_at = [&](double x, double y) {
       const ContactErrors errors = errors_at(*answer.setup, *input.map, x, y);
@@ -238,7 +236,7 @@ class HalvesAnswer {
     whole.other = whole_contact(other.mesh, {&first->other, &second.other}, per_pitch).result;
     whole.min_play = least_play(whole.driving, whole.other, drives_2);
     whole.continuous_span =
-        continuous_span(driving.mesh, std::max(kLeastPositions, input.positions));
+        continuous_span(driving.mesh, std::max(kLeastSpanPositions, input.positions));
     if (map) {
       const auto te_at = [&](double x, double y) {
         const Pairs at(*this, errors_at(*setup_[0], *map, x, y), drives_2);
