@@ -269,11 +269,11 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
 
 // Follows the maxima of T on flanks with several maxima and separate intervals of rotation. Cold starts
 // at regular positions find the maxima. Each maximum is followed until it meets another track. On uneven
-// flanks the cold starts are closer, because a crest of a wave may touch for a small part of a pitch.
+// flanks every position has a cold start, because a crest may touch for a small part of a pitch.
 void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kFarBelow, best);
   const int most = farthest_pair_ * n;
-  const int stride = std::max(1, n / (search(fields).uneven() ? 32 : 8));
+  const int stride = search(fields).uneven() ? 1 : std::max(1, n / 8);
   std::vector<std::vector<Touch>> passed(static_cast<std::size_t>(2 * (most + 1) + 1));
   const FlankPatch& a = fields_[static_cast<std::size_t>(fields)]->one();
   const auto known = [&](int m, const Touch& t) {

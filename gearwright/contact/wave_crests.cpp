@@ -27,6 +27,11 @@ double roll_at(const FlankPatch& f, double u) {
   return std::sqrt(std::max(0.0, std::exp(2 * u) - r0 * r0));
 }
 
+double base_radius(const FlankPatch& f) {
+  const double s = 0.5 * (f.s_lo + f.s_hi);
+  return std::abs(f.profile.at(s).factor) / std::hypot(1.0, s);
+}
+
 // Phase of a wave per mm of L (0) or of z (1); 0 without such a wave.
 double rate_of(const FlankPatch& f, std::size_t direction) {
   if (!f.removal) return 0.0;
@@ -38,7 +43,8 @@ double rate_of(const FlankPatch& f, std::size_t direction) {
 }
 
 double half_height(const FlankPatch& f, std::size_t direction) {
-  return f.removal ? 0.5 * f.removal->waves()[direction].height : 0.0;
+  if (!f.removal || f.removal->waves()[direction].waves == 0) return 0.0;
+  return 0.5 * f.removal->waves()[direction].height;
 }
 
 bool suits(const FlankPatch& f) {
@@ -99,7 +105,7 @@ std::optional<WaveCrests::Ridge> WaveCrests::solve(GapField& field, double s, do
     field.set_rotation(phi);
     const GapJet j = field.at(s, z, s2);
     const double step = way * j.t.s / j.t.ss;
-    if (!std::isfinite(step)) return std::nullopt;
+    if (!std::isfinite(step) || !(j.t.ss < 0.0)) return std::nullopt;
     if (std::abs(step) < kRidge) {
       const double roll2 = roll_at(two_, j.u.v);
       const double square = std::exp(2 * j.u.v);
@@ -130,15 +136,33 @@ bool WaveCrests::make(const ContactPair& pair) {
   z_half_ = 0.5 * (z_hi_ - z_lo_);
   roll2_lo_ = roll_at(two_, two_.u_lo);
   roll2_hi_ = roll_at(two_, two_.u_hi);
-  // The part of flank 1 that meets flank 2. The place on flank 2 is nearly linear in s.
+  // The part of flank 1 that meets flank 2: without errors, L_1 + L_2 is the distance A of the base
+  // tangent points, and for an internal gear L_2 − L_1. The ridge on the centre line has the roll angle
+  // s_w.
+  const double r_b1 = base_radius(one_), r_b2 = base_radius(two_);
+  const double a = pair.place().center_distance + pair.place().errors.center_distance;
+  const double sign = pair.internal() ? -1.0 : 1.0;
+  const double across_bases = a * a - std::pow(r_b2 + sign * r_b1, 2);
+  if (!(across_bases > 0.0)) return false;
+  const double action = std::sqrt(across_bases);
+  const auto s_opposite = [&](double roll2) { return sign * (action - roll2) / r_b1; };
+  const auto [least, greatest] = std::minmax({s_opposite(roll2_lo_), s_opposite(roll2_hi_)});
+  double from = std::max(one_.s_lo, least);
+  double to = std::min(one_.s_hi, greatest);
+  if (!(from < to)) {
+    // Beyond its path, an edge may carry for a short way; then the whole flank is searched.
+    if (from - to < kBeyondPath * (greatest - least)) return false;
+    z_hi_ = z_lo_;
+    return true;
+  }
   const double turn_per_z = -one_.twist / pair.rotation_sign();
-  double from = one_.s_lo;
-  double to = one_.s_hi;
-  const PolarJet middle = one_.profile.at(0.5 * (from + to));
-  double phi = (pair.mesh_azimuth() - std::arg(middle.factor) - middle.phase - one_.center -
-                z_mid_ * one_.twist) /
+  const double s_w = action / (r_b2 + sign * r_b1);
+  const PolarJet pitch_point = one_.profile.at(s_w);
+  double phi = (pair.mesh_azimuth() - std::arg(pitch_point.factor) - pitch_point.phase -
+                one_.center - z_mid_ * one_.twist) /
                pair.rotation_sign();
-  double phi_s = 0.0;
+  double phi_s = pair.rotation_sign() * one_.profile.side();
+  phi += phi_s * (0.5 * (from + to) - s_w);
   for (int pass = 0; pass < 2; ++pass) {
     s_mid_ = 0.5 * (from + to);
     s_half_ = 0.5 * (to - from);
@@ -148,15 +172,12 @@ bool WaveCrests::make(const ContactPair& pair) {
     if (!next) return false;
     phi_s = (next->phi - here->phi) / (0.5 * s_half_);
     const double slope = (next->roll2 - here->roll2) / (0.5 * s_half_);
-    const auto [a, b] = std::minmax(
+    const auto [below, above] = std::minmax(
         {s_mid_ + (roll2_lo_ - here->roll2) / slope, s_mid_ + (roll2_hi_ - here->roll2) / slope});
-    from = std::max(one_.s_lo, a);
-    to = std::min(one_.s_hi, b);
+    from = std::max(one_.s_lo, below);
+    to = std::min(one_.s_hi, above);
     phi = here->phi + phi_s * (0.5 * (from + to) - s_mid_);
-    if (!(from < to)) {
-      z_hi_ = z_lo_;
-      return true;
-    }
+    if (!(from < to)) return false;
   }
   s_mid_ = 0.5 * (from + to);
   s_half_ = 0.5 * (to - from);

@@ -86,6 +86,38 @@ TEST(WavyContact, FollowsTheGreatestCrest) {
   }
 }
 
+// A root relief divides flank 1 into two patches. The one at the root begins near the base circle, and
+// only a part of it, or nothing, lies opposite flank 2. A relief of amount 0 changes nothing.
+TEST(WavyContact, FollowsTheGreatestCrestOverTwoPatches) {
+  for (const double start : {0.1, 0.2, 0.3, 0.5}) {
+    for (const double amount : {0.0, 0.005}) {
+      testing::SamplePair sample = wavy(0.007, 2, 3, 0.9);
+      const Gear& gear = sample.gears[0];
+      const double root = 2 * *gear.root_form_radius();
+      FlankModifications m;
+      m.lead_crowning = 0.006;
+      m.profile_wave = {3, 0.9, 0.007};
+      m.helix_wave = {2, 1.9, 0.007};
+      m.root_relief = {amount, root + start * (2 * gear.tip_form_radius() - root)};
+      sample.modify(1, m);
+      const ContactPair pair = sample.pair();
+      ASSERT_EQ(pair.patches(1).size(), 2u);
+      const int n = 16;
+      const std::vector<double> te = transmission_error(pair, n);
+      const std::vector<double> plain = transmission_error(wavy(0.007, 2, 3, 0.9).pair(), n);
+      for (int i = 1; i < n; i += 2) {
+        const double phi = -0.5 * pair.pitch() + pair.pitch() * i / n;
+        constexpr double kParabola = 0.02 * kRadPerArcsec;
+        EXPECT_GE(te[static_cast<std::size_t>(i)], greatest_on_a_grid(pair, phi) - kParabola)
+            << start << " " << amount << " position " << i;
+        if (amount == 0.0) {
+          EXPECT_NEAR(te[static_cast<std::size_t>(i)], plain[static_cast<std::size_t>(i)], 1e-11);
+        }
+      }
+    }
+  }
+}
+
 // The curve of 32 positions costs less than 20 evaluations per position; without the closed form of the
 // waves, it costs 1000. The extremes do not depend on the number of positions.
 TEST(WavyContact, NeedsFewEvaluations) {
