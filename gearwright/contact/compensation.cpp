@@ -20,15 +20,15 @@ constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
 // The value of f if contact is lost, rad. It is far above all other values, but finite, because the
 // optimiser requires finite values.
 constexpr double kLost = 1e3;
-// The change of an aim at which a search ends, and the value for lost contact, in units of the smallest
-// relevant difference of the aim.
+// For a search with an aim (CompensationAim): the change at which the search ends, and the value
+// for lost contact. Both are multiples of CompensationAim::same.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
-// Cost of transmission error beyond the limit, per unit. The cost of the pattern without corrections
-// is added, so that corrections beyond the limit are never better than none. f decreases towards the
-// limit.
+// Cost per unit by which the peak to peak exceeds its limit. The cost of the pattern without
+// corrections is added, so that corrections beyond the limit are never better than no correction.
+// Beyond the limit, f decreases as the peak to peak approaches it.
 constexpr double kOverLimit = 100.0;
 
-// Evaluates f, or the aim, with a given number of positions per pitch.
+// Evaluates f, or the aim if there is one, with a given number of positions per pitch.
 class Judge {
  public:
   Judge(const CompensationTask& task, int positions) : task_(task), positions_(positions) {
@@ -65,8 +65,8 @@ class Judge {
   }
 
   int positions() const { return positions_; }
-  // The smallest relevant difference of f, the difference at which a search ends, and the value for
-  // lost contact.
+  // The smallest relevant difference of f or of the aim, the difference at which a search ends, and
+  // the value that stands for lost contact.
   double same() const { return task_.aim ? task_.aim->same : kSameError.rad(); }
   double last_gain() const { return task_.aim ? kAimLastGain * task_.aim->same : kLastGain_rad; }
   double lost() const { return task_.aim ? kAimLost * task_.aim->same : kLost; }
@@ -103,8 +103,8 @@ class Judge {
   int evaluations_ = 0;
 };
 
-// The least squares solution of the problem linearised at v = 0. The mean of each scenario's curve is
-// subtracted.
+// The least-squares corrections for TE linearised at v = 0. The mean of each scenario's curve is
+// subtracted first.
 std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
   const std::size_t n = task.corrections.size();
   const std::vector<double> zero(n, 0.0);
@@ -190,14 +190,14 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
     best.take(start);
     best.take(optimise(task, judge, Minimiser::downhill, budget, 1.0, start));
   }
-  // A crease may have stopped the search, so it is repeated with smaller steps.
+  // A crease of f may have stopped a search, so the search is repeated with smaller steps.
   for (const double step : {1.0, 0.1, 0.01})
     best.take(optimise(task, judge, Minimiser::downhill, budget, step, best.v));
   return best.v;
 }
 
-// The final corrections. They are evaluated at the positions of the report, because a peak may lie
-// between the positions of the search.
+// The final corrections. They are evaluated at as many positions as the report uses, because a peak
+// may lie between the coarser positions of the search.
 std::vector<double> settled(const CompensationTask& task, Judge& fine,
                             const std::vector<double>& found) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
@@ -212,10 +212,11 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   }
   const double same = fine.same();
   if (!(best.least < none - same)) return zero;
-  constexpr double kPartLost = 0.01;  // part of the gain that rounding for the drawing may lose
+  constexpr double kPartLost = 0.01;  // fraction of the gain that rounding the values may lose
   const double loss = std::max(same, std::isfinite(none) ? kPartLost * (none - best.least) : same);
   for (const double parts : {1e2, 1e4, 1e6}) {
-    // Rounded values, or their neighbours if rounding has moved a value beyond a crease.
+    // Tries the rounded values, and then their neighbours, because rounding may move a value beyond
+    // a crease of f.
     Best drawn(fine, as_written(task.corrections, best.v, parts));
     for (std::size_t k = 0; k < found.size(); ++k) {
       for (const double away : {-1.0, 1.0}) {
@@ -238,7 +239,7 @@ bool Compensation::nothing_to_correct() const {
 Angle default_centering(Angle peak_to_peak) {
   constexpr double kPart = 0.1;
   constexpr Angle kLeast = Angle::arcseconds(0.1);
-  // NaN gives the least value.
+  // The result for NaN is kLeast.
   return peak_to_peak > kLeast / kPart ? kPart * peak_to_peak : kLeast;
 }
 
@@ -261,8 +262,8 @@ Compensation compensate(const CompensationTask& task) {
   GW_EXPECTS(task.positions >= 2 && task.fine_positions >= 2);
   for (const Correction& c : task.corrections)
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
-  // Usual number of evaluations. There are two or three searches of the box and one descent from every
-  // start, and most of them end early.
+  // The usual number of evaluations: one search of the box and a descent from every start, most of
+  // which end early.
   constexpr std::int64_t kUsual = 1000;
   begin_stage(task.progress, "corrections tried", kUsual);
   Judge coarse(task, task.positions);

@@ -1,19 +1,20 @@
-// Corrections that minimise the transmission error under the worst of several sets of errors and
+// Corrections that minimise the transmission error for the worst of several sets of errors and
 // centre the contact pattern.
 //
 //   v   corrections, in the caller's units          S   scenarios: sets of errors
 //   f(v) = max_S peak to peak TE + w · max_S (h² + p²)      [T8.24] of docs/theory/08-contact.md
 //
-//   h   mean place of the contact along the face, −1 to 1
-//   p   mean place of the contact along the profile, if there is a target for it (the pressure angle
-//       of the racks of circular-arc teeth)
+//   h   mean position of the contact along the face, −1 to 1
+//   p   mean position of the contact along the profile, if there is a target for it (the pressure
+//       angle of the racks of circular-arc teeth)
 //
 // A given w trades quiet running for a central pattern. By default, w is small, and corrections are
 // rejected if the transmission error is greater with them than without them.
 //
-// f is a maximum of maxima and has creases, so the search does not use derivatives (subplex). It
-// starts from zero, from the least squares solution of the linearised problem, from closed forms of
-// the caller, and from the best point of the whole box.
+// f is a maximum of maxima, so its slope jumps along creases. The search therefore uses a method
+// without derivatives (subplex). It starts from zero, from the least-squares solution of the
+// linearised problem, from starting values that the caller gives, and from the best point found in
+// the whole box of bounds.
 #pragma once
 
 #include <array>
@@ -29,14 +30,14 @@ namespace gearwright {
 
 struct Correction {
   double lo, hi;  ///< bounds, in the caller's unit
-  double step;    ///< a small change
+  double step;    ///< size of a small change, in the caller's unit
 };
 
 /// Another quantity to minimise instead of the transmission error of rigid teeth. The position of
 /// the pattern is then ignored.
 struct CompensationAim {
-  /// Returns the quantity in any unit, computed with this number of positions per pitch. Infinity is
-  /// worse than any other value.
+  /// Returns the quantity in any unit, computed with this number of positions per pitch. Infinity
+  /// is worse than any other value.
   std::function<double(const ContactPair&, int)> of;
   double same = 0.0;  ///< smallest improvement worth making, > 0
 };
@@ -46,11 +47,12 @@ struct CompensationTask {
   int scenarios = 1;
   int positions = 24;                ///< per pitch, during the search
   int fine_positions = 64;           ///< per pitch, for the reported scores
-  int curves = 6000;                 ///< approximate number of curves in each search of the box
-  std::optional<Angle> centering{};  ///< w, cost of a pattern at the end of the face; by default
-                                     ///< default_centering, and the error must not increase
+  int curves = 6000;                 ///< approximate limit for each search, in curves of TE
+  std::optional<Angle> centering{};  ///< w, cost of a pattern at the end of the face. If absent,
+                                     ///< default_centering() is used, and the transmission error
+                                     ///< must not increase
   bool along_face =
-      true;  ///< false if h is ignored, because the contact point moves along the face
+      true;  ///< false if h is ignored, because the contact point moves along the whole face
              ///< in any case
   ProfileTarget profile{};
   std::vector<std::vector<double>> starts{};  ///< additional starting values of the search
@@ -71,8 +73,8 @@ struct SettingAnswer {
   double backlash_change;   ///< change of the normal backlash, for the exact setting only
 };
 
-/// The change of a gear's lead angle that makes the slope of TE zero, with the lead of the other gear
-/// unchanged. [T8.22]
+/// The change of a gear's lead angle that makes the slope of TE zero, with the lead of the other
+/// gear unchanged. [T8.22]
 struct LeadAnswer {
   std::array<std::optional<Angle>, 2> exact;  ///< Δλ_1, Δλ_2
   std::optional<Angle> first_order;           ///< Δλ_1 of circular-arc teeth
@@ -81,28 +83,28 @@ struct LeadAnswer {
 
 struct Compensation {
   std::vector<double> value;
-  ContactScore before, after;                         ///< the worst of each number
+  ContactScore before, after;                         ///< each number is the worst of all scenarios
   std::vector<ContactScore> each_before, each_after;  ///< by scenario
   Angle centering;                                    ///< w
   int evaluations = 0;                                ///< number of evaluations of f
 
-  /// True if no corrections lower f by 0.001 arcsec. Every value is then 0.
+  /// True if no correction lowers f by 0.001 arcsec or more. Every value is then 0.
   bool nothing_to_correct() const;
 };
 
 /// Differences of transmission error below this cannot be measured.
 constexpr Angle kSameError = Angle::arcseconds(0.001);
 
-/// A pair with a smaller peak to peak counts as free of error. On a radius of 50 mm it is 2 nm, and no
-/// flank is that smooth.
+/// A pair with a smaller peak to peak counts as free of error. At a radius of 50 mm, this angle is
+/// 2 nm, and no real flank is that smooth.
 constexpr Angle kQuiet = Angle::arcseconds(0.01);
 
-/// The default of w: a tenth of the present error, at least 0.1 arcsec. TE then dominates f, and the
-/// pattern decides between two pairs with about the same small TE.
+/// The default of w: a tenth of the peak to peak without corrections, but at least 0.1 arcsec. TE
+/// then dominates f, and the pattern decides between two pairs with about the same small TE.
 Angle default_centering(Angle peak_to_peak);
 
-/// Values rounded for a drawing: multiples of step/parts within the bounds. Each is the double that is
-/// nearest to its decimal number, and 0 has no sign.
+/// Values rounded for a drawing: multiples of step/parts within the bounds. Each is the double that
+/// is nearest to its decimal number, and 0 has no sign.
 ///
 /// Domain    as many values as corrections, parts > 0 (contract)
 std::vector<double> as_written(const std::vector<Correction>& corrections,
@@ -112,12 +114,12 @@ std::vector<double> as_written(const std::vector<Correction>& corrections,
 ///
 /// Domain    at least one correction, each with lo ≤ 0 ≤ hi and lo < hi, step > 0; at least one
 ///           scenario; positions and fine_positions ≥ 2 (contract)
-/// Accuracy  a local minimum of f, the best that is found by a deterministic search of the whole box
-///           (DIRECT) and by descents from several starts. Values are multiples of a hundredth of
-///           `step`, or of a smaller part if this rounding loses more than 1 % of the gain. All are 0
-///           if the gain is below kSameError
-/// Laws      (1) f(value) <= f(0) at fine_positions; for an aim, the same of its worst value over the
-///               scenarios
+/// Accuracy  a local minimum of f, the best that is found by a deterministic search of the whole
+///           box (DIRECT) and by descents from several starts. Values are multiples of a hundredth
+///           of `step`, or of a smaller part if this rounding loses more than 1 % of the gain. All
+///           are 0 if the gain is below kSameError
+///           (1) f(value) <= f(0) at fine_positions; if there is an aim, its worst value over the
+///               scenarios is not greater with the corrections than without
 ///           (2) without a given w and without an aim, after.peak_to_peak is at most the greater of
 ///               before.peak_to_peak + kSameError and kQuiet
 Compensation compensate(const CompensationTask& task);

@@ -70,8 +70,8 @@ Case crowned(double helix_deg, double crossing_deg) {
   return c;
 }
 
-// A lead error turns section z by κz, a helix slope by C z/b over the moment arm r_b cos β_b of the
-// normal [T8.7]. Only a slope of this size cancels it.
+// A lead error κ turns the section at z by κz. A helix slope C turns it by (C z/b)/(r_b cos β_b),
+// where r_b cos β_b is the moment arm of the normal [T8.7]. Only one value of C cancels κ.
 TEST(Compensation, a_lead_error_asks_for_its_own_slope) {
   Case c = crowned(15, 0);
   const Gear& g = c.sample.gears[0];
@@ -89,7 +89,8 @@ TEST(Compensation, a_lead_error_asks_for_its_own_slope) {
   EXPECT_LT(std::abs(found.after.along_face), 0.02);
 }
 
-// The proof of the optimum: 50 seeded cases, each within 2 % of the best of a dense scan.
+// The corrections are optimal: in 50 seeded cases, f is within 2 % of the least value of a dense
+// scan.
 TEST(Compensation, is_the_best_of_a_dense_scan) {
   std::mt19937 random(8);
   const auto between = [&](double lo, double hi) {
@@ -117,7 +118,7 @@ TEST(Compensation, is_the_best_of_a_dense_scan) {
     const std::vector<double> zero(t.corrections.size(), 0.0);
     double least = value_of(c, t, zero, w, limit);
     const double mine = value_of(c, t, found.value, w, limit);
-    EXPECT_LE(mine, least) << "case " << k << ": worse than nothing";
+    EXPECT_LE(mine, least) << "case " << k << ": worse than no correction";
     const int n = t.corrections.size() == 1 ? 240 : 30;
     for (int i = 0; i <= n; ++i) {
       std::vector<double> v{-60 + 120.0 * i / n};
@@ -133,8 +134,8 @@ TEST(Compensation, is_the_best_of_a_dense_scan) {
   }
 }
 
-// A cost of one arcsec for the position of the pattern, as in an earlier version, made this pair
-// louder than without corrections. That trade is made only if the user requests it.
+// In an earlier version, w was 1 arcsec by default, and the corrections made this pair louder. More
+// noise for a better pattern is now accepted only if the user gives w.
 TEST(Compensation, quiet_running_is_traded_on_request_alone) {
   Case c = crowned(12, 0);
   c.drawn.lead_crowning = 0.006;
@@ -164,7 +165,7 @@ TEST(Compensation, a_perfect_pair_needs_none) {
   EXPECT_EQ(found.after.along_face, 0.0);
 }
 
-// A hundredth of a step is the double nearest to its decimal: 0.29, not 0.29000000000000004.
+// Each value is the double nearest to its decimal number: 0.29, not 0.29000000000000004.
 TEST(Compensation, values_are_decimals) {
   for (const double crossing : {-0.03, 0.011, 0.05}) {
     for (const double v : compensate(crowned(15, crossing).task(2)).value) {

@@ -69,7 +69,7 @@ std::vector<Angle> harmonics(const std::vector<double>& te) {
     roots.emplace_back(std::cos(turn), -std::sin(turn));
   }
   std::vector<Angle> amplitude;
-  const double mean = te[0];  // any constant; it only improves the rounding
+  const double mean = te[0];  // subtracting any constant reduces rounding errors
   for (int h = 1; h <= std::min(kMax, (n - 1) / 2); ++h) {
     Complex sum = 0.0;
     for (int i = 0; i < n; ++i) {
@@ -88,7 +88,8 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   std::vector<PairTouch> touches;
   std::vector<Angle> rotations = request.rotations;
   const int n = request.positions;
-  // Every position counts one step for its touch, one for its description, and one for each influence.
+  // Every position counts as one step for finding its touch, one for describing the touch, and one
+  // for each influence.
   const auto wanted =
       static_cast<std::int64_t>(rotations.size()) *
           static_cast<std::int64_t>(2 + request.influences.size()) +

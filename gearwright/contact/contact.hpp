@@ -1,7 +1,8 @@
-// Tooth contact analysis: a mounted pair under errors, turned through one pitch or more.
+// Tooth contact analysis of a mounted pair with errors, over one pitch or more.
 //
-// The parts of the analysis are the field T of two flanks (gap_field.hpp), the search for its greatest
-// value (touch.hpp), the tooth pairs over a pitch (transmission.hpp) and the description of a touch
+// The parts of the analysis are the field T of two flanks (gap_field.hpp), the search for its
+// greatest value (touch.hpp), the tooth pairs over a pitch (transmission.hpp) and the description
+// of a touch
 // (contact_point.hpp).                               theory: docs/theory/08-contact.md
 #pragma once
 
@@ -22,16 +23,16 @@ struct ContactRequest {
 };
 
 struct ContactResult {
-  ContactResult() = default;  ///< empty, and not an aggregate; analyse_contact() makes it
+  ContactResult() = default;  ///< empty; analyse_contact() fills it
   std::vector<ContactPoint> positions;
   std::vector<std::vector<Sensitivity>> sensitivities;  ///< [influence][position]; 0 if contact is
                                                         ///< lost
   Angle peak_to_peak;                                   ///< of TE, over the positions with contact
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
-  std::vector<Angle> harmonics;  ///< amplitudes of 1, 2, … per pitch; empty for given rotations
+  std::vector<Angle> harmonics;  ///< as harmonics(); empty if the caller gave rotations
   bool contact_lost = false;     ///< true if there is a position at which no tooth pair touches
   long unfinished = 0;           ///< searches that did not converge; normally 0
-  RackTravel rack{};             ///< if gear 2 is a rack
+  RackTravel rack{};             ///< set if gear 2 is a rack
   TouchCount work;
 };
 
@@ -41,16 +42,17 @@ struct ContactResult {
 /// Accuracy  TE is exact to rounding; ledger rows `contact.*`
 ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request);
 
-/// The play of gear 2 at one position, the difference of its rotations when gear 1 touches it from
-/// either side; < 0 if the gears jam. None without contact of both flanks.
+/// The play of gear 2 at one position: the difference between its rotations at which the working
+/// and the non-working flanks touch, < 0 if the gears jam. None if either pair of flanks has no
+/// contact.
 std::optional<Angle> play_between(const ContactPoint& working, const ContactPoint& non_working,
                                   bool gear2_drives);
-/// The least play over the positions of both results, which are the same.
+/// The least play over all positions. Both results must have the same positions.
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
 
-/// The touches at n positions over one pitch. Position i is the rotation `first` + i pitch/n, in the
-/// housing's sense.
+/// The touches at n positions over one pitch. Gear 1 has the rotation `first` + i pitch/n at
+/// position i, in the housing's sense.
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n);
 
 /// Amplitudes of the orders 1, 2, … (at most 20) of the mesh frequency, for values of TE at equal

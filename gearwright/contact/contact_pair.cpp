@@ -17,8 +17,8 @@ double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 
-// Type of the border (ridge or seam) between a cell and its neighbour in the direction of u or of z,
-// on the side of lower (`below`) or greater values.
+// Type of the border (ridge or seam) between a cell and its neighbour in the direction of u or of
+// z, on the side of lower (`below`) or greater values.
 End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   for (const Cell& other : field.pieces()) {
     const bool across = of_u ? other.z_lo == cell.z_lo &&
@@ -30,7 +30,8 @@ End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   return End::seam;
 }
 
-// The twist of a gear's teeth in N, with its errors: of the lead, and of the additional rotation.
+// The twist of a gear's teeth in N: the twist of its lead, with the error of the cutter, and the
+// additional twist κ of a lead error.
 std::array<double, 2> twist_in_n(const Gear& g, const ContactErrors& e, int i, double mirror) {
   const double lead = with_cutter_lead(g.twist(), g.reference_diameter / 2, e.cutter_lead[i].rad());
   return {mirror * lead, mirror * e.helix_twist[i]};
@@ -74,7 +75,8 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   const double apart = mirror * g2.twist() * (middle(2) - middle(1));
   add_patches(1, gear_2, twist_in_n(g2, e, 1, mirror), pi + pi / z2 + apart, -1.0, right_2);
   set_mount();
-  // Points of gear 1 farther than this from the mesh lie outside the mating gear's annulus.
+  // Points of gear 1 at a greater angle than reach_ from the mesh lie outside the annulus of the
+  // mating gear.
   const auto radius = [](const std::vector<FlankPatch>& patches, bool greatest) {
     double r = greatest ? 0.0 : std::numeric_limits<double>::infinity();
     for (const FlankPatch& p : patches)
@@ -86,8 +88,8 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   double cosine = (a - radius(patches_[1], true)) / r1;
   double aside = 0.0;
   if (internal_) {
-    // On crossed axes, the sections of gear 1 are displaced from axis 2. At the end of the face, the
-    // displacement is `off`. [T4.37]
+    // On crossed axes, the transverse sections of gear 1 are displaced sideways from axis 2. `off`
+    // is the displacement at the end of the face. [T4.37]
     const double r2 = radius(patches_[1], false);
     const double off = g1.spec.face_width / 2 * std::abs(std::sin(mount.axis_angle.rad()));
     const double across = 2 * r1 * off, along = 2 * a * r1;
@@ -181,8 +183,8 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       c.u_lo = std::max(p.u_lo, cell.u_lo);
       c.u_hi = std::min(p.u_hi, cell.u_hi);
       // Borders of the field and of the profile are computed from ln ρ and differ by rounding. A
-      // cell that only touches this piece of the profile belongs to another piece.
-      constexpr double kSameBorder = 1e-12;  // of u = ln ρ
+      // cell that overlaps this piece of the profile only by rounding belongs to the next piece.
+      constexpr double kSameBorder = 1e-12;  // in u = ln ρ
       if (!(c.u_hi - c.u_lo > kSameBorder)) continue;
       const auto cut_u = [&](double u, bool at_lower) {
         const bool first = profile.grows() == at_lower;
@@ -195,7 +197,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       const double z_b = turned * cell.z_hi;
       c.z_lo = std::max(-half, std::min(z_a, z_b));
       c.z_hi = std::min(half, std::max(z_a, z_b));
-      // In N, z may have the opposite sign.
+      // In N, z may have the opposite sign of z in the field.
       if (c.z_lo > -half) c.z_lo_end = border(*removal, cell, false, turned > 0.0);
       if (c.z_hi < half) c.z_hi_end = border(*removal, cell, false, turned < 0.0);
       patches_[which].push_back(c);

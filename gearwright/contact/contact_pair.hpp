@@ -1,8 +1,9 @@
-// Two mounted gears for the contact analysis. Their touching flanks are divided into smooth patches,
-// in a frame N in which all kinds of pair are treated alike.
+// Two mounted gears for the contact analysis. Their touching flanks are divided into smooth
+// patches, in a frame N in which all kinds of pair are treated alike.
 //
 //   Housing f   the frame of kinematics/pose.hpp; errors tilt and shift axis 1, and ΔC moves axis 2
-//   World N     the frame in which gear 2 turns counter-clockwise and is touched on the clockwise side
+//   World N     the frame in which gear 2 turns counter-clockwise and is touched on the clockwise
+//   side
 //               of its tooth
 //               external pair, gear 1 drives    N = f
 //               internal pair                   N = f with −y; both gears turn in the same sense
@@ -10,8 +11,8 @@
 //                                               rotations change sign
 //                                               theory: docs/theory/08-contact.md, [T8.11]…[T8.13]
 //
-// k numbers the tooth pairs by all integers. Tooth pair k behaves as pair 0 did k pitches of gear 1
-// earlier.
+// The integer k numbers the tooth pairs. Tooth pair k repeats the motion of pair 0, k pitches of
+// gear 1 later.
 #pragma once
 
 #include <array>
@@ -37,13 +38,13 @@ struct ContactErrors {
   bool operator==(const ContactErrors&) const = default;
 };
 
-/// The errors of the mirror image, in the plane z = 0, of a mounting. Errors of the teeth do not
-/// change, because they are the same for both halves of a double-helical gear.
+/// The errors of a mounting after reflection in the plane z = 0. Errors of the teeth do not change,
+/// because they are the same for both halves of a double-helical gear.
 ContactErrors mirrored(const ContactErrors& errors);
 
 struct ContactGear {
   const Gear* gear = nullptr;
-  /// Removal from the right (y < 0) and the left flank; null if there is none.
+  /// Material removed from the right (y < 0) and from the left flank; null if nothing is removed.
   std::array<const RemovalField*, 2> removal{};
 };
 
@@ -52,22 +53,24 @@ struct ContactMount {
   Angle axis_angle{};            ///< σ Σ; axis 2 has the direction (0, sin σΣ, cos σΣ)
   bool gear2_drives = false;
   ContactErrors errors;
-  /// z of the middle of each face, mm; not 0 for a half of a double-helical gear. Errors tilt axis 1
-  /// about its point at z = 0. At rotation 0, pair 0 is in mesh in the section z = middle[0].
+  /// z of the middle of each face, mm; not 0 for a half of a double-helical gear. Errors tilt axis
+  /// 1 about its point at z = 0. At rotation 0, pair 0 is in mesh in the section z = middle[0].
   std::array<double, 2> middle{};
-  /// True if root fillets and rounded tips are included, so that a contact of a fillet before the
-  /// flanks is found. Rounded tips of modified flanks are not included, because the removal of
-  /// material is defined on the flank only.   Domain: if a lead is changed, recut_outline must be able
-  /// to compute the root
+  /// True if root fillets and rounded tips are included, so that a tip that touches a fillet before
+  /// the flanks touch is found. Rounded tips of modified flanks are not included, because the
+  /// removal of material is defined on the flank only.
+  /// Domain: if a cutter's lead angle is changed, recut_outline can compute the root
   bool fillets = false;
 };
 
 class ContactPair {
  public:
-  /// Domain  gears that exist, with a flank; |z1|, |z2| any (contract)
+  /// Domain  gear 1 is external, and both gears exist and have a flank; any numbers of teeth
+  ///         (contract)
   ContactPair(const ContactGear& gear_1, const ContactGear& gear_2, const ContactMount& mount);
-  /// A pinion and its rack, which has no modifications and no errors of its teeth. A rotation of
-  /// gear 2 is the travel of the rack divided by the reference radius of the pinion. [T8.29]
+  /// A pinion and its rack, which has no modifications and no errors of its teeth. The rotation of
+  /// gear 2 then means the travel of the rack divided by the reference radius of the pinion.
+  /// [T8.29]
   ///
   /// Domain  an axis angle of 0, no fillets (contract)
   ContactPair(const ContactGear& pinion, const RackGeometry& rack, const ContactMount& mount);
@@ -79,7 +82,7 @@ class ContactPair {
   }
   double ratio() const { return ratio_; }                  ///< |z1/z2|; 1 for a rack
   double pitch() const { return pitch_; }                  ///< 2π/|z1|  rad
-  double rotation_sign() const { return rotation_sign_; }  ///< of gear 1 in N
+  double rotation_sign() const { return rotation_sign_; }  ///< of gear 1 in N; −1 is clockwise
   double mesh_azimuth() const { return internal_ ? std::numbers::pi : 0.0; }
   double reach() const { return reach_; }
   bool internal() const { return internal_; }
@@ -91,15 +94,15 @@ class ContactPair {
   double u_at(int gear, double diameter) const;  ///< the inverse of diameter()
   bool gear2_drives() const { return place_.gear2_drives; }
   const ContactMount& place() const { return place_; }
-  double normal_pressure_angle() const { return alpha_n_; }  ///< of gear 1's straight rack, rad
+  double normal_pressure_angle() const { return alpha_n_; }  ///< of the rack of gear 1, rad
 
   /// Converts a rotation of gear 1 from the housing to N, or from N to the housing.
   double to_world(double rotation1) const { return place_.gear2_drives ? -rotation1 : rotation1; }
-  /// A point (w1, z) of gear 1 before mounting, in the housing frame.
+  /// Converts a point (w1, z) of gear 1, before mounting, to the housing frame.
   Vec3 in_housing(const Complex& w1, double z) const;
-  /// A direction of N in the housing frame.
+  /// Converts a direction from N to the housing frame.
   Vec3 direction_in_housing(const Vec3& v) const;
-  /// Rotates the directions of gear 1 before mounting into N.
+  /// Rotates directions from the frame of gear 1 before mounting to N.
   const Mat3& tilt() const { return tilt_; }
   double mirror() const { return internal_ ? -1.0 : 1.0; }            ///< sign of y in N
   double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< sign of z in N
@@ -108,7 +111,8 @@ class ContactPair {
   /// Radius at which the root fillet ends, mm; none without ContactMount::fillets or without a
   /// fillet.
   std::optional<double> root_end(int gear) const { return root_end_[gear - 1]; }
-  /// κ in N, per mm of f_Hβ on the reference cylinder over the face width.
+  /// κ in N that corresponds to f_Hβ = 1 mm, measured on the reference cylinder over the face
+  /// width.
   double twist_per_slope(int gear) const { return slope_unit_[gear - 1]; }
 
  private:
@@ -124,7 +128,7 @@ class ContactPair {
   std::array<std::vector<FlankPatch>, 2> patches_;
   RelativeMount relative_;
   Mat3 tilt_ = Mat3::Identity();
-  Vec3 lift_ = Vec3::Zero();            // of the middle of face 1, in N
+  Vec3 lift_ = Vec3::Zero();            // position of the middle of face 1, in N
   std::array<double, 2> slope_unit_{};  // κ in N per mm of f_Hβ
   std::array<std::optional<double>, 2> root_end_;
 };

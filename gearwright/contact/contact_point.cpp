@@ -13,7 +13,7 @@ namespace {
 
 using End = FlankPatch::End;
 
-// The kind of a bound of D; none if the flank continues in the next patch.
+// The kind of touch at bound j of D (touch.hpp); none if the flank continues in the next patch.
 TouchKind kind_of(const GapField& field, int j) {
   const FlankPatch& a = field.one();
   const FlankPatch& b = field.two();
@@ -48,13 +48,14 @@ TouchKind kind_of(const GapField& field, const detail::ActiveSet& set) {
   return second == TouchKind::none ? first : TouchKind::corner;
 }
 
-constexpr double kOnBound = 1e-12;  // scaled: rounding error of a place on a bound
+constexpr double kOnBound = 1e-12;  // scaled: rounding error of a point on a bound
 
 struct Place {
   double s, z;
 };
 
-// Follows the direction in which the field has the least curvature, while the flanks stay in contact.
+// Follows the direction in which the field has the least curvature, while the flanks stay in
+// contact.
 class LineWalk {
  public:
   LineWalk(Transmission& transmission, const PairTouch& touch)
@@ -75,11 +76,11 @@ class LineWalk {
     arm_ = GapField::arm(j);
   }
 
-  // True if the flanks may be in contact over half the patch.
+  // True if, by the curvature at the touch, the gap may stay below kLineGap over half the patch.
   bool worth_walking() const { return std::abs(soft_) * arm_ < 8.0 * kLineGap; }
 
-  // The places at which the straight line through the touch leaves D on both sides; none if the gap
-  // opens before.
+  // The two points at which the straight line through the touch leaves D; none if the gap opens
+  // before the line leaves D.
   std::optional<std::array<Place, 2>> ends() {
     std::array<Place, 2> found;
     for (const int sense : {-1, 1}) {
@@ -88,7 +89,7 @@ class LineWalk {
       if (!together(at(sense * 0.5 * t)) || !together(end)) return std::nullopt;
       found[sense > 0 ? 1 : 0] = end;
     }
-    // A line shorter than this cannot be distinguished from a point and counts as one.
+    // A shorter line cannot be distinguished from a point and counts as a point.
     constexpr double kPoint = 1e-6;  // of half the patch
     const double long_s = (found[1].s - found[0].s) / s_half_;
     const double long_z = (found[1].z - found[0].z) / z_half_;
@@ -133,8 +134,8 @@ class LineWalk {
   double soft_ = 0.0, arm_ = 0.0;
 };
 
-// True if a bound is active with a positive multiplier. The touch is then at an edge, even if the edge
-// touches along its whole length.
+// True if a bound is active with a positive multiplier. The touch is then at an edge, even if the
+// edge touches along its whole length.
 bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
   const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
   return weight * GapField::arm(transmission.jet_at(touch, touch.touch.s, touch.touch.z)) >

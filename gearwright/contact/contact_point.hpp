@@ -14,8 +14,8 @@
 
 namespace gearwright {
 
-/// The kind of place at which the teeth touch. A ridge is the start of a linear relief, at which the
-/// flank has an angle.
+/// The kind of place at which the teeth touch. A ridge is the line at which a linear relief starts,
+/// so that the slope of the flank jumps there.
 enum class TouchKind {
   none,
   interior,
@@ -32,12 +32,12 @@ enum class TouchKind {
 std::string_view to_string(TouchKind kind);
 /// True for edges of a tooth, which should not touch. The start of a relief is not an edge.
 bool is_edge(TouchKind kind);
-/// True for edges and for the start of a relief. The surface bends sharply there, so there is no
-/// ellipse and a pressure is a lower bound.
+/// True for edges and for ridges. The slope of the surface jumps there, so there is no contact
+/// ellipse, and a computed pressure is only a lower bound.
 bool is_sharp(TouchKind kind);
 
-/// If the gap along a line is smaller than this, the line counts as a contact line, mm. No flank is
-/// smoother.
+/// If the gap along a line stays below this value, mm, the line counts as a contact line. No real
+/// flank is smoother.
 inline constexpr double kLineGap = 1e-6;
 
 struct ContactEllipse {
@@ -55,12 +55,12 @@ struct ContactRidge {
     double slope;                     ///< ≥ 0, slope of the gap away from the ridge
     std::array<double, 2> curvature;  ///< principal curvatures of the gap on this side, 1/mm
   };
-  std::array<Side, 2> side;  ///< the first is the side of lesser diameter or height
+  std::array<Side, 2> side;  ///< the first is the side of smaller diameter or height
   bool by_height = false;    ///< true for an end relief, whose sides differ by their height
 };
 
-/// Rotations of gear 2 in results. If gear 2 is a rack, its travel is stored as the angle by which the
-/// pinion rolls along it, travel/r.
+/// Converts rotations of gear 2 to travel if gear 2 is a rack. Results contain the travel of a rack
+/// as travel/r, the angle by which the pinion rolls along the rack.
 struct RackTravel {
   double radius = 0.0;  ///< r  mm; 0 if gear 2 is not a rack
   explicit operator bool() const { return radius > 0.0; }
@@ -74,7 +74,8 @@ struct ContactPoint {
   TouchKind kind = TouchKind::none;
   Vec3 point = Vec3::Zero();   ///< mm, housing
   Vec3 normal = Vec3::Zero();  ///< points out of gear 1, in the housing
-  /// 2ρ and z in the frame of each gear, mm; for a rack, the height above its datum line instead of 2ρ
+  /// 2ρ and z in the frame of each gear, mm; for a rack, the height above its datum line instead of
+  /// 2ρ
   std::array<double, 2> diameter{}, height{};
   RackTravel rack{};
   std::optional<Angle> rack_angle;                     ///< normal angle of the rack that cut gear 1
@@ -84,8 +85,8 @@ struct ContactPoint {
   std::optional<std::array<Vec3, 2>> line;  ///< ends of a contact line, housing
 };
 
-/// True if a touch lies at a seam of patches and T rises beyond the seam. Such a touch is not a place
-/// of contact.
+/// True if a touch lies at a seam of patches and T rises beyond the seam. Such a touch is not a
+/// point of contact.
 bool at_seam(Transmission& transmission, const PairTouch& touch);
 
 /// True if an edge of a tooth touches. The result is is_edge() of the kind that describe() returns,

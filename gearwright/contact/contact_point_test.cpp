@@ -24,11 +24,11 @@ TEST(ContactPoint, a_spur_pair_touches_along_its_face) {
   EXPECT_NEAR((*p.line)[0].z(), -9.0, 1e-9);  // the narrower face
   EXPECT_NEAR((*p.line)[1].z(), 9.0, 1e-9);
   EXPECT_NEAR(p.point.z(), 0.0, 1e-9);
-  // The normal runs along the path of contact: α = 20° to the pitch tangent, out of gear 1, which
-  // turns clockwise, to gear 2.
+  // The normal is along the path of contact, at α = 20° to the common tangent of the pitch circles.
+  // It points from gear 1, which turns clockwise, to gear 2.
   const double alpha = 20 * std::numbers::pi / 180;
   EXPECT_LT((p.normal - Vec3(std::sin(alpha), -std::cos(alpha), 0)).norm(), 1e-12);
-  // Relative curvature 1/ρ1 + 1/ρ2, nothing along the line.
+  // The relative curvature is 1/ρ1 + 1/ρ2 across the contact line and 0 along it.
   const double r_b1 = 20 * std::cos(alpha), r_b2 = 41 * std::cos(alpha);
   const double rho_1 = std::sqrt(std::pow(p.diameter[0] / 2, 2) - r_b1 * r_b1);
   const double rho_2 = std::sqrt(std::pow(p.diameter[1] / 2, 2) - r_b2 * r_b2);
@@ -50,7 +50,7 @@ TEST(ContactPoint, a_ring_pair) {
   const double rho_1 = std::sqrt(std::pow(p.diameter[0] / 2, 2) - r_b1 * r_b1);
   const double rho_2 = std::sqrt(std::pow(p.diameter[1] / 2, 2) - r_b2 * r_b2);
   EXPECT_NEAR((*p.gap_curvature)[1], 1 / rho_1 - 1 / rho_2, 1e-10);
-  // Clockwise from −x is +y.
+  // A clockwise rotation moves a point on the −x axis towards +y.
   EXPECT_GT(p.normal.y(), 0.0);
   EXPECT_NEAR(std::abs(p.normal.y()), std::cos(alpha), 1e-12);
 }
@@ -61,7 +61,7 @@ TEST(ContactPoint, kinds) {
   EXPECT_EQ(at(p, 0.05).kind, TouchKind::face2);
   std::swap(p.gears[0].spec.face_width, p.gears[1].spec.face_width);
   EXPECT_EQ(at(p, 0.05).kind, TouchKind::face1);
-  // Helical gears with a large tilt touch with their tips over a part of the pitch.
+  // Helical gears with a large tilt touch at tip edges over a part of the pitch.
   auto h = testing::involutes(20, 41, 25);
   h.place.errors.crossing = Angle::radians(1e-3);
   int tips = 0;
@@ -78,8 +78,9 @@ TEST(ContactPoint, kinds) {
   EXPECT_NEAR(inside.rack_angle->rad(), std::numbers::pi / 6, 0.01);
 }
 
-// The spur gears are so far apart that the path is shorter than a pitch. Between two paths, a tip
-// corner is in contact along the whole face. It is an edge, which has no curvature.
+// The spur gears are so far apart that the path of contact is shorter than a pitch. Between the
+// paths of two tooth pairs, a tip edge is in contact along the whole face. An edge has no
+// curvature.
 TEST(ContactPoint, a_tip_that_touches_along_its_edge_is_an_edge) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.center_distance = 2.3;
@@ -100,7 +101,7 @@ TEST(ContactPoint, a_tip_that_touches_along_its_edge_is_an_edge) {
   EXPECT_GT(tips, 2);
 }
 
-// A ridge that opens by less than a nanometre is a line, one that opens by more is a point.
+// Contact with less than a nanometre of crowning counts as a line, otherwise as a point.
 TEST(ContactPoint, a_line_ends_at_a_nanometre) {
   auto p = testing::involutes(20, 41, 0);
   for (const double crowning : {0.5e-6, 3e-6}) {
@@ -111,7 +112,8 @@ TEST(ContactPoint, a_line_ends_at_a_nanometre) {
   }
 }
 
-// Crowning C_β over the face b: K along the tooth 8 C_β/b², and its ellipse.
+// Crowning C_β over the face width b gives the gap a curvature of 8 C_β/b² along the tooth, from
+// which the ellipse follows.
 TEST(ContactPoint, curvature_of_crowning) {
   auto p = testing::involutes(20, 41, 0);
   FlankModifications m;

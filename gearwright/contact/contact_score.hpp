@@ -1,7 +1,7 @@
-// The quality of the contact of a pair, as the few numbers that corrections shall improve.
+// The quality of the contact of a pair, as the few numbers that corrections improve.
 //
-//   h   mean place of the contact along the face, −1 to 1
-//   p   mean place of the contact along the profile, if there is a target for it
+//   h   mean position of the contact along the face, −1 to 1
+//   p   mean position of the contact along the profile, if there is a target for it
 //                                 theory: docs/theory/08-contact.md, [T8.24]
 #pragma once
 
@@ -22,10 +22,10 @@ struct ContactScore {
   bool nothing_touches() const;
 };
 
-/// The target of the place along the profile. If its width is 0, p is not computed.
+/// The target for the position along the profile. If its width is 0, p is not computed.
 struct ProfileTarget {
   Angle angle{};  ///< normal angle of the rack at which the contact should lie
-  Angle width{};  ///< difference of this angle at which p is 1; 0 without a target
+  Angle width{};  ///< deviation from `angle` for which p is 1; 0 without a target
 };
 
 /// TE and score of a pair over one pitch.
@@ -37,7 +37,8 @@ struct ContactCurve {
 /// TE and score of a pair over one pitch. The share of edges is computed if `edges` is true.
 ///
 /// Domain    positions ≥ 2 (contract)
-/// Accuracy  a peak to peak below 1e-9 arcsec and a place below 1e-9 are rounding errors and become 0
+/// Accuracy  a peak to peak below 1e-9 arcsec and a place below 1e-9 are rounding errors and become
+///           0
 ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target,
                            bool edges);
 
@@ -51,8 +52,9 @@ inline ContactScore score_of(const ContactPair& pair, int positions,
   return contact_curve(pair, positions, target, true).score;
 }
 
-/// Replaces each number of `worst` by the number of `score` if the number of `score` is worse. Places
-/// keep their sign, and a pair without any contact is the worst.
+/// Replaces each number of `worst` by the corresponding number of `score` if the latter is worse.
+/// Positions are compared by magnitude and keep their sign. A pair without any contact is the
+/// worst.
 void take_worst(ContactScore& worst, const ContactScore& score);
 
 }  // namespace gearwright

@@ -46,7 +46,8 @@ Error nothing_touches(const ContactSetup& setup) {
 
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors) {
-  return {"compensate.range", name, "no teeth touch there; " + why_nothing_touches(setup, errors)};
+  return {"compensate.range", name,
+          "no teeth touch under these errors; " + why_nothing_touches(setup, errors)};
 }
 
 bool any_modification(const std::array<FlankModifications, 2>& flanks) {
@@ -137,7 +138,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     auto* rack = std::get_if<ArcRack>(&spec.rack);
     GW_EXPECTS(rack != nullptr);
     rack->center_b += change.tool_setting / spec.normal_module;
-    rack->pressure_angle.reset();  // the drawing only states it to check the nominal setting
+    rack->pressure_angle.reset();  // is given only to check the nominal setting
     auto gear = make_gear(spec);
     if (!gear) return of_gear(*which, gear.error());
     if (!gear->exists() || !gear->root_form_radius())

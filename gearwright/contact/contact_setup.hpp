@@ -1,5 +1,5 @@
-// A mounted pair for the contact analysis, with its gears, modifications and errors, and the effect of
-// corrections.
+// A mounted pair for the contact analysis, with its gears, modifications and errors, and the effect
+// of corrections.
 //
 // A ContactSetup owns the gears and the fields of removed material to which a ContactPair points.
 #pragma once
@@ -48,7 +48,7 @@ class ContactSetup {
   /// The pair for the analysis. It refers to the data of this setup, which must outlive the pair.
   ContactPair pair(bool gear2_drives) const { return pair(place_.errors, gear2_drives); }
   ContactPair pair(const ContactErrors& errors, bool gear2_drives) const;
-  /// The same pair with a copy of this setup.
+  /// The same pair, which also owns a copy of this setup.
   std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
                                                  bool gear2_drives) const;
   /// The pair with root fillets and tips in addition to the flanks; none if the lead of a cutter is
@@ -58,13 +58,14 @@ class ContactSetup {
   const Gear& gear(int which) const { return *gears_[which - 1]; }
   std::array<const Gear*, 2> gears() const { return {gears_[0].get(), gears_[1].get()}; }
   const RemovalField* removal(int gear, bool left) const;
-  /// The setup with these corrections; an error if such teeth do not exist.
+  /// The setup with these corrections; an error if no such teeth exist.
   Result<ContactSetup> changed(const SetupChange& change) const;
   const PairModifications& modifications() const { return modifications_; }
   /// The setup with other modifications.   Errors `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
-  /// The setup of one half of a double-helical pair. `middle` contains z of the middle of each face. If
-  /// `below`, the half is at z < 0 and is represented by its mirror image in the plane z = 0.
+  /// The setup of one half of a double-helical pair. `middle` contains z of the middle of each
+  /// face. If `below`, the half is at z < 0 and is represented by its mirror image in the plane z =
+  /// 0.
   ContactSetup half_at(const std::array<double, 2>& middle, bool below) const;
   /// The setup in which these gears have fields of removed material, even if nothing is removed,
   /// because derivatives need the fields.
@@ -87,13 +88,13 @@ bool any_modification(const std::array<FlankModifications, 2>& flanks);
 
 /// Checks that the lead angle of a cutter can deviate by this amount; empty if it can.
 ///
-/// Errors    `errors.cutter_lead[N]` if the gear is a spur gear or was cut by a pinion cutter, or if
-///           the lead angle is not between kMinLead and kMaxLead
+/// Errors    `errors.cutter_lead[N]` if the gear is a spur gear or was cut by a pinion cutter, or
+///           if the lead angle is not between kMinLead and kMaxLead
 std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change);
 constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
 
-/// Converts an error in the modifications of a flank (side 0 is the right flank) to an error of gear
-/// `which`.
+/// Converts an error in the modifications of a flank (side 0 is the right flank) to an error of
+/// gear `which`.
 Error of_flank(int which, int side, Error error);
 
 /// The usable flank of a gear, to which its modifications apply.
@@ -101,12 +102,13 @@ Error of_flank(int which, int side, Error error);
 /// Domain  a gear with a root form radius (contract)
 FlankExtent flank_extent(const Gear& gear);
 
-/// The error that no teeth touch at any position, with its reason, such as tips that do not reach each
-/// other. The second function names the corner of [compensate.range] with these errors.
+/// The error that no teeth touch at any position, with the reason, such as tips that do not reach
+/// each other. The second function also names the corner of [compensate.range] that has these
+/// errors.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);
-/// True if the error is that the pair has no contact at all, and not that a number is invalid.
+/// True if the error is that the pair has no contact at all, rather than that a number is invalid.
 bool without_contact(const Error& error);
 
 }  // namespace gearwright

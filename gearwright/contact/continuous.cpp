@@ -12,13 +12,14 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kHalvings = 16;    // bisections to the end of a branch: 1.5e-5 of a step
+constexpr int kHalvings = 16;    // bisections that find the end of a branch to 1.5e-5 of a step
 constexpr double kSame = 1e-13;  // rad: two values of TE that differ by rounding
 constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
-constexpr int kDivisions = 6;    // of a step, at the crests that lead within it
-constexpr double kNear = 0.08;   // of the patch: other crests of a wave are farther away
-// The curve between the positions, from the branches that have the greatest T at the positions.
+constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
+constexpr double kNear = 0.08;   // of the patch: two crests of a wave are farther apart
+// The curve of TE between the positions, from the branches that lead at the positions. The branch
+// with the greatest T at a rotation leads there.
 class Branches {
  public:
   Branches(Transmission& transmission, const std::vector<PairTouch>& touches)
@@ -28,14 +29,14 @@ class Branches {
         step_(transmission.pair().turned() * transmission.pair().pitch() /
               static_cast<double>(touches.size())) {}
 
-  // The touch at position i. If i lies beyond the pitch, the touch is the same, except for the number
+  // The touch at position i. Positions outside the pitch repeat those inside, with the same number
   // of the tooth pair.
   const PairTouch& at(long i) const {
     const auto n = static_cast<long>(touches_.size());
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
   }
 
-  // The rotation of gear 1 at a touch, but for whole pitches.
+  // The rotation of gear 1 at a touch, up to whole pitches.
   double rotation(const PairTouch& touch) const {
     return touch.phi + touch.pair * transmission_.pair().pitch();
   }
@@ -49,10 +50,10 @@ class Branches {
     return transmission_.follow(start.found() ? start : touch, touch.phi + steps * step_);
   }
 
-  // True if the branch that is greatest at i is also greatest at i + 1.
+  // True if the branch that leads at i also leads at i + 1.
   bool same(long i) const { return same(at(i), at(i + 1), 1.0); }
-  // True if two touches, `width` steps apart, are on the same branch. On wavy flanks, each crest of a tooth
-  // pair is a branch.
+  // True if two touches, `width` steps apart, are on the same branch. On wavy flanks, each crest of
+  // a tooth pair is a branch.
   bool same(const PairTouch& a, const PairTouch& b, double width) const {
     const bool pair = a.found() && b.found() && a.fields == b.fields &&
                       std::abs(b.phi - a.phi - width * step_) < 0.5 * std::abs(width * step_);
@@ -62,8 +63,8 @@ class Branches {
            std::abs(b.touch.z - a.touch.z) < kNear * (one.z_hi - one.z_lo);
   }
 
-  // The part of a step over which the branch of `touch` continues in one direction; 1 if the branch
-  // still exists after a whole step.
+  // The fraction of `way`, in steps, over which the branch of `touch` continues; 1 if the branch
+  // still exists at the end.
   double reach(const PairTouch& touch, double way) const {
     if (moved(touch, way).found()) return 1.0;
     PairTouch last = touch;
@@ -82,10 +83,11 @@ class Branches {
     double t;                       // steps from a
     std::array<PairTouch, 2> both;  // the second one is not found if TE jumps
   };
-  // The handover between branch a and branch b, which lead at two rotations `width` steps apart; none if
-  // there is no handover.
+  // The handover between branch a and branch b, which lead at two rotations `width` steps apart;
+  // none if there is no handover.
   std::optional<Handover> handover(const PairTouch& a, const PairTouch& b, double width) const {
-    // Branch b begins at lo, or before a if lo is 0. Branch a ends at hi, or beyond b if hi is `width`.
+    // Branch b begins at lo, or before a if lo is 0. Branch a ends at hi, or beyond b if hi is
+    // `width`.
     double lo = width * (1.0 - reach(b, -width));
     double hi = width * reach(a, width);
     if (lo >= hi) return std::nullopt;
@@ -98,8 +100,8 @@ class Branches {
     double at_lo = ahead_in(begin);
     double at_hi = ahead_in(end);
     if (std::isnan(at_lo + at_hi)) return std::nullopt;
-    // TE jumps if a branch begins or ends ahead of the other. The value is the limit on the low
-    // side.
+    // TE jumps if a branch begins or ends ahead of the other one. The least value is then that on
+    // the low side of the jump.
     if (at_lo <= kSame) return Handover{lo, {begin[0], PairTouch()}};
     if (at_hi >= -kSame) return Handover{hi, {end[1], PairTouch()}};
     int stays = 0;
@@ -114,8 +116,8 @@ class Branches {
     return std::nullopt;
   }
 
-  // The touches of both branches at the handover between i and i + 1. A third branch that is greatest at
-  // position i − 1 or i + 2 may be greatest there as well.
+  // The touches of both branches at the handover between i and i + 1. A third branch that leads at
+  // position i − 1 or i + 2 may exceed both of them there; it then replaces them.
   std::optional<std::array<PairTouch, 2>> handover(long i) const {
     const auto found = handover(at(i), at(i + 1), 1.0);
     if (!found) return std::nullopt;
@@ -133,10 +135,11 @@ class Branches {
     return lead;
   }
 
-  // Passes each place between a and b, `width` steps apart, where TE may be less than `least`, to `take`.
-  // On wavy flanks, several crests may lead between two positions. Where a branch turns or the branches of
-  // a and b meet, TE is a minimum, or another branch leads. That branch divides the interval, as does the
-  // middle if the branches do not meet, because a crest may end.
+  // Finds the points between a and b, `width` steps apart, at which TE may be less than `least`,
+  // and passes each of them to `take`. If a and b are on one branch, this point is the minimum of
+  // the branch; otherwise it is the handover between their branches. On wavy flanks, a third crest
+  // may lead at this point. It then divides the interval, and both parts are examined in the same
+  // way. If the branches do not meet, because a crest ends, the middle divides the interval.
   template <class Take>
   void valleys(const PairTouch& a, const PairTouch& b, double width, const double& least,
                int divisions, const Take& take) const {
@@ -162,12 +165,12 @@ class Branches {
     valleys(lead, b, width - t, least, divisions - 1, take);
   }
 
-  // A maximum (`up`) or minimum of the leading branch within a step of i. The slope of the branch is
-  // exact and continuous, but may bend sharply where the contact reaches an edge.
+  // A maximum (`up`) or minimum of the leading branch within a step of i. The slope of the branch
+  // is exact and continuous, but its own slope jumps where the contact reaches an edge.
   std::optional<PairTouch> turning_point(long i, bool up) const {
     return turning_point(at(i), 1.0, up);
   }
-  // The same within `width` steps of a touch.
+  // A maximum or minimum of the branch of a touch, within `width` steps of the touch.
   std::optional<PairTouch> turning_point(const PairTouch& here, double width, bool up) const {
     double lo = 0.0;
     double at_lo = slope(here);
@@ -260,11 +263,12 @@ CurveExtremes continuous_extremes(Transmission& transmission,
       if (const auto both = curve.handover(i)) take_bottom((*both)[0], (*both)[1]);
     }
     if (!before.found()) continue;
-    // The curve may have a new extreme here if a line through two positions exceeds the present one.
+    // The curve may exceed the present extreme here if a straight line from a neighbouring position
+    // through this one exceeds it within a step.
     const double reach =
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
-    // A branch never exceeds TE, so its maximum is valid. Beyond a handover it may lie below TE, so a
-    // minimum is valid only if the same branch leads at both neighbours.
+    // A branch never exceeds TE, so its maximum is valid. Beyond a handover it may lie below TE, so
+    // a minimum is valid only if the same branch leads at both neighbours.
     if (here.te() + reach > e.greatest) {
       if (const auto turn = curve.turning_point(i, true)) take_top(*turn);
     }
@@ -294,7 +298,7 @@ double span_slope(Transmission& transmission, const CurveExtremes& extremes,
   if (b.found()) {
     const double of_a = rotation_slope(transmission, a);
     const double of_b = rotation_slope(transmission, b);
-    // Branches with equal slopes have no other crossing.
+    // Branches with equal slopes have no single crossing, so the slope of the first one is used.
     if (of_a != of_b) bottom = (of_a * slope(b) - of_b * bottom) / (of_a - of_b);
   }
   return slope(extremes.top) - bottom;

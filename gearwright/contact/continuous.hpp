@@ -1,16 +1,17 @@
 // The least and the greatest transmission error of the continuous curve, computed from touches at
 // some positions.
 //
-//   T_a, T_b   two branches; a branch is T of one tooth pair on one pair of patches, as a function of
+//   T_a, T_b   two branches; a branch is T of one tooth pair on one pair of patches, as a function
+//   of
 //              the rotation
 //   TE         the greatest of the branches
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //
-// A maximum of TE lies inside a branch or at its end. A minimum lies inside a branch or at a handover
-// T_a = T_b. TE jumps where a branch begins with a greater T than the others.
+// A maximum of TE lies inside a branch or at its end. A minimum lies inside a branch or at a
+// handover T_a = T_b. TE jumps where a branch begins with a greater T than the others.
 //
-// The peak to peak over the positions alone is too small by up to half a slope times a step, and the
-// missing part varies with the phase of the handovers.
+// The peak to peak over the positions alone is too small, by up to half of the change of TE in a
+// step. The missing part varies with the phase of the handovers.
 #pragma once
 
 #include <array>
@@ -43,7 +44,7 @@ struct CurveExtremes {
 CurveExtremes continuous_extremes(Transmission& transmission,
                                   const std::vector<PairTouch>& touches);
 
-/// The least number of positions with which a whole pitch is examined for its extremes.
+/// The least number of positions per pitch that is used to find the extremes of a pitch.
 inline constexpr int kLeastSpanPositions = 32;
 
 /// Peak to peak of the continuous curve over a pitch; none if contact is lost at some position.
@@ -55,8 +56,8 @@ std::optional<Angle> continuous_span(const ContactPair& pair, int positions);
 ///
 /// Formula   [T8.10] inside a branch, [T14.16] at a handover
 /// Domain    as sensitivity() (contract)
-/// Accuracy  rounding if the extremes are unique. At a jump, the slope of the branch is used, without
-///           the motion of its end
+/// Accuracy  rounding if the extremes are unique. At a jump, the motion of the end of the branch is
+///           neglected, and only the slope of the branch is used
 /// Laws      (3) it is the limit of differences of span()
 double span_slope(Transmission& transmission, const CurveExtremes& extremes,
                   const Influence& influence);

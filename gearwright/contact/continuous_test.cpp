@@ -1,5 +1,6 @@
-// Oracle: the comb of thousands of positions. Laws: (1) least is at most, and greatest at least, that of
-// the touches   (2) the positions do not matter   (3) slopes are those of the span.
+// The oracle is the peak to peak of TE at thousands of positions (a comb). Laws: (1) the range from
+// `least` to `greatest` contains TE of all touches   (2) the result does not depend on the number
+// of positions   (3) span_slope() is the limit of differences of the span.
 #include "gearwright/contact/continuous.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ double continuous(const ContactPair& pair, int positions) {
       .span();
 }
 
-// The peak to peak of a comb, and the limit by which its curve can exceed it between two positions.
+// The peak to peak of a comb, and a bound for the part of the span that lies between its positions.
 struct Comb {
   double span, missed;
 };
@@ -75,12 +76,12 @@ TEST(Continuous, DoesNotDependOnThePositions) {
   const ContactPair pair = sample.pair();
   const double few = continuous(pair, 32);
   for (const int n : {33, 96, 128, 1000}) EXPECT_NEAR(continuous(pair, n), few, 1e-11) << n;
-  // The errors of the comb are a thousand times as large.
+  // The error of the comb is a thousand times as large.
   EXPECT_GT(std::abs(peak_to_peak(transmission_error(pair, 32)) - few), 1e-8);
 }
 
 TEST(Continuous, SlopesAreThoseOfDifferences) {
-  // (3): central differences of the span itself, one error and one amount after the other.
+  // (3) Slopes are compared with central differences of the span, for each error and for crowning.
   std::mt19937 seeded(16);
   const auto random = [&](double w) { return std::uniform_real_distribution<>(-w, w)(seeded); };
   const auto span_at = [](testing::SamplePair sample, FlankModifications m, ErrorKind kind,

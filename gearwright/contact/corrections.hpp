@@ -16,9 +16,9 @@ namespace gearwright {
 enum class CorrectionOf {
   tool_setting,      ///< Δb_F  mm, of the rack F that cuts convex circular arcs
   cutter_lead,       ///< Δλ    degrees
-  lead_slope,        ///< µm, on the driven flanks
+  lead_slope,        ///< µm, on the working flanks
   lead_crowning,     ///< µm, on both flanks
-  profile_slope,     ///< µm, on the driven flanks
+  profile_slope,     ///< µm, on the working flanks
   profile_crowning,  ///< µm, on both flanks
   tip_relief,        ///< µm, on both flanks, of a relief whose reach the drawing gives
   root_relief,       ///< µm, as tip_relief
@@ -51,21 +51,21 @@ constexpr Correction usual_bounds(CorrectionOf what) {
   return {};
 }
 
-/// True if the correction is possible. A tool setting requires a rack F, a lead requires a helical
-/// gear cut by a rack, and a relief requires a reach on both flanks.
+/// True if the correction is possible. A tool setting requires a rack F, a cutter lead requires a
+/// helical gear cut by a rack, and a relief requires a reach on both flanks.
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// The usual corrections: tool setting and lead for circular arcs, otherwise lead slope and lead
-/// crowning of gear 1.
+/// The usual corrections: tool setting and cutter lead for circular arcs, otherwise lead slope and
+/// lead crowning of gear 1.
 std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 
-/// The change that corresponds to these values, in the units of the corrections. `gear2_drives` selects
-/// the flanks on which slopes act.
+/// The change that corresponds to these values, in the units of the corrections. `gear2_drives`
+/// selects the flanks on which slopes act.
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 
-/// The influence for which sensitivities are computed, if the correction changes the flanks; none for
-/// a tool setting and for a lead.
+/// The influence by which the sensitivities to a correction are computed; none for a tool setting
+/// and a cutter lead, which do not remove material from the flanks.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
 /// The usual bounds for this pair. A tool setting is also limited to a tenth of the module.

@@ -1,7 +1,7 @@
 // Peak to peak of the transmission error over a grid of two errors, computed on all cores.
 //
-// The curve of every grid point is computed independently, so the result does not depend on the number
-// of threads.
+// The curve of every grid point is computed independently, so the result does not depend on the
+// number of threads.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,8 @@ struct ErrorMap {
   std::vector<std::vector<double>> value;  ///< rad, [iy][ix]; NaN if nothing touches
 };
 
-/// The map of the peak to peak. `te_at(x, y)` must return TE over a pitch under these errors, rad, as
-/// transmission_error() does, and is called from several threads at once.
+/// The map of the peak to peak. `te_at(x, y)` must return TE over a pitch under these errors, rad,
+/// as transmission_error() does, and is called from several threads at once.
 ///
 /// Units     rad
 /// Domain    x and y not empty (contract); `threads` 0 means one per core

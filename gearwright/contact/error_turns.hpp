@@ -35,8 +35,8 @@ inline Mat3 intersecting_turn_slope(double d) {
   return m;
 }
 
-/// Rotates directions from the housing into the frame of gear 2 at rotation 0. Axis 2 has the direction
-/// (0, sin Σ, cos Σ) in the housing.
+/// Rotates directions from the housing into the frame of gear 2 at rotation 0. Axis 2 has the
+/// direction (0, sin Σ, cos Σ) in the housing.
 inline Mat3 shaft_turn(double sigma) { return crossing_turn(-sigma); }
 
 }  // namespace gearwright::detail

@@ -7,12 +7,11 @@ namespace gearwright::detail {
 
 namespace {
 
-// Rounding error of an active bound, in scaled lengths. Multipliers near a flat ridge have small
-// rounding errors as well.
+// Rounding error of an active bound, in scaled lengths, and of a multiplier whose exact value is 0.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
-// If the sine of the angle between two bounds is smaller, they are parallel within rounding and have no
-// corner.
+// If the sine of the angle between two bounds is smaller, they are parallel within rounding and
+// have no corner.
 constexpr double kParallel = 1e-14;
 
 class Candidates {
@@ -71,8 +70,8 @@ class Candidates {
     return mu_a >= kNoMultiplier && mu_b >= kNoMultiplier && within(step);
   }
 
-  // The point that violates the bounds least, among the corners of two bounds and the points on single
-  // bounds that are nearest to the start.
+  // The point that violates the bounds least, among the corners of two bounds and the points on
+  // single bounds that are nearest to the start.
   FeasibleStep min_broken() const {
     FeasibleStep best;
     double least = std::numeric_limits<double>::infinity();

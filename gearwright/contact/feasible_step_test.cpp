@@ -64,7 +64,8 @@ TEST(FeasibleStep, any_guess_gives_the_same) {
   }
 }
 
-// (1) allowed    (2) slope + Σ μ a = 0, μ ≥ 0: with a concave value that is the greatest
+// (1) the step is feasible   (2) slope + Σ μ a = 0 and μ ≥ 0, which prove a maximum, because the
+// objective is concave
 TEST(FeasibleStep, random_problems) {
   std::mt19937_64 bits(5);
   const auto unit = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
@@ -78,7 +79,7 @@ TEST(FeasibleStep, random_problems) {
     p.g_s = 2 * unit() - 1, p.g_z = 2 * unit() - 1;
     for (Bound& b : p.bounds) b = {unit(), 2 * unit() - 1, 2 * unit() - 1};
     const FeasibleStep got = solve_step(p, {});
-    ASSERT_TRUE(got.feasible);  // d = 0 is
+    ASSERT_TRUE(got.feasible);  // d = 0 is feasible
     const double far = 1 + std::hypot(got.d_s, got.d_z);
     EXPECT_TRUE(allowed(p, got.d_s, got.d_z, 1e-12 * far));  // (1)
     double r_s = p.g_s + p.h_ss * got.d_s + p.h_sz * got.d_z;
@@ -102,7 +103,7 @@ TEST(FeasibleStep, says_when_there_is_no_room) {
   p.bounds[4] = {-3.5, 1, 0};  // s ≥ 3.5 besides s ≤ 1
   const FeasibleStep s = solve_step(p, {});
   EXPECT_FALSE(s.feasible);
-  EXPECT_GE(s.d_s, 1.0);  // between the two
+  EXPECT_GE(s.d_s, 1.0);  // between the two bounds
   EXPECT_LE(s.d_s, 3.5);
 }
 

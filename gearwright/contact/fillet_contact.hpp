@@ -18,7 +18,7 @@ namespace gearwright {
 struct FilletContact {
   int gear;            ///< 1 or 2, the gear of the fillet
   double early;        ///< mm along the normal: gap that remains between the flanks
-  ContactPoint point;  ///< of the tip in the fillet, with TE_f
+  ContactPoint point;  ///< contact of the tip with the fillet; its TE is TE_f
 };
 
 struct FilletContacts {
@@ -28,12 +28,12 @@ struct FilletContacts {
                                           ///< flanks touch first
 };
 
-/// Contact of the whole outlines at the rotations at which the flanks touch. `flanks` are the positions
-/// of analyse_contact() for the flanks alone.
+/// Contact of the whole outlines at the rotations at which the flanks touch. `flanks` are the
+/// positions of analyse_contact() for the flanks alone.
 ///
 /// `outlines`  the same pair with ContactMount::fillets
-/// Accuracy    rounding at each examined rotation. At most 64 evenly chosen rotations are examined, so
-///             an earlier contact between them may be missed
+/// Accuracy    rounding at each examined rotation. At most 64 evenly chosen rotations are examined,
+///             so an earlier contact between them may be missed
 FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,
                                Progress* progress = nullptr);
 

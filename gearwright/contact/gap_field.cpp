@@ -12,7 +12,8 @@ Complex turned(const Complex& factor, double phase) {
   return times(factor, {std::cos(phase), std::sin(phase)});
 }
 
-// The rotation m = −c k C that the removal of material causes, with its derivatives by u and z. [T8.7]
+// The rotation m = −c k C that the removal of material causes, with its derivatives by u and z.
+// [T8.7]
 Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
   const Removal c = f.removal->at(u, f.removal_z * z, f.piece);
   const TurnPerRemoval k = f.profile.turn_per_removal(s);
@@ -28,8 +29,8 @@ Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
   return m;
 }
 
-// The angle from flank 2 as cut to a point. It is measured from the expected rotation, so that it never
-// exceeds half a turn. On a rack, it is the travel divided by r.
+// The angle from the unmodified flank 2 to a point. It is measured from the expected rotation, so
+// that it never exceeds half a turn. On a rack, it is the travel divided by r.
 double angle_from(const FlankPatch& two, const RadialJet& q, double expected,
                   const GapField::Place2& place, double rack_radius) {
   if (rack_radius > 0.0)
@@ -88,7 +89,8 @@ double GapField::value(const Place2& place, double& s2) const {
 
 GapJet GapField::at(double s, double z, double& s2) const {
   const PolarJet p = one_->profile.at(s);
-  // Flank 1 in its transverse section is w1 = e^{λ}. The derivatives of λ by s and z are l_s, l_z, …
+  // Flank 1 in its transverse section is w1 = e^{λ}. The derivatives of λ by s and z are l_s, l_z,
+  // …
   Complex l_s = p.d1;
   Complex l_ss = p.d2;
   double turn = 0.0;

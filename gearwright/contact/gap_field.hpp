@@ -1,16 +1,18 @@
 // The angle through which gear 2 must turn until its flank passes through a point of flank 1, with
 // first and second derivatives.
 //
-//   World N: z along axis 1, x along the centre line, gear 2 driven counter-clockwise; the clockwise
-//   side of its tooth touches. Other cases are transformed to N (contact/contact_pair.hpp).
+//   World N: z along axis 1, x along the centre line, gear 2 driven counter-clockwise; the
+//   clockwise side of its tooth touches. Other cases are transformed to N
+//   (contact/contact_pair.hpp).
 //   φ1   rotation of gear 1          E = φ1 |z1/z2|, the expected rotation of gear 2
 //   T    φ2* − E, rad                u = ln ρ and Z: position of the point on gear 2
 //                                    theory: docs/theory/08-contact.md, [T8.1]…[T8.3], [T8.8]
 //
 //   φ2*(ρ, ψ, Z) = ψ − θ2(ρ) − m2(ρ, Z) − Z τ2
 //
-//   If gear 2 is a rack, travel along the rack replaces the azimuth, and height above the datum line
-//   replaces ln ρ, both divided by the reference radius r of the pinion:  u + iψ = −w/r  [T8.29].
+//   If gear 2 is a rack, travel along the rack replaces the azimuth, and height above the datum
+//   line replaces ln ρ, both divided by the reference radius r of the pinion:  u + iψ = −w/r
+//   [T8.29].
 //
 // The flanks touch where T is greatest over the part of flank 1 that lies opposite flank 2. One
 // evaluation returns all data of a Newton step, without memory allocation and virtual calls.
@@ -63,7 +65,8 @@ struct GapJet {
   double bend2_uu, bend2_uZ, bend2_ZZ;  ///< derivatives of these slopes
   Complex w1, w1_s, w1_z;  ///< the point of gear 1 in the transverse plane, mm, before mounting
   Complex w1_ss, w1_sz, w1_zz;
-  /// ∂w/∂(u + iψ) with its derivatives: the same point in the frame of gear 2, or −r, 0, 0 on a rack.
+  /// ∂w/∂(u + iψ) and its derivatives by s and z. For a gear, this is the point w itself in the
+  /// frame of gear 2; for a rack, it is −r, and its derivatives are 0.
   Complex w, w_s, w_z;
 };
 
@@ -76,8 +79,8 @@ class GapField {
 
   void set_rotation(double phi1);
   double rotation() const { return phi1_; }
-  /// The field at (s, z) of flank 1. `s2` is the parameter on flank 2: the value from the last call on
-  /// entry, and the new value on return.
+  /// The field at (s, z) of flank 1. `s2` is the parameter on flank 2: the value from the last call
+  /// on entry, and the new value on return.
   GapJet at(double s, double z, double& s2) const;
   /// The point at (s, z) of flank 1 in the transverse plane at rotation 0, mm, before mounting.
   Complex point_at_rest(double s, double z) const;

@@ -29,7 +29,8 @@ std::vector<testing::SamplePair> samples() {
   return all;
 }
 
-// φ2* by its definition: the azimuth of the point about axis 2, minus that of the flank there.
+// φ2* by its definition: the azimuth of the point about axis 2, minus the azimuth of flank 2 at the
+// same radius and height.
 TEST(GapField, is_the_rotation_at_which_flank_2_passes) {
   const auto p = testing::involutes(20, 41, 15);
   const ContactPair pair = p.pair();
@@ -70,12 +71,13 @@ TEST(GapField, derivatives) {
       double s2 = 0.5 * (two.s_lo + two.s_hi);
       const auto at = [&](double ds, double dz) {
         double own = s2;
-        // Evaluated twice, because the second evaluation starts at the radius itself.
+        // Evaluated twice, so that the second evaluation starts with the parameter that the first
+        // one found.
         field.at(s + ds, z + dz, own);
         return field.at(s + ds, z + dz, own);
       };
       const GapJet j = at(0, 0);
-      if (j.u.v < two.u_lo || j.u.v > two.u_hi) continue;  // beyond it a series is used
+      if (j.u.v < two.u_lo || j.u.v > two.u_hi) continue;  // outside flank 2, a series is used
       ++inside;
       const double h = 1e-6 * (one.s_hi - one.s_lo), g = 1e-6 * (one.z_hi - one.z_lo);
       const auto check = [](double got, double plus, double minus, double step, double scale) {
@@ -99,8 +101,8 @@ TEST(GapField, derivatives) {
   EXPECT_GE(inside, 8);
 }
 
-// The moment arm: a flank turned by dφ moves by arm dφ along its normal, r_b cos β_b of an
-// involute.
+// A flank that turns by dφ moves by arm · dφ along its normal. The arm of an involute is r_b cos
+// β_b.
 TEST(GapField, arm_of_an_involute) {
   const auto p = testing::involutes(20, 41, 15);
   const ContactPair pair = p.pair();

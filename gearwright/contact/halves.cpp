@@ -17,7 +17,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Vec3 in_mirror(const Vec3& v) { return {v.x(), v.y(), -v.z()}; }
 
-// The sign that an error of the pair gets in the mirror image.
+// The factor, 1 or −1, by which an error of the pair is multiplied in the mirror image.
 double mirror_sign(ErrorKind kind) {
   const bool turns =
       kind == ErrorKind::crossing || kind == ErrorKind::intersecting || kind == ErrorKind::axial;
@@ -180,7 +180,8 @@ std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
     for (int i = 0; i < positions; ++i) best = std::max(best, value(i));
     for (int i = 0; i < positions; ++i) {
       if (value(i) < value(i - 1) || value(i) < value(i + 1)) continue;
-      // Between two positions, the curve may exceed the best value by as much as it changes in a step.
+      // Between two positions, the curve may exceed the value at one of them by its change in a
+      // step.
       const double reach = value(i) - std::min(value(i - 1), value(i + 1));
       if (value(i) + reach < best) continue;
       const double middle = (i - positions / 2) * step;

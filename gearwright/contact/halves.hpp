@@ -1,13 +1,14 @@
-// Contact of a double-helical pair: contact of both halves, and motion of the whole gears if one gear
-// floats along its axis.
+// Contact of a double-helical pair: contact of both halves, and motion of the whole gears if one
+// gear floats along its axis.
 //
 //   e_A, e_B   TE of the half at z > 0 and of the half at z < 0
-//   k          rotation of gear 2 per axial displacement of gear 1, rad/mm; (z1/z2) tan β/r_1 of half A
+//   k          rotation of gear 2 per axial displacement of gear 1, rad/mm; (z1/z2) tan β/r_1 of
+//   half A
 //   s          stagger of half B, pitches
 //
-// Each half is a helical pair. Half B is replaced by its mirror image in the plane z = 0, which has the
-// teeth of half A and the errors of mirrored(). The axial forces on the floating gear cancel. Both
-// halves therefore transmit the same torque, and both touch:
+// Each half is a helical pair. Half B is replaced by its mirror image in the plane z = 0, which has
+// the teeth of half A and the errors of mirrored(). The axial forces on the floating gear cancel.
+// Both halves therefore transmit the same torque, and both touch:
 //
 //   TE = (e_A + e_B)/2,   Δz = (e_B − e_A)/(2k)      theory: docs/theory/08-contact.md, [T8.27]
 #pragma once
@@ -28,8 +29,9 @@ double middle_of_half(const Gear& half);
 
 /// The rotation of half B minus the rotation of the gear.
 Angle behind(double stagger, const Gear& gear_1);
-/// The rotations of half B for these rotations of the gear. If `rotations` is empty, the gear has
-/// `positions` per pitch; the result is then empty if half B has the same rotations (no stagger).
+/// The rotations of half B that belong to `rotations` of the gear. If `rotations` is empty, it
+/// means `positions` equal steps per pitch. Without a stagger, both halves have the same rotations,
+/// and `rotations` is returned unchanged.
 std::vector<Angle> rotations_of_second(const Gear& gear_1, double stagger,
                                        std::vector<Angle> rotations, int positions, int pitches);
 
@@ -50,17 +52,18 @@ struct HalvesMesh {
   }
 };
 
-/// Converts the analysis of the mirror image at rotations_of_second() to the result for half B. Contact
-/// points and normals are mirrored, and derivatives become those by the errors of the pair.
+/// Converts the analysis of the mirror image at rotations_of_second() to the result for half B.
+/// Contact points and normals are mirrored, and derivatives refer to the errors of the pair itself.
 ///
-/// Domain    `per_pitch` is the number of positions in one pitch; 0 if the caller gave the rotations
+/// Domain    `per_pitch` is the number of positions in one pitch; 0 if the caller gave the
+///           rotations
 ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
                           const std::vector<Influence>& influences, int per_pitch);
 
 /// The contact of the whole gears.
 struct WholeContact {
-  /// Rotations and TE of every position; the place of contact is NaN. `kind` is taken from half B if
-  /// only half B touches at an edge, otherwise from half A.
+  /// Rotations and TE of every position; the place of contact is NaN. `kind` is taken from half B
+  /// if only half B touches at an edge, otherwise from half A.
   ContactResult result;
   std::vector<double> float_axial;  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 };
@@ -72,7 +75,8 @@ struct WholeContact {
 WholeContact whole_contact(const HalvesMesh& mesh, const std::array<const ContactResult*, 2>& half,
                            int per_pitch);
 
-/// TE of the whole gears over one pitch, at the positions of transmission_error() for a ContactPair.
+/// TE of the whole gears over one pitch, at the positions of transmission_error() for a
+/// ContactPair.
 std::vector<double> transmission_error(const HalvesMesh& mesh, int positions);
 
 /// Peak to peak of the continuous curve of TE; none if a half loses contact.

@@ -3,8 +3,8 @@
 //   const auto touching = contact(*pair, {.crossing = 0.02_deg});
 //   if (touching) use(touching->peak_to_peak);
 //
-// A ContactPair points to its gears and their modifications. Here both are copied and live as long as
-// the ContactPair, so the caller need not keep the pair.
+// A ContactPair points to its gears and their modifications. Here both are copied and live as long
+// as the ContactPair, so the caller need not keep the pair.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ struct ContactOptions {
 
 /// A contact analysis together with its pair, for example for contact_pattern(*contact.pair, 64).
 struct Contact : ContactResult {
-  Contact() = default;                      ///< empty, and not an aggregate; contact() makes it
+  Contact() = default;                      ///< empty; contact() fills it
   std::shared_ptr<const ContactPair> pair;  ///< also keeps gears and modifications alive
 };
 

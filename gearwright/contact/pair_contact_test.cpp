@@ -10,7 +10,8 @@ namespace {
 
 using namespace literals;
 
-// The type is no aggregate: C++20 would accept a part of the members and set the rest to 0.
+// If the type were an aggregate, C++20 would accept values for only some of its members and set the
+// others to 0.
 static_assert(!std::is_constructible_v<Contact, ContactResult>);
 static_assert(!std::is_constructible_v<ContactResult, std::vector<ContactPoint>>);
 

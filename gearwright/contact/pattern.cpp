@@ -64,9 +64,10 @@ struct Seen {
   bool near = false;        // true if u and Z were computed
 };
 
-// Limit of Newton's steps. Two or three are usual, and one more if the place lies on the next patch.
+// Limit of the number of Newton steps. Two or three are usual, and one more if the point lies on
+// the next patch.
 constexpr int kMaxSteps = 8;
-constexpr double kNear = 1e-4;  // relative to a patch: the series is accurate for a shorter step
+constexpr double kNear = 1e-4;  // of a patch: the series is accurate for a shorter step
 
 class Rasterer {
  public:
@@ -84,12 +85,12 @@ class Rasterer {
     }
   }
 
-  // Adds the gaps of tooth pair 0 at the rotation φ in N, with the transmission error `te`. Rotations
-  // must increase from call to call.
+  // Adds the gaps of tooth pair 0 at the rotation φ in N, with the transmission error `te`.
+  // Rotations must increase from call to call.
   void add(double phi, double te) {
     te_ = te;
     for (GapField& f : fields_) f.set_rotation(phi);
-    constexpr double kSlack = 0.05;  // rad: errors of mounting, modifications
+    constexpr double kSlack = 0.05;  // rad: margin for errors of mounting and modifications
     bool any = false;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const double off = nodes_[i].azimuth + pair_.rotation_sign() * phi - pair_.mesh_azimuth();
@@ -102,7 +103,7 @@ class Rasterer {
     for (std::size_t which = 0; which < 2; ++which) fold(which);
   }
 
-  // Ends a sequence of positions. A following position does not continue it.
+  // Ends a sequence of positions. The next position begins a new sequence.
   void close() {
     for (std::size_t which = 0; which < 2; ++which) {
       std::fill(now_[which].begin(), now_[which].end(), Gap{});
@@ -165,8 +166,8 @@ class Rasterer {
     return seen;
   }
 
-  // Maps each cell of flank 1 to a quadrangle on flank 2. For the nodes of flank 2 inside a quadrangle,
-  // the search for the opposite point starts in that cell.
+  // Maps each cell of flank 1 to a quadrangle on flank 2. For the nodes of flank 2 inside a
+  // quadrangle, the search for the opposite point starts in that cell.
   void fill_second() {
     const FlankRaster& r = rasters_[1];
     const std::size_t columns = rasters_[0].height.size();
@@ -230,8 +231,8 @@ class Rasterer {
   }
 
   // The gap at the place (u, Z) of flank 2, from an approximate opposite point (u1, z) on flank 1.
-  // Newton's steps, which may change the patch, find that point, and a series of second order replaces
-  // the last step. Infinite if the steps leave flank 1 or do not converge.
+  // Newton steps, which may change the patch, find the exact point, and a series of second order
+  // replaces the last step. The gap is infinite if the steps leave flank 1 or do not converge.
   Gap gap_on_2(double u1, double z, double u, double Z) const {
     const int two = patch_at(pair_.patches(2), u, Z);
     if (two < 0) return {};
@@ -265,8 +266,9 @@ class Rasterer {
     return {};
   }
 
-  // If the middle one of three successive positions has the least gap and all three belong to the same
-  // patches, the minimum of the parabola through them is used. From one patch to another the gap jumps.
+  // If the middle one of three successive positions has the least gap and all three belong to the
+  // same patches, the minimum of the parabola through them is used. Between different patches the
+  // gap jumps.
   void fold(std::size_t which) {
     std::vector<double>& least = rasters_[which].gap;
     for (std::size_t i = 0; i < least.size(); ++i) {

@@ -1,10 +1,12 @@
 // The contact pattern, which marking compound would show on both flanks after a full mesh, and the
 // gap between the flanks at one position.
 //
-//   gap   normal distance of the flanks, mm, at the actual rotation of gear 2; for a pattern, the
-//         least over all positions.  [T8.3], [T8.19] of docs/theory/08-contact.md
+//   gap   normal distance of the flanks, mm, at the actual rotation of gear 2. In a pattern, it is
+//   the
+//         least distance over all positions.  [T8.3], [T8.19] of docs/theory/08-contact.md
 //
-// Results are rasters. The rows of a raster are diameters, and the columns are heights along the face.
+// Results are rasters. The rows of a raster are diameters, and the columns are heights along the
+// face.
 #pragma once
 
 #include <array>
@@ -29,18 +31,19 @@ struct RasterSize {
   int columns = 65;
 };
 
-/// Least gap over `positions` per pitch, on the flank of gear 1 and on that of gear 2.
+/// Least gap over `positions` per pitch, on the flanks of gear 1 and gear 2.
 ///
-/// Accuracy  between positions, the gap is interpolated by the parabola through three positions. This
-///           is exact if the contact moves at constant speed; the error is some nm at 64 positions. If
-///           the gap is least where the place comes into reach of the mating flank, the gap of the next
-///           position is used
+/// Accuracy  between positions, the gap is interpolated by the parabola through three positions.
+///           This is exact if the contact moves at constant speed; the error is some nm at 64
+///           positions. If the gap is least where the mating flank begins to lie opposite the
+///           point, the gap at the next position is used
 /// Domain    positions ≥ 2, a raster of 2 × 2 or more (contract)
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
                                            const RasterSize& size = {},
                                            Progress* progress = nullptr);
 
-/// The gap of tooth pair k on the flank of gear 1, at the rotation `rotation1` in the housing's sense.
+/// The gap of tooth pair k on the flank of gear 1, at the rotation `rotation1` in the housing's
+/// sense.
 FlankRaster gap_map(const ContactPair& pair, Angle rotation1, int k, const RasterSize& size = {});
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// Patterns and gap maps against single places and closed forms.
+// Patterns and gap maps are compared with closed forms and with the gap at single points.
 #include "gearwright/contact/pattern.hpp"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 namespace gearwright {
 namespace {
 
-// Conjugate flanks touch everywhere within the reach of both. A place outside the reach of the
-// mating gear has no gap.
+// Conjugate flanks touch at every point that lies opposite the mating flank at some position. At
+// other points, the gap is infinite.
 TEST(Pattern, conjugate_flanks_touch_everywhere) {
   const auto p = testing::involutes(20, 41, 15);
   const auto rasters = contact_pattern(p.pair(), 64);
@@ -19,7 +19,8 @@ TEST(Pattern, conjugate_flanks_touch_everywhere) {
     const FlankRaster& r = rasters[g];
     ASSERT_EQ(r.gap.size(), 33u * 65u);
     EXPECT_EQ(r.height.front(), g == 0 ? -10.0 : -9.0);
-    // Half a step of rotation off the line; on gear 2 also between the nodes of gear 1.
+    // The tolerances cover the gap at half a step of rotation from the contact line, and on gear 2
+    // also the interpolation between the nodes of gear 1.
     for (std::size_t i = 11; i < 22; ++i)
       for (std::size_t k = 13; k < 52; ++k) EXPECT_LT(r.at(i, k), g == 0 ? 5e-5 : 5e-4);
   }
@@ -32,8 +33,7 @@ TEST(Pattern, ends_of_gear_2_are_marked) {
   for (const std::size_t k : {std::size_t{0}, std::size_t{64}}) EXPECT_LT(r.at(16, k), 1e-3);
 }
 
-// With finer rotation steps, the error of the contact line decreases with the square of the step
-// everywhere.
+// The error of the pattern decreases with the square of the rotation step.
 TEST(Pattern, gaps_fall_with_the_step) {
   const auto p = testing::involutes(20, 41, 15);
   double worst[2] = {};
@@ -62,23 +62,24 @@ TEST(Pattern, crowning_is_the_gap_at_the_ends) {
   EXPECT_NEAR(r.at(4, 6), 0.02 / 4, 2e-5);
 }
 
-// The raster of gear 2 is in its own frame. An edge contact at its lower face is marked there.
+// The raster of gear 2 has its own frame. An edge contact at the lower end of its face is marked
+// there.
 TEST(Pattern, heights_belong_to_their_gear) {
   for (const bool second : {false, true}) {
     auto p = testing::involutes(20, 41, 0);
     p.place.errors.crossing = Angle::radians(3e-4);
     p.place.gear2_drives = second;
     const auto r = contact_pattern(p.pair(), 64, {7, 9});
-    // Δγ > 0 turns the +z end of gear 1 towards +y: away from the flank that gear 1 drives with.
+    // Δγ > 0 turns the +z end of gear 1 towards +y, which is away from gear 2 if gear 1 drives.
     const std::size_t near = second ? 8 : 0;
     EXPECT_LT(r[1].at(4, near), 1e-3);
     EXPECT_GT(r[1].at(4, 8 - near), 3e-3);
   }
 }
 
-// Without errors the marks of a double-arc pair are two bands along the face on both gears, because
-// each path of its points is at one diameter. A circle about the axis of the mating gear meets its
-// flank twice.
+// Without errors, the pattern of a double-arc pair consists of two bands along the face on both
+// gears, because each contact point stays at a constant diameter. The case is difficult, because a
+// circle about the axis of the mating gear meets the flank twice.
 TEST(Pattern, of_double_arcs_is_two_bands) {
   const auto gear = [](int teeth, double helix_deg) {
     CylindricalSpec s = testing::plain_spec(
@@ -113,7 +114,7 @@ TEST(Pattern, gap_map_of_one_position) {
   for (const double gap : r.gap) least = std::min(least, gap);
   EXPECT_GE(least, 0.0);
   EXPECT_LT(least, 5e-3);
-  // The preceding tooth pair has a larger gap.
+  // Another tooth pair has a larger gap.
   const FlankRaster other = gap_map(p.pair(), Angle::radians(0.05), 3, {41, 81});
   double apart = 1e300;
   for (const double gap : other.gap) apart = std::min(apart, gap);

@@ -1,14 +1,14 @@
 // One smooth piece of a flank's transverse outline, as a complex function of one parameter.
 //
 //   W(s)   point ρ e^{iθ}, mm; s is the parameter of the piece     ℓ = log W,  u = ln ρ = Re ℓ
-//   c      +1 for the side y > 0 of a tooth about the x axis, −1 for its mirror image, the side y < 0
-//   θ′, θ″ derivatives of θ by u, which determine the contact with a mating gear
+//   c      +1 for the side y > 0 of a tooth about the x axis, −1 for its mirror image, the side y <
+//   0 θ′, θ″ derivatives of θ by u, which determine the contact with a mating gear
 //                                    theory: docs/theory/08-contact.md, [T8.4]…[T8.6]
 //
-//   involute       s = ξ   roll angle (an internal gear's is negative)
+//   involute       s = ξ   roll angle (negative for an internal gear)
 //   rack circle    s = τ   normal angle of the generating rack
 //   other curves   s = u
-//   flank of a rack  s = u, the height above the datum line by r  [T8.29]
+//   flank of a rack  s = u, the height above the datum line divided by r  [T8.29]
 //
 // The radius is monotone along a piece, so that θ is a function of u.
 #pragma once
@@ -32,15 +32,16 @@ struct RadialJet {
   double d1, d2;   ///< θ′, θ″ by u
 };
 
-/// The rotation of a flank per material removed along the normal, k = 1/arm, and its derivatives by u.
+/// The rotation of a flank per mm of material removed along the normal, k = 1/arm, and its
+/// derivatives by u.
 struct TurnPerRemoval {
   double k, d1, d2;  ///< rad/mm
 };
 
 class Profile {
  public:
-  /// The piece of an outline that consists of one arc, on the side c. `twist` is 1/p of the gear,
-  /// rad/mm, from which the normal of the surface is computed.
+  /// The piece of an outline that consists of one arc, on the side c. `twist` is the twist τ of the
+  /// gear, rad/mm, from which the normal of the surface is computed.
   Profile(const Arc& arc, double side, double twist);
 
   /// The straight flank of a rack, θ(u) = side (half − slope u) for u_lo ≤ u ≤ u_hi.
@@ -60,14 +61,14 @@ class Profile {
   ///
   /// Domain    on the piece and near it, because the formulas continue beyond the ends
   PolarJet at(double s) const;
-  /// The outline at ln ρ = u. Beyond the ends of the piece, a Taylor series of second order is used.
-  /// `s` is the parameter from the last call and is updated. For rack circles, the iteration starts
-  /// there.
+  /// The outline at ln ρ = u. Beyond the ends of the piece, a Taylor series of second order is
+  /// used. `s` is the parameter from the last call, from which the iteration for rack circles
+  /// starts. It is then updated.
   RadialJet at_radius(double u, double& s) const;
   /// The rotation per removal at the parameter s, which must not lie far beyond the ends. [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;
   double s_of(double u) const;  ///< s at u, solved to rounding; u beyond the piece gives the end
-  double s_of(double u, double start) const;  ///< the same by an iteration from `start`
+  double s_of(double u, double start) const;  ///< the same; iterations begin at `start`
   bool is_involute() const { return involute_ != nullptr; }
   /// Normal angle of the generating rack; none if the piece was not cut by a circle of a rack.
   std::optional<double> rack_angle(double s) const;

@@ -12,7 +12,7 @@ namespace {
 
 Arc flank_of(const Gear& gear) { return *gear.tooth->outline.find(ArcName::flank); }
 
-// An arc that no rack cuts. Radial curves have the radius as parameter.
+// An arc that is not cut by a rack. Its parameter is therefore the radius.
 Arc round_arc() {
   const auto curve = std::make_shared<OffsetCircle>(20.0, 0.05, 4.0);
   return {ArcName::flank, curve, 0.9, 0.3, curve->point(0.9), curve->point(0.3)};
@@ -36,8 +36,8 @@ std::vector<Named> arcs_of_all_kinds() {
 
 Complex point(const PolarJet& j) { return j.factor * std::polar(1.0, j.phase); }
 
-// (1) the piece is the arc, its other side the mirror image    (2) ℓ′ and ℓ″ are derivatives
-// (3) by radius it is the same curve    (4) θ′ and θ″ are derivatives
+// (1) the piece is the arc, and its other side is the mirror image    (2) ℓ′ and ℓ″ are derivatives
+// (3) evaluation by radius gives the same curve    (4) θ′ and θ″ are derivatives
 TEST(Profile, is_its_arc) {
   for (const Named& n : arcs_of_all_kinds()) {
     SCOPED_TRACE(n.name);
@@ -98,7 +98,7 @@ TEST(Profile, goes_on_beyond_its_ends) {
   }
 }
 
-// A flank turns by 1/arm per mm removed: k² = (1 + θ′²)/ρ² + twist², whichever way it is computed.
+// A flank turns by 1/arm per mm removed, and k² = (1 + θ′²)/ρ² + twist² for all kinds of profile.
 TEST(Profile, turn_per_removal) {
   for (const Named& n : arcs_of_all_kinds()) {
     SCOPED_TRACE(n.name);

@@ -16,14 +16,14 @@ struct Held {
   std::optional<ContactPair> pair;
 };
 
-// The error if a rack would have an error of its teeth.
+// The error if a deviation of the teeth is given for the rack.
 std::optional<Error> rack_error(const ContactErrors& errors) {
   const bool slope = errors.helix_twist[1] != 0.0;
   if (!slope && errors.cutter_lead[1] == Angle()) return std::nullopt;
   return Error{
       slope ? "errors.helix_twist[1]" : "errors.cutter_lead[1]", "",
-      "must be 0, because errors of the teeth of a rack are not supported; the error of the "
-      "pinion has the same effect"};
+      "must be 0, because errors of the teeth of a rack are not supported; give the error to the "
+      "pinion, where it has the same effect"};
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 // Tooth contact of a pinion with its rack under errors of mounting.
 //
-// The analysis is that of two gears with the travel of the rack in place of the rotation of gear 2
-// [T8.29]. Travel and its errors are stored as angles x/r, where r is the reference radius of the pinion.
-// A positive travel is along −y of the housing, as for the rim of a gear 2.
+// The analysis is the same as for two gears, but with the travel of the rack instead of the
+// rotation of gear 2 [T8.29]. Travel and its error are stored as angles x/r, where r is the
+// reference radius of the pinion. A positive travel has the direction −y of the housing, like the
+// rim of a gear 2.
 //
 //   const auto touching = contact(*rack_pair, {.crossing = 0.02_deg});
 //   if (touching) use(touching->rack.of(touching->peak_to_peak));   // mm
@@ -17,8 +18,8 @@
 namespace gearwright {
 
 struct RackContact : ContactResult {
-  RackContact() = default;  ///< empty, and not an aggregate; contact() makes it
-  /// The non-working flanks at the same positions.
+  RackContact() = default;  ///< empty; contact() fills it
+  /// The contact of the non-working flanks at the same positions.
   ContactResult non_working;
   /// Peak to peak of the continuous curve; none if contact is lost at some rotation.
   std::optional<Angle> continuous_span;
@@ -35,7 +36,8 @@ struct RackContact : ContactResult {
 /// Domain    `options.request` as analyse_contact (contract)
 /// Accuracy  as analyse_contact
 /// Laws      (1) without errors and modifications, the transmission error is constant, at every
-///           centre distance   (2) a wheel of z2 teeth differs by the order of 1/z2
+///           centre distance   (2) the result for a wheel with z2 teeth differs from the result for
+///           the rack by the order of 1/z2
 Result<RackContact> contact(const RackPair& pair, const ContactErrors& errors = {},
                             const ContactOptions& options = {});
 

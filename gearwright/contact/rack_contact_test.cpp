@@ -37,8 +37,8 @@ ContactErrors misaligned() {
   return e;
 }
 
-// (1) Travel and rotation are proportional without errors, at every centre distance; the rack is
-// behind by half of the backlash.
+// (1) Without errors, travel and rotation are proportional at every centre distance. The rack lags
+// by half of the backlash.
 TEST(RackContact, TransmitsMotionExactlyWithoutErrors) {
   for (const double helix : {0.0, 20.0, -35.0}) {
     for (const double more : {0.0, 0.4}) {
@@ -62,7 +62,8 @@ TEST(RackContact, TransmitsMotionExactlyWithoutErrors) {
   }
 }
 
-// (2) A wheel of z2 teeth differs by the order of 1/z2, under errors and with modifications.
+// (2) With errors and modifications, the result for a wheel with z2 teeth differs from the result
+// for the rack by the order of 1/z2.
 TEST(RackContact, IsTheLimitOfWheels) {
   for (const double helix : {0.0, 20.0}) {
     const RackPair pair = rack_pair(helix, 0.0);
@@ -92,8 +93,8 @@ TEST(RackContact, IsTheLimitOfWheels) {
   }
 }
 
-// The least travel at which no point of the pinion's flank lies inside the rack, by nested grids.
-// Housing frame, gear 1 driving; no function of contact/ is used.
+// An oracle: nested grids find the least travel at which no point of the pinion's flank lies inside
+// the rack, in the housing frame with gear 1 driving. No function of contact/ is used.
 class Slow {
  public:
   Slow(const RackPair& pair, const ContactErrors& errors) : pair_(pair), e_(errors) {
@@ -173,7 +174,8 @@ TEST(RackContact, AgreesWithNestedGrids) {
   }
 }
 
-// The mirror image of a pair in the plane z = 0 under mirrored errors has the same transmission error.
+// The mirror image of a pair in the plane z = 0 under mirrored errors has the same transmission
+// error.
 TEST(RackContact, BothHandsAreMirrorImages) {
   ContactOptions options;
   options.modifications[0] = on_both_flanks(crowned());
@@ -188,8 +190,8 @@ TEST(RackContact, BothHandsAreMirrorImages) {
                 1e-11);
 }
 
-// A rack that drives touches the other flanks. The mirror image in the plane y = 0 exchanges the
-// flanks and reverses both motions.
+// If the rack drives, it touches the other flanks. The mirror image in the plane y = 0 exchanges
+// the flanks and reverses both motions.
 TEST(RackContact, TheRackDrivesAsTheMirrorImageIsDriven) {
   ContactOptions options;
   options.modifications[0] = on_both_flanks(crowned());

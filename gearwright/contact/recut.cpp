@@ -13,16 +13,16 @@ namespace gearwright {
 
 namespace {
 
-// The parameter near `was` at which the curve has the radius ρ. The bracket grows only while the radius
-// is monotone, because the radius reverses behind a cusp.
+// The parameter near `was` at which the curve has the radius ρ. The bracket grows only while the
+// radius is monotone, because the sense in which the radius changes is reversed beyond a cusp.
 double same_radius(const Curve& curve, double was, double rho, bool grows, double width) {
   const auto radius = [&](double t) { return curve.point(t).norm(); };
   const double more = rho - radius(was);
   if (more == 0.0) return was;
   const double sense = (more > 0.0) == grows ? 1.0 : -1.0;
   double last = was;
-  // The first step, relative to the width of the arc. Changes of lead that occur in a workshop move the
-  // ends by less than a few such steps. By doubling, 19 steps reach half the width.
+  // The first step, relative to the width of the arc. Changes of lead that occur in a workshop move
+  // the ends by less than a few such steps. By doubling, 19 steps reach half the width.
   constexpr double kFirstStep = 1e-6;
   for (double step = kFirstStep * width; step < 0.5 * width; step *= 2) {
     const double next = was + sense * step;
@@ -59,7 +59,7 @@ CutterEdge edge_of(const CylindricalSpec& spec) {
 double with_cutter_lead(double twist, double pitch_radius, double delta_lambda) {
   if (delta_lambda == 0.0) return twist;
   GW_EXPECTS(twist != 0.0);
-  // 1/p = 1/(r tan λ). If λ exceeds 90°, the hand is the opposite one.
+  // The twist is 1/(r tan λ). If λ exceeds 90°, the hand of the helix is reversed.
   const double lambda = std::atan2(1.0, pitch_radius * std::abs(twist)) + delta_lambda;
   GW_EXPECTS(lambda > 0.0 && lambda < std::numbers::pi);
   return std::copysign(1.0, twist) / (pitch_radius * std::tan(lambda));

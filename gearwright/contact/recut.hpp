@@ -11,17 +11,17 @@
 
 namespace gearwright {
 
-/// The twist 1/p after the change, for a gear with the given twist and pitch radius.
+/// The twist after the change, for a gear with the given twist and pitch radius.
 ///
 /// Domain    0 < λ + Δλ < π; Δλ = 0 for a spur gear (contract)
 double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);
-/// A flank arc that the same rack cuts with the changed lead angle. Its ends have the same radii.
+/// A flank arc that the same rack cuts with the changed lead angle. Its ends keep their radii.
 ///
 /// Domain    arcs that a rack cuts, unless Δλ = 0 (contract)
 Arc recut(const Arc& arc, const Gear& gear, double delta_lambda);
-/// The whole half tooth that the same rack cuts with the changed lead angle, with root fillet, tip and
-/// new ends of the flank. None if the root was not cut by a rack (a pinion cutter or a circular fillet),
-/// or if no tooth is left.
+/// The whole half tooth that the same rack cuts with the changed lead angle, with root fillet, tip
+/// and new ends of the flank. None if the root was not cut by a rack (a pinion cutter or a circular
+/// fillet), or if no tooth is left.
 std::optional<Outline> recut_outline(const Gear& gear, double delta_lambda);
 
 }  // namespace gearwright

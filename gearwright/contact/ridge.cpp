@@ -22,9 +22,9 @@ Mat2d hessian(const Jet2& j) {
   return h;
 }
 
-// Slope and curvatures of the gap at a touch, in the tangent plane of flank 1. If T has a slope, its
-// second derivatives by s and z contain the curvature of the coordinate lines within the surface, which
-// is subtracted (Christoffel symbols).
+// Slope and curvatures of the gap at a touch, in the tangent plane of flank 1. If T has a slope,
+// its second derivatives by s and z contain the curvature of the coordinate lines within the
+// surface, which is subtracted (Christoffel symbols).
 ContactRidge::Side side_of(const GapJet& j) {
   const Vec3 r_s = space(j.w1_s, 0.0);
   const Vec3 r_z = space(j.w1_z, 1.0);
@@ -49,8 +49,8 @@ ContactRidge::Side side_of(const GapJet& j) {
   return {arm * slope.norm(), {eigen.values[0], eigen.values[1]}};
 }
 
-// The curvature of the gap along the curve c = const of the surface, at a place where T is stationary
-// along that curve.
+// The curvature of the gap along the curve c = const of the surface, at a place where T is
+// stationary along that curve.
 double curvature_along(const GapJet& j, const Vec2d& c, const Mat2d& c_bend) {
   const Vec2d t(-c[1], c[0]);
   const double mu = -Vec2d(j.t.s, j.t.z).dot(c) / c.squaredNorm();
@@ -59,8 +59,8 @@ double curvature_along(const GapJet& j, const Vec2d& c, const Mat2d& c_bend) {
 }
 
 // The patch beyond a border. At a border of u (`of_u`), this patch has the same range of z and
-// continues the range of u. At a border of z, u and z are exchanged. Equal borders of two patches
-// differ only by the rounding of ln ρ.
+// continues the range of u. At a border of z, u and z are exchanged. The common border of two
+// patches is the same number for both, except for the rounding of ln ρ.
 int across(const std::vector<FlankPatch>& patches, const FlankPatch& here, bool of_u, bool below) {
   constexpr double kSame = 1e-9;
   const auto same = [](double a, double b) { return std::abs(a - b) < kSame; };
@@ -105,7 +105,7 @@ ContactRidge ridge_at(Transmission& transmission, const PairTouch& touch) {
   const bool of_u = bound % 4 < 2;
   const FlankPatch& here = gear == 1 ? field.one() : field.two();
   bool below = bound % 2 == 0;
-  // The bound is one of s, which decreases with u here.
+  // The bound limits s, and u decreases with s here.
   if (gear == 1 && of_u && !here.profile.grows()) below = !below;
   const int other = across(pair.patches(gear), here, of_u, below);
   const auto n = static_cast<int>(pair.patches(2).size());
@@ -116,7 +116,7 @@ ContactRidge ridge_at(Transmission& transmission, const PairTouch& touch) {
   const double z = touch.touch.z;
   const GapJet j = transmission.jet_at(touch, s, z);
   ContactRidge ridge{gear, 0.0, {side_of(transmission.jet_at(beyond, s, z)), side_of(j)}, !of_u};
-  // If gear 2 drives, the side of lesser height in the gear's frame has the greater height in N.
+  // If gear 2 drives, the side of smaller height in the gear's frame has the greater height in N.
   if (!below != (!of_u && pair.turned() < 0.0)) std::swap(ridge.side[0], ridge.side[1]);
   if (gear == 1) {
     ridge.along = curvature_along(j, of_u ? Vec2d(1, 0) : Vec2d(0, 1), Mat2d::Zero());

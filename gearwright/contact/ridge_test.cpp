@@ -16,8 +16,8 @@ using testing::SamplePair;
 
 enum class Where { tip1, root1, tip2, end1 };
 
-// 20 : 41 teeth with a relief of 30 µm that begins in the middle of the flank, so that the ridge is
-// in contact, and with a little crowning, so that the flanks touch at points.
+// A pair with 20 and 41 teeth. A relief of 30 µm begins in the middle of the flank, so that the
+// ridge is in contact. A little crowning makes the flanks touch at points.
 SamplePair relieved(Where where, ReliefShape shape, bool gear2_drives = false) {
   SamplePair p = testing::involutes(20, 41, 12);
   FlankModifications m;
@@ -83,7 +83,7 @@ TEST(Ridge, begins_where_the_relief_does) {
   }
 }
 
-// Both slopes together are the angle of the ridge: of an end relief of 30 µm over 8 mm, 1 in 267.
+// The sum of both slopes is the angle of the ridge, 1 in 267 for an end relief of 30 µm over 8 mm.
 TEST(Ridge, slopes_are_the_angle_of_the_relief) {
   const SamplePair p = relieved(Where::end1, ReliefShape::linear);
   const ContactPair pair = p.pair();
@@ -133,7 +133,8 @@ TEST(Ridge, curvatures_are_those_of_the_sampled_gap) {
       const auto gap = [&](double s, double z) {
         return (t.te() - transmission.jet_at(t, s, z).t.v) * GapField::arm(j);
       };
-      // Along the ridge: of gear 1 where s (z, of an end relief) stays, of gear 2 where u does.
+      // Two points on the ridge. Along a ridge of gear 1, s is constant, or z if the relief is an
+      // end relief. Along a ridge of gear 2, u is constant.
       const double h = 0.05;  // mm
       double sum = 0.0;
       for (const double away : {-h, h}) {
@@ -153,8 +154,8 @@ TEST(Ridge, curvatures_are_those_of_the_sampled_gap) {
         sum += gap(s, z) / (place(s, z) - here).squaredNorm();
       }
       EXPECT_NEAR(c.ridge->along, sum, 1e-3 * sum + 1e-7);
-      // On the side of the touch, the trace of K is computed from five gaps in a plane with arc
-      // lengths.
+      // On the side of the touch, the trace of K is computed from the gaps at four points around
+      // the touch, at equal distances in the tangent plane.
       const Vec3 r_s(j.w1_s.real(), j.w1_s.imag(), 0);
       const Vec3 r_z(j.w1_z.real(), j.w1_z.imag(), 1);
       const Vec3 normal = r_s.cross(r_z).normalized();
@@ -168,7 +169,7 @@ TEST(Ridge, curvatures_are_those_of_the_sampled_gap) {
           const Vec3 target = (side ? kStep : -kStep) * e[k];
           double s = t.touch.s;
           double z = t.touch.z;
-          for (int i = 0; i < 20; ++i) {  // the place whose projection is the target
+          for (int i = 0; i < 20; ++i) {  // finds the point whose projection is `target`
             const GapJet q = transmission.jet_at(t, s, z);
             const Vec3 off = Vec3(q.w1.real(), q.w1.imag(), z) - here - target;
             Eigen::Matrix2d jac;

@@ -13,7 +13,7 @@ struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;  // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;
   double dZ = 0.0, dZ_s = 0.0, dZ_z = 0.0;
-  Vec3 dr = Vec3::Zero();  // of the point, in N
+  Vec3 dr = Vec3::Zero();  // motion of the point, in N
 };
 
 // Adds the effect of a motion d of the point in the frame of gear 2. d varies with s and z.
@@ -184,7 +184,8 @@ double te_of(const Change& c, const Holding& h, const ContactPair& pair) {
   return pair.turned() * te;
 }
 
-// The derivatives of TE and of the point of contact, from the KKT system of the active bounds. [T8.10]
+// The derivatives of TE and of the point of contact, from the KKT system of the active bounds.
+// [T8.10]
 Sensitivity answer_to(const Change& c, const ContactPair& pair, const PairTouch& touch,
                       const GapJet& j) {
   const Holding h = holding(c, touch, j);
@@ -234,10 +235,12 @@ Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
 
 namespace {
 
-// ∂T*/∂e of the greatest T of a row, which lies at (s, z), from the derivatives c at a fixed place.
+// ∂T*/∂e, from the derivatives `c` at a fixed place. T* is the greatest T of a row, a line of
+// constant z, and lies at (s, z).
 double of_row(const GapField& field, const GapJet& j, const Change& c) {
-  // Inside, ∂T/∂s = 0. At an end of flank 1, s does not change. At an end of flank 2, s changes with e.
-  constexpr double kAtEnd = 1e-9;  // of the patch: the place was found to 1e-15 of the flank
+  // If T* lies inside the row, ∂T/∂s = 0. At an end of flank 1, s does not change. At an end of
+  // flank 2, s changes with e.
+  constexpr double kAtEnd = 1e-9;  // of the patch; the place is accurate to 1e-15 of the flank
   const FlankPatch& two = field.two();
   const double near = kAtEnd * (two.u_hi - two.u_lo);
   const bool at_end = j.u.v > two.u_hi - near || j.u.v < two.u_lo + near;

@@ -1,4 +1,5 @@
-// Exact derivatives of transmission error and contact point by every error and every modification.
+// Exact derivatives of transmission error and contact point with respect to every error and every
+// modification.
 //
 //   e          an error, or an amount of a modification
 //   p = ∂φ2*/∂e at a fixed place of flank 1, with its derivatives over the flank
@@ -41,13 +42,14 @@ struct Sensitivity {
 ///
 /// Units     rad, mm; per mm or rad of the influence
 /// Domain    a touch with contact; a modified gear has a RemovalField (contract)
-/// Accuracy  TE to rounding; the point as the contact point. For a line contact, the derivative of the
-///           point has no meaning
+/// Accuracy  TE to rounding, and the point as accurately as the contact point itself. For a line
+///           contact, the derivative of the point has no meaning
 Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
                         const Influence& influence);
 
-/// ∂T*/∂e, rad in N per unit. T* is the greatest T over the profile at a fixed height z of flank 1, and
-/// it lies at s. If the place is at the end of a patch of flank 2, it moves along flank 1 with that end.
+/// ∂T*/∂e, rad in N per unit. T* is the greatest T over the profile at a fixed height z of flank 1,
+/// and it lies at s. If the place is at the end of a patch of flank 2, it moves along flank 1 with
+/// that end.
 ///
 /// Domain    as sensitivity(), for patches of this pair (contract)
 /// Accuracy  rounding

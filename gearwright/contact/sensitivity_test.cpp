@@ -1,4 +1,5 @@
-// Derivatives with closed forms; the laws over seeded pairs: tests/property/contact_laws_test.cpp.
+// Derivatives are compared with closed forms. tests/property/contact_laws_test.cpp verifies the
+// laws over seeded pairs.
 #include "gearwright/contact/sensitivity.hpp"
 
 #include <gtest/gtest.h>
@@ -24,8 +25,8 @@ std::vector<Sensitivity> by(const testing::SamplePair& p, const std::vector<Infl
   return all;
 }
 
-// Gear 2 of a conjugate pair lags by tan α/r_w2 per mm of distance, and by 1/r_b2 for a tooth of
-// either gear that is thinner by 1 mm along its normal.
+// Gear 2 of a conjugate pair lags by tan α/r_w2 per mm of centre distance. Crowning and an axial
+// displacement have no effect if the pair touches in the middle of the face.
 TEST(Sensitivity, of_conjugate_gears) {
   auto p = testing::involutes(20, 41, 0);
   FlankModifications nothing;
@@ -38,25 +39,25 @@ TEST(Sensitivity, of_conjugate_gears) {
                         {ErrorKind::center_distance, 2, P::profile_slope},
                         {ErrorKind::axial}});
   EXPECT_NEAR(s[0].te, -std::tan(alpha) / 41.0, 1e-6);
-  EXPECT_NEAR(s[1].te, 0.0, 1e-9);  // touches in the middle of the face
+  EXPECT_NEAR(s[1].te, 0.0, 1e-9);
   EXPECT_NEAR(s[3].te, 0.0, 1e-12);
 }
 
-// An end of a face touches. f_Hβ of either gear tilts its flank relative to the other one about the
-// middle of the face, on the reference cylinder. The narrower face counts, and the edge of gear 2
-// does not move.
+// The pair touches at an end of the narrower face, which is the face of gear 2. f_Hβ of either gear
+// tilts its flank relative to the other one about the middle of the face, on the reference
+// cylinder. The axial position of the edge of gear 2 does not change.
 TEST(Sensitivity, helix_slopes_at_a_face) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.crossing = Angle::radians(1e-5);
   const auto s =
       by(p, {{ErrorKind::helix_slope1}, {ErrorKind::helix_slope2}, {ErrorKind::crossing}});
-  // At z = −9 mm: κ z of gear 1 counts through the ratio, κ2 Z directly.
+  // At z = −9 mm, κ1 z of gear 1 acts on TE through the gear ratio, and κ2 Z acts directly.
   EXPECT_NEAR(s[0].te, 9.0 / (20.0 * 20.0) * 20.0 / 41.0, 1e-7);
   EXPECT_NEAR(s[1].te, 9.0 / (41.0 * 18.0), 1e-7);
   EXPECT_NEAR(s[2].te, 9.0 / 41.0, 1e-4);
 }
 
-// With the other driver, rotations have the same sign, and errors have the opposite effect.
+// If gear 2 drives, rotations have the same sign, and errors have the opposite effect on TE.
 TEST(Sensitivity, of_the_other_flanks) {
   auto p = testing::involutes(20, 41, 0);
   const auto one = by(p, {{ErrorKind::center_distance}});

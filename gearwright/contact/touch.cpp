@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kLastStep = 1e-7;    // relative to the patch; the remaining error is its square
+constexpr double kLastStep = 1e-7;    // scaled; the remaining error is the square of this length
 constexpr double kLongestStep = 0.6;  // of half the patch
 constexpr double kFlat = 1e-14;  // rad, scaled: smaller slopes and curvatures are rounding errors
 constexpr double kTinyBend = -1e-15;  // replaces a curvature of 0
@@ -18,12 +18,12 @@ constexpr int kMaxSteps = 80;
 constexpr double kBroken = 1e-9;       // scaled: a touch that violates a bound by more is not valid
 constexpr double kWorse = 1e-13;       // rad: rounding error of T and of the merit
 constexpr double kTinySquare = 1e-12;  // (of half the patch)²: a shorter step is not halved
-constexpr double kMinPrice = 1e-3;     // rad per scaled length: least cost of a bound
+constexpr double kMinPrice = 1e-3;     // rad per scaled length: least penalty of a violated bound
 constexpr double kSameTe = 1e-12;      // rad: greatest difference of T for the same maximum
 constexpr double kSamePlace = 1e-5;    // of half the patch: greatest distance for the same maximum
 // Replaces H by a negative definite matrix, by changing the sign of positive eigenvalues. If T is
-// constant in one direction within rounding, the slope in that direction becomes 0. Returns true in
-// this case.
+// constant in one direction within rounding, the slope in that direction is set to 0 and the
+// function returns true.
 bool make_concave(detail::StepProblem& p) {
   const double mean = 0.5 * (p.h_ss + p.h_zz);
   const double half = 0.5 * (p.h_ss - p.h_zz);
@@ -148,8 +148,8 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
       t.z -= d_z * kz;
       continue;
     }
-    // The bounds of flank 2 are curved, so the curvature of an active bound, times its multiplier, is
-    // added to H.
+    // The bounds of flank 2 are curved, so the curvature of an active bound, times its multiplier,
+    // is added to H.
     for (int m = 0; m < 2; ++m) {
       const int j = m == 0 ? t.active.first : t.active.second;
       const double mu = t.multiplier[m];
@@ -208,7 +208,7 @@ bool TouchSearch::window(double& z_lo, double& z_hi) const {
   };
   const double at_lo = azimuth(a.s_lo);
   const double at_hi = azimuth(a.s_hi);
-  constexpr double kSlack = 0.05;  // rad: errors of mounting, bulging profiles
+  constexpr double kSlack = 0.05;  // rad: margin for errors of mounting and bulging profiles
   const double lo = mesh_azimuth_ - reach_ - kSlack - std::max(at_lo, at_hi);
   const double hi = mesh_azimuth_ + reach_ + kSlack - std::min(at_lo, at_hi);
   if (a.twist == 0.0) return lo <= 0.0 && hi >= 0.0;
@@ -248,8 +248,8 @@ bool is_peak(const Grid& grid, int i, int k) {
   return true;
 }
 
-// The row of a section from which a search starts: the greatest value inside D, or the node nearest to
-// D if no node lies inside.
+// The row of a section from which a search starts: the row with the greatest value inside D, or the
+// row nearest to D if no node lies inside.
 int best_row(const std::array<GridNode, kRows>& section) {
   int best = 0;
   for (int k = 1; k < kRows; ++k) {
@@ -270,8 +270,9 @@ bool TouchSearch::uneven() const {
 }
 
 // T varies slowly along the line of contact and rapidly across it. The greatest values of T in each
-// section are therefore computed first, by Newton steps along the profile from each row that exceeds its
-// neighbours. The searches start from those that exceed the values of the neighbouring sections.
+// section are therefore computed first, by Newton steps along the profile from each row that
+// exceeds its neighbours. The searches then start from the values that exceed those of the
+// neighbouring sections.
 std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
   constexpr int kFine = 25;   // sections, eight for each of three waves over the face
   constexpr int kAcross = 7;  // rows
@@ -320,7 +321,8 @@ std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi)
   std::vector<std::array<double, 3>> starts;
   for (int i = 0; i < kFine; ++i) {
     for (const Crest& c : sections[i]) {
-      // The neighbouring section may continue this crest at another s, because the line is inclined.
+      // The neighbouring section may continue this crest at another s, because the line of contact
+      // is inclined.
       const auto higher = [&](int other) {
         if (other < 0 || other >= kFine) return false;
         return std::any_of(sections[other].begin(), sections[other].end(), [&](const Crest& o) {

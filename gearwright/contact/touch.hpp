@@ -1,5 +1,5 @@
-// Computes where one flank touches another. D is the part of flank 1 that lies opposite flank 2, and
-// Newton steps with the eight bounds of D find the greatest T over D.
+// Computes where one flank touches another. D is the part of flank 1 that lies opposite flank 2,
+// and Newton steps with the eight bounds of D find the greatest T over D.
 //
 //   s, z   place on flank 1, scaled to [−1, 1] internally
 //                                    theory: docs/theory/08-contact.md, [T8.9]
@@ -41,22 +41,23 @@ struct TouchCount {
 
 class TouchSearch {
  public:
-  /// `mesh_azimuth` is the azimuth of the mesh on gear 1, 0 or π. `reach` is the distance from it, rad,
-  /// within which points of gear 1 can lie in the annulus of gear 2. The field must outlive this object.
+  /// `mesh_azimuth` is the azimuth of the mesh on gear 1, 0 or π. `reach` is the distance from it,
+  /// rad, within which points of gear 1 can lie in the annulus of gear 2. The field must outlive
+  /// this object.
   TouchSearch(const GapField& field, double mesh_azimuth, double reach);
 
   /// Searches from a place. `active` are the bounds that are active there.
   Touch from(double s, double z, double s2, const detail::ActiveSet& active) const;
-  /// Searches from the best of nine places. If this search fails, cold() is used. This is sufficient if
-  /// there is only one maximum.
+  /// Searches from the best of nine places, and finds the maximum if T has only one. If this search
+  /// fails, cold() is used.
   Touch from_middle() const;
   /// Searches the whole flank: from every peak of a grid, and from both end sections of D.
   Touch cold() const;
-  /// Like cold(), but returns all local maxima, the greatest first. On flanks with a topography, which
-  /// have a maximum for each crest, the greatest T of every section is examined.
+  /// Like cold(), but returns all local maxima, the greatest first. On uneven flanks, which have a
+  /// maximum for each crest, the greatest T of every section is examined.
   std::vector<Touch> every_maximum() const;
 
-  /// True if a flank has a topography, so that T may have many maxima.
+  /// True if a flank has a topography or form waves, so that T may have many maxima.
   bool uneven() const;
 
   const TouchCount& count() const { return count_; }

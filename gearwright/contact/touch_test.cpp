@@ -23,7 +23,7 @@ struct Search {
   }
 };
 
-// No place of a fine grid lies higher.
+// No point of a fine grid has a greater T.
 TEST(TouchSearch, nothing_is_higher) {
   auto p = testing::arcs();
   p.place.errors.crossing = Angle::radians(4e-4), p.place.errors.center_distance = 0.03;
@@ -47,8 +47,8 @@ TEST(TouchSearch, nothing_is_higher) {
   }
 }
 
-// Misaligned spur gears touch at an end of the narrower face. To first order, the error is half the
-// face width times Δγ over the pitch radius.
+// Misaligned spur gears touch at an end of the narrower face. To first order, the transmission
+// error is half the face width times Δγ, divided by the pitch radius.
 TEST(TouchSearch, face_edges) {
   for (const double tilt : {1e-5, -1e-5}) {
     auto p = testing::involutes(20, 41, 0);
@@ -69,8 +69,8 @@ TEST(TouchSearch, a_flat_ridge_is_one) {
   EXPECT_NEAR(t.te, 0.0, 1e-15);
 }
 
-// If the gears are too far apart, no place of flank 1 lies inside flank 2, and the result contains
-// that reason.
+// If the gears are too far apart, no place of flank 1 lies inside flank 2, and the result gives
+// this reason.
 TEST(TouchSearch, no_room) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.center_distance = 5.0;
@@ -80,8 +80,8 @@ TEST(TouchSearch, no_room) {
   EXPECT_EQ(Search(testing::involutes(20, 41, 0), 2.0).search.cold().stop, Touch::Stop::no_room);
 }
 
-// A search that starts on the line through the last two places needs one evaluation. A cold start
-// needs more.
+// A search that starts at the linear extrapolation of the last two places needs one evaluation. A
+// cold start needs more.
 TEST(TouchSearch, work) {
   auto p = testing::arcs();
   p.place.errors.crossing = Angle::radians(2e-4);
@@ -100,7 +100,8 @@ TEST(TouchSearch, work) {
   EXPECT_EQ(s.search.count().evaluations, cold + b.evaluations + 1);
 }
 
-// A hollow lead touches at both ends. There are two maxima, the greater one first.
+// A flank with hollow lead touches at both ends of the face. T has two maxima, and the greater one
+// is returned first.
 TEST(TouchSearch, every_maximum) {
   auto p = testing::involutes(20, 41, 0);
   FlankModifications m;

@@ -11,12 +11,13 @@ namespace gearwright {
 
 namespace {
 
-// A track ends where T falls and lies this far below another pair, rad. T of a whole convex flank has
-// only one maximum. With patches or concave flanks, another maximum may follow, so the limit is greater.
+// A track ends where T decreases and is less than T of another pair by more than this limit, rad. T
+// of a whole convex flank has only one maximum. With patches or concave flanks, another maximum may
+// follow, so the limit is greater.
 constexpr double kBelow = 1e-5;
 constexpr double kFarBelow = 2e-3;
 
-// If several pairs touch within rounding, the one nearest to the centre line is used.
+// If T of several pairs is equal within rounding, the pair nearest to the centre line is used.
 constexpr double kTogether = 1e-13;  // rad
 
 bool wins(const Touch& t, double phi, const PairTouch& best) {
@@ -26,9 +27,10 @@ bool wins(const Touch& t, double phi, const PairTouch& best) {
   return std::abs(phi) < std::abs(best.phi);
 }
 
-// Predicts the place of the next touch by the polynomial through the last four places at equal steps. If
-// the active bounds change, the path of the touches bends, and only places after the change and one
-// before it are used. Each additional order of the polynomial saves a step of the search.
+// Predicts the place of the next touch by the polynomial through the last four places at equal
+// steps. If the active bounds change, the path of the touches bends, and only places after the
+// change and one before it are used. Each additional order of the polynomial saves a step of the
+// search.
 class PlaceAhead {
  public:
   explicit PlaceAhead(const Touch& t) { add(t); }
@@ -64,8 +66,8 @@ bool is_convex(const FlankPatch& f) {
          f.removal->amount(P::lead_crowning) >= 0.0;
 }
 
-// Distance from the mesh, rad, within which points of patch `one` can lie in the annulus of patch `two`.
-// [T8.13]
+// Distance from the mesh, rad, within which points of patch `one` can lie in the annulus of patch
+// `two`. [T8.13]
 double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch& two) {
   if (pair.place().axis_angle != Angle()) return pair.reach();
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
@@ -144,7 +146,8 @@ PairTouch Transmission::at(double phi) {
   phi -= whole * pair_.pitch();
   count_step(progress_);
   PairTouch best;
-  // Far beyond their path of contact, wavy teeth have no crests, but may be the only ones that touch.
+  // WaveCrests finds no crests far beyond the path of contact. If no tooth pair has a crest, a pair
+  // beyond its path may still touch, so the whole flanks are searched.
   for (const bool of_crests : {true, false}) {
     if (of_crests && crests_.empty()) continue;
     if (best.found()) break;
@@ -187,8 +190,8 @@ std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   return all;
 }
 
-// Follows one pair of patches through the positions of tooth pair 0 and records the greatest T of each
-// position, reduced to one pitch.
+// Follows one pair of patches through the positions of tooth pair 0. For each position of a pitch,
+// it records the touch with the greatest T.
 class Transmission::Track {
  public:
   Track(Transmission& all, int fields, double first, int n, double below,
@@ -197,7 +200,7 @@ class Transmission::Track {
 
   double own(int m) const { return first_ + m * (all_.pair_.pitch() / n_); }
 
-  // Records a touch. Returns false if it lies well below another pair.
+  // Records a touch. Returns false if its T is well below T of another pair.
   bool offer(int m, const Touch& t) {
     // Position m of pair 0 is position i of pair k.
     const int i = ((m % n_) + n_) % n_;
@@ -207,8 +210,9 @@ class Transmission::Track {
     return t.te >= b.touch.te - below_;
   }
 
-  // Follows a touch from position m in one direction. The track ends if D is empty, if T falls and lies
-  // well below another pair, or if `known` returns true because another track has passed this touch.
+  // Follows a touch from position m in one direction. The track ends if D is empty, if T decreases
+  // and is well below T of another pair, or if `known` returns true because another track has
+  // passed this touch.
   template <class Known>
   void walk(int m, const Touch& from, int direction, int most, bool cold_again, Known known) {
     GapField& field = *all_.fields_[static_cast<std::size_t>(fields_)];
@@ -242,8 +246,8 @@ class Transmission::Track {
   std::vector<PairTouch>& best_;
 };
 
-// Follows the maximum of T on whole convex flanks, for which T has only one maximum and one interval of
-// rotation.
+// Follows the maximum of T on whole convex flanks, for which T has only one maximum and one
+// interval of rotation.
 void Transmission::follow_one(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kBelow, best);
   const int most = farthest_pair_ * n;
@@ -255,8 +259,8 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
       if (!t.found()) continue;
       track.offer(m, t);
       const auto never = [](int, const Touch&) { return false; };
-      // The direction in which T rises is followed first. The other direction then ends early if T lies
-      // well below.
+      // The direction in which T rises is followed first. The other direction then ends early if T
+      // is well below T of the first one.
       fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m + 1));
       const Touch ahead =
           searches_[static_cast<std::size_t>(fields)]->from(t.s, t.z, t.s2, t.active);
@@ -267,9 +271,10 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
   }
 }
 
-// Follows the maxima of T on flanks with several maxima and separate intervals of rotation. Cold starts
-// at regular positions find the maxima. Each maximum is followed until it meets another track. On uneven
-// flanks every position has a cold start, because a crest may touch for a small part of a pitch.
+// Follows the maxima of T on flanks with several maxima and separate intervals of rotation. Cold
+// starts at regular positions find the maxima. Each maximum is followed until it meets another
+// track. On uneven flanks every position has a cold start, because a crest may touch only for a
+// small part of a pitch.
 void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, fields, first, n, kFarBelow, best);
   const int most = farthest_pair_ * n;
@@ -297,8 +302,8 @@ void Transmission::follow_all(int fields, double first, int n, std::vector<PairT
   }
 }
 
-// Searches every position from the crests that may be the highest ones. The lines of contact of all tooth
-// pairs are examined first, beginning near the centre line, where the teeth usually carry.
+// Searches every position from the crests that may be the highest ones. The lines of contact of all
+// tooth pairs are examined first, beginning near the centre line, where teeth usually touch.
 void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best) {
   struct Start {
     detail::WaveCrests::Crest crest;
@@ -336,7 +341,8 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
       if (t.found() && wins(t, own, best[i]))
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
-    // Far beyond a path of contact, T is less than estimated, and other crests were left out for it.
+    // Far beyond the path of contact, T is less than its estimate. Crests that were left out
+    // because of such an estimate may then be the highest ones.
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

@@ -3,8 +3,9 @@
 //
 //   TE(φ1) = max over pairs k of T(φ1 − k·2π/z1)                 [T8.2], docs/theory/08-contact.md
 //
-// Only one tooth pair is followed through its whole range, because the others repeat its motion whole
-// pitches later. Every pair of patches is followed separately, and the greatest T is used.
+// Only one tooth pair is followed through its whole range, because the others repeat its motion
+// with a delay of whole pitches. Every pair of patches is followed separately, and the greatest T
+// is used.
 #pragma once
 
 #include <memory>
@@ -21,11 +22,11 @@ namespace detail {
 class WaveCrests;  // contact/wave_crests.hpp
 }
 
-/// A touch of tooth pair k: its patches and the rotation of pair 0 (in N).
+/// A touch of tooth pair k, and the rotation at which pair 0 has this touch.
 struct PairTouch {
   Touch touch;
   int fields = -1;   ///< index of the pair of patches; −1 without contact
-  double phi = 0.0;  ///< rad, of gear 1 in N, for pair 0
+  double phi = 0.0;  ///< rad, of gear 1 in N, at which pair 0 has this touch
   int pair = 0;      ///< k in N
 
   bool found() const { return fields >= 0; }
@@ -41,20 +42,21 @@ class Transmission {
   std::vector<PairTouch> over_a_pitch(double first, int n);
   /// The touch at any rotation, computed from scratch.
   PairTouch at(double phi);
-  /// The touch of tooth pair 0 alone, even if another pair carries the load. If wavy(), a pair far beyond
-  /// its path of contact does not touch.
+  /// The touch of tooth pair 0 alone, even if another pair carries the load. If wavy(), no touch is
+  /// found far beyond the path of contact.
   PairTouch of_pair_0(double phi);
   /// The touch of the same tooth pair on the same patches at another rotation of pair 0. The search
   /// starts at the given touch. Not found if these patches do not touch at that rotation.
   PairTouch follow(const PairTouch& from, double phi);
-  /// All local maxima of T of tooth pair 0, for all pairs of patches. Maxima at a seam are included,
-  /// although T may rise beyond the seam.
+  /// All local maxima of T of tooth pair 0, for all pairs of patches. Maxima at a seam are
+  /// included, although T may rise beyond the seam.
   std::vector<PairTouch> every_of_pair_0(double phi);
 
   const ContactPair& pair() const { return pair_; }
   const TouchSearch& search(int fields) const { return *searches_[fields]; }
   const GapField& field(int fields) const { return *fields_[fields]; }
-  /// Sets the field to the rotation of the touch and returns its exact jet, with θ2 fully converged.
+  /// Sets the field to the rotation of the touch and returns its exact jet, with θ2 fully
+  /// converged.
   GapJet jet_at(const PairTouch& t, double s, double z);
   /// True if form waves give T many maxima, which are found in closed form at every position.
   bool wavy() const { return !crests_.empty(); }
@@ -75,7 +77,7 @@ class Transmission {
   Progress* progress_;
   std::vector<std::unique_ptr<GapField>> fields_;
   std::vector<std::unique_ptr<TouchSearch>> searches_;
-  // By field; empty if a field has none.
+  // One for each field. Empty if the crests of one of the fields cannot be computed.
   std::vector<std::shared_ptr<const detail::WaveCrests>> crests_;
   int farthest_pair_;
   long too_long_ = 0;

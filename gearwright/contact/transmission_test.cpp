@@ -30,8 +30,8 @@ TEST(Transmission, backlash_is_a_constant) {
   for (const double te : transmission_error(p.pair(), 9)) EXPECT_NEAR(te, half, 1e-14);
 }
 
-// Tip relief removes edge contact from a pair with errors. The patches of the relief begin far
-// below the others and rise. The curve must equal a cold search of whole flanks at each position.
+// Tip relief removes edge contact from a pair with errors. T of the relief patches begins far below
+// T of the others and rises. The curve must equal a cold search of whole flanks at each position.
 TEST(Transmission, a_relieved_tip_is_followed_from_far_below) {
   auto p = testing::involutes(20, 88, 0);
   const Gear& g = p.gears[0];
@@ -54,7 +54,7 @@ TEST(Transmission, a_relieved_tip_is_followed_from_far_below) {
 
 TEST(Transmission, lost_contact_is_a_fact) {
   auto p = testing::involutes(20, 41, 0);
-  p.place.errors.center_distance = 3.7;  // tips pass for part of a pitch only
+  p.place.errors.center_distance = 3.7;  // the tips miss each other over part of a pitch
   const auto some = transmission_error(p.pair(), 32);
   p.place.errors.center_distance = 5.0;
   const auto none = transmission_error(p.pair(), 32);
@@ -67,7 +67,8 @@ TEST(Transmission, lost_contact_is_a_fact) {
   EXPECT_TRUE(r.harmonics.empty());
 }
 
-// A saw tooth of misaligned arcs: peak to peak, harmonics and slope belong to the same curve.
+// The TE curve of misaligned circular arcs is a saw tooth. Its peak to peak and its harmonics agree
+// with the values of the curve.
 TEST(Transmission, numbers_of_a_curve) {
   auto p = testing::arcs();
   p.place.errors.crossing = Angle::radians(2e-4);
@@ -88,7 +89,7 @@ TEST(Transmission, numbers_of_a_curve) {
   EXPECT_EQ(r.unfinished, 0);
 }
 
-// The amount of work is fixed. A larger number means that the search has become slower.
+// The amount of work is limited. A larger number means that the search has become slower.
 TEST(Transmission, work) {
   auto arcs = testing::arcs();
   arcs.place.errors.crossing = Angle::radians(2e-4);

@@ -10,18 +10,18 @@ namespace gearwright::detail {
 namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
-constexpr int kMaxSteps = 12;    // of the search of an exact ridge; two or three are usual
+constexpr int kMaxSteps = 12;    // of the search for an exact ridge; two or three are usual
 constexpr double kRidge = 1e-9;  // rad of φ, which changes T by less than 1e-17
 constexpr double kMiss = 0.01;   // of the amplitude: greatest error of the quadratic functions
 constexpr double kMargin = 0.1;  // of the amplitude: greatest error of a crest between two nodes
-constexpr double kSteep = 0.5;   // of the curvature of the smooth flanks, above which T may have
-                                 // several maxima over the profile
-constexpr int kAcross = 5;       // places of the profile among which a maximum is sought then
+constexpr double kSteep = 0.5;   // curvature of the waves relative to that of the smooth flanks,
+                                 // above which T may have several maxima over the profile
+constexpr int kAcross = 5;       // points of the profile that are then examined for maxima
 constexpr int kPerWave = 6;      // nodes
 constexpr int kLeastNodes = 7;
-constexpr double kBeyondPath = 0.2;  // of the path of contact, searched beyond each of its ends
+constexpr double kBeyondPath = 0.2;  // of the path of contact: range searched beyond each end
 
-// L at ln ρ = u, for the field of a gear. Without a field, it is the radius.
+// The length L = √(ρ² − r_b²) at ln ρ = u. On a gear without a field, L is the radius ρ.
 double roll_at(const FlankPatch& f, double u) {
   const double r0 = f.removal ? f.removal->base_radius() : 0.0;
   return std::sqrt(std::max(0.0, std::exp(2 * u) - r0 * r0));
@@ -32,7 +32,7 @@ double base_radius(const FlankPatch& f) {
   return std::abs(f.profile.at(s).factor) / std::hypot(1.0, s);
 }
 
-// Phase of a wave per mm of L (0) or of z (1); 0 without such a wave.
+// Phase of a wave per mm, along L (direction 0) or along z (direction 1); 0 without such a wave.
 double rate_of(const FlankPatch& f, std::size_t direction) {
   if (!f.removal) return 0.0;
   const auto& first = f.removal->pieces().front();
@@ -51,8 +51,8 @@ bool suits(const FlankPatch& f) {
   return f.profile.is_involute() && !(f.removal && f.removal->has_topography());
 }
 
-// A wave over the profile as a complex number that turns from place to place. The imaginary part of `at`
-// is the sine.
+// A wave over the profile, as a complex number whose phase advances from point to point. The
+// imaginary part of `at` is the sine.
 struct Phasor {
   Complex at{}, turn{}, faster{};
 };
@@ -65,7 +65,7 @@ Complex unit_of(const FlankPatch& f, double rate, double L) {
 }
 
 Complex turn_by(double angle) { return {std::cos(angle), std::sin(angle)}; }
-// The same to the second order of the angle.
+// As turn_by(), to the second order of the angle.
 Complex turn_by_little(double angle) { return {1.0 - 0.5 * angle * angle, angle}; }
 
 }  // namespace
@@ -136,9 +136,9 @@ bool WaveCrests::make(const ContactPair& pair) {
   z_half_ = 0.5 * (z_hi_ - z_lo_);
   roll2_lo_ = roll_at(two_, two_.u_lo);
   roll2_hi_ = roll_at(two_, two_.u_hi);
-  // The part of flank 1 that meets flank 2: without errors, L_1 + L_2 is the distance A of the base
-  // tangent points, and for an internal gear L_2 − L_1. The ridge on the centre line has the roll angle
-  // s_w.
+  // The part of flank 1 that meets flank 2. Without errors, L_1 + L_2 (L_2 − L_1 for an internal
+  // gear) is the distance of the base tangent points. The ridge on the centre line has the roll
+  // angle s_w.
   const double r_b1 = base_radius(one_), r_b2 = base_radius(two_);
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double sign = pair.internal() ? -1.0 : 1.0;
@@ -150,7 +150,8 @@ bool WaveCrests::make(const ContactPair& pair) {
   double from = std::max(one_.s_lo, least);
   double to = std::min(one_.s_hi, greatest);
   if (!(from < to)) {
-    // Beyond its path, an edge may carry for a short way; then the whole flank is searched.
+    // An edge may touch a little beyond the path of contact. The whole flank is searched in this
+    // case.
     if (from - to < kBeyondPath * (greatest - least)) return false;
     z_hi_ = z_lo_;
     return true;
@@ -280,8 +281,8 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   const double roll2 = at_x(roll2_.along_x(y), x);
   const double roll2_s = at_x(roll2_s_.along_x(y), x);
   const double roll2_ss = at_x(roll2_ss_.along_x(y), x);
-  // The places of flank 1 that lie opposite the ends of flank 2. An end that the parabola does not reach is
-  // at its vertex.
+  // The points of flank 1 that lie opposite the ends of flank 2. If the parabola does not reach an
+  // end, its vertex is used.
   const auto opposite = [&](double end) {
     const double rest = end - roll2;
     const double root = roll2_s * roll2_s + 2 * roll2_ss * rest;
@@ -294,7 +295,7 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   n.z = z;
   n.inside = std::min(ridge - lo, hi - ridge);
   if (lo > hi) return n;
-  // At s, the slope of T is nearly the curvature there times the distance from the ridge.
+  // The slope of T is nearly the curvature of T at the ridge times the distance from the ridge.
   const auto bends = bend_.along_x(y);
   const double bend = at_x(bends, x);
   const double bend_s = (bends[1] + 2 * bends[2] * x) / s_half_;
@@ -307,7 +308,8 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   const double first = std::max(lo, start - reach);
   const double step = (std::min(hi, start + reach) - first) / (kAcross - 1);
   const int places = step > 0.0 ? kAcross : 1;
-  // The waves at equal steps of s: their phases turn by an angle that is constant, or grows evenly.
+  // At equal steps of s, the phase of the wave of flank 1 advances by a constant angle, and the
+  // phase of the wave of flank 2 by an angle that grows linearly.
   double d = first - ridge;
   std::array<Phasor, 2> waves;
   if (wave_[0].height > 0.0)

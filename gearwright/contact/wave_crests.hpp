@@ -1,14 +1,15 @@
-// The places at which teeth with form waves can touch, in closed form. Each wave has several crests, so
-// T has many local maxima, and a search of the whole flank from scratch costs hundreds of evaluations.
+// The places at which teeth with form waves can touch, in closed form. Each wave has several
+// crests, so T has many local maxima, and a search of the whole flank from scratch costs hundreds
+// of evaluations.
 //
 //   ridge    the greatest T over the profile, as a function of the height z
 //   x, y     place on flank 1 along s and z, −1 to 1 over the part that lies opposite flank 2
 //   φ        rotation of gear 1 at which the smooth flanks have their ridge at (x, y)
 //                                    theory: docs/theory/08-contact.md, [T8.28]
 //
-// On involutes with parallel axes, φ, the T of the smooth flanks, and the place on flank 2 are quadratic
-// functions of x and of y up to a small fraction of a micron. They are interpolated from nine exact
-// ridges. The waves are added in closed form, with one Newton step along the profile.
+// On involutes with parallel axes, φ, the T of the smooth flanks, and the place on flank 2 are
+// quadratic functions of x and of y up to a small fraction of a micron. They are interpolated from
+// nine exact ridges. The waves are added in closed form, with one Newton step along the profile.
 //
 // Internal to contact/.
 #pragma once
@@ -23,9 +24,9 @@ namespace gearwright::detail {
 
 class WaveCrests {
  public:
-  /// None if no wave exists, if a flank is no involute or has a topography, on crossed axes, if the waves
-  /// are so steep that T has several maxima along the profile, or if the quadratic functions miss the
-  /// exact ridges at the corners by more than a hundredth of the waves.
+  /// None if no wave exists, if a flank is not an involute or has a topography, if the axes cross,
+  /// if an exact ridge cannot be computed, or if the error of the quadratic functions half way
+  /// between the exact ridges exceeds a hundredth of the amplitude of the waves.
   static std::optional<WaveCrests> of(const ContactPair& pair, const FlankPatch& one,
                                       const FlankPatch& two);
 
@@ -34,8 +35,8 @@ class WaveCrests {
     double te;    ///< T  rad, as estimated
     double s, z;  ///< on flank 1
   };
-  /// The crests of tooth pair 0 at a rotation, in order of z. Those whose T cannot reach `least` may be
-  /// missing.
+  /// The crests of tooth pair 0 at a rotation, in order of z. Those whose T cannot reach `least`
+  /// may be missing.
   ///
   /// Accuracy  margin() in T
   std::vector<Crest> at(double phi, double least) const;
@@ -56,20 +57,20 @@ class WaveCrests {
   };
   struct Node {
     double te = 0.0, s = 0.0, z = 0.0;
-    double aside = 0.0;   // s minus that of the smooth ridge
+    double aside = 0.0;   // s minus s of the smooth ridge
     double inside = 0.0;  // distance of the smooth ridge from the nearest end of D in s, > 0 inside
     bool outside = true;  // true if D is empty here, or if T cannot reach the required value
   };
   std::optional<Ridge> solve(GapField& field, double s, double z, double phi) const;
   bool make(const ContactPair& pair);
   Node node(double phi, double z, double along_face, double least) const;
-  double along_face(double z) const;  // rad: the waves over the face
+  double along_face(double z) const;  // rad: effect of the waves over the face
 
   WaveCrests(const FlankPatch& one, const FlankPatch& two) : one_(one), two_(two) {}
 
   FlankPatch one_, two_;
-  double s_mid_ = 0.0, s_half_ = 1.0;  // of x
-  double z_mid_ = 0.0, z_half_ = 1.0;  // of y
+  double s_mid_ = 0.0, s_half_ = 1.0;  // middle and half range of s, for x
+  double z_mid_ = 0.0, z_half_ = 1.0;  // middle and half range of z, for y
   double z_lo_ = 0.0, z_hi_ = 0.0, z_shift_ = 0.0;
   double phi_lo_ = 0.0, phi_hi_ = 0.0;
   double roll2_lo_ = 0.0, roll2_hi_ = 0.0;
