@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 constexpr int kMost = 200;
 constexpr int kOneByOne =
-    30;  // after so many steps, one position changes per step, which stops cycles
+    30;  // after this many steps, only one position changes per step, which prevents cycles
 constexpr double kStill = 1e-11;     // last step, relative to the greatest load
 constexpr double kRounding = 1e-14;  // rounding error of a step, relative to the cancelling terms
 constexpr double kRough = 1e-3;  // largest accepted rounding error, relative to the greatest load

@@ -1,8 +1,9 @@
-// Computes the loads of elastic bodies at their possible contact positions. Each position has either
-// a load and no gap, or a gap and no load.
+// Computes the loads of elastic bodies at their possible contact positions. Each position has
+// either a load and no gap, or a gap and no load.
 //
-//   w_i(p) + g_i − Θ arm_i = s_i,   p_i ≥ 0,  s_i ≥ 0,  p_i s_i = 0,   Σ p_i Δ arm_i = M2  [T12.2], [T12.3]
-//   w_i = Σ_j A_ij p_j + λ ln(a0/a_i) p_i,    a_i = √(4 p_i R_i/(π E*))                       [T12.12]
+//   w_i(p) + g_i − Θ arm_i = s_i,   p_i ≥ 0,  s_i ≥ 0,  p_i s_i = 0,   Σ p_i Δ arm_i = M2
+//                                                                            [T12.2], [T12.3]
+//   w_i = Σ_j A_ij p_j + λ ln(a0/a_i) p_i,    a_i = √(4 p_i R_i/(π E*))      [T12.12]
 //
 // An active set method with Newton steps [T12.14] removes positions with tension and adds positions
 // at which the bodies overlap. The solution is unique, because A is symmetric and positive definite
@@ -28,8 +29,8 @@ struct ContactProblem {
 
 struct ContactSolution {
   enum class Stop {
-    /// No position changed, and the last step was below 1e-11 of the greatest load or below the rounding
-    /// error of the cancelling gaps (at most a thousandth of the greatest load).
+    /// No position changed, and the last step was below 1e-11 of the greatest load or below the
+    /// rounding error of the cancelling gaps (at most a thousandth of the greatest load).
     converged,
     indefinite,  ///< A is indefinite, because the slices are too fine for the contact width
     too_long     ///< the limit of steps was reached
@@ -45,7 +46,8 @@ struct ContactSolution {
 };
 
 /// The iteration starts from the loads `start`, N/mm, such as the solution of a similar problem. If
-/// `start` is empty, all positions start with the same load. The start changes the solution by rounding only.
+/// `start` is empty, all positions start with the same load. The start changes the solution by
+/// rounding only.
 ///
 /// Domain    at least one position; moment > 0; one start load ≥ 0 for each position (contract)
 ContactSolution solve_contact(const ContactProblem& problem, const Eigen::VectorXd& start = {});

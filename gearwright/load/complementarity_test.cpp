@@ -1,6 +1,6 @@
-// The active set is compared with a slow search that shares no code with it: non-negative least
-// squares by Lawson and Hanson on the dual, over random places. The laws of the result are tested
-// too.
+// The active set is compared with a slow search that shares no code with it, non-negative least
+// squares by Lawson and Hanson on the dual problem, for random positions. The laws of the result
+// are tested too.
 #include "gearwright/load/complementarity.hpp"
 
 #include <gtest/gtest.h>
@@ -31,8 +31,9 @@ ContactProblem random_problem(unsigned seed, int n) {
   return q;
 }
 
-// Least ½ pᵀA p + gᵀp under Σ p arm = M, p ≥ 0, as non-negative least squares: with A = LLᵀ it is
-// |Lᵀp + L⁻¹g|². The moment is an additional row with a large weight.
+// Minimises ½ pᵀA p + gᵀp under Σ p arm = M and p ≥ 0 by non-negative least squares. With A = LLᵀ,
+// the objective is ½ |Lᵀp + L⁻¹g|² plus a constant. The moment is an additional row with a large
+// weight.
 VectorXd least_squares_answer(const ContactProblem& q) {
   const auto n = q.gap.size();
   const Eigen::LLT<MatrixXd> llt(q.yield);
@@ -94,7 +95,7 @@ TEST(Complementarity, HoldsItsConditions) {
   for (unsigned seed = 0; seed < 500; ++seed) {
     ContactProblem q = random_problem(1000 + seed, 2 + static_cast<int>(seed % 40));
     q.local = 2e-7;
-    q.half_width = 3.0;  // far above every width, so the local term increases with the load
+    q.half_width = 3.0;  // far above every contact width, so the local term increases with the load
     q.reduced_modulus = 1.1e5;
     const ContactSolution x = solve_contact(q);
     ASSERT_TRUE(x.found()) << seed;

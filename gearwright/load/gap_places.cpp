@@ -17,7 +17,7 @@ constexpr double kBorderRounding =
 constexpr double kSameGap =
     1e-13;  // rad: two patches with a smaller difference of T have the same gap
 constexpr double kFarFromMesh =
-    0.6;  // rad from the line of centres, beyond which no flanks face each other
+    0.6;  // rad from the line of centres: flanks at a greater angle do not face each other
 
 double row_of(const FlankPatch& a, int i) {
   return a.s_lo + (a.s_hi - a.s_lo) * i / (GapSearch::kRows - 1);
@@ -42,9 +42,9 @@ double curvature(const GapJet& j) {
   return mean + std::sqrt(std::max(0.0, mean * mean - product));
 }
 
-// True if the gap at `a` is less than the gap at `b`. At the start of a relief, both patches have the
-// same gap up to rounding. The edge between the two patches is sharper than each patch, so the place
-// with the greater curvature is used.
+// True if the gap at `a` is less than the gap at `b`. At the start of a relief, both patches have
+// the same gap up to rounding. The edge between the two patches is sharper than each patch, so the
+// place with the greater curvature is used.
 bool nearer(const GapPlace& a, const GapPlace& b) {
   if (std::abs(a.te - b.te) > kSameGap) return a.te > b.te;
   return a.curvature > b.curvature;
@@ -72,8 +72,8 @@ Margin margin(const FlankPatch& b, const GapJet& j) {
                            [](const Margin& x, const Margin& y) { return x.v < y.v; });
 }
 
-// The last point inside the other flank, up to rounding, between `good`, which is inside, and `bad`,
-// which is outside.
+// The last point inside the other flank, up to rounding, between `good`, a point inside, and `bad`,
+// a point outside.
 template <class At>
 double last_inside(const FlankPatch& b, const At& at, double good, double bad, double rounding) {
   const double border = newton_in_bracket<double>(
@@ -143,8 +143,8 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
     highest = te;
   }
   if (best < 0) return std::nullopt;
-  // The gap is least between the best row and the next row in the direction in which T increases, or
-  // the border of flank 2 before that row.
+  // The gap is least between the best row and the next row in the direction in which T increases,
+  // or the border of flank 2 before that row.
   const double s = row(best);
   GapJet j = at(s);
   double reached = s;

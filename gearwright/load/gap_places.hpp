@@ -27,14 +27,13 @@ struct GapPlace {
 };
 
 struct PairPlaces {
-  int pair = 0;  ///< k in N
-  double turn =
-      0.0;  ///< φ1 − k·pitch  rad, rotation of this tooth pair; it increases towards the end of contact
+  int pair = 0;       ///< k in N
+  double turn = 0.0;  ///< φ1 − k·pitch  rad, rotation of this tooth pair; increases during the mesh
   std::vector<std::optional<GapPlace>>
       at;  ///< by slice; empty if the flanks do not face each other there
 };
 
-/// Searches the place with the least gap for each tooth pair and slice.
+/// Finds the position with the least gap for each tooth pair and slice.
 class GapSearch {
  public:
   static constexpr int kRows = 17;  ///< number of points on a profile at which the search starts
@@ -43,8 +42,8 @@ class GapSearch {
   const std::vector<double>& heights() const { return heights_; }
   /// All tooth pairs whose flanks face each other in at least one slice, at a rotation in N.
   ///
-  /// Accuracy  te is within 1e-13 rad of the greatest T over the profile. If the part of flank 1 that faces
-  ///           flank 2 lies between two neighbouring rows, it is not found
+  /// Accuracy  te is within 1e-13 rad of the greatest T over the profile. The part of flank 1 that
+  ///           faces flank 2 is overlooked if it lies between two neighbouring rows
   std::vector<PairPlaces> places(double rotation);
   /// ∂te/∂e at the place of a slice, rad per unit of the influence.
   ///

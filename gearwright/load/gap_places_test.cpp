@@ -1,4 +1,4 @@
-// The nearest places of flanks against a scan of the whole profile, and against closed forms.
+// The positions of least gap are compared with a scan of the whole profile and with closed forms.
 #include "gearwright/load/gap_places.hpp"
 
 #include <gtest/gtest.h>
@@ -63,10 +63,10 @@ const std::vector<double> kHeights{-9.5, -8.9, -4.0, 0.3, 6.0, 8.5};
 struct Scanned {
   double te = -1e300;
   GapJet jet;
-  double share = 0.0;  // of flank 1 that lies inside flank 2
+  double share = 0.0;  // fraction of flank 1 that lies inside flank 2
 };
 
-// The greatest angle at one height over the parts of flank 1 that lie inside flank 2, on grids that
+// The greatest T at one height over the parts of flank 1 that lie inside flank 2, on grids that
 // become finer about the best point.
 std::optional<Scanned> scanned(const ContactPair& pair, double turn, double z) {
   std::optional<Scanned> best;
@@ -134,7 +134,8 @@ TEST(GapPlaces, AreThoseOfAScan) {
   EXPECT_GT(edges, 100);
 }
 
-// An edge touches where the radius is that of a tip or of the end of a flank, and nowhere else.
+// The kind of a position is an edge if and only if its radius is that of a tip or of an end of a
+// flank.
 TEST(GapPlaces, EdgesLieAtTheEndsOfTheFlanks) {
   std::array<int, 4> seen{};
   for (const Case& c : cases()) {
@@ -166,8 +167,9 @@ TEST(GapPlaces, EdgesLieAtTheEndsOfTheFlanks) {
   for (const int n : seen) EXPECT_GE(n, 10);
 }
 
-// Involutes on parallel axes: no gap anywhere on the plane of action, the arm is r_b2 cos β_b, and
-// the curvature of the gap across the line is cos β_b (1/L_1 ± 1/L_2), L the roll lengths.
+// For involutes on parallel axes, there is no gap on the plane of action, the arm is r_b2 cos β_b,
+// and the curvature of the gap across the contact line is cos β_b (1/L_1 ± 1/L_2), where
+// L = √(ρ² − r_b²).
 TEST(GapPlaces, InvolutesHaveTheirClosedForms) {
   int lines = 0;
   for (const auto& [z2, beta] : {std::pair{43, 0.0}, {43, 18.0}, {-61, 0.0}, {-61, 15.0}}) {
@@ -193,7 +195,7 @@ TEST(GapPlaces, InvolutesHaveTheirClosedForms) {
 }
 
 // Where a tip relief begins, both patches have the same gap up to rounding. The curvature there is
-// that of the same patch at every rotation, so it changes little from one rotation to the next.
+// always taken from the same patch, so it changes little from one rotation to the next.
 TEST(GapPlaces, TheStartOfAReliefHasOneCurvature) {
   for (const int which : {1, 2}) {
     SamplePair drawn = involutes(19, 43, 18.0);
@@ -218,8 +220,8 @@ TEST(GapPlaces, TheStartOfAReliefHasOneCurvature) {
   }
 }
 
-// The slopes by modifications against differences. A place at the start of a relief has another
-// slope on either side.
+// The slopes by modifications are compared with differences. Positions that move to another patch
+// are left out, because the slope changes at the start of a relief.
 TEST(GapPlaces, SlopesAreThoseOfDifferences) {
   using P = RemovalField::Parameter;
   struct Change {
@@ -255,7 +257,7 @@ TEST(GapPlaces, SlopesAreThoseOfDifferences) {
           for (std::size_t i = 0; i < kHeights.size(); ++i) {
             const auto &a = here[k].at[i], &b = there[k].at[i], &d = back[k].at[i];
             if (!a || !b || !d || b->patches != d->patches || b->kind != d->kind) continue;
-            if (std::abs(b->s - d->s) > 0.1) continue;  // another maximum
+            if (std::abs(b->s - d->s) > 0.1) continue;  // moved to another maximum
             ++compared;
             EXPECT_NEAR(search.slope(here[k], i, influence), (b->te - d->te) / (2 * kStep), 2e-6)
                 << c.name << ", gear " << gear << ", height " << kHeights[i] << ", pair " << k;

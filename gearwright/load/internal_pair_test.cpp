@@ -22,7 +22,8 @@ using testing::run;
 constexpr int kPositions = 8;
 constexpr int kSlices = 12;
 
-// A pinion of 25 teeth in a ring of 65 teeth, whose tip does not reach the root of the pinion.
+// A pinion with 25 teeth and an internal gear with 65 teeth, whose tips are shortened so that they
+// do not reach the root of the pinion.
 Drive internal_drive(double helix_deg, double face = 30.0, double module = 3.0) {
   const auto spec = [&](int teeth) {
     CylindricalSpec s = testing::plain_spec(
@@ -164,8 +165,8 @@ TEST(LoadedInternalPair, TeethOfARingYieldSymmetricallyAndPositively) {
   }
 }
 
-// The same computation with twenty waves, ten along the helix, modes kept to 1e-5 and seven real
-// teeth instead of five.
+// The reference values were computed with a finer model: twenty waves, ten waves along the helix,
+// modes kept to 1e-5, and seven elastic teeth instead of five.
 TEST(LoadedInternalPair, OfHelicalTeethIsConverged) {
   const auto spec = [](int teeth, double shift, double face) {
     CylindricalSpec s = testing::plain_spec(
@@ -194,7 +195,7 @@ TEST(LoadedInternalPair, OfHelicalTeethIsConverged) {
   EXPECT_NEAR(t.max_pressure, 1214.51, 0.001 * 1214.51);
 }
 
-// The default number of slices is never too large, although 32 is.
+// The default number of slices is never too large, although 32 slices would be.
 TEST(LoadedInternalPair, FairSlicesAreWiderThanTheContact) {
   for (const double helix : {0.0, 15.0, 30.0}) {
     const Drive d = internal_drive(helix, 24);
@@ -207,8 +208,8 @@ TEST(LoadedInternalPair, FairSlicesAreWiderThanTheContact) {
   }
 }
 
-// The sections of both gears turn in the direction of their flanks. The contact line has the same
-// length on either gear as in the plane of action.
+// The sections of both gears turn in the same sense as their flanks, so that the contact line has
+// the same length on either gear as in the plane of action.
 TEST(LoadedInternalPair, ContactLinesLieOnBothFlanks) {
   for (const double helix : {15.0, -15.0}) {
     const Drive d = internal_drive(helix);

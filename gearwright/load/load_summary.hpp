@@ -20,7 +20,7 @@ struct LoadStandard {
 struct SummaryBasis {
   double face;         ///< b  mm, common face width
   double base_radius;  ///< r_b1  mm
-  double body_twist;   ///< mm per N/mm, sum of both bodies
+  double body_twist;   ///< mm per N/mm, sum of the twist of both bodies
   bool whole_pitch;    ///< true if the positions are evenly spaced over one pitch
   LoadRegime regime;   ///< for point contact, only `whole_pitch` is used
 };

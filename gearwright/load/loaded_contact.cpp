@@ -78,7 +78,7 @@ void LoadedTurn::solve(std::size_t from, std::size_t to) {
                                        : solve_with<PositionSolver>(from, to);
 }
 
-// Every position is computed independently, so the distribution among threads has no influence.
+// Every position is computed independently, so the result does not depend on the number of threads.
 template <class Solver>
 void LoadedTurn::solve_with(std::size_t from, std::size_t to) {
   Solver solver(pair_, one_, two_, compliance_, request_);

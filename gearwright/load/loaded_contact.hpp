@@ -1,5 +1,5 @@
-// Computes the loaded tooth contact of a mounted pair of cylindrical gears, which rotates through one
-// pitch under torque.
+// Computes the loaded tooth contact of a mounted pair of cylindrical gears, which rotates through
+// one pitch under torque.
 //
 //   Θ    rad, additional rotation of gear 2 due to the deflection of the teeth
 //   approach   Θ r_b2, along the line of action in the transverse section
@@ -39,7 +39,7 @@ struct LoadedPoint {
 /// One tooth pair in contact at one position; for point contact, one contact point of the pair.
 struct LoadedPair {
   int pair = 0;               ///< k in N
-  double share = 0.0;         ///< part of the whole load
+  double share = 0.0;         ///< fraction of the total load
   LoadedPoint point{};        ///< for point contact; the members below are for line contact
   Eigen::VectorXd line_load;  ///< N/mm, force per length of the contact line, by slice from −z on
   Eigen::VectorXd pressure;   ///< MPa, Hertz [T12.13]; 0 without contact
@@ -79,7 +79,8 @@ struct LoadedTorque {
   double torque = 0.0;  ///< N mm
   std::vector<LoadedPosition> positions;
   Angle peak_to_peak = Angle::radians(LoadedPosition::kNone);
-  /// Harmonics need the whole pitch, so this is empty for given rotations and if any position is not solved.
+  /// Empty if the caller gave rotations or if a position is not solved, because harmonics require a
+  /// whole pitch.
   std::vector<Angle> harmonics{};
   struct Stiffness {
     /// N/(mm µm), for point contact N/µm; `mean` is the load divided by the mean approach
@@ -101,8 +102,8 @@ struct LoadedTorque {
   /// The greatest principal stress of each gear over the positions, MPa: a row per root point, a
   /// column per slice from −z on; 0 without tension.
   std::array<Eigen::MatrixXd, 2> root_stress;
-  /// The least principal stress at the same points, MPa, 0 without compression. A fillet is compressed
-  /// while neighbouring teeth carry load.
+  /// The least principal stress at the same points, MPa, 0 without compression. A fillet is
+  /// compressed while neighbouring teeth carry load.
   std::array<Eigen::MatrixXd, 2> least_root_stress;
   /// The value of `least_root_stress` at the point with the greatest `root_stress`, MPa.
   std::array<double, 2> least_at_max{LoadedPosition::kNone, LoadedPosition::kNone};
@@ -121,16 +122,17 @@ struct LoadedContact {
   bool slices_too_fine = false;
 };
 
-/// K_Hα refers to the load shares of `perfect`, which is the same pair without mounting errors and
-/// deflections. `perfect` is null if `pair` has no errors and there are no deflections.
+/// K_Hα refers to the load shares of `perfect`, the same pair without mounting errors and
+/// deflections. `perfect` is null if `pair` itself has no errors and no deflections.
 ///
 /// Domain    `pair` consists of `gear_1` and `gear_2`; torques > 0 (contract)
 LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
                              const PairCompliance& compliance, const LoadRequest& request,
                              const ContactPair* perfect = nullptr);
 
-/// Performs the computation of loaded_contact() in parts. solve() may be called for the ranges of
-/// positions in any order and from several threads, before result(). The inputs must outlive the object.
+/// Performs the computation of loaded_contact() in parts. The caller must call solve() for ranges
+/// that cover all positions, in any order and from any threads, before result(). The inputs must
+/// outlive the object.
 class LoadedTurn {
  public:
   LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,

@@ -19,8 +19,8 @@ using testing::Drive;
 using testing::kE;
 using testing::run;
 
-// The type is not an aggregate, because C++20 would accept a part of the members and set the others
-// to 0.
+// If the type were an aggregate, C++20 would accept values for only some of its members and set the
+// others to 0.
 static_assert(!std::is_constructible_v<LoadedContact, std::vector<LoadedTorque>>);
 
 Drive external_drive(double helix_deg, double face, double module = 3.0) {
@@ -50,9 +50,10 @@ double moment_of(const LoadedPosition& p, double length, double arm) {
   return sum;
 }
 
-// PAIR2D-25: two fine finite-element gears in plane strain, node-to-node contact without a Hertz
-// formula; E = 206 000, m = 3, 100 N/mm. A face of 120 modules is nearly plane strain in the
-// middle: its ends make it softer by 0.12 %.
+// The reference PAIR2D-25 is a contact computation of two gears with a fine finite-element mesh in
+// plane strain, with node-to-node contact and without a Hertz formula, for E = 206 000 MPa,
+// m = 3 mm and 100 N/mm. A face of 120 modules is nearly in plane strain, but its ends make it
+// softer by 0.12 %.
 TEST(LoadedContact, AgreesWithTwoGearsOfFiniteElements) {
   const double face = 360.0;
   const Drive m = external_drive(0, face);
@@ -103,7 +104,7 @@ TEST(LoadedContact, CarriesTheTorque) {
   }
 }
 
-// As on a page, the tables are kept, and positions are computed one by one in any order.
+// As in the web page, the tables are reused, and positions are computed one at a time in any order.
 TEST(LoadedContact, InPiecesIsTheSameToTheLastBit) {
   const Drive m = external_drive(12, 30);
   LoadRequest r = request_of();
@@ -156,7 +157,7 @@ TEST(LoadedContact, TablesAreThoseOfTheTeethAlone) {
   EXPECT_FALSE(same_compliance(gears, r, {&steeper.one, &steeper.two}, r, 2));
 }
 
-// Rigid teeth, and teeth with a very small load, have the results of contact.
+// Rigid teeth, and teeth with a very small load, give the results of unloaded contact.
 TEST(LoadedContact, StiffOrIdleTeethAreThoseOfContact) {
   const Drive m = external_drive(12, 30);
   const auto rigid = analyse_contact(m.pair(), {.positions = 8});
@@ -229,9 +230,9 @@ TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
   EXPECT_LT(a.torques[0].positions[0].te.rad(), 0.0);
 }
 
-// FE2D-ROOT: converged triangles with the load at the outer point of single contact give σ_F b
-// m_n/F_t = 2.797 for two gears of 25 teeth. The ends of a real face are free, but its middle is in
-// plane strain.
+// The reference FE2D-ROOT, a converged mesh of triangles with the load at the outer point of single
+// contact, gives σ_F b m_n/F_t = 2.797 for two gears with 25 teeth. The ends of a real face are
+// free, but its middle is in plane strain.
 TEST(LoadedContact, RootStressAgreesWithTriangles) {
   const double face = 180.0;
   const Drive m = external_drive(0, face);
@@ -263,9 +264,10 @@ TEST(LoadedContact, ACornerCarriesWhenTheTorqueIsSmall) {
   EXPECT_GT(answer.torques[1].face_load_factor, 1.3);
 }
 
-// The same computation with twenty waves, ten along the helix, modes kept to 1e-5 and seven real
-// teeth instead of five; shafts at half the root diameter. Coupling that stopped at the neighbour
-// gave a peak to peak of 2.85", and modes without waves along the helix a root stress of 257 MPa.
+// The reference values were computed with a finer model: twenty waves, ten waves along the helix,
+// modes kept to 1e-5, and seven elastic teeth instead of five. The bores are half of the root
+// diameters. If coupling ended at the neighbouring teeth, the peak to peak would be 2.85". Without
+// the waves along the helix, the root stress would be 257 MPa.
 TEST(LoadedContact, OfHelicalTeethIsConverged) {
   const auto gear = [](int teeth, double face, double helix) {
     CylindricalSpec s =
@@ -305,9 +307,7 @@ TEST(LoadedContact, SlicesCountFromOneEndForBothDrivers) {
   EXPECT_LT((along[0] - along[1]).cwiseAbs().maxCoeff(), 1e-9 * along[0].maxCoeff());
 }
 
-// Too many slices make the matrix indefinite, and the result contains that error. The default
-// number never does. The greatest tooth load, as the sum over all points of the separate results of
-// both pairs.
+// The greatest fraction of the load that a single tooth pair carries, computed from the line loads.
 double greatest_share(const LoadedTorque& t) {
   double greatest = 0.0;
   for (const LoadedPosition& p : t.positions) {
@@ -346,8 +346,7 @@ TEST(LoadedContact, TransverseLoadFactorComparesWithThePairWithoutErrors) {
   }
 }
 
-// If a single pair carries the whole load at some positions, with errors and without, load sharing
-// is no worse.
+// If a single pair carries the whole load at some positions, with errors and without, K_Hα is 1.
 TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
   Drive m = external_drive(0, 30);
   LoadRequest r = request_of();
@@ -361,8 +360,8 @@ TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
   EXPECT_DOUBLE_EQ(with.torques[0].transverse_load_factor, 1.0);
 }
 
-// While the neighbouring teeth carry the load, a fillet is compressed, by less than its tension
-// under the load of its own tooth. If no stress was requested, there is no compression either.
+// While the neighbouring teeth carry the load, a fillet is compressed, but by less than its tension
+// under the load of its own tooth.
 TEST(LoadedContact, NeighboursThatBearPressTheFillet) {
   for (const double helix : {0.0, 15.0}) {
     const Drive m = external_drive(helix, 30);

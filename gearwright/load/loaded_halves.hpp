@@ -12,14 +12,15 @@
 
 namespace gearwright {
 
-/// The result of the half at z < 0, computed from the result of its mirror image in the plane z = 0.
-/// Values along the face are put into the order of z, and `behind` is subtracted from the rotations.
-/// `whole_pitch` is true if the positions are evenly spaced over one pitch.
+/// The result of the half at z < 0, computed from the result of its mirror image in the plane
+/// z = 0. Values along the face are put into the order of z, and `behind` is subtracted from the
+/// rotations. `whole_pitch` is true if the positions are evenly spaced over one pitch.
 LoadedContact second_half(LoadedContact image, Angle behind, bool whole_pitch);
 
-/// The result for the whole gears under twice the torque of a half. Maxima are taken over both halves.
-/// Values along the face, the shares of the tooth pairs and stress fields are left empty, because the
-/// results of the halves contain them. `base_radius` is r_b1, mm, and is used for line contact.
+/// The result for the whole gears under twice the torque of a half. Maxima are taken over both
+/// halves. Values along the face, the shares of the tooth pairs and stress fields are left empty,
+/// because the results of the halves contain them. `base_radius` is r_b1, mm, and is used for line
+/// contact.
 ///
 /// Formula   [T12.26]
 /// Domain    the same torques and rotations in both halves (contract)

@@ -1,7 +1,7 @@
 // Computes the loads of a pair at one rotation: the possible contact positions, the compliance
 // between them, and their loads under a torque.
 //
-// Internal to load/.                   theory: docs/theory/12-loaded-contact.md, [T12.1] to [T12.15]
+// Internal to load/.        theory: docs/theory/12-loaded-contact.md, [T12.1] to [T12.15]
 #pragma once
 
 #include <array>
@@ -51,7 +51,8 @@ class PositionSolver {
   double slope(const PairPlaces& pair, int slice, const Influence& influence) {
     return search_.slope(pair, static_cast<std::size_t>(slice), influence);
   }
-  /// Solves the contact problem and adds the root stresses to `swing`. If the slices are too fine, sets `too_fine`.
+  /// Solves the contact problem and adds the root stresses to `swing`. If the slices are too fine,
+  /// sets `too_fine`.
   LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
                        RootStress& swing) const;
   /// The greatest share of a single tooth pair; NaN if the forces do not converge.

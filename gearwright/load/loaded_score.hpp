@@ -16,8 +16,8 @@ struct LoadedScore {
   bool edge_carries = false;
 };
 
-/// One score for each torque. The list is empty if no teeth touch at some position, if a position does
-/// not converge, or if the slices are too fine for the contact.
+/// One score for each torque. The list is empty if no teeth touch at some position, if a position
+/// does not converge, or if the slices are too fine for the contact.
 std::vector<LoadedScore> loaded_scores(const LoadedContact& contact);
 
 /// The score if there is no result.
@@ -25,7 +25,8 @@ LoadedScore no_score();
 /// The worse value of `a` and `b` for each member. NaN is worse than any number.
 LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b);
 
-/// The effect of corrections under a torque. Each member of a score is the worst value over all scenarios.
+/// The effect of corrections under a torque. Each member of a score is the worst value over all
+/// scenarios.
 struct AimedLoad {
   double torque;  ///< N mm
   LoadedScore before, after;

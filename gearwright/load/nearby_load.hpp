@@ -2,7 +2,7 @@
 // search for the places of least gap.
 //
 //   T_i, arm_i   gap angle and arm of place i [T12.1]      e   amounts of influences
-//   g_i(e) = (TE − T_i − Σ ∂T_i/∂e δe) arm_i               theory: docs/theory/14-scatter.md, [T14.25]
+//   g_i(e) = (TE − T_i − Σ ∂T_i/∂e δe) arm_i        theory: docs/theory/14-scatter.md, [T14.25]
 //
 // Most of the computing time of a position is needed to find the places and the compliance between
 // them. The places move when the flanks change. The gap is corrected to first order, but compliance
@@ -22,7 +22,8 @@ class NearbyLoad {
  public:
   /// Computes the positions of the request for e = 0, as loaded_contact() does.
   ///
-  /// Domain    LoadRegime::line; a gear whose modification is an influence must have a removal field (contract)
+  /// Domain    LoadRegime::line; a gear whose modification is an influence must have a removal
+  ///           field (contract)
   NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
              const PairCompliance& compliance, const LoadRequest& request,
              std::span<const Influence> influences);
@@ -31,10 +32,12 @@ class NearbyLoad {
     double value;               ///< rad; NaN if a position has no solution
     std::vector<double> slope;  ///< rad per unit of each influence; empty unless requested
   };
-  /// The greatest peak to peak of the loaded TE over the torques of the request, after the changes `change`.
+  /// The greatest peak to peak of the loaded TE over the torques of the request, after the changes
+  /// `change`.
   ///
   /// Domain    one change for each influence (contract)
-  /// Accuracy  without a change as loaded_contact(); otherwise a few percent of the effect of the change
+  /// Accuracy  without a change as loaded_contact(); otherwise a few percent of the effect of the
+  ///           change
   /// Laws      (1) without a change, `value` equals the result of loaded_contact()
   ///           (2) `slope` is the derivative of `value`
   Span span(std::span<const double> change, bool slopes) const;

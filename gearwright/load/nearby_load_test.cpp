@@ -1,5 +1,6 @@
-// Moved gaps: (1) without a change the number of loaded_contact(), (2) slopes are those of
-// differences, (3) a change is nearly that of loaded_contact() for the changed pair.
+// Laws: (1) without a change, `value` equals the result of loaded_contact()   (2) `slope` is the
+// derivative of `value`   (3) the effect of a change is nearly that of loaded_contact() for the
+// changed pair.
 #include "gearwright/load/nearby_load.hpp"
 
 #include <gtest/gtest.h>
@@ -122,7 +123,7 @@ TEST_F(NearbyLoads, SlopesAreThoseOfDifferences) {
   }
 }
 
-// Places that move change compliance and curvature, which are those of e = 0 here.
+// The places of least gap move, but compliance and curvature keep their values for e = 0.
 TEST_F(NearbyLoads, AChangeIsThatOfLoadedContactToAFewPercent) {
   const std::vector<double> um{2, 3, -2, 1.5, 4, -3};
   for (const Teeth& t : all()) {
@@ -133,7 +134,7 @@ TEST_F(NearbyLoads, AChangeIsThatOfLoadedContactToAFewPercent) {
     EXPECT_NEAR(nearby(t, t.setup).span(change, false).value, after,
                 0.06 * std::abs(after - before))
         << t.name << " from " << before;
-    // Around the changed teeth it is exact again.
+    // For e = 0 of the changed teeth, the result is exact again.
     EXPECT_NEAR(nearby(t, changed(t, um)).span(none_, false).value, after, 1e-9 * after) << t.name;
   }
 }

@@ -17,7 +17,8 @@ constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules, wid
 constexpr double kFairWidth = 0.15;  // modules, width of a slice if R is one module
 constexpr int kSlices = 32, kLeastSlices = 4;
 constexpr int kTableSteps = 80;  // approximate count of waves, section parts and positions
-// If tooth and face of both gears are equal to the last bit, one table serves for both.
+// True if tooth and face of both gears are equal to the last bit, so that one table serves for
+// both.
 bool same_tooth(const Gear& a, const Gear& b) {
   constexpr int kPoints = 9;
   const auto& x = a.tooth->outline.arcs;
@@ -54,10 +55,10 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
       face_of({&gear_1, &gear_2}, static_cast<std::size_t>(which - 1), request.regime);
   const double sin_b =
       std::sin(gear_1.spec.helix_angle.rad()) * std::cos(gear_1.spec.normal_pressure_angle.rad());
-  // The loaded flank of the section lies at y > 0. In N, the right flanks of an external pair
-  // touch, so the section is mirrored. N is already mirrored for an internal pair. Its pinion
-  // touches with the left flank, as in the section, and its internal gear touches with the right
-  // flank, so that section is mirrored back.
+  // The loaded flank of the section lies at y > 0. For an external pair, the right flanks touch in
+  // N, so the section is mirrored. For an internal pair, N is mirrored already. The pinion then
+  // touches with the left flank, as in the section. The internal gear touches with the right flank,
+  // so its section is mirrored back.
   const double twist = -gear.side() * gear.twist();
   const auto section = make_tooth_section(gear, twist, request.bodies[which - 1], request.accuracy,
                                           std::nullopt, request.progress);

@@ -1,5 +1,5 @@
-// Computes the compliance of the teeth of a pair, a table for each gear, and of their shafts. It does not
-// depend on torque, errors and modifications.
+// Computes the compliance of the teeth of a pair, with a table for each gear, and of the shafts.
+// The compliance does not depend on torque, errors and modifications.
 //
 // Most of the computing time of a loaded contact is needed for the tables, so a caller with several
 // requests should keep them.
@@ -33,9 +33,9 @@ struct LoadRequest {
   LoadRegime regime = LoadRegime::line;
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   std::array<ElasticBody, 2> bodies{};
-  /// The shafts of the gears, for line contact only; a gear without a shaft has a rigid one.
+  /// The shafts of the gears, for line contact only. A shaft that is not given is rigid.
   std::array<std::optional<Shaft>, 2> shafts{};
-  // A further deflection, for line contact only. It is an approach of the flanks, mm.
+  // An additional deflection, for line contact only, given as an approach of the flanks in mm.
   double deflection_slope = 0.0;   ///< mm, increase from one end of the common face to the other
   double deflection_bow = 0.0;     ///< mm, height of the parabola in the middle of the face
   double deflection_offset = 0.0;  ///< mm, the part that is constant over the face
@@ -49,19 +49,23 @@ struct LoadRequest {
   LoadRequest undeflected() const;
 };
 
-/// A number of slices of the common face that is accurate and not too fine. It is 32, or less if the
-/// slices would be narrower than a quarter of a module (0.4 modules for helical teeth), but at least 4.
-/// Narrower slices may make the matrix of [T12.14] indefinite. This happened with spur teeth at 0.17
-/// modules and below; with 24 random helical pairs, it never happened at 0.36 modules and in a quarter
-/// of them at 0.32. Internal pairs have a wider contact, so their slices are at least four half widths
-/// of contact wide, at the pinion's tip under 125 N/mm per mm of module. With this width, six pairs from
-/// 14:30 to 40:52 had a solution up to 400 MPa at the roots. For point contact, the wider face is divided.
+/// A number of slices of the common face that is accurate and not too fine. It is 32, or less if
+/// the slices would be narrower than a quarter of a module (0.4 modules for helical teeth), but at
+/// least 4.
+/// Narrower slices may make the matrix of [T12.14] indefinite. For spur teeth, this happened at
+/// widths of 0.17 modules and less. For 24 random helical pairs, it never happened at 0.36 modules,
+/// but it happened for a quarter of them at 0.32 modules.
+/// The contact of internal pairs is wider, so their slices are at least four times as wide as the
+/// half width of the contact at the pinion's tip under 125 N/mm per mm of module. With this width,
+/// six pairs with tooth numbers from 14:30 to 40:52 had a solution up to 400 MPa at the roots. For
+/// point contact, the wider face is divided.
 int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime);
 
-/// True if the slices are too narrow for the resolution of modes and elements: below 0.15 modules, or
-/// 0.18 modules for helical teeth. No table is needed for this check. The matrix of [T12.14] is then
-/// indefinite for every torque. None of a dozen pairs (external and internal, draft and full) had a
-/// solution at 0.16 and 0.2 modules. For point contact, the compliance of a place would be negative.
+/// True if the slices are too narrow for the resolution of modes and elements: below 0.15 modules,
+/// or 0.18 modules for helical teeth. No table is needed for this check. The matrix of [T12.14] is
+/// then indefinite for every torque. None of a dozen pairs (external and internal, draft and full)
+/// had a solution at 0.16 and 0.2 modules. For point contact, the compliance of a place would be
+/// negative.
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request);
 
 /// The tables depend on the outlines, faces and materials of the gears only.
@@ -70,7 +74,7 @@ struct PairCompliance {
   std::array<ElasticBody, 2> bodies;
   std::array<FaceSlices, 2> slices;  ///< mm, on each gear; equal on both gears for line contact
   double half_width = 0.0;           ///< a0  mm
-  std::array<std::optional<ShaftInfluence>, 2> shafts{};  ///< those of the request
+  std::array<std::optional<ShaftInfluence>, 2> shafts{};  ///< for the shafts of the request
 };
 
 /// Tables in `ready` are reused, which is allowed if same_compliance() is true. The shafts are
@@ -83,14 +87,15 @@ Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,
     const std::array<std::shared_ptr<const ToothTable>, 2>& ready = {});
 
-/// The table of gear `which` (1 or 2) of a pair. Most of the time of pair_compliance() is spent here.
+/// The table of gear `which` (1 or 2) of a pair. Most of the time of pair_compliance() is spent
+/// here.
 ///
 /// Errors    as pair_compliance
 Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, const Gear& gear_2,
                                                            int which, const LoadRequest& request);
 
-/// True if gear `which` has the same table in the pairs `a` and `b`, because tooth, faces, body, slices
-/// and accuracy are equal to the last bit.
+/// True if gear `which` has the same table in the pairs `a` and `b`, because its tooth, face, body,
+/// slices and accuracy are equal to the last bit.
 bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which);
 

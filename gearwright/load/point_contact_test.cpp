@@ -1,5 +1,6 @@
-// Teeth with point contact under load. The ellipse of Hertz is compared with its integral, load
-// sharing with another solver, and pairs with contact, with lines and with their own laws.
+// Tests of teeth with point contact under load. The Hertz ellipse is compared with a numerical
+// integral, and load sharing with another solver. Loaded pairs are compared with unloaded contact
+// and with line contact, and their laws are verified.
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -36,8 +37,8 @@ TEST(HertzPoint, ABallOnAPlane) {
   EXPECT_NEAR(e.pressure, 1.5 * 350.0 / (std::numbers::pi * a * a), 1e-9 * e.pressure);
 }
 
-// u(x, y) = 1/(πE*) ∫∫ p/r, integrated along rays from the place, where r cancels. The displacement
-// under the pressure of the ellipse must be δ − ½ (k1 x² + k2 y²).
+// The displacement u(x, y) = 1/(πE*) ∫∫ p/r is integrated along rays from (x, y), where r cancels.
+// Under the pressure of the ellipse, it must be δ − ½ (k1 x² + k2 y²).
 double pressed(const HertzEllipse& e, double modulus, double x, double y) {
   constexpr int kRays = 4000;
   double sum = 0.0;
@@ -90,8 +91,8 @@ TEST(HertzPoint, GrowsAsTheory) {
   EXPECT_EQ(point.under(0.0).pressure, 0.0);
 }
 
-// Another method: for each Θ the forces are computed one after another, and Θ is found by
-// bisection.
+// Solves the problem by another method: for each Θ the forces are computed one after another, and Θ
+// is found by bisection.
 VectorXd by_halving(const PointProblem& q, double* approach) {
   const Index n = q.gap.size();
   const auto forces = [&](double turn) {
@@ -216,7 +217,7 @@ void expect_laws(const SamplePair& p) {
   LoadRequest r = request_of(p);
   r.root_stress = false;
   const PairCompliance c = compliance_of(p, r);
-  // Rigid teeth, and teeth with a very small load, have the results of contact.
+  // Rigid teeth, and teeth with a very small load, give the results of unloaded contact.
   const auto rigid = analyse_contact(p.pair(), {.positions = 8});
   for (const auto& [e, torque] : {std::pair(1e15, 1e4), std::pair(kE, 1e-6)}) {
     r.torques = {torque};
@@ -244,7 +245,7 @@ TEST(PointContact, CarriesTheTorqueAndSharesIt) {
   LoadRequest r = request_of(p);
   r.torques = {1e3, 2e4};
   const LoadedContact answer = run(p, r, compliance_of(p, r));
-  // All points have the same arm, the base radius perpendicular to the steepest line of the flank.
+  // All points have the same arm, r_b2 cos β_b.
   const double sin_b = std::sin(20 * M_PI / 180) * std::cos(20 * M_PI / 180);
   const double arm = p.gears[1].base_radius() * std::sqrt(1 - sin_b * sin_b);
   int inside = 0;
@@ -268,7 +269,7 @@ TEST(PointContact, CarriesTheTorqueAndSharesIt) {
   EXPECT_GT(inside, 4);
 }
 
-// A mirror plane across the axes reverses both hands and the sign of the shaft angle.
+// Reflection in a plane across the axes reverses both hands and the sign of the shaft angle.
 TEST(PointContact, TheOtherHandIsMirrored) {
   LoadRequest r = request_of(crossed());
   r.torques = {1e4};
@@ -288,9 +289,10 @@ TEST(PointContact, TheOtherHandIsMirrored) {
   }
 }
 
-// A crowned spur pair touches in ellipses that both methods can compute: slices with the logarithm
-// of Hertz and the matrix of the whole line, and one ellipse on bodies that bend under it. Its half
-// axes are 1.8 and 3.6 modules. Without the bending, the second method is 7 % too soft.
+// The contact of a crowned spur pair can be computed by both methods. Line contact uses slices with
+// the logarithmic term of Hertz and the matrix of the whole line. Point contact uses one ellipse on
+// bodies that bend under the load. Its major semi-axis is 1.8 and 3.6 modules under the two
+// torques. Without the bending, point contact would be 7 % too soft.
 TEST(PointContact, AgreesWithLinesWhereBothHold) {
   SamplePair p{{testing::involute_gear(25, 0, 60), testing::involute_gear(25, 0, 60)}, {}, {}};
   p.place.center_distance = p.gears[0].reference_diameter;
@@ -303,7 +305,7 @@ TEST(PointContact, AgreesWithLinesWhereBothHold) {
   line.torques = {5e3, 3e4};
   LoadRequest point = line;
   point.regime = LoadRegime::point;
-  const PairCompliance c = compliance_of(p, line);  // equal faces: the same tables
+  const PairCompliance c = compliance_of(p, line);  // tables for both methods: the faces are equal
   const LoadedContact a = run(p, line, c);
   const LoadedContact b = run(p, point, c);
   for (int k = 0; k < 2; ++k) {

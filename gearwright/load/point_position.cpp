@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostTurns = 120;   // most iterations of footprints and forces
+constexpr int kMostTurns = 120;   // limit of iterations of footprints and forces
 constexpr double kStill = 1e-11;  // last change of forces and approach, relative to their values
 constexpr int kWhole = 10;        // iterations with full steps of the ellipses
 constexpr double kLeastPart = 0.1,
@@ -143,8 +143,8 @@ Laid PointSolver::lay(const PointPlace& place, double force, const Ellipse& bent
                               Eigen::Vector2d(turned * step[0], step[1]);
     }
   }
-  // The part of the axis on the flanks changes with the force. The number of nodes on this part is
-  // constant, because forces and footprints would otherwise not converge.
+  // The part of the axis that lies on the flanks changes with the force. The number of nodes on
+  // this part is constant, because forces and footprints would otherwise not converge.
   const double a = ellipse.semi_major;
   const double lo = reach(place, bent.middle, bent.middle - a);
   const double hi = reach(place, bent.middle, bent.middle + a);
@@ -256,8 +256,8 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   all.laid.resize(at.places.size());
   VectorXd force = VectorXd::Constant(n, q.moment / q.arm.sum());
   double approach = 0.0;
-  // Full steps are used first. If they do not converge, the step length is computed from the last two
-  // steps. It is more than 1 for slow convergence and less than 1 for oscillation.
+  // Full steps are used first. If they do not converge, the step length is computed from the last
+  // two steps. It is more than 1 for slow convergence and less than 1 for oscillation.
   double part = 1.0;
   VectorXd last;
   bool still = false;

@@ -39,8 +39,7 @@ struct Ellipse {
 // A place on the major axis of an ellipse, on both gears.
 struct AxisPlace {
   std::array<double, 2> radius, z;  // mm
-  bool
-      inside;  // true if the place lies on both flanks; otherwise radius and z are limited to the flanks
+  bool inside;  // true if the place is on both flanks; otherwise radius and z are clamped to them
 };
 // The nodes of an ellipse along the part of its major axis that lies on the flanks.
 struct Laid {
@@ -78,7 +77,8 @@ class PointSolver {
   }
   Eigen::MatrixXd yields(const PointPosition& at, const std::vector<Laid>& laid) const;
   AxisPlace on_axis(const PointPlace& place, double x);
-  // The value x if it lies on both flanks; otherwise the last value between `from`, which lies on them, and x.
+  // The value x if it lies on both flanks; otherwise the last value between `from`, which lies on
+  // them, and x.
   double reach(const PointPlace& place, double from, double x);
   Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
   // The ellipse of place i after the bending of the bodies along its major axis.

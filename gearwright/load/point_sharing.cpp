@@ -78,7 +78,8 @@ PointSharing share_points(const PointProblem& q) {
   PointSharing out;
   VectorXd x = all.start();
   const double length = x[n] * q.arm.maxCoeff();
-  // The rounding error of a wide gap may exceed the approach.
+  // The gap is included in the scale, because the rounding error of a wide gap may exceed the
+  // approach.
   const VectorXd scale = (q.gap.cwiseAbs().array() + length).matrix();
   const auto size = [&](const VectorXd& r) {
     return std::max(r.head(n).cwiseAbs().cwiseQuotient(scale).maxCoeff(), std::abs(r[n]));

@@ -1,6 +1,7 @@
 // Computes the forces at the contact points of elastic bodies that carry a moment together.
 //
-//   δ_i + Σ_j G_ij F_j + g_i − Θ arm_i = 0,   F_i = (max(δ_i, 0)/c_i)^(3/2),   Σ F_i arm_i = M2   [T12.24]
+//   δ_i + Σ_j G_ij F_j + g_i − Θ arm_i = 0,   F_i = (max(δ_i, 0)/c_i)^(3/2),   Σ F_i arm_i = M2
+//                                                                                    [T12.24]
 //
 // If point i carries load, δ_i is its Hertz approach; if not, −δ_i is the remaining gap. The forces
 // minimise a strictly convex energy, so the solution is unique.

@@ -1,6 +1,6 @@
 // Computes the root stresses of a gear under the forces on its teeth at one position.
 //
-// Internal to load/.                                 theory: docs/theory/12-loaded-contact.md, [T12.15]
+// Internal to load/.                      theory: docs/theory/12-loaded-contact.md, [T12.15]
 #pragma once
 
 #include <Eigen/Core>
@@ -16,19 +16,20 @@ struct ToothForces {
   Eigen::MatrixXd force;
 };
 
-/// The index of the tooth of pair `a` in the section, counted from the tooth of pair `b`. The section
-/// is the mirror image of N, so the tooth of gear 1 that comes later into contact lies clockwise.
+/// The index of the tooth of pair `a` in the section, counted from the tooth of pair `b`. The
+/// section is the mirror image of N, so the tooth of gear 1 that comes later into contact lies
+/// clockwise.
 inline int teeth_between(int gear, int a, int b) { return gear == 0 ? b - a : a - b; }
 
-/// Extreme stresses along the fillets over several positions, MPa: a row per root point, a column per
-/// slice. The matrices are empty if the table has no root points.
+/// Extreme stresses along the fillets over several positions, MPa: a row per root point, a column
+/// per slice. The matrices are empty if the table has no root points.
 struct RootSwing {
   Eigen::MatrixXd most;   ///< greatest principal stress, 0 without tension
   Eigen::MatrixXd least;  ///< least principal stress, 0 without compression
 };
 
-/// The greatest principal stress along the fillets of the loaded teeth and their neighbours, MPa; 0 if
-/// the table has no root points. The stresses of all these teeth are added to `swing`.
+/// The greatest principal stress along the fillets of the loaded teeth and their neighbours, MPa; 0
+/// if the table has no root points. The stresses of all these teeth are added to `swing`.
 double greatest_root_stress(const ToothTable& table, int gear, double module,
                             const std::vector<ToothForces>& forces, RootSwing& swing);
 

@@ -1,13 +1,14 @@
-// Displacement of the flanks by the bending and the twist of the shafts, which couples all places of
-// contact along the face.
+// Displacement of the flanks by the bending and the twist of the shafts, which couples all places
+// of contact along the face.
 //
 //   β_b, r_b, ρ   base helix angle; base radius and radius of curvature of a flank at a place
 //   s_i           +1 or −1, sign of the moment of the axial force in the plane of action
 //   S_ij          displacement along the normal at place i per normal force at place j, both gears
 //
-// A normal force on a flank is, for its shaft, a force cos β_b along the line of action, a moment
-// s_i ρ sin β_b in the plane of action, a moment r_b sin β_b perpendicular to this plane, and a torque
-// r_b cos β_b. The displacement along the normal contains the same four parts, so S is symmetric.
+// A normal force of 1 on a flank acts on the shaft as a force cos β_b along the line of action, a
+// moment s_i ρ sin β_b in the plane of action, a moment r_b sin β_b perpendicular to this plane,
+// and a torque r_b cos β_b. The displacement along the normal contains the same four parts, so S is
+// symmetric.
 //                                                theory: docs/theory/12-loaded-contact.md, [T12.35]
 #pragma once
 
@@ -19,13 +20,14 @@
 
 namespace gearwright {
 
-/// The part of an approach of the flanks that is linear and parabolic along the common face, mm.
+/// The linear and the parabolic part of an approach of the flanks along the common face, mm.
 struct FaceDeflection {
-  double slope = 0.0;  ///< S  over the common face, > 0 towards +z
-  double bow = 0.0;    ///< B  in the middle
+  double slope = 0.0;  ///< S  increase over the common face, towards +z
+  double bow = 0.0;    ///< B  height of the parabola in the middle
   bool any() const { return slope != 0.0 || bow != 0.0; }
 };
-/// By least squares, with a constant part, from the values in the middles of equal slices from −z on.
+/// Fits slope, bow and a constant part to the values in the middles of equal slices, from −z on, by
+/// least squares.
 ///
 /// Formula   [T12.31]
 /// Domain    at least three values (contract)
@@ -33,7 +35,7 @@ FaceDeflection face_deflection(const Eigen::VectorXd& approach);
 
 class ShaftYield {
  public:
-  /// The shafts of the request; without shafts, S is 0.
+  /// The shafts of the request. If the request has no shafts, S is 0.
   ///
   /// Domain    LoadRegime::line; `compliance` of the same request (contract)
   ShaftYield(const ContactPair& pair, const Gear& one, const Gear& two,
@@ -48,12 +50,13 @@ class ShaftYield {
   ///
   /// Formula   [T12.35]
   Eigen::MatrixXd between(const std::vector<Place>& places) const;
-  /// S for a contact at the pitch point in every slice, in the order of the housing frame, from −z on.
+  /// S for a contact at the pitch point in every slice, in the order of the housing frame, from −z
+  /// on.
   const Eigen::MatrixXd& at_pitch_point() const { return at_pitch_point_; }
-  /// The mean of S at the pitch point, mm/N: the displacement of the axes. It is not a part of the
-  /// approach, of the transmission error and of the stiffness of the mesh.
+  /// The mean of S at the pitch point, mm/N, which is the displacement of the axes. It is excluded
+  /// from the approach, the transmission error and the stiffness of the mesh.
   double of_axes() const { return any() ? at_pitch_point_.mean() : 0.0; }
-  /// The approach of the flanks under a line load, N/mm by slice from −z on.
+  /// Slope and bow of the approach of the flanks under a line load, N/mm by slice from −z on.
   FaceDeflection under(const Eigen::VectorXd& line_load) const;
 
  private:

@@ -1,6 +1,6 @@
-// The yield of the shafts is compared with forces and displacements as vectors in the housing frame and
-// with beams whose curvature is integrated numerically. Loaded contact on shafts keeps the laws of
-// mirrored and exchanged gears.
+// The yield of the shafts is compared with an oracle that uses vectors in the housing frame, and
+// beams whose curvature is integrated numerically. Loaded contact on shafts must satisfy the laws
+// of mirrored and exchanged gears.
 #include "gearwright/load/shaft_yield.hpp"
 
 #include <gtest/gtest.h>
@@ -80,8 +80,8 @@ struct BeamPlace {
   double w, slope;
 };
 
-// A beam without shear on two bearings. Curvature is bending moment over E I, and both are summed over
-// a fine grid.
+// A beam without shear on two bearings. The curvature, bending moment over E I, is integrated twice
+// on a fine grid.
 BeamPlace beam_at(const Shaft& s, std::vector<PointLoad> loads, double place) {
   const auto [A, B] = s.bearings;
   double about = 0.0;
@@ -121,7 +121,7 @@ BeamPlace beam_at(const Shaft& s, std::vector<PointLoad> loads, double place) {
 }
 
 // The displacement along `normal` at the place `read` under a force along `normal` at the places
-// `loaded`, for a gear whose axis passes the origin.
+// `loaded`, for a gear whose axis passes through the origin.
 double oracle_yield(const Shaft& s, double body, const Eigen::Vector3d& normal,
                     const Eigen::Vector3d& read, const std::vector<Eigen::Vector3d>& loaded) {
   std::vector<PointLoad> in_x, in_y;
@@ -143,8 +143,8 @@ double oracle_yield(const Shaft& s, double body, const Eigen::Vector3d& normal,
                                     -x.slope * read.x() - y.slope * read.y()));
 }
 
-// Tooth traces of a right hand at azimuth 0 run towards (0, tan β_w, 1), and the force on gear 2 is
-// normal to them.
+// At azimuth 0, the tooth traces of a right-hand gear have the direction (0, tan β_w, 1). The force
+// on gear 2 is normal to them.
 TEST(ShaftYield, AgreesWithBeamsInSpace) {
   constexpr int kSlices = 24;
   for (const double helix : {25.0, -25.0})
@@ -199,7 +199,8 @@ TEST(ShaftYield, AgreesWithBeamsInSpace) {
       }
 }
 
-// Without a helix there is no axial force, and the deviation is that of the rating.
+// Without a helix there is no axial force, and the deviation equals shaft_deviation() of the
+// rating.
 TEST(ShaftYield, OfSpurGearsUnderUniformLoadIsTheDeviationOfTheRating) {
   constexpr int kSlices = 32;
   const Drive d = drive_of(0, {19, 31}, false);
@@ -264,7 +265,7 @@ TEST(ShaftYield, MirroredGearsHaveMirroredLoads) {
   }
 }
 
-// Seen from the other side, gear 2 that drives is a gear 1 that drives.
+// Seen from the other end of the axes, a driving gear 2 is a driving gear 1.
 TEST(ShaftYield, ExchangedGearsHaveTheSameLoads) {
   LoadRequest r = request_of(12);
   r.shafts = sample_shafts();
@@ -296,7 +297,8 @@ TEST(ShaftYield, StiffShaftsChangeNothing) {
     EXPECT_NEAR(u.max_pressure, t.max_pressure, 1e-6 * t.max_pressure);
     EXPECT_NEAR(u.stiffness.mean, t.stiffness.mean, 1e-7 * t.stiffness.mean);
     EXPECT_GT(soft.torques[0].face_load_factor, 1.2 * t.face_load_factor);
-    // The displacement of the axes is not a part of the approach, so an uneven load is all that is left.
+    // The displacement of the axes is not a part of the approach, so only the uneven load has an
+    // effect.
     EXPECT_NEAR(soft.torques[0].stiffness.mean, t.stiffness.mean, 0.25 * t.stiffness.mean);
   }
 }

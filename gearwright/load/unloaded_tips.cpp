@@ -17,20 +17,20 @@ namespace {
 using detail::Position;
 using detail::PositionSolver;
 
-constexpr int kHeights = 8;      // places along the face at which a tip is followed
-constexpr int kMostTurns = 30;   // with a factor of at least a half, far below kClose
-constexpr double kClose = 5e-6;  // mm: reliefs are made in whole µm
+constexpr int kHeights = 8;      // points along the face at which a tip is examined
+constexpr int kMostTurns = 30;   // limit of iterations, each of which at least halves the error
+constexpr double kClose = 5e-6;  // mm: tolerance of a relief; reliefs are made in whole µm
 constexpr double kGreatest =
-    1.0 / 40;  // modules, less than kFarGap, beyond which teeth are not seen
+    1.0 / 40;  // modules: greatest relief tried; at kFarGap and beyond, contact is ignored
 
-// ρ_1 = a + r_b1 φ + c z of a contact at the height z of pair 0 at the rotation φ in N.
+// The law ρ_1 = a + r_b1 φ + c z for a contact of pair 0 at the height z and the rotation φ in N.
 struct PathPlace {
   double a = 0.0, c = 0.0, base_radius = 0.0;
 
   double rotation(double rho1, double z) const { return (rho1 - a - c * z) / base_radius; }
 };
 
-// By least squares from the contacts of a position; the flanks are involutes, so the law is exact.
+// Fits the law to the contacts of a position by least squares. It is exact for involutes.
 PathPlace path_place(const Position& at, const FaceSlices& slices, double base_radius) {
   double n = 0.0;
   double z1 = 0.0;
@@ -75,7 +75,7 @@ std::vector<TipPlace> tip_places(const PathPlace& path, const TipPath& ends,
   return list;
 }
 
-// s at a place; 0 if it carries load, NaN if the forces do not converge there.
+// The distance s at a place; 0 if the place carries load, NaN if the forces do not converge.
 double distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
   Position at = solver.prepare(tip.rotation);
   if (at.rows.empty()) return std::numeric_limits<double>::infinity();
@@ -93,7 +93,7 @@ double distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
   return std::numeric_limits<double>::infinity();
 }
 
-// The helix modifications of the flanks, with these reliefs.
+// The helix modifications of the flanks, combined with these tip reliefs.
 PairModifications with_reliefs(const PairModifications& all, const std::array<double, 2>& amount,
                                const TipPath& path) {
   PairModifications made;
@@ -141,9 +141,10 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
     tips = tip_places(path_place(solver.prepare(0.0), compliance.slices[0], one.base_radius()),
                       path, compliance.slices[0], alike_sections(setup, request));
   }
-  // The first reliefs are so great that no tip carries load. Each turn then removes what the
-  // nearest place still has as distance. Less relief spreads the load over more teeth, so that the
-  // distance shrinks by less than the relief, and the reliefs fall towards the least ones.
+  // The first reliefs are so great that no tip carries load. Each iteration reduces the relief of a
+  // gear by the least distance that remains at its tips. With less relief, the load is spread over
+  // more teeth, so that the distance decreases by less than the relief, and the reliefs decrease
+  // towards the least ones.
   const double greatest = kGreatest * one.spec.normal_module;
   UnloadedTips found;
   found.amount = {greatest, greatest};

@@ -4,10 +4,10 @@
 //   s     mm, normal distance that remains under load between a tip and its mating flank
 //   ρ_1   mm, radius of curvature of flank 1: the place on the path of contact
 //
-// Under load the gears approach, so a tooth pair that enters the mesh overlaps by s < 0 at its
-// first point, the tip of gear 2, and one that leaves at its last point, the tip of gear 1. The
-// reliefs follow from the complementarity problem itself: while a tip carries no load, its distance
-// s is what the relief exceeds.               theory: docs/theory/12-loaded-contact.md, [T12.27]
+// Under load the gears approach each other. Without relief, a tooth pair would therefore overlap
+// (s < 0) where it enters the mesh, at the tip of gear 2, and where it leaves the mesh, at the tip
+// of gear 1. The reliefs follow from the complementarity problem itself: while a tip carries no
+// load, its relief is too great by about s.   theory: docs/theory/12-loaded-contact.md, [T12.27]
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@
 
 namespace gearwright {
 
-/// The part of the path of contact on which a relief begins and ends, for a pair on parallel axes.
+/// The ends of the path of contact and the starts of the tip reliefs, for a pair on parallel axes.
 struct TipPath {
   double begin, end;                       ///< ρ_1 of the first and the last contact, mm
-  std::array<double, 2> start_diameter{};  ///< of the tip relief of each gear, mm
+  std::array<double, 2> start_diameter{};  ///< where the tip relief of each gear starts, mm
 };
 
 struct UnloadedTips {
@@ -30,14 +30,16 @@ struct UnloadedTips {
   std::array<bool, 2> unloaded{true, true};
 };
 
-/// The reliefs of the pair of `setup` under the greatest torque of the request, with its errors,
-/// deflections and helix modifications. They replace its profile modifications and topographies.
+/// The reliefs of the pair of `setup` under the greatest torque of the request, with the errors,
+/// deflections and helix modifications of the pair. They replace its profile modifications and
+/// topographies.
 ///
 /// Formula   [T12.27]
 /// Domain    involute teeth with line contact, tables of the same teeth (contract)
 /// Accuracy  amounts exceed the least ones by at most 0.005 µm
 /// Errors    `gearN.modifications.tip_relief.reach` as make_removal_field
-/// Laws      of aligned gears: (1) exchanged gears have exchanged amounts    (2) they grow with the torque
+/// Laws      of aligned gears: (1) if the gears are exchanged, the amounts are exchanged   (2) the
+///           amounts grow with the torque
 Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& path,
                                    const PairCompliance& compliance, const LoadRequest& request,
                                    bool gear2_drives);

@@ -1,5 +1,5 @@
-// The least reliefs are compared with a search among loaded contacts, which knows nothing about the
-// places of tips.
+// The least reliefs are compared with loaded contact at many rotations, which does not use the
+// positions at which tips begin and end contact.
 #include "gearwright/load/unloaded_tips.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ LoadRequest tip_request(double torque) {
   return r;
 }
 
-// Short reliefs: half of what the path has beyond one base pitch.
+// Short reliefs, half as long as the part of the path of contact that exceeds one base pitch.
 TipPath tip_path(const Pair& pair) {
   const InvolutePair& p = *pair.involute();
   const Mesh<double>& m = p.mesh;
@@ -72,7 +72,7 @@ struct TipCase {
     return std::move(found).take();
   }
 
-  // True if an edge carries anywhere on the pitch.
+  // True if an edge carries load at any position of the pitch.
   bool edge_carries(const std::array<double, 2>& amount, double torque) const {
     PairModifications m;
     for (std::size_t g = 0; g < 2; ++g)
@@ -89,7 +89,8 @@ struct TipCase {
 TEST(UnloadedTips, AreTheLeastReliefsWithoutLoadOnEdges) {
   constexpr double kTorque = 2e5;
   constexpr double kMore = 0.2 * kMmPerUm;
-  // Before its first point the tip of a linear relief is nearer than at it by C² R/l², some tenths.
+  // Just before its first point of contact, the tip with a linear relief is nearer to the flank
+  // than at this point by C² R/l², which is some tenths of a micron.
   constexpr double kLess = 1.5 * kMmPerUm;
   for (const TipTeeth& teeth : {TipTeeth{25, 25, 0}, TipTeeth{20, 43, 0}, TipTeeth{23, 41, 14}}) {
     const TipCase c(teeth);
@@ -133,8 +134,9 @@ TEST(UnloadedTips, GrowWithTheTorqueFromZero) {
   }
 }
 
-// Equal gears have equal amounts within the accuracy of the tables of neighbouring teeth, and
-// exchanged gears exchanged amounts. If gear 2 drives, the pair is its own half turn.
+// Equal gears have equal amounts within the accuracy of the tables of neighbouring teeth. If the
+// gears are exchanged, the amounts are exchanged. If gear 2 drives, the amounts are the same,
+// because half a turn maps the pair to itself.
 TEST(UnloadedTips, AreSymmetric) {
   const UnloadedTips equal = TipCase({25, 25, 0}).at(2e5);
   EXPECT_NEAR(equal.amount[0], equal.amount[1], 0.01 * equal.amount[0]);

@@ -1,4 +1,4 @@
-// Two gears of steel on parallel axes, and their loaded contact by a request.
+// Two steel gears on parallel axes, and their loaded contact for a request.
 #pragma once
 
 #include <gtest/gtest.h>
