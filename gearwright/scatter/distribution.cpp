@@ -24,9 +24,9 @@ Result<Distribution> Distribution::of(const DistributionSpec& spec) {
   if (spec.kind == Kind::normal) {
     if (!(spec.cpk > 0.0) || !std::isfinite(spec.cpk))
       return refused("cpk", spec.cpk,
-                     "must be > 0: the standard deviation is the distance of the mean from the "
-                     "nearer end of the range over 3 C_pk; 1.33 is usual, and a process without "
-                     "capability is described by distribution = \"uniform\"");
+                     "must be > 0; the standard deviation is the distance between the mean and the "
+                     "nearer end of the range, divided by 3 C_pk. The usual value is 1.33. For a "
+                     "process of unknown capability, give distribution = \"uniform\"");
     const double half = 0.5 * (h - l);
     if (!(std::abs(spec.offset) < half) && h > l)
       return refused(

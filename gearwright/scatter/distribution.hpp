@@ -16,7 +16,7 @@ struct DistributionSpec {
   enum class Kind {
     uniform,
     triangular,  ///< symmetric
-    normal,      ///< cut at the range, because inspection rejects parts beyond it
+    normal,      ///< truncated to the range, because inspection rejects other parts
     beta
   };
   std::array<double, 2> range{};  ///< l, h
@@ -45,7 +45,7 @@ class Distribution {
   explicit Distribution(const DistributionSpec& spec);
 
   DistributionSpec spec_;
-  double mean_ = 0.0, sigma_ = 0.0;  // of the normal distribution before it is cut
+  double mean_ = 0.0, sigma_ = 0.0;  // of the normal distribution before truncation
   double from_ = 0.0, to_ = 0.0;     // Φ at the ends of its range
 };
 

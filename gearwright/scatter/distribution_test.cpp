@@ -1,6 +1,6 @@
-// Laws: (1) F⁻¹ grows and stays in the range; (2) its mean and variance over u agree with the closed
-// forms; (3) a range of width 0 gives one number. Golden: the standard deviation of a truncated
-// normal distribution.
+// Laws: (1) F⁻¹ grows and stays in the range; (2) its mean and variance over u agree with the
+// closed forms; (3) a range of width 0 gives one number. Golden: the standard deviation of a
+// truncated normal distribution.
 #include "gearwright/scatter/distribution.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,8 @@ TEST(Distribution, MomentsAreThoseOfTheQuantiles) {
     }
     const Moments found = moments(x);
     const double width = d.greatest() - d.least();
-    // The midpoint rule on F⁻¹, whose slope at an end grows at most as u^(−1/2).
+    // The tolerances cover the error of the midpoint rule. At an end, the slope of F⁻¹ grows at
+    // most like u^(−1/2).
     EXPECT_NEAR(found.mean, d.moments().mean, 1e-6 * width);
     EXPECT_NEAR(found.variance, d.moments().variance, 1e-4 * width * width);
   }

@@ -1,6 +1,6 @@
 // Deviations of flanks that a grade of ISO 1328-1 allows, as random variables.
 //
-//   f_H   limit of the slope over an evaluation range      f_f   limit of the form around that slope
+//   f_H   limit of the slope over an evaluation range     f_f   limit of the form around that slope
 //                                    theory: docs/theory/14-scatter.md, [T14.23]
 #pragma once
 
@@ -24,11 +24,12 @@ struct GradedFlank {
 ///
 /// Formula   [T14.23], with the values of flank_tolerances()
 /// Domain    a grade of the edition (contract)
-/// None      for circular-arc teeth, which the standard does not cover
+/// None      for circular-arc teeth, which the standard does not cover, and without an evaluation
+///           range
 std::optional<GradedFlank> graded_flank(const Gear& gear, FlankTolerances edition, int quality);
 
-/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. As angles, they do not depend on the bearing
-/// span.
+/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. As angles, they do not depend on the
+/// bearing span.
 ///
 /// Formula   [T14.23]
 struct GradedAxes {

@@ -14,7 +14,7 @@ namespace gearwright {
 namespace {
 
 constexpr int kHeights = 33;                                         // over the common face
-constexpr double kBeyond = std::numeric_limits<double>::infinity();  // any value
+constexpr double kBeyond = std::numeric_limits<double>::infinity();  // exceeds any value
 
 // Heights over the face of gear 1, or over the common face if the axes are parallel.
 std::vector<double> heights_of(const ContactPair& pair, bool crossed) {
@@ -37,8 +37,8 @@ std::vector<double> heights_of(const ContactPair& pair, bool crossed) {
   return heights;
 }
 
-// The greatest of equidistant values. If it is not at an end, it is that of the parabola through three
-// of the values.
+// The maximum of a curve through equidistant values. If the greatest value is not at an end, it is
+// the maximum of the parabola through this value and its neighbours.
 double greatest_of(const std::vector<double>& v) {
   const auto at = static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
   if (at == 0 || at + 1 == v.size()) return v[at];
@@ -55,8 +55,8 @@ Branches::const_iterator leader(const Branches& all) {
                           [](const auto& x, const auto& y) { return x.second < y.second; });
 }
 
-// The least TE between two positions, if every branch is linear between them. It is at one of the
-// positions, or where the leading branch of the first crosses that of the second.
+// The least TE between two positions, if every branch is linear between them. It lies at one of the
+// positions, or where the leading branches of the two positions cross.
 double least_between(const Branches& a, const Branches& b) {
   const auto first = leader(a), second = leader(b);
   const double least = std::min(first->second, second->second);
@@ -67,7 +67,7 @@ double least_between(const Branches& a, const Branches& b) {
   return std::min(least, first->second + part * (falls->second - first->second));
 }
 
-// True if a member's field differs from that of the drawing. The topography is that of the drawing.
+// True if the field of a member differs from the drawn field. Their topographies are always equal.
 bool changed(const RemovalField& member, const RemovalField& drawn) {
   if (member.waves() != drawn.waves()) return true;
   return std::any_of(RemovalField::kParameters.begin(), RemovalField::kParameters.end(),
@@ -76,7 +76,7 @@ bool changed(const RemovalField& member, const RemovalField& drawn) {
 
 }  // namespace
 
-// A member's difference from the drawing.
+// The difference of a member from the pair as drawn.
 struct LinearFamily::Member {
   std::array<double, 6> error;                   // by kErrorKinds
   std::array<const RemovalField*, 2> removal{};  // null without a change

@@ -1,12 +1,13 @@
-// Computes the peak-to-peak TE of the family to first order, for a picture that a slider controls.
+// Estimates the peak-to-peak TE of the members of a family to first order. It is fast enough for a
+// diagram that follows a slider.
 //
-//   T_i    gap angle at place i, a tooth pair at a height: the greatest over the profile
+//   T_i    greatest gap angle over the profile at place i, which is a height of a tooth pair
 //   e      errors of a member minus those drawn      ΔC   additional removal of the member at i
-//   T_i(x) ≈ T_i + Σ ∂T_i/∂e · e + Σ ∂T_i/∂C · ΔC          theory: docs/theory/14-scatter.md, [T14.26]
+//   T_i(x) ≈ T_i + Σ ∂T_i/∂e · e + Σ ∂T_i/∂C · ΔC        theory: docs/theory/14-scatter.md, [T14.26]
 //
-// T at a fixed place is nearly linear in the errors (14.5), and TE is still the greatest over all
-// places. The contact can therefore move along the face, edges can begin to touch, and tooth pairs can
-// replace each other, as in the exact computation.
+// T at a fixed place is nearly linear in the errors (section 14.5), and TE is still the greatest T
+// over all places. The contact can therefore move along the face, edges can begin to touch, and
+// tooth pairs can replace each other, as in the exact computation.
 #pragma once
 
 #include <array>
@@ -25,12 +26,12 @@ class LinearFamily {
   /// Domain    request.positions ≥ 2 (contract)
   static std::optional<LinearFamily> of(const ContactSetup& setup, const MemberRequest& request);
 
-  /// Peak-to-peak TE of a member, rad. Thickness, pitch deviations and the lead angle of a cutter have
-  /// no effect.
+  /// Peak-to-peak TE of a member, rad. Thickness, pitch deviations and the lead angle of a cutter
+  /// have no effect.
   ///
   /// Accuracy  first order in the deviation at each place
-  /// Laws      (1) without a deviation it is continuous_peak_to_peak()   (2) for small deviations the
-  ///           change is that of continuous_peak_to_peak()
+  /// Laws      (1) without a deviation, the result equals continuous_peak_to_peak()   (2) for small
+  ///           deviations, the result changes like continuous_peak_to_peak()
   double peak_to_peak(const Deviation& deviation) const;
 
  private:
@@ -40,10 +41,10 @@ class LinearFamily {
     std::array<RemovalTurn, 2> removal;  // of each gear
     std::array<double, 2> drawn;         // mm removed in the drawing
   };
-  // A tooth pair at a position: its heights in order, without those that face no flank.
+  // A tooth pair at a position, with the heights at which its flanks face each other, in order.
   struct Row {
     int pair;
-    std::vector<std::vector<Place>> runs;  // of neighbouring heights
+    std::vector<std::vector<Place>> runs;  // sequences of neighbouring heights
   };
   struct Member;
 
@@ -52,12 +53,13 @@ class LinearFamily {
   double greatest(const Row& row, const Member& member) const;
 
   ContactSetup setup_;                       // with a field of removed material on both gears
-  std::array<bool, 2> left_{};               // the flank of each gear that touches
+  std::array<bool, 2> left_{};               // true if the left flank of the gear touches
   std::vector<std::vector<Row>> positions_;  // over a pitch, both ends included
   double correction_ = 0.0;  // rad, continuous_peak_to_peak() minus the first-order value, as drawn
 };
 
-/// The peak-to-peak TE of the first samples of the first replicate of a task to first order, rad.
+/// First-order estimates of the peak-to-peak TE, rad, for the first `count` samples of the first
+/// replicate of a task.
 ///
 /// Errors    as scatter_of(); nothing_touches() if contact is lost in the pair as drawn
 Result<std::vector<double>> linear_spans(const ContactSetup& setup, const ScatterTask& task,

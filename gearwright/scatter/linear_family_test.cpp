@@ -1,5 +1,5 @@
-// Laws: (1) without a deviation the exact peak to peak   (2) a small deviation changes it as it does
-// the exact one.
+// Laws: (1) without a deviation, the result equals continuous_peak_to_peak()   (2) for small
+// deviations, the result changes like continuous_peak_to_peak().
 #include "gearwright/scatter/linear_family.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ std::vector<ScatterTolerance> tolerances_of_all(double width) {
                 VaryingModification{2, P::profile_slope})};
 }
 
-// Waves of the form, with which the flanks have several maxima at their whole heights.
+// Form waves. At their full heights, T has several maxima.
 std::vector<ScatterTolerance> waves(double height) {
   using testing::tolerance;
   return {tolerance("gear1.profile_waves", 1.0, 0.0, 1.0, VaryingWave{1, false, {1, 3}, height}),
@@ -37,8 +37,8 @@ std::vector<ScatterTolerance> waves(double height) {
 }
 
 struct Compared {
-  double change;  // greatest of the exact peak to peak, rad
-  double error;   // greatest of the linear one
+  double change;  // greatest change of the exact peak to peak, rad
+  double error;   // greatest error of the first-order estimate, rad
 };
 
 Compared compared(const ContactSetup& setup, const ScatterTask& task) {
@@ -83,7 +83,7 @@ TEST(LinearFamily, SmallDeviationsChangeItAsTheExactOne) {
     const Compared small = compared(setup, task);
     EXPECT_GT(small.change, 0.0);
     EXPECT_LT(small.error, 0.02 * small.change);
-    // At their whole widths the estimate is good enough for a picture.
+    // With tolerances of full width, the estimate is accurate enough for a diagram.
     task.tolerances = tolerances_of_all(1.0);
     const Compared wide = compared(setup, task);
     EXPECT_LT(wide.error, 0.05 * wide.change) << gear2_drives;

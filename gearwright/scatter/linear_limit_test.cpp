@@ -1,5 +1,5 @@
-// The limit of small tolerances: sampled variances and percentiles are those of the linear form whose
-// coefficients are the exact derivatives of one member.
+// For small tolerances, sampled variances and percentiles equal those of the linear form whose
+// coefficients are the exact derivatives at the pair as drawn.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,8 @@ struct Small {
   Influence influence;
 };
 
-// A thousandth of usual widths. Terms of second order are then a thousandth of those of first order.
+// The widths are a thousandth of usual widths, so that terms of second order are a thousandth of
+// those of first order.
 std::vector<Small> small_tolerances() {
   const auto range = [](const char* name, double width, auto of, Influence influence) {
     return Small{testing::tolerance(name, 1.0, -width, width, of), width, influence};
@@ -37,7 +38,7 @@ std::vector<Small> small_tolerances() {
                 {ErrorKind::center_distance, 1, Parameter::profile_slope})};
 }
 
-// The derivatives of the mean TE of the positions.
+// The derivatives of TE, averaged over the positions.
 std::vector<double> mean_slopes(const ContactSetup& setup, int positions,
                                 const std::vector<Small>& all) {
   const ContactPair pair = setup.pair(false);

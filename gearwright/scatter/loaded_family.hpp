@@ -1,9 +1,9 @@
-// Computes the first samples of the family under torque: transmission error, pressure and distribution
-// of the load.
+// Computes the transmission error, the pressure and the load distribution under torque for the
+// first samples of a family.
 //
 // The tables of the teeth do not depend on errors and modifications, so all members share them.
-// All teeth of a gear are identical here. Pitch deviations therefore have no effect, and a change of
-// thickness only turns gear 2.
+// All teeth of a gear are identical here. Pitch deviations therefore have no effect, and a change
+// of thickness only turns gear 2.
 //
 // Internal to scatter/.                theory: docs/theory/14-scatter.md, [T14.24]
 #pragma once
@@ -15,8 +15,8 @@
 
 namespace gearwright {
 
-/// The scores of the members at the points `x`, by member and torque. They are empty for a member whose
-/// forces have no solution at some position.
+/// The scores of the members at the points `x`, by member and torque. They are empty for a member
+/// whose forces have no solution at some position.
 ///
 /// Accuracy  as loaded_contact() for each member
 std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setup,
@@ -24,19 +24,21 @@ std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setu
                                                         const LoadedFamily& load,
                                                         const std::vector<std::vector<double>>& x);
 
-/// The peak-to-peak TE of each member under the worst of the torques, rad; `none` without scores.
+/// The peak-to-peak TE of each member under the worst of the torques, rad; `none` for a member
+/// without scores.
 std::vector<double> loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores, double none);
 
 /// Statistics of scores, replicate by replicate; Percentile::sample is an index of `scores`.
 std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const LoadedFamily& load,
                                              const std::vector<std::vector<LoadedScore>>& scores);
 
-/// The spreads for each torque of task.load, from the first task.load->samples samples of each replicate.
+/// The spreads for each torque of task.load, from the first task.load->samples samples of each
+/// replicate.
 ///
 /// Domain    task.load is given; `samples` are those of scatter_of() (contract)
 /// Accuracy  as loaded_contact() for each member
-/// Laws      (1) without deviations the numbers are those of loaded_contact()
-///           (2) the same bytes on any number of threads
+/// Laws      (1) without deviations, the numbers are those of loaded_contact()
+///           (2) the result is the same, byte for byte, for any number of threads
 std::vector<LoadedSpread> loaded_spreads(const ContactSetup& setup, const ScatterTask& task,
                                          const std::vector<ScatterSample>& samples);
 

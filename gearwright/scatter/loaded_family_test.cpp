@@ -1,4 +1,4 @@
-// Members of the family under torque against loaded_contact(), one by one.
+// Each member of a family under torque is compared with loaded_contact().
 #include "gearwright/scatter/loaded_family.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ ScatterTask task_of(const ContactSetup& setup, std::vector<ScatterTolerance> tol
   return task;
 }
 
-// The scores of the first samples of each replicate, and their places among all samples.
+// The scores of the first samples of each replicate, and the indices of these samples.
 struct Members {
   std::vector<std::size_t> sample;
   std::vector<std::vector<LoadedScore>> scores;
@@ -87,8 +87,8 @@ void expect_members(const ContactSetup& setup, const ScatterTask& task, const Sc
   }
 }
 
-// Half a turn about the centre line exchanges the flanks, so only errors that it changes, unlike a
-// crossing of the axes, show which gear drives.
+// Half a turn about the centre line exchanges the flanks but does not change a crossing of the
+// axes. The tolerance is therefore one of intersecting axes, which shows which gear drives.
 TEST(LoadedFamily, MembersAreThoseOfLoadedContact) {
   const ContactSetup setup = testing::crowned_helical_pair().setup();
   const ScatterTask task =
@@ -102,7 +102,7 @@ TEST(LoadedFamily, MembersAreThoseOfLoadedContact) {
   expect_members(setup, task, *scatter);
 }
 
-// No teeth touch if the axes move apart by more than the teeth reach.
+// If the centre distance is too great, no teeth touch.
 TEST(LoadedFamily, MembersWithoutASolutionAreCounted) {
   const ContactSetup setup = testing::spur_pair(true).setup();
   const ScatterTask task = task_of(setup,

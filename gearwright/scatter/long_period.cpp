@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 
-// T of one tooth pair as a function of its own rotation, which is m steps from the first touch. T is
-// kNone without contact.
+// T of one tooth pair as a function of its own rotation, which is counted in steps m from the first
+// touch. T is kNone without contact.
 class PairCurve {
  public:
   PairCurve(Transmission& transmission, const std::vector<PairTouch>& touches)
@@ -33,7 +33,8 @@ class PairCurve {
         offer_and_walk(m, t);
       }
     }
-    // A branch that never leads here may lead with other pitches, so a pitch more is searched on each side.
+    // A branch that never leads with equal pitches may lead with unequal ones, so one more pitch is
+    // searched on each side.
     const int from = std::max(-most_, least() - n_);
     const int to = std::min(most_, greatest() + n_);
     if (transmission_.wavy()) {

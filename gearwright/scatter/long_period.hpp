@@ -1,4 +1,5 @@
-// Computes TE of a pair with unequal pitches over its long period, after which the same teeth mesh again.
+// Computes TE of a pair with unequal pitches over its long period, after which the same teeth mesh
+// again.
 //
 //   T(φ)    TE of one tooth pair alone, over the whole range in which it touches
 //   ε_i,k   angle by which tooth k of gear i is ahead, rad
@@ -16,7 +17,8 @@ namespace gearwright {
 /// Peak to peak of TE over lcm(z1, |z2|) pitches at the positions of `touches`, rad.
 ///
 /// Formula   [T14.22]; exact for deviations of gear 2, to first order in those of gear 1
-/// Domain    a touch at every position; pitches of all teeth of a gear, or none of them (contract)
+/// Domain    a touch at every position; deviations of all teeth of a gear, or of none of them
+///           (contract)
 /// Laws      (1) without deviations it is the peak to peak of the touches
 ///           (2) it is at most the peak to peak of the touches plus the ranges of both deviations
 double long_period_span(Transmission& transmission, const std::vector<PairTouch>& touches,

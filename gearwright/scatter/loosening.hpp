@@ -9,12 +9,12 @@
 
 namespace gearwright {
 
-/// The effect of each tolerance by itself. The factor multiplies x of this tolerance in the samples of
-/// the first replicate.
+/// The effect of each tolerance by itself. The factor multiplies x of this tolerance in the samples
+/// of the first replicate.
 ///
-/// Accuracy  the factor is at most 1 % below the smallest s for which P(s) exceeds the limit; this s is
-///           searched on a grid and refined by halving; other samples change it by the error of the
-///           percentile
+/// Accuracy  the factor is at most 1 % below the smallest s for which P(s) exceeds the limit; this
+///           s is searched on a grid and refined by halving; other samples change it by the error
+///           of the percentile
 Loosening loosening_of(const ContactSetup& setup, const ScatterTask& task);
 
 }  // namespace gearwright

@@ -79,7 +79,7 @@ FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
     set(Q::long_period,
         long_period_span(transmission, touches, {teeth(1), teeth(2)}, deviation.pitch));
   }
-  // Each flank of a tooth takes half of the change of its thickness.
+  // A change of the tooth thickness is divided equally between the two flanks of the tooth.
   std::vector<double> te;
   double sum = 0.0;
   for (const double t : curve.te) {

@@ -4,8 +4,8 @@
 //   s       reduction of the backlash by ΔE_sn, as an angle of gear 2
 //                                    theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
 //
-// The numbers are those of `contact` for the same errors, except the peak to peak, which is that of the
-// continuous curve.
+// The numbers are the same as those of the verb contact for the same errors, except for the peak to
+// peak, which is computed for the continuous curve.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ enum class ScatterQuantity {
   harmonic3,      ///< rad
   mean,           ///< rad, of TE over the positions
   along_face,     ///< mean place of the contact along the face, −1 to 1
-  along_profile,  ///< the same along the profile, for circular-arc teeth
-  edge_share,     ///< share of the positions at which an edge touches
+  along_profile,  ///< mean place along the profile, for circular-arc teeth
+  edge_share,     ///< fraction of the positions at which an edge touches
   least_play,     ///< rad, of gear 2; < 0 if the gears jam
   long_period,    ///< rad, peak to peak over all tooth pairs, if pitches differ
 };
@@ -48,7 +48,8 @@ struct MemberRequest {
   ProfileTarget profile{};
 };
 
-/// The setup of the member: that of the drawing unless its modifications differ.
+/// The setup of a member: the setup as drawn, unless the modifications of the member differ from
+/// it.
 ///
 /// Domain    modifications that check_ends() accepts (contract); `setup` must outlive the object
 class MemberSetup {
@@ -76,7 +77,8 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
 FamilyMember member_at(const ContactSetup& setup, const Deviation& deviation,
                        const MemberRequest& request);
 
-/// Peak to peak of the continuous curve, rad, and its slope with each influence, rad per mm or rad.
+/// Peak to peak of the continuous curve, rad, and its derivative with respect to each influence,
+/// rad per mm or rad.
 struct MemberSpan {
   double value;  ///< NaN if contact is lost
   std::vector<double> slope;

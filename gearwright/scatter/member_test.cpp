@@ -1,5 +1,6 @@
-// Laws: (1) without deviations the numbers are those of analyse_contact(); (2) a member is the pair
-// with its errors, modifications and thickness. Golden: closed forms of spur gears, page 14.
+// Laws: (1) without deviations, the numbers are those of analyse_contact()   (2) a member equals a
+// pair with the same errors, modifications and thickness. Golden: closed forms of spur gears
+// (page 14).
 #include "gearwright/scatter/member.hpp"
 
 #include <gtest/gtest.h>
@@ -127,7 +128,7 @@ TEST(Member, SpurGearsHaveClosedForms) {
       member_at(plain, farther, {8, false, {}})[Q::least_play] - nominal[Q::least_play];
   const double sine = std::sin(std::acos((r_b1 + r_b2) / 60.405));
   EXPECT_NEAR(gained, 2 * sine * 0.01 / r_b2, 1e-9);
-  // A crowned tooth touches with an edge from 4C/(b cos α_wt) on, exactly at 0.098162°.
+  // A crowned tooth touches at an edge if Δγ is at least 4C/(b cos α_wt), here 0.098162°.
   const ContactSetup crowned = testing::spur_pair(true).setup();
   for (const double degrees : {0.09811, 0.09821}) {
     Deviation d = none(crowned);

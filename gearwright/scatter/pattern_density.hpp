@@ -1,11 +1,12 @@
-// The density of contact patterns over a family: how often each place of a flank carries.
+// The density of contact patterns over a family: the fraction of the members whose pattern covers a
+// point of a flank.
 //
 //   δ   thickness of the marking compound, mm
 //                                    theory: docs/theory/14-scatter.md, [T14.27]
 //
-// A place is counted in a sample if the gap there is at most δ at some position of the mesh, so that
-// marking compound of this thickness would show there after a full mesh of that pair. The gap is
-// that of contact_pattern(), the exact field at each place; nothing is fitted to ellipses.
+// A place is counted in a sample if the gap there is at most δ at some position of the mesh, so
+// that marking compound of this thickness would show there after a full mesh of that pair. The gap
+// is the exact gap of contact_pattern() at each place, not an approximation by ellipses.
 #pragma once
 
 #include <array>
@@ -28,10 +29,10 @@ struct DensityRequest {
   RasterSize size{17, 33};
 };
 
-/// Places of one flank and their shares of the samples.
+/// The places of one flank, and the number of samples that cover each place.
 struct FlankDensity {
-  std::vector<double> diameter;     ///< mm, growing: rows
-  std::vector<double> height;       ///< mm, growing, z of the gear's own frame: columns
+  std::vector<double> diameter;     ///< mm, of the rows, ascending
+  std::vector<double> height;       ///< mm, of the columns, ascending; z in the gear's own frame
   std::vector<std::int64_t> count;  ///< samples that cover the place, [row · columns + column]
   bool internal = false;
 
@@ -49,9 +50,10 @@ struct PatternDensity {
 /// The density over the first samples of each replicate of a family. Pitch deviations and
 /// thicknesses have no effect on it.
 ///
-/// Accuracy  of a sample as contact_pattern(); of a share as that of the samples
-/// Laws      (1) without deviations a place has the share 1 or 0, as the pattern of the pair
-///           (2) a greater δ lowers no share   (3) the same on any number of threads
+/// Accuracy  each sample as contact_pattern(); a share has the sampling error
+/// Laws      (1) without deviations, the share of a place is 1 where the pattern of the pair covers
+///           the place, and 0 elsewhere   (2) a greater δ does not lower any share
+///           (3) the result does not depend on the number of threads
 /// Domain    marking > 0, positions ≥ 2, a raster of 2 × 2 or more (contract)
 PatternDensity pattern_density(const ContactSetup& setup, const ScatterTask& task,
                                const Scatter& scatter, const DensityRequest& request);

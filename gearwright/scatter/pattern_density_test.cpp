@@ -1,5 +1,6 @@
-// Laws: (1) without deviations a place has the share 1 or 0, as the pattern of the pair; (2) a greater
-// δ lowers no share; (3) the same on any number of threads. Golden: the closed form of [T14.27].
+// Laws: (1) without deviations, the share of a place is 1 where the pattern of the pair covers the
+// place, and 0 elsewhere   (2) a greater δ does not lower any share   (3) the result does not
+// depend on the number of threads. Golden: the closed form of [T14.27].
 #include "gearwright/scatter/pattern_density.hpp"
 
 #include <gtest/gtest.h>
@@ -103,8 +104,8 @@ TEST(PatternDensity, IsTheClosedFormOfLeadCrownedSpurTeeth) {
     const double z = flank.height[k];
     const double share =
         std::max(0.0, std::min(far, z + half) - std::max(-far, z - half)) / (2 * far);
-    // 256 points of a net in one dimension: at each end of the interval one point in each replicate
-    // of 64, and the second order of the gap.
+    // The tolerance covers one of the 64 points of each replicate at each end of the interval, and
+    // the terms of second order of the gap.
     EXPECT_NEAR(flank.share(row * columns + k, d.samples), share, 2.0 / 64) << z;
   }
 }

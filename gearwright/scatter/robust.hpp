@@ -1,8 +1,9 @@
-// Finds the corrections that minimise a percentile of the peak-to-peak TE over the family, for rigid
-// teeth or under load.
+// Finds the corrections that minimise a percentile of the peak-to-peak TE over the family, for
+// rigid teeth or under load.
 //
 //   v     corrections                       f_k   peak to peak TE of sample k, under v
-//                                    theory: docs/theory/14-scatter.md, [T14.16] to [T14.18], [T14.25]
+//                                    theory: docs/theory/14-scatter.md, [T14.16] to [T14.18]
+//                                    and [T14.25]
 //
 // The samples are the same for every v, so that differences between corrections are not due to
 // chance. The result is assessed with samples of another seed.
@@ -28,8 +29,8 @@ struct RobustTask {
 struct JudgedFamily {
   std::vector<std::vector<double>> x;  ///< of the samples, in the users' units of the tolerances
   Spread peak_to_peak;                 ///< f; its only percentile is the one that is minimised
-  Probability edge;                    ///< of an edge that touches or, under load, carries
-  Probability lost;                    ///< samples without f
+  Probability edge;                    ///< an edge touches or, under load, carries load
+  Probability lost;                    ///< a sample has no f
   std::vector<LoadedSpread> loaded{};  ///< by torque, under load
 
   /// The percentile, rad.
@@ -46,10 +47,11 @@ struct RobustCorrections {
 /// Errors    as scatter_of(); `percentile`, if no sample has a peak to peak
 /// Accuracy  a local minimum, the best from a search of the whole box and descents by exact
 ///           derivatives; values are multiples of a hundredth of `step`
-/// Laws      (1) with the other seed, neither the percentile nor the number of samples without a value
-///           is greater than before the corrections; otherwise every correction is 0   (2) the same bytes on any
-///           number of threads   (3) with tolerances of width 0, the percentile after is that of
-///           the nominal optimum
+/// Laws      (1) with the other seed, the corrections increase neither the percentile nor the
+///           number
+///           of samples without a value; if they would, every correction is 0   (2) the result is
+///           the same, byte for byte, for any number of threads   (3) with tolerances of width 0,
+///           the percentile after the corrections is that of the nominal optimum
 Result<RobustCorrections> robust_corrections(const ContactSetup& setup, const ScatterTask& task,
                                              const RobustTask& robust);
 

@@ -20,7 +20,7 @@ namespace {
 constexpr int kCoarseLoaded = 16, kFineLoaded = 64;
 constexpr int kPositions = 16;       // per pitch during the search, as in `compensate`
 constexpr int kMostCenters = 6;      // greatest number of centers in a search
-constexpr double kNextReach = 0.25;  // relative to the bounds, around every center but the first
+constexpr double kNextReach = 0.25;  // relative to the bounds, for all centers except the first
 constexpr double kLastReach = 1e-3;
 constexpr double kGain = kSameError.rad();  // smallest gain worth another step
 
@@ -29,9 +29,9 @@ bool all_influences(const RobustTask& robust) {
                      [](const WorkshopCorrection& c) { return influence_of(c).has_value(); });
 }
 
-// The family with corrections near a center. For line contact, if every correction has an influence, the
-// contact is computed at the center only, and a trial computes the forces again with changed gaps.
-// Otherwise a trial repeats the whole contact.
+// The family with corrections near a center. For line contact, if every correction has an
+// influence, the contact is computed at the center only, and a trial computes only the forces
+// again, with changed gaps. Otherwise, a trial repeats the whole contact computation.
 class LoadedTrials final : public CorrectedFamily {
  public:
   LoadedTrials(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust,
@@ -130,8 +130,8 @@ class LoadSearch {
     load_.request.positions = std::min(load_.request.positions, kPositions);
   }
 
-  // The best corrections for these samples. The trials near a center use the contact computed there. The
-  // search moves to another center if the exact percentile is lower there.
+  // The best corrections for these samples. The trials near a center use the contact computed
+  // there. The search moves to another center if the exact percentile is lower there.
   std::vector<double> lowest(const std::vector<std::vector<double>>& places,
                              std::vector<double> center) const {
     auto fine = trials(places, center);

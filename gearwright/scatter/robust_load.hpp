@@ -1,5 +1,5 @@
-// Finds corrections for a percentile of the loaded peak-to-peak TE, and computes the family that is
-// compared.
+// Finds corrections for a percentile of the loaded peak-to-peak TE, and evaluates a family with
+// given corrections.
 //                                    theory: docs/theory/14-scatter.md, [T14.25]
 // Internal to scatter/.
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace gearwright {
 
-/// The best corrections for the first samples of the family; not rounded.
+/// The best corrections for the first samples of the family. They are not rounded.
 ///
 /// Domain    as robust_corrections(), with a load and with the fields that the corrections need
 ///           (contract)

@@ -1,6 +1,7 @@
-// Laws of corrections under load: (1) never worse than none   (2) tolerances of width 0 give the
-// nominal optimum, found by a scan   (3) the same bytes on any number of threads.
-// Oracle: the percentile from loaded_contact(), member by member.
+// Laws of corrections under load: (1) they never increase the percentile   (2) with tolerances of
+// width 0, they are the nominal optimum, which a scan finds   (3) they are the same, byte for byte,
+// for any number of threads. Oracle: the percentile from loaded_contact(), computed for each member
+// separately.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +55,7 @@ double span_of_member(const ContactSetup& setup, const ScatterTask& task, const 
       .peak_to_peak.rad();
 }
 
-// The quantile by sorting, interpolated between the two samples next to it.
+// The quantile of the sorted values, interpolated between the two nearest samples.
 double sorted_quantile(std::vector<double> f, double p) {
   std::sort(f.begin(), f.end());
   const double at = p * static_cast<double>(f.size() - 1);
@@ -82,7 +83,7 @@ TEST(RobustLoad, ThePercentileIsThatOfTheMembers) {
     mean += sorted_quantile(f, 0.8) / kLoadedReplicates;
   }
   EXPECT_NEAR(percentile_under_load(found->after), mean * kArcsecPerRad, 1e-9);
-  // The compared samples are not those of the search, and the same before and after.
+  // The samples of the comparison are the same before and after the corrections.
   EXPECT_EQ(found->before.x, found->after.x);
 }
 
@@ -120,7 +121,7 @@ TEST(RobustLoad, NothingIsWorseThanNothing) {
   EXPECT_EQ(found->after.lost.count, 0);
 }
 
-// A tool setting changes the teeth, so each trial repeats the whole contact.
+// A cutter lead has no Influence, so each trial repeats the whole contact computation.
 TEST(RobustLoad, SettingsWithoutInfluenceAreTriedExactly) {
   const ContactSetup setup = testing::plain_helical_pair().setup();
   ScatterTask task = loaded_housing(0.02);

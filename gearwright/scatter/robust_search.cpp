@@ -16,7 +16,8 @@ constexpr double kFirstRadius = 0.25;  // relative to the bounds: initial trust 
 constexpr double kLastRadius = 1e-3;
 constexpr int kMostSteps = 20;
 
-// The mean of the worst share 1 − p, with the sample at the border counted in part.   [T14.17]
+// The mean of the worst fraction 1 − p of the samples. The sample at the border of this fraction
+// counts partly.   [T14.17]
 double mean_of_worst(std::vector<double> f, double p) {
   const double worst = (1.0 - p) * static_cast<double>(f.size());
   const auto whole = std::min(static_cast<std::size_t>(worst), f.size() - 1);
@@ -39,8 +40,8 @@ MinimiserTask task_of(const RobustSearch& s, int evaluations, double step,
   return search;
 }
 
-// Descends the CVaR. Each step goes to the minimum of the linearised problem within a radius, which grows
-// after a success and shrinks after a failure.   [T14.18]
+// Minimises the CVaR by descent. Each step goes to the minimum of the linearised problem within a
+// radius, which grows after a success and shrinks after a failure.   [T14.18]
 std::vector<double> descend(const RobustSearch& s, std::vector<double> v) {
   double radius = kFirstRadius;
   CorrectedFamily::Values here = s.fine.at(v, true);

@@ -1,8 +1,9 @@
-// Finds the corrections with the lowest percentile of a quantity over a family. The steps are a search
-// of the box, descents of the mean of the worst samples, and a polish of the percentile itself.
+// Finds the corrections with the lowest percentile of a quantity over a family. The steps are a
+// search of the box, descents of the mean of the worst samples, and a final local search for the
+// percentile.
 //
-//   v     corrections                       f_k   the quantity of sample k, under v
-//   p     share of the percentile           CVaR  mean of the worst 1 − p of all f_k
+//   v     corrections                       f_k   the quantity of sample k, with the corrections v
+//   p     the percentile, as a fraction     CVaR  mean of the worst 1 − p of all f_k
 //                                    theory: docs/theory/14-scatter.md, [T14.17], [T14.18]
 // Internal to scatter/.
 #pragma once
@@ -13,8 +14,8 @@
 
 namespace gearwright {
 
-/// A quantity of the same samples under any corrections, so that differences between corrections
-/// are not due to chance.
+/// A quantity for any corrections, computed for the same samples, so that differences between
+/// corrections are not due to chance.
 class CorrectedFamily {
  public:
   struct Values {
@@ -26,7 +27,8 @@ class CorrectedFamily {
   double percentile(const std::vector<double>& v, double p) const;
 };
 
-/// Sets the slopes with correction i to differences, for corrections without exact slopes.
+/// Sets the slopes with respect to correction i to difference quotients. This is for corrections
+/// without exact slopes.
 void add_difference(CorrectedFamily::Values& values, const CorrectedFamily& family,
                     const std::vector<double>& v, std::size_t i, const Correction& bounds);
 
@@ -39,12 +41,12 @@ struct RobustSearch {
   bool whole_box;  ///< false for a search around the start only
 };
 
-/// The best v from `start`, which is itself a candidate; not rounded.
+/// The best corrections found from `start`, which is itself a candidate. They are not rounded.
 ///
 /// Domain    lo ≤ start ≤ hi of the box; can_minimise() (contract)
 /// Accuracy  a local minimum, to `gain`
 std::vector<double> lowest_percentile(const RobustSearch& search, const std::vector<double>& start);
 
-constexpr double kRobustParts = 100;  ///< values for a drawing are multiples of a step/100
+constexpr double kRobustParts = 100;  ///< rounded corrections are multiples of step/100
 
 }  // namespace gearwright

@@ -1,5 +1,6 @@
-// Laws: (1) the percentile after is at most that before   (2) the same bytes on any number of threads.
-// Oracle: the percentile over a dense scan of the correction, computed for each member separately.
+// Laws: (1) corrections never increase the percentile   (2) the result is the same, byte for byte,
+// for any number of threads. Oracle: the percentile over a dense scan of the correction, computed
+// for each member separately.
 #include "gearwright/scatter/robust.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,7 @@ TEST(Robust, CrowningIsThatOfAScan) {
   EXPECT_NEAR(found->value[0], 3.0, 1.0);
   EXPECT_NEAR(percentile(found->before), 3.516, 0.21);
   EXPECT_NEAR(percentile(found->after), 2.750, 0.14);
-  // The result is compared by samples that the search did not use.
+  // The percentiles are computed from samples that the search did not use.
   ScatterTask other = task;
   other.seed = task.seed + 1;
   other.percentiles = {95};
@@ -108,7 +109,8 @@ TEST(Loosening, IsWhereThePercentileHasGrown) {
     return scatter_of(setup, t)->spread[0]->percentiles[2].estimate.value;
   };
   EXPECT_NEAR(l.percentile, changed(0, 1.0), 1e-15);
-  // The centre distance has a negligible effect on the curve, but a shaft angle has not.
+  // An error of the centre distance has a negligible effect on TE, unlike errors of the shaft
+  // angle.
   EXPECT_FALSE(l.by_tolerance[0].factor);
   ASSERT_TRUE(l.by_tolerance[1].factor);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
-// Computes the points x of the samples of a family, and the peak-to-peak TE at these points. They are
-// Sobol's points or random points with the distributions of the tolerances.
+// Computes the points x of the samples of a family, and the peak-to-peak TE at these points. They
+// are Sobol's points or random points with the distributions of the tolerances.
 //                                    theory: docs/theory/14-scatter.md, [T14.4] to [T14.6]
 // Internal to scatter/.
 #pragma once
@@ -14,7 +14,8 @@ namespace gearwright {
 
 /// Checks that samples of the family can be computed.
 ///
-/// Errors    as check_ends(); `tolerances` if they have more coordinates than the table of Sobol's points
+/// Errors    as check_ends(); `tolerances` if they have more coordinates than the table of Sobol's
+///           points
 std::optional<Error> check_family(const ContactSetup& setup,
                                   const std::vector<ScatterTolerance>& tolerances);
 

@@ -48,7 +48,7 @@ std::vector<ScatterSample> members_of(const ContactSetup& setup, const ScatterTa
   return samples;
 }
 
-// The point `a` with the coordinates of a group from `b`.
+// The point `a`, in which the coordinates of a group are replaced by those of `b`.
 std::vector<double> mixed(const ScatterTask& task, const ToleranceGroup& group,
                           std::vector<double> a, const std::vector<double>& b) {
   std::size_t from = 0;

@@ -4,8 +4,8 @@
 //   n, R   samples of a replicate, replicates        d   coordinates of x
 //                                    theory: docs/theory/14-scatter.md
 //
-// Every member of the family is computed independently of the others, and statistics are computed in the
-// order of the samples, so no result depends on the number of threads.
+// Every member of the family is computed independently of the others, and statistics are computed
+// in the order of the samples, so no result depends on the number of threads.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ namespace gearwright {
 
 enum class Sampling { sobol, random };
 
-/// Tolerances that are treated as one for the indices.
+/// Tolerances that are treated as one variable for the Sobol indices.
 struct ToleranceGroup {
   std::string name;
   std::vector<std::size_t> tolerances;
@@ -51,7 +51,7 @@ struct ScatterTask {
   bool loosening = false;
   std::optional<LoadedFamily> load{};
   std::optional<DensityRequest> density{};
-  int threads = 0;  ///< with 0, as many as the machine has
+  int threads = 0;  ///< 0 means one per core
   Progress* progress = nullptr;
 };
 
@@ -64,7 +64,7 @@ struct ScatterSample {
 struct Percentile {
   double percent;
   Estimate estimate;
-  std::optional<double> lower, upper;  ///< ends of the interval; none if there are too few samples
+  std::optional<double> lower, upper;  ///< ends of the confidence interval; none if samples are few
   std::size_t sample;                  ///< index of the sample with the nearest value
 };
 
@@ -91,7 +91,7 @@ struct LoadedSpread {
   Probability unsolved{};  ///< no teeth touch at a position, or its forces do not converge
 };
 
-/// The indices of each group.
+/// The first-order and total Sobol indices of each group.
 struct IndexEstimates {
   std::vector<Estimate> first, total;
 };
@@ -104,9 +104,9 @@ struct WorstMember {
 };
 
 /// Effect of each tolerance: the highest percentile of the peak to peak TE if one tolerance becomes
-/// wider or narrower about its mean value and all others stay the same.
+/// wider or narrower about the value of the drawing, and all others stay the same.
 struct Loosening {
-  double percent, percentile;  ///< rad, of the first replicate as it is
+  double percent, percentile;  ///< rad, of the first replicate with the given tolerances
   struct Change {
     std::optional<double> factor;  ///< greatest factor with which the percentile grows by at most
                                    ///< kLooser; none if this holds for any factor up to
@@ -133,12 +133,13 @@ struct Scatter {
   std::optional<PatternDensity> density;
 };
 
-/// Domain    tolerances, samples a power of two, 1 ≤ replicates, 0 < confidence < 1 (contract)
-/// Errors    as check_ends(); `tolerances` if they have more coordinates than the table of Sobol's points;
-///           nothing_touches() if no sample touches anywhere
+/// Domain    at least one tolerance, samples a power of two, replicates ≥ 1, 0 < confidence < 1
+///           (contract)
+/// Errors    as check_ends(); `tolerances` if they have more coordinates than the table of Sobol's
+///           points; nothing_touches() if no sample touches anywhere
 /// Accuracy  as member_at() for each member; each statistic has a confidence interval
-/// Laws      (1) the same bytes on any number of threads   (2) tolerances of width 0 give the numbers of
-///           analyse_contact()
+/// Laws      (1) the result is the same, byte for byte, for any number of threads   (2) tolerances
+///           of width 0 give the numbers of analyse_contact()
 Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);
 
 }  // namespace gearwright

@@ -55,7 +55,7 @@ TEST(Scatter, ThreadsDoNotMatterUnderLoad) {
     // The sample next to a percentile is one of the samples under load, which are the first 4 of 8.
     for (const Percentile& p : s.loaded[0].peak_to_peak->percentiles) EXPECT_LT(p.sample % 8, 4u);
   }
-  // They have the numbers of a family that consists of them.
+  // The samples under load give the same numbers as a family that consists of these samples only.
   task.samples = 4;
   const Scatter few = done(setup, task);
   EXPECT_EQ(few.loaded[0].peak_to_peak->mean.value, all[0].loaded[0].peak_to_peak->mean.value);
@@ -108,7 +108,8 @@ TEST(Scatter, NoWidthIsThePairAsDrawn) {
 }
 
 TEST(Scatter, PlainSpurGearsHaveAClosedDistribution) {
-  // [T14.14] with A_1, A_2 of Δγ ± 0.02° and Δδ ± 0.03°: the median and the 95 % point of |s|.
+  // The median and the 95 % point of |s| by [T14.14], with A_1 for Δγ = ±0.02° and A_2 for
+  // Δδ = ±0.03°.
   const ContactSetup setup = testing::spur_pair(false).setup();
   const double r_b1 = setup.gear(1).base_radius();
   const double r_b2 = setup.gear(2).base_radius();
@@ -179,8 +180,8 @@ TEST(Scatter, TheWorstMayLieInside) {
   task.worst_case = true;
   const Scatter s = done(setup, task);
   ASSERT_TRUE(s.worst_peak_to_peak && s.worst_least_play);
-  // Values of a scan by another program: 0.6353" and 0.7368" at the ends, 4.3057" within 0.05" at
-  // -0.03328°.
+  // Another program found 0.6353" and 0.7368" at the ends of the range and 4.3057" (to 0.05") at
+  // −0.03328°.
   EXPECT_NEAR(s.worst_peak_to_peak->value * kArcsecPerRad, 4.3057, 0.05);
   EXPECT_NEAR(s.worst_peak_to_peak->x[0], -0.03328, 5e-4);
   EXPECT_FALSE(s.worst_peak_to_peak->corner);

@@ -7,7 +7,7 @@ namespace gearwright {
 
 namespace {
 
-// The values of one quantity and their indices, of the samples that have one.
+// The values of one quantity, and the indices of the samples that have a value.
 struct Values {
   std::vector<double> value;
   std::vector<std::size_t> sample;

@@ -1,5 +1,5 @@
-// Statistics of one quantity over the samples of a family: mean, standard deviation, percentiles and
-// probabilities with their intervals.
+// Statistics of one quantity over the samples of a family: mean, standard deviation, percentiles
+// and probabilities with their intervals.
 //
 // Internal to scatter/.                theory: docs/theory/14-scatter.md, [T14.6] to [T14.9]
 #pragma once
@@ -12,8 +12,9 @@
 
 namespace gearwright {
 
-/// The spread of `values`, which are stored replicate by replicate, `per_replicate` in each. A sample
-/// without a value is NaN. Percentile::sample is an index of `values`. None if no sample has a value.
+/// The spread of `values`, which are stored replicate by replicate, `per_replicate` in each. A
+/// sample without a value is NaN. Percentile::sample is an index of `values`. None if no sample has
+/// a value.
 std::optional<Spread> spread_of(const ScatterTask& task, const std::vector<double>& values,
                                 int per_replicate);
 

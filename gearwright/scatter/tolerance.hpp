@@ -1,4 +1,5 @@
-// Variations from pair to pair: a toleranced number, the position of a bore, pitches, or waves of flanks.
+// Variations from pair to pair: a toleranced number, the position of a bore, pitches, or form waves
+// of the flanks.
 //
 //   x   coordinates of a member of the family, one to three for each tolerance; 0 is the
 //       pair as drawn, because every x is added to the value of the drawing
@@ -39,37 +40,37 @@ struct VaryingModification {
   RemovalField::Parameter parameter;
 };
 
-/// The place of the bore of axis 1 relative to that of axis 2 within a circle, in a plane at one
-/// end of the bearing span.
+/// The position of the bore of axis 1 relative to the bore of axis 2, in the plane at one end of
+/// the bearing span. It varies within a circle.
 struct VaryingBore {
   double span;    ///< L  mm
-  double offset;  ///< c  mm, of the gear from the middle of the span, towards +z
+  double offset;  ///< c  mm, position of the gear from the middle of the span, towards +z
   bool far_end;   ///< true for the plane at z = +L/2, false for −L/2
 };
 
 /// The pitches of a gear: an eccentricity and a random walk around it. Their range is at most a
-/// share of F_pT, and no step exceeds f_ptT. The coordinates x are that share, the phase of the
-/// eccentricity in degrees, and the share of the eccentricity. Pitches change only the long
-/// period.   [T14.20]
+/// share of F_pT, and no step exceeds f_ptT. The coordinates x are this share, the phase of the
+/// eccentricity in degrees, and the part that the eccentricity has in the sum. Pitches change only
+/// the long period.   [T14.20]
 struct VaryingPitch {
   int gear;
   double total, single;  ///< F_pT, f_ptT  mm, along the reference circle
 };
 
-/// A wave as form deviation of both flanks, with the full height f_f. The coordinates x are the number
-/// of waves and the phase in degrees.   [T14.21]
+/// A wave as a form deviation of both flanks, with the full height f_f. The coordinates x are the
+/// number of waves and the phase in degrees.   [T14.21]
 struct VaryingWave {
   int gear;
   bool along_face;           ///< true if over the face, false if over the usable profile
-  std::array<int, 2> waves;  ///< least and most
+  std::array<int, 2> waves;  ///< least and greatest number of waves
   double height;             ///< f_fα or f_fβ  mm
 };
 
 struct ScatterTolerance {
-  std::string name;   ///< name for the user, "errors.crossing_deg"
+  std::string name;   ///< name for the user, for example "errors.crossing_deg"
   double unit = 1.0;  ///< one unit of the user in rad or mm; the distribution uses the user's unit
-  /// The distribution of the number. For a bore it is that of each coordinate, over −R to R, and for a
-  /// pitch that of the share. For a wave it is 0 to 1 and not used.
+  /// The distribution of the number. For a bore, it is the distribution of each coordinate over −R
+  /// to R, and for pitches that of the share. For a wave, it is not used.
   Distribution distribution;
   std::variant<VaryingError, VaryingThickness, VaryingModification, VaryingBore, VaryingPitch,
                VaryingWave>
@@ -84,7 +85,7 @@ struct ScatterTolerance {
   std::array<double, 2> side(int coordinate) const;
 };
 
-/// A member of the family: its difference from the pair as drawn, in mm and rad.
+/// A member of the family, described by its errors, modifications and deviations in mm and rad.
 struct Deviation {
   ContactErrors errors;               ///< of the member, including those of the drawing
   PairModifications modifications;    ///< of the member, including those of the drawing
@@ -107,7 +108,8 @@ int coordinates_of(std::span<const ScatterTolerance> tolerances);
 
 /// Checks that the teeth and their modifications exist at both ends of each tolerance.
 ///
-/// Errors    as ContactSetup::of, for the first tolerance at fault; the field is the name of the tolerance
+/// Errors    as ContactSetup::of, for the first tolerance at fault; the field is the name of the
+///           tolerance
 std::optional<Error> check_ends(const ContactSetup& setup,
                                 std::span<const ScatterTolerance> tolerances);
 

@@ -11,13 +11,13 @@
 
 namespace gearwright {
 
-/// ε of every tooth: r ε_k = e sin(2πk/z + χ) + g_k, where g is a closed random walk that `share`, `phase`
-/// and `eccentric` determine.
+/// The angles ε of all teeth: r ε_k = e sin(2πk/z + χ) + g_k. Here e and the closed random walk g
+/// follow from `share`, `phase` and `eccentric`.
 ///
 /// Formula   [T14.20]
 /// Domain    share ≥ 0, 0 ≤ eccentric ≤ 1 (contract)
-/// Laws      (1) the sum is 0   (2) r ε_k varies by at most share · F_pT, and no step exceeds f_ptT;
-///           one of the two limits is reached
+/// Laws      (1) the sum is 0   (2) r ε_k varies by at most share · F_pT, and no step exceeds
+///           f_ptT; one of the two limits is reached
 std::vector<double> uneven_pitch(const Gear& gear, const VaryingPitch& tolerance, double share,
                                  double phase, double eccentric);
 

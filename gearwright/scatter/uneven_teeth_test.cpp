@@ -117,8 +117,8 @@ TEST(GradedFlank, SlopesReachOverTheWholeFlank) {
   const ContactSetup setup = testing::crowned_helical_pair().setup();
   const auto g = graded_flank(setup.gear(1), FlankTolerances::iso_2013, 6);
   ASSERT_TRUE(g);
-  // [T10.16] and [T10.17] by hand give 7.1 and 8.6 µm, before rounding to 0.5, for d 44.0, m_n 2.5,
-  // b 25 and grade 6.
+  // By hand, [T10.16] and [T10.17] give 7.1 and 8.6 µm for d = 44.0, m_n = 2.5, b = 25 and grade 6,
+  // before rounding to 0.5 µm.
   EXPECT_NEAR(g->helix_slope, 0.0085 * 25 / 22.5, 0.0006);
   EXPECT_GT(g->profile_slope, 0.0065);
   EXPECT_LT(g->profile_slope, 0.0090);

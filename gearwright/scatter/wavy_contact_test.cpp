@@ -16,8 +16,9 @@
 namespace gearwright {
 namespace {
 
-// T over flank 1 inside flank 2, for every tooth pair, by a grid and the parabola through its best rows,
-// rad. Every touch has a T of the field, so the greatest is at least this one.
+// The greatest T, rad, over all tooth pairs and over the part of flank 1 inside flank 2, from a
+// grid and the parabola through its best rows. TE is the greatest T of the flanks, so it must be
+// at least this value.
 double greatest_on_a_grid(const ContactPair& pair, double phi) {
   constexpr int kHeights = 201, kRows = 161;
   double best = -std::numeric_limits<double>::infinity();
@@ -86,8 +87,8 @@ TEST(WavyContact, FollowsTheGreatestCrest) {
   }
 }
 
-// A root relief divides flank 1 into two patches. The one at the root begins near the base circle, and
-// only a part of it, or nothing, lies opposite flank 2. A relief of amount 0 changes nothing.
+// A root relief divides flank 1 into two patches. The one at the root begins near the base circle,
+// and only a part of it, or nothing, lies opposite flank 2. A relief of amount 0 changes nothing.
 TEST(WavyContact, FollowsTheGreatestCrestOverTwoPatches) {
   for (const double start : {0.1, 0.2, 0.3, 0.5}) {
     for (const double amount : {0.0, 0.005}) {
@@ -118,8 +119,8 @@ TEST(WavyContact, FollowsTheGreatestCrestOverTwoPatches) {
   }
 }
 
-// The curve of 32 positions costs less than 20 evaluations per position; without the closed form of the
-// waves, it costs 1000. The extremes do not depend on the number of positions.
+// With 32 positions, the curve costs less than 20 evaluations per position, and 1000 without the
+// closed form of the waves. The extremes do not depend on the number of positions.
 TEST(WavyContact, NeedsFewEvaluations) {
   const testing::SamplePair sample = wavy(0.009, 2, 4, 1.7);
   const ContactPair pair = sample.pair();

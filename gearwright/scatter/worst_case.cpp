@@ -12,14 +12,14 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kMostCorners = 1024;  // if there are more, some are chosen evenly
+constexpr std::size_t kMostCorners = 1024;  // if there are more, kChosenCorners of them are used
 constexpr std::size_t kChosenCorners = 256;
 constexpr std::size_t kStartCorners = 8;   // number of the worst corners at which a search starts
 constexpr std::size_t kStartSamples = 16;  // number of the worst samples at which a search starts
-constexpr int kDirections = 8;             // places of a bore on its circle that count as corners
-constexpr double kFirstStep = 0.25;        // of a range
-constexpr double kLastStep = 1e-4;         // of a range
-constexpr double kAtEnd = 1e-9;            // relative to a range: this near, a place is at its end
+constexpr int kDirections = 8;       // positions of a bore on its circle that count as corners
+constexpr double kFirstStep = 0.25;  // of a range
+constexpr double kLastStep = 1e-4;   // of a range
+constexpr double kAtEnd = 1e-9;      // of a range: a point that is nearer to an end is at the end
 
 class Box {
  public:
@@ -38,7 +38,7 @@ class Box {
   double width(std::size_t i) const { return sides_[i][1] - sides_[i][0]; }
 
   // The quantity to maximise: the peak to peak of a member, or its negative play; minus infinity if
-  // there is none.
+  // the member has no such value.
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
     const double value = quantity_ == ScatterQuantity::peak_to_peak

@@ -1,8 +1,9 @@
-// Finds the worst member of a family by a search of the whole box of tolerances, not only of its corners.
+// Finds the worst member of a family by a search of the whole box of tolerances, not only of its
+// corners.
 //
-// Peak to peak TE is the difference of the greatest and the least value of a curve, and therefore
-// neither convex nor quasi-convex in the errors. If contact changes between edges, the inside of a
-// box may be worse than every corner.
+// The peak to peak of TE is the difference of the greatest and the least value of a curve. It is
+// therefore neither convex nor quasi-convex in the errors. If the contact moves from one edge to
+// another, a point inside the box may be worse than every corner.
 //                                    theory: docs/theory/14-scatter.md, [T14.15]
 // Internal to scatter/.
 #pragma once
@@ -11,9 +12,9 @@
 
 namespace gearwright {
 
-/// The member with the greatest peak to peak, or with the least play. The search starts at the worst
-/// corners of the box and the worst samples, and takes steps along the coordinates and along the last
-/// gain, which are halved if nothing is gained.
+/// The member with the greatest peak to peak, or with the least play. The search starts at the
+/// worst corners of the box and at the worst samples. Its steps follow the coordinates and the last
+/// improvement, and are halved if there is no improvement.
 ///
 /// Accuracy  a local maximum, the worst one found from several starts; not a bound
 /// Laws      (1) no sample and no corner that was tried is worse

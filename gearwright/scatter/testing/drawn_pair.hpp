@@ -41,7 +41,7 @@ inline CylindricalSpec drawn_gear(int teeth, double module, double helix_deg, do
   return s;
 }
 
-/// 20:40 spur teeth of cases/scatter.json, with crowning or without.
+/// The spur pair with 20:40 teeth of cases/scatter.json, with or without crowning.
 inline DrawnPair spur_pair(bool crowned) {
   DrawnPair p{{drawn_gear(20, 2, 0, 0.2, -0.06, 20), drawn_gear(40, 2, 0, 0, -0.06, 20)}, 60.4};
   if (crowned) p.modifications.lead_crowning = 0.008;
@@ -49,7 +49,7 @@ inline DrawnPair spur_pair(bool crowned) {
   return p;
 }
 
-/// 17:43 crowned helical teeth.
+/// A crowned helical pair with 17:43 teeth.
 inline DrawnPair crowned_helical_pair() {
   DrawnPair p{{drawn_gear(17, 2.5, 15, 0.3, -0.05, 25), drawn_gear(43, 2.5, -15, 0.1, -0.07, 25)},
               78.6056};
@@ -58,7 +58,7 @@ inline DrawnPair crowned_helical_pair() {
   return p;
 }
 
-/// 23:61 helical teeth without crowning.
+/// A helical pair with 23:61 teeth, without crowning.
 inline DrawnPair plain_helical_pair() {
   return {{drawn_gear(23, 2, -20, 0.15, -0.05, 20), drawn_gear(61, 2, 20, 0, -0.05, 20)}, 89.8};
 }
