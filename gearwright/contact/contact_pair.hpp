@@ -3,8 +3,7 @@
 //
 //   Housing f   the frame of kinematics/pose.hpp; errors tilt and shift axis 1, and ΔC moves axis 2
 //   World N     the frame in which gear 2 turns counter-clockwise and is touched on the clockwise
-//   side
-//               of its tooth
+//               side of its tooth
 //               external pair, gear 1 drives    N = f
 //               internal pair                   N = f with −y; both gears turn in the same sense
 //               gear 2 drives                   half a turn about x, (y, z) → (−y, −z), and both

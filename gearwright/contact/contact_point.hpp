@@ -74,8 +74,8 @@ struct ContactPoint {
   TouchKind kind = TouchKind::none;
   Vec3 point = Vec3::Zero();   ///< mm, housing
   Vec3 normal = Vec3::Zero();  ///< points out of gear 1, in the housing
-  /// 2ρ and z in the frame of each gear, mm; for a rack, the height above its datum line instead of
-  /// 2ρ
+  /// 2ρ and z in the frame of each gear, mm; for a rack, the height above its datum line instead
+  /// of 2ρ
   std::array<double, 2> diameter{}, height{};
   RackTravel rack{};
   std::optional<Angle> rack_angle;                     ///< normal angle of the rack that cut gear 1

@@ -64,8 +64,8 @@ class ContactSetup {
   /// The setup with other modifications.   Errors `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
   /// The setup of one half of a double-helical pair. `middle` contains z of the middle of each
-  /// face. If `below`, the half is at z < 0 and is represented by its mirror image in the plane z =
-  /// 0.
+  /// face. If `below`, the half is at z < 0 and is represented by its mirror image in the plane
+  /// z = 0.
   ContactSetup half_at(const std::array<double, 2>& middle, bool below) const;
   /// The setup in which these gears have fields of removed material, even if nothing is removed,
   /// because derivatives need the fields.

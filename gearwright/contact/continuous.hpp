@@ -2,8 +2,7 @@
 // some positions.
 //
 //   T_a, T_b   two branches; a branch is T of one tooth pair on one pair of patches, as a function
-//   of
-//              the rotation
+//              of the rotation
 //   TE         the greatest of the branches
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //

@@ -89,8 +89,8 @@ double GapField::value(const Place2& place, double& s2) const {
 
 GapJet GapField::at(double s, double z, double& s2) const {
   const PolarJet p = one_->profile.at(s);
-  // Flank 1 in its transverse section is w1 = e^{λ}. The derivatives of λ by s and z are l_s, l_z,
-  // …
+  // Flank 1 in its transverse section is w1 = e^{λ}. The derivatives of λ by s and z are
+  // l_s, l_z, …
   Complex l_s = p.d1;
   Complex l_ss = p.d2;
   double turn = 0.0;

@@ -101,8 +101,8 @@ TEST(GapField, derivatives) {
   EXPECT_GE(inside, 8);
 }
 
-// A flank that turns by dφ moves by arm · dφ along its normal. The arm of an involute is r_b cos
-// β_b.
+// A flank that turns by dφ moves by arm · dφ along its normal. The arm of an involute
+// is r_b cos β_b.
 TEST(GapField, arm_of_an_involute) {
   const auto p = testing::involutes(20, 41, 15);
   const ContactPair pair = p.pair();

@@ -3,7 +3,7 @@
 //
 //   e_A, e_B   TE of the half at z > 0 and of the half at z < 0
 //   k          rotation of gear 2 per axial displacement of gear 1, rad/mm; (z1/z2) tan β/r_1 of
-//   half A
+//              half A
 //   s          stagger of half B, pitches
 //
 // Each half is a helical pair. Half B is replaced by its mirror image in the plane z = 0, which has

@@ -2,8 +2,7 @@
 // gap between the flanks at one position.
 //
 //   gap   normal distance of the flanks, mm, at the actual rotation of gear 2. In a pattern, it is
-//   the
-//         least distance over all positions.  [T8.3], [T8.19] of docs/theory/08-contact.md
+//         the least distance over all positions.  [T8.3], [T8.19] of docs/theory/08-contact.md
 //
 // Results are rasters. The rows of a raster are diameters, and the columns are heights along the
 // face.

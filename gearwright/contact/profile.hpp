@@ -1,8 +1,8 @@
 // One smooth piece of a flank's transverse outline, as a complex function of one parameter.
 //
 //   W(s)   point ρ e^{iθ}, mm; s is the parameter of the piece     ℓ = log W,  u = ln ρ = Re ℓ
-//   c      +1 for the side y > 0 of a tooth about the x axis, −1 for its mirror image, the side y <
-//   0 θ′, θ″ derivatives of θ by u, which determine the contact with a mating gear
+//   c      +1 for the side y > 0 of a tooth about the x axis, −1 for its mirror image, the side y < 0
+//   θ′, θ″ derivatives of θ by u, which determine the contact with a mating gear
 //                                    theory: docs/theory/08-contact.md, [T8.4]…[T8.6]
 //
 //   involute       s = ξ   roll angle (negative for an internal gear)

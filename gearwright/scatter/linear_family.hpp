@@ -3,7 +3,7 @@
 //
 //   T_i    greatest gap angle over the profile at place i, which is a height of a tooth pair
 //   e      errors of a member minus those drawn      ΔC   additional removal of the member at i
-//   T_i(x) ≈ T_i + Σ ∂T_i/∂e · e + Σ ∂T_i/∂C · ΔC        theory: docs/theory/14-scatter.md, [T14.26]
+//   T_i(x) ≈ T_i + Σ ∂T_i/∂e · e + Σ ∂T_i/∂C · ΔC       theory: docs/theory/14-scatter.md, [T14.26]
 //
 // T at a fixed place is nearly linear in the errors (section 14.5), and TE is still the greatest T
 // over all places. The contact can therefore move along the face, edges can begin to touch, and
