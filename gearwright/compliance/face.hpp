@@ -1,4 +1,5 @@
-// The amplitudes f(z) of the modes along the face, by one-dimensional finite elements of third order.
+// The amplitudes f(z) of the modes along the face, by one-dimensional finite elements of third
+// order.
 //
 //   K = m00 ⊗ K_aa + m01 ⊗ K_ab + m01ᵀ ⊗ K_abᵀ + m11 ⊗ K_bb                          [T12.8]
 //   m00 = ∫NNᵀ, m01 = ∫N N′ᵀ, m11 = ∫N′N′ᵀ of an element

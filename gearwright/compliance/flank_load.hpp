@@ -13,8 +13,8 @@
 
 namespace gearwright::detail {
 
-/// A weighted sum of displacements, Σ weight · U(dof). Read as nodal forces, the same weights
-/// represent a unit line load.
+/// A weighted sum of displacements, Σ weight · U(dof). If the weights are used as nodal forces,
+/// they represent a unit line load.
 struct Functional {
   std::vector<int> dof;
   std::vector<double> weight;

@@ -5,8 +5,9 @@
 //   R² = Δs² + 2g Δs Δz + G Δz²   metric of the flank; g = 0 and G = 1 for a spur gear
 //                                               theory: docs/theory/12-loaded-contact.md, [T12.10]
 //
-// Forces are distributed over slices of the face, and displacements are means over slices. The integrals
-// use F(x, z) = z asinh(z/|x|) − √(x² + z²), the second integral of 1/R by z.
+// Forces are distributed over slices of the face, and displacements are means over slices. The
+// integrals use F(x, z) = z asinh(z/|x|) − √(x² + z²), the second integral of 1/R with respect to
+// z.
 #pragma once
 
 #include <vector>

@@ -11,7 +11,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kElement = 0.5;        // modules along the face
-constexpr double kHalfWidth = 0.05;     // modules, default width of the strip
+constexpr double kHalfWidth = 0.05;     // modules, default half width of the strip
 constexpr double kOnFace = 1e-9;        // relative to half the face width: tolerance for rounded
                                         // positions
 constexpr double kNearestToTip = 0.02;  // modules: least distance of the load from the tip
@@ -104,7 +104,7 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const Elast
   const std::array<double, 2>& part = *probe.loaded;
   if (!(on_face(part[0]) && on_face(part[1]) && part[0] < part[1])) {
     return refused("z", on_face(part[0]) ? part[1] : part[0], {-half_face * m, half_face * m},
-                   "must be two positions in rising order on the face, between {} and {} mm");
+                   "must be two positions on the face in rising order, between {} and {} mm");
   }
   for (const double z : probe.read)
     if (!on_face(z))

@@ -13,7 +13,8 @@
 
 namespace gearwright {
 
-/// The position of the load on the flank at y > 0 of tooth 0. `outline` describes the same side.
+/// The position of the load on the flank at y > 0 of tooth 0. The verb outline describes the same
+/// side.
 struct ComplianceProbe {
   double diameter = 0.0;                          ///< d_y  mm, diameter at which the load acts
   std::optional<std::array<double, 2>> loaded{};  ///< z of both ends of the load, mm; if absent,

@@ -1,8 +1,9 @@
 // The compliance of a tooth is compared with converged finite elements, and its laws are tested.
 //
-// FE2D-25, FE3D-25, FE3D-25-HEL: separate reference computations (gmsh triangles with up to 68 000
-// unknowns; CalculiX C3D20 with 105 840), E = 1, m = 1, ν = 0.3; 25 teeth, x = 0, rack 1.25/0.38,
-// bore radius 6 m. The values for the helix angle of 45° come from tests/oracle/bricks.
+// The references FE2D-25, FE3D-25 and FE3D-25-HEL are separate computations, with up to 68 000
+// unknowns for triangles (gmsh) and 105 840 for C3D20 elements (CalculiX), for E = 1, m = 1,
+// ν = 0.3, 25 teeth, x = 0, a rack with dedendum 1.25 and root fillet 0.38, and a bore radius of
+// 6 modules. The values for the helix angle of 45° come from tests/oracle/bricks.
 #include "gearwright/compliance/probe.hpp"
 
 #include <gtest/gtest.h>
@@ -57,9 +58,9 @@ TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {
   EXPECT_NEAR(body_twist(28.0, 33.75, 31.25, 0.3), want, 1e-6 * want);
 }
 
-// Stiffness of two teeth in contact at the pitch point: 300 N/mm, m = 5, rims 4 modules thick,
-// without the twist of the bodies. It is compared with independent finite elements and with c'_th
-// of ISO 6336-1, which approximates the formulas of Weber and Banaschek.
+// The stiffness of two teeth in contact at the pitch point, for 300 N/mm, m = 5 and rims 4 modules
+// thick, without the twist of the bodies. It is compared with independent finite elements and with
+// c'_th of ISO 6336-1, which approximates the formulas of Weber and Banaschek.
 TEST(ToothCompliance, StiffnessOfAPairIsThatOfTheStandard) {
   struct Row {
     int z1, z2;
@@ -106,7 +107,7 @@ void expect_profile(double twist, double radius, double from, const std::vector<
                                   ComplianceAccuracy::full);
   ASSERT_TRUE(a) << a.error().message();
   for (std::size_t i = 0; i < at.size(); ++i) {
-    // Under the load, the reference has no Hertz contact strip.
+    // The reference has no Hertz contact strip, so positions near the load are left out.
     if (std::abs(at[i] - from - 0.25) < 0.9) continue;
     EXPECT_NEAR(a->profile[i] * kModule, want[i], share * a->own * kModule) << from << ' ' << at[i];
   }

@@ -24,7 +24,7 @@ Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   return x;
 }
 
-// The sparsity pattern of the matrices. Each two nodes that share an element have a 3 × 3 block.
+// The sparsity pattern of the matrices. Every two nodes that share an element have a 3 × 3 block.
 class BlockPattern {
  public:
   explicit BlockPattern(const SectionMesh& mesh) : beside_(mesh.nodes.size()) {
@@ -217,7 +217,7 @@ StripSolver<Scalar>::StripSolver(const SectionMesh& mesh, const SectionMatrices&
       place[3 * static_cast<std::size_t>(i) + c] = static_cast<int>(parts_->free.size());
       parts_->free.push_back(3 * i + c);
     }
-  // All three matrices have an entry for each two degrees of freedom that share an element.
+  // All three matrices have an entry for every two degrees of freedom that share an element.
   const Sparse back = matrices.ab.transpose();
   const std::array<const Sparse*, 3> from{&matrices.aa, &matrices.ab, &matrices.bb};
   const auto size = static_cast<Eigen::Index>(parts_->free.size());

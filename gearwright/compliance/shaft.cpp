@@ -108,7 +108,7 @@ ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
                              [](const ShaftState& s, double value) { return s.z < value; });
   };
 
-  // A displacement and a rotation of the whole shaft make the deflections at the bearings correct.
+  // A rigid displacement and rotation of the shaft make the deflections at the bearings correct.
   std::array<double, 2> off{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double place = shaft.bearing_stiffness ? -R[i] / (*shaft.bearing_stiffness)[i] : 0.0;

@@ -25,7 +25,7 @@ ShaftInfluence shaft_influence(const Shaft& shaft, const FaceSlices& slices, dou
   for (int i = 0; i < n; ++i) middles.push_back(slices.middle(i));
   ShaftInfluence all;
   all.force = all.moment = all.turn = all.twist = MatrixXd::Zero(n, n);
-  MatrixXd slope(n, n);  // ψ by a force
+  MatrixXd slope(n, n);  // ψ due to a force
   for (int j = 0; j < n; ++j) {
     const double lo = slices.lo + j * h;
     const ShaftDeflection by_force = shaft_deflection(shaft, {1.0, 0.0, lo, lo + h}, middles);
@@ -38,7 +38,7 @@ ShaftInfluence shaft_influence(const Shaft& shaft, const FaceSlices& slices, dou
   all.force = both_orders(all.force, all.force);
   all.turn = both_orders(all.turn, all.turn);
   all.moment = both_orders(all.moment, slope);
-  // A torque at the distance t from the end at which it leaves twists the gear up to its own place.
+  // A torque on a slice twists the gear between this slice and the end at which the torque leaves.
   const bool left = shaft.torque_from == ShaftSide::left;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
