@@ -5,7 +5,8 @@
 //   Gear1, Gear2   z along the gear's axis, x the centre line of tooth 0 in the section z = 0
 //                                                          theory: docs/theory/01-frames.md
 //
-// Adjacent letters of a product must be equal, so X_2f * X_f1 * r_1 compiles and X_f1 * X_2f does not.
+// Adjacent letters of a product must be equal, so X_2f * X_f1 * r_1 compiles and X_f1 * X_2f does
+// not.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -18,7 +19,7 @@ struct Housing {};
 struct Gear1 {};
 struct Gear2 {};
 
-/// A point with its frame, mm.
+/// The coordinates of a point in a frame, mm.
 template <class Frame>
 struct Point {
   Vec3 r = Vec3::Zero();
