@@ -36,8 +36,9 @@ struct SectionMatrices {
   Sparse aa, ab, bb;  ///< ∫AᵀDA, ∫AᵀDB, ∫BᵀDB over the section; ab is not symmetric
 };
 
-/// Computes the matrices of a section. If `wave` is true, B belongs to U = (u cos kz, v cos kz, w
-/// sin kz) and is divided by k [T12.6]. If it is false, B belongs to free functions of z.
+/// Computes the matrices of a section. If `wave` is true, B belongs to
+/// U = (u cos kz, v cos kz, w sin kz) and is divided by k [T12.6]. If it is false, B belongs to
+/// free functions of z.
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
 
@@ -47,8 +48,8 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
 /// Computes waves along the face with a given wave number k. Only unconstrained nodes are included.
 /// [T12.6], [T12.18]
 ///
-///   double                 K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0
-///   std::complex<double>   K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz); any τ
+///   double                K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0
+///   std::complex<double>  K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz); any τ
 template <class Scalar>
 class StripSolver {
  public:

@@ -138,8 +138,8 @@ std::vector<double> shaft_twist(const Shaft& shaft, double torque, double body, 
   twist.reserve(z.size());
   for (const double place : z) {
     GW_EXPECTS(place >= lo && place <= hi);
-    // The torque decreases linearly from one end of the face. Its integral over t is therefore t (1
-    // − t/(2 b)) times the torque at that end.
+    // The torque decreases linearly from one end of the face. Its integral over t is therefore
+    // t (1 − t/(2 b)) times the torque at that end.
     const double t = left ? place - lo : hi - place;
     twist.push_back(torque * t * (1 - t / (2 * (hi - lo))) * per_length);
   }

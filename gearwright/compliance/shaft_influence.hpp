@@ -29,8 +29,8 @@ struct ShaftInfluence {
 /// Formula   [T12.34]
 /// Domain    shaft.possible() (contract)
 /// Accuracy  the loads are uniform over the slices, so sums over all slices are those of a uniform
-///           load; an entry is the mean of (i, j) and (j, i), which differ by the square of the
-///           width of a slice
+///           load; an entry is the mean of (i, j) and (j, i), whose difference is of the order of
+///           the square of the width of a slice
 ShaftInfluence shaft_influence(const Shaft& shaft, const FaceSlices& slices, double body);
 
 }  // namespace gearwright

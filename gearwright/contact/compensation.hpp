@@ -118,7 +118,7 @@ std::vector<double> as_written(const std::vector<Correction>& corrections,
 ///           box (DIRECT) and by descents from several starts. Values are multiples of a hundredth
 ///           of `step`, or of a smaller part if this rounding loses more than 1 % of the gain. All
 ///           are 0 if the gain is below kSameError
-///           (1) f(value) <= f(0) at fine_positions; if there is an aim, its worst value over the
+/// Laws      (1) f(value) <= f(0) at fine_positions; if there is an aim, its worst value over the
 ///               scenarios is not greater with the corrections than without
 ///           (2) without a given w and without an aim, after.peak_to_peak is at most the greater of
 ///               before.peak_to_peak + kSameError and kQuiet

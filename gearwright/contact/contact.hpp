@@ -2,8 +2,7 @@
 //
 // The parts of the analysis are the field T of two flanks (gap_field.hpp), the search for its
 // greatest value (touch.hpp), the tooth pairs over a pitch (transmission.hpp) and the description
-// of a touch
-// (contact_point.hpp).                               theory: docs/theory/08-contact.md
+// of a touch (contact_point.hpp).                    theory: docs/theory/08-contact.md
 #pragma once
 
 #include <vector>

@@ -78,8 +78,9 @@ struct ContactPoint {
   /// of 2ρ
   std::array<double, 2> diameter{}, height{};
   RackTravel rack{};
-  std::optional<Angle> rack_angle;                     ///< normal angle of the rack that cut gear 1
-  std::optional<std::array<double, 2>> gap_curvature;  ///< k1, k2  1/mm, of kinds interior and line
+  std::optional<Angle> rack_angle;  ///< normal angle of the rack that cut gear 1
+  std::optional<std::array<double, 2>>
+      gap_curvature;  ///< k1, k2  1/mm, for the kinds interior and line
   std::optional<ContactEllipse> ellipse;
   std::optional<ContactRidge> ridge;
   std::optional<std::array<Vec3, 2>> line;  ///< ends of a contact line, housing

@@ -31,9 +31,9 @@ std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& 
         a, r1 + r2);
   }
   return fmt::format(
-      "at no position does a flank of gear 1 lie opposite a flank of gear 2 (centre distance "
-      "{:.6g} mm, tip radii {:.6g} and {:.6g} mm). Smaller errors, or faces that overlap, would "
-      "help",
+      "no flank of gear 1 lies opposite a flank of gear 2 at any position (centre distance {:.6g} "
+      "mm, "
+      "tip radii {:.6g} and {:.6g} mm); smaller errors or faces that overlap would help",
       a, r1, r2);
 }
 
@@ -138,7 +138,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     auto* rack = std::get_if<ArcRack>(&spec.rack);
     GW_EXPECTS(rack != nullptr);
     rack->center_b += change.tool_setting / spec.normal_module;
-    rack->pressure_angle.reset();  // is given only to check the nominal setting
+    rack->pressure_angle.reset();  // it only checks the nominal setting
     auto gear = make_gear(spec);
     if (!gear) return of_gear(*which, gear.error());
     if (!gear->exists() || !gear->root_form_radius())
@@ -162,7 +162,7 @@ Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& err
     const Gear& gear = setup.gear(i + 1);
     if (!gear.root_form_radius())
       return Error{gear_field(i + 1), "",
-                   "has no usable flank; the warnings of the verb gear give the reason",
+                   "has no usable flank; for the reason, see the warnings of the verb gear",
                    FailureKind::no_flank};
     if (auto error = check_cutter_lead(gear, i + 1, errors.cutter_lead[i])) return *error;
   }

@@ -24,8 +24,8 @@ struct SetupChange {
   double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ
   struct Flank {
-    double lead_slope = 0.0, lead_crowning = 0.0;        ///< mm; slopes apply to the working flanks
-    double profile_slope = 0.0, profile_crowning = 0.0;  ///< only, crownings to both flanks
+    double lead_slope = 0.0, lead_crowning = 0.0;        ///< mm; slopes: working flanks only
+    double profile_slope = 0.0, profile_crowning = 0.0;  ///< mm; crownings: both flanks
     double tip_relief = 0.0, root_relief = 0.0, end_relief = 0.0;  ///< mm, of existing reliefs
 
     bool operator==(const Flank&) const = default;

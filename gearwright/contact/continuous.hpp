@@ -3,7 +3,7 @@
 //
 //   T_a, T_b   two branches; a branch is T of one tooth pair on one pair of patches, as a function
 //              of the rotation
-//   TE         the greatest of the branches
+//   TE         the greatest of the branches; this branch leads
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //
 // A maximum of TE lies inside a branch or at its end. A minimum lies inside a branch or at a

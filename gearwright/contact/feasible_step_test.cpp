@@ -100,7 +100,7 @@ TEST(FeasibleStep, random_problems) {
 
 TEST(FeasibleStep, says_when_there_is_no_room) {
   StepProblem p = box(-1, 1, -1, 1);
-  p.bounds[4] = {-3.5, 1, 0};  // s ≥ 3.5 besides s ≤ 1
+  p.bounds[4] = {-3.5, 1, 0};  // s ≥ 3.5 contradicts s ≤ 1
   const FeasibleStep s = solve_step(p, {});
   EXPECT_FALSE(s.feasible);
   EXPECT_GE(s.d_s, 1.0);  // between the two bounds

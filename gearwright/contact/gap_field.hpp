@@ -65,8 +65,8 @@ struct GapJet {
   double bend2_uu, bend2_uZ, bend2_ZZ;  ///< derivatives of these slopes
   Complex w1, w1_s, w1_z;  ///< the point of gear 1 in the transverse plane, mm, before mounting
   Complex w1_ss, w1_sz, w1_zz;
-  /// ∂w/∂(u + iψ) and its derivatives by s and z. For a gear, this is the point w itself in the
-  /// frame of gear 2; for a rack, it is −r, and its derivatives are 0.
+  /// ∂w/∂(u + iψ) and its derivatives with respect to s and z. For a gear, this is the point w
+  /// itself in the frame of gear 2; for a rack, it is −r, and its derivatives are 0.
   Complex w, w_s, w_z;
 };
 

@@ -14,8 +14,9 @@ struct GapForm {
   Eigen::Matrix2d of_distance;  ///< maps a step in (e1, e2) to (ds, dz) on flank 1
 };
 
-/// The quadratic form of the gap. `r_s` and `r_z` are the derivatives of the point of flank 1 by s
-/// and z, in any frame, and `e1`, `e2` are an orthonormal basis of the tangent plane in that frame.
+/// The quadratic form of the gap. `r_s` and `r_z` are the derivatives of the point of flank 1 with
+/// respect to s and z, in any frame, and `e1`, `e2` are an orthonormal basis of the tangent plane
+/// in that frame.
 GapForm gap_form(const GapJet& j, const Vec3& r_s, const Vec3& r_z, const Vec3& e1, const Vec3& e2);
 
 }  // namespace gearwright

@@ -180,7 +180,7 @@ std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
     for (int i = 0; i < positions; ++i) best = std::max(best, value(i));
     for (int i = 0; i < positions; ++i) {
       if (value(i) < value(i - 1) || value(i) < value(i + 1)) continue;
-      // Between two positions, the curve may exceed the value at one of them by its change in a
+      // Between two positions, the curve may rise above their values by as much as it changes in a
       // step.
       const double reach = value(i) - std::min(value(i - 1), value(i + 1));
       if (value(i) + reach < best) continue;

@@ -20,7 +20,7 @@ struct FlankRaster {
   std::vector<double> diameter;  ///< mm, of the rows, ascending
   std::vector<double> height;    ///< mm, of the columns, ascending; z in the gear's own frame
   std::vector<double>
-      gap;  ///< mm, [row · columns + column]; infinite where the mating gear is never opposite
+      gap;  ///< mm, [row · columns + column]; infinite where the mating flank is never opposite
 
   double at(std::size_t row, std::size_t column) const { return gap[row * height.size() + column]; }
 };

@@ -14,7 +14,8 @@ constexpr double kMinRollSquare = 1e-12;  // rad²
 
 Complex with_side(const Complex& w, double side) { return {w.real(), side * w.imag()}; }
 
-// Computes θ′ and θ″ (by u) from ℓ′ and ℓ″ (by the parameter). [T8.5]
+// Computes θ′ and θ″, which are derivatives with respect to u, from ℓ′ and ℓ″, which are
+// derivatives with respect to the parameter. [T8.5]
 void slopes(const Complex& d1, const Complex& d2, double& theta1, double& theta2) {
   const double inverse = 1.0 / d1.real();
   theta1 = d1.imag() * inverse;

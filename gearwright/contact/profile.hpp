@@ -1,8 +1,8 @@
 // One smooth piece of a flank's transverse outline, as a complex function of one parameter.
 //
 //   W(s)   point ρ e^{iθ}, mm; s is the parameter of the piece     ℓ = log W,  u = ln ρ = Re ℓ
-//   c      +1 for the side y > 0 of a tooth about the x axis, −1 for its mirror image, the side y < 0
-//   θ′, θ″ derivatives of θ by u, which determine the contact with a mating gear
+//   c      +1 for the side y > 0 of a tooth on the x axis, −1 for the mirror image at y < 0
+//   θ′, θ″ derivatives of θ with respect to u, which determine the contact with a mating gear
 //                                    theory: docs/theory/08-contact.md, [T8.4]…[T8.6]
 //
 //   involute       s = ξ   roll angle (negative for an internal gear)
@@ -29,11 +29,11 @@ inline Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; 
 struct RadialJet {
   Complex factor;  ///< of any magnitude
   double phase;    ///< rad
-  double d1, d2;   ///< θ′, θ″ by u
+  double d1, d2;   ///< θ′, θ″
 };
 
 /// The rotation of a flank per mm of material removed along the normal, k = 1/arm, and its
-/// derivatives by u.
+/// derivatives with respect to u.
 struct TurnPerRemoval {
   double k, d1, d2;  ///< rad/mm
 };
@@ -70,7 +70,7 @@ class Profile {
   double s_of(double u) const;  ///< s at u, solved to rounding; u beyond the piece gives the end
   double s_of(double u, double start) const;  ///< the same; iterations begin at `start`
   bool is_involute() const { return involute_ != nullptr; }
-  /// Normal angle of the generating rack; none if the piece was not cut by a circle of a rack.
+  /// Normal angle of the generating rack; none if no circular arc of a rack cut the piece.
   std::optional<double> rack_angle(double s) const;
 
  private:
@@ -80,7 +80,7 @@ class Profile {
 
   CurvePtr curve_;                        // none for the flank of a rack
   const Involute* involute_ = nullptr;    // the curve, if it is an involute
-  const RackTrochoid* circle_ = nullptr;  // the curve, if a circle of a rack has cut it
+  const RackTrochoid* circle_ = nullptr;  // the curve, if a circular arc of a rack cut it
   double side_;
   double s_lo_, s_hi_, u_lo_, u_hi_;
   bool grows_;

@@ -22,7 +22,7 @@ std::optional<Error> rack_error(const ContactErrors& errors) {
   if (!slope && errors.cutter_lead[1] == Angle()) return std::nullopt;
   return Error{
       slope ? "errors.helix_twist[1]" : "errors.cutter_lead[1]", "",
-      "must be 0, because errors of the teeth of a rack are not supported; give the error to the "
+      "must be 0, because errors of the teeth of a rack are not supported; give the error for the "
       "pinion, where it has the same effect"};
 }
 
@@ -35,12 +35,12 @@ Result<RackContact> contact(const RackPair& pair, const ContactErrors& errors,
   const Gear& pinion = pair.pinion;
   if (!pinion.root_form_radius())
     return Error{gear_field(1), "",
-                 "has no usable flank; the warnings of the verb gear give the reason",
+                 "has no usable flank; for the reason, see the warnings of the verb gear",
                  FailureKind::no_flank};
   if (auto error = rack_error(errors)) return *error;
   if (auto error = check_cutter_lead(pinion, 1, errors.cutter_lead[0])) return *error;
 
-  // Derivatives by a modification need its field, even if nothing is removed.
+  // Derivatives with respect to a modification need its field, even if nothing is removed.
   const auto& influences = options.request.influences;
   const bool fields = any_modification({right, left}) ||
                       std::any_of(influences.begin(), influences.end(),

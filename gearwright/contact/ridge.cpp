@@ -23,8 +23,8 @@ Mat2d hessian(const Jet2& j) {
 }
 
 // Slope and curvatures of the gap at a touch, in the tangent plane of flank 1. If T has a slope,
-// its second derivatives by s and z contain the curvature of the coordinate lines within the
-// surface, which is subtracted (Christoffel symbols).
+// its second derivatives with respect to s and z contain the curvature of the coordinate lines
+// within the surface, which is subtracted (Christoffel symbols).
 ContactRidge::Side side_of(const GapJet& j) {
   const Vec3 r_s = space(j.w1_s, 0.0);
   const Vec3 r_z = space(j.w1_z, 1.0);

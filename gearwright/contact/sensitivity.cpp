@@ -8,7 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// The derivatives by e at a fixed place (s, z) of flank 1, and their derivatives by s and z.
+// The derivatives with respect to e at a fixed place (s, z) of flank 1, and the derivatives of
+// these with respect to s and z.
 struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;  // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;
@@ -92,7 +93,8 @@ Change change_of_error(const ContactPair& pair, const GapJet& j, double z, Error
   return c;
 }
 
-// The rotation of a flank per amount of a modification, with its derivatives by u and z. [T8.7]
+// The rotation of a flank per unit of a modification, with its derivatives with respect to u and z.
+// [T8.7]
 Jet2 turn_per_amount(const FlankPatch& f, double s, double u, double z,
                      RemovalField::Parameter parameter) {
   const Removal c = f.removal->derivative(parameter, u, f.removal_z * z, f.piece);
@@ -123,7 +125,7 @@ Change change_of_modification(const ContactPair& pair, const GapField& field, co
   return c;
 }
 
-// An active bound, unscaled: gradient, Hessian, and derivative by e.
+// An active bound, unscaled: gradient, Hessian, and derivative with respect to e.
 struct ActiveBound {
   double a_s = 0.0, a_z = 0.0;
   double h_ss = 0.0, h_sz = 0.0, h_zz = 0.0;

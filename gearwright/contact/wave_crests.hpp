@@ -38,7 +38,7 @@ class WaveCrests {
   /// The crests of tooth pair 0 at a rotation, in order of z. Those whose T cannot reach `least`
   /// may be missing.
   ///
-  /// Accuracy  margin() in T
+  /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
   /// rad: a crest that is lower by more than this cannot be the highest one.
   double margin() const { return margin_; }

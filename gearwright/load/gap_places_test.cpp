@@ -220,8 +220,8 @@ TEST(GapPlaces, TheStartOfAReliefHasOneCurvature) {
   }
 }
 
-// The slopes by modifications are compared with differences. Positions that move to another patch
-// are left out, because the slope changes at the start of a relief.
+// The slopes with respect to modifications are compared with differences. Positions that move to
+// another patch are left out, because the slope changes at the start of a relief.
 TEST(GapPlaces, SlopesAreThoseOfDifferences) {
   using P = RemovalField::Parameter;
   struct Change {

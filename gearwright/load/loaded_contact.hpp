@@ -52,7 +52,7 @@ struct LoadedPosition {
 
   Angle rotation1{};
   Angle te = Angle::radians(kNone);           ///< loaded TE
-  Angle unloaded_te = Angle::radians(kNone);  ///< TE at the first touch, including deflections
+  Angle unloaded_te = Angle::radians(kNone);  ///< TE at which the teeth first touch
   double approach = kNone;                    ///< Θ r_b2  mm; for point contact Θ M2/ΣF
   double force = kNone;                       ///< ΣF  N, normal force, for point contact only
   double tangent = kNone;  ///< d(Θ r_b2)/dF_bt  mm/N; for point contact, M2/ΣF replaces r_b2
@@ -62,7 +62,7 @@ struct LoadedPosition {
       pairs{};                  ///< loaded pairs or points, from the start to the end of contact
   double max_pressure = kNone;  ///< MPa
   double max_width_ratio =
-      kNone;  ///< greatest half width of contact divided by the radius R of the gap
+      kNone;  ///< greatest half width of the contact divided by the radius R of the gap
   TouchKind kind =
       TouchKind::none;      ///< kind of contact at the greatest pressure; none without a result
   bool unfinished = false;  ///< true if teeth touch but the forces do not converge

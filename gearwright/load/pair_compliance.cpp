@@ -12,9 +12,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kHertzWidth = 0.05;  // a0 in modules; it changes results by rounding only
-constexpr double kFairSpur = 0.25, kFairHelical = 0.4;           // modules, width of a slice
-constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules, width of a slice
-constexpr double kFairWidth = 0.15;  // modules, width of a slice if R is one module
+constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules: least default width of a slice
+constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules: no solution below
+constexpr double kFairWidth = 0.15;  // modules: as kFairSpur, for internal pairs if R is one module
 constexpr int kSlices = 32, kLeastSlices = 4;
 constexpr int kTableSteps = 80;  // approximate count of waves, section parts and positions
 // True if tooth and face of both gears are equal to the last bit, so that one table serves for

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 
 constexpr int kMostTurns = 120;   // limit of iterations of footprints and forces
 constexpr double kStill = 1e-11;  // last change of forces and approach, relative to their values
-constexpr int kWhole = 10;        // iterations with full steps of the ellipses
+constexpr int kWhole = 10;        // iterations that change the ellipses by full steps
 constexpr double kLeastPart = 0.1,
                  kMostPart = 5.0;  // limits of the step length after these iterations
 constexpr int kHalvings = 40;

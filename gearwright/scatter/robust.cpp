@@ -42,7 +42,7 @@ class RigidFamily final : public CorrectedFamily {
   }
 
  private:
-  // Flank corrections have exact slopes. For settings of a tool, the slopes are differences.
+  // Flank corrections have exact slopes. For tool settings, difference quotients are used.
   void add_slopes(Values& values, const std::vector<double>& v,
                   const std::vector<MemberSpan>& spans) const {
     values.slope.assign(spans.size(), std::vector<double>(v.size()));
@@ -70,7 +70,8 @@ std::vector<double> rigid_corrections(const ContactSetup& setup, const ScatterTa
   const int samples = std::min(task.samples, kFineSamples);
   const RigidFamily coarse(setup, task, robust, std::min(samples, kCoarseSamples));
   const RigidFamily fine(setup, task, robust, samples);
-  // This estimate covers two descents of about ten steps, the search of the box, and the polish.
+  // This estimate covers two descents of about ten steps, the search of the box, and the final
+  // local search.
   begin_stage(task.progress, "corrections for the percentile",
               static_cast<std::int64_t>(robust.corrections.size()) *
                   (40 * std::min(samples, kCoarseSamples) + 55 * samples));

@@ -48,10 +48,9 @@ struct RobustCorrections {
 /// Accuracy  a local minimum, the best from a search of the whole box and descents by exact
 ///           derivatives; values are multiples of a hundredth of `step`
 /// Laws      (1) with the other seed, the corrections increase neither the percentile nor the
-///           number
-///           of samples without a value; if they would, every correction is 0   (2) the result is
-///           the same, byte for byte, for any number of threads   (3) with tolerances of width 0,
-///           the percentile after the corrections is that of the nominal optimum
+///           number of samples without a value; if they would, every correction is 0   (2) the
+///           result is the same, byte for byte, for any number of threads   (3) with tolerances
+///           of width 0, the percentile after the corrections is that of the nominal optimum
 Result<RobustCorrections> robust_corrections(const ContactSetup& setup, const ScatterTask& task,
                                              const RobustTask& robust);
 

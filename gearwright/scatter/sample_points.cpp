@@ -13,8 +13,8 @@ std::optional<Error> check_family(const ContactSetup& setup,
   const int d = coordinates_of(tolerances);
   if (2 * d > SobolPoints::kMaxDimensions) {
     return refused("tolerances", d,
-                   fmt::format("the tolerances have more coordinates than the {} for which Sobol's "
-                               "points are tabulated",
+                   fmt::format("must not have more than {} coordinates in total, because Sobol's "
+                               "points are tabulated only up to this number",
                                SobolPoints::kMaxDimensions / 2));
   }
   return check_ends(setup, tolerances);

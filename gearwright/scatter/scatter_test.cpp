@@ -1,5 +1,6 @@
-// Laws: (1) the result has the same bytes on any number of threads; (2) tolerances of width 0 give
-// the pair as drawn; (3) no sample is worse than the worst case. Golden: closed forms of page 14.
+// Laws: (1) the result is the same, byte for byte, for any number of threads; (2) tolerances of
+// width 0 give the pair as drawn; (3) no sample is worse than the worst case. Golden: closed forms
+// of page 14.
 #include "gearwright/scatter/scatter.hpp"
 
 #include <gtest/gtest.h>

@@ -17,7 +17,7 @@
 
 namespace gearwright {
 
-/// One of ContactErrors, in the order of docs/spec.md, [errors].
+/// A member of ContactErrors, in the order of docs/spec.md, [errors].
 enum class VaryingError {
   center_distance,  ///< mm
   crossing,         ///< rad
@@ -87,11 +87,11 @@ struct ScatterTolerance {
 
 /// A member of the family, described by its errors, modifications and deviations in mm and rad.
 struct Deviation {
-  ContactErrors errors;               ///< of the member, including those of the drawing
-  PairModifications modifications;    ///< of the member, including those of the drawing
-  bool modified = false;              ///< true if they differ from those of the drawing
+  ContactErrors errors;               ///< of the member, including the drawn errors
+  PairModifications modifications;    ///< of the member, including the drawn modifications
+  bool modified = false;              ///< true if the modifications differ from the drawn ones
   std::array<double, 2> thickness{};  ///< ΔE_sn  mm
-  /// ε of each tooth of a gear, rad, > 0 ahead in the driving direction; empty for equal pitches.
+  /// ε of each tooth of a gear, rad, > 0 if the tooth is ahead; empty for equal pitches.
   std::array<std::vector<double>, 2> pitch;
 
   bool uneven_pitch() const { return !pitch[0].empty() || !pitch[1].empty(); }
