@@ -165,8 +165,8 @@ TEST(LoadedInternalPair, TeethOfARingYieldSymmetricallyAndPositively) {
   }
 }
 
-// The reference values were computed with a finer model: twenty waves, ten waves along the helix,
-// modes kept to 1e-5, and seven elastic teeth instead of five.
+// The reference values were computed with a finer model: twenty waves along the face, ten waves
+// along the helix, modes kept to 1e-5, and seven teeth with their exact outline instead of five.
 TEST(LoadedInternalPair, OfHelicalTeethIsConverged) {
   const auto spec = [](int teeth, double shift, double face) {
     CylindricalSpec s = testing::plain_spec(

@@ -264,10 +264,10 @@ TEST(LoadedContact, ACornerCarriesWhenTheTorqueIsSmall) {
   EXPECT_GT(answer.torques[1].face_load_factor, 1.3);
 }
 
-// The reference values were computed with a finer model: twenty waves, ten waves along the helix,
-// modes kept to 1e-5, and seven elastic teeth instead of five. The bores are half of the root
-// diameters. If coupling ended at the neighbouring teeth, the peak to peak would be 2.85". Without
-// the waves along the helix, the root stress would be 257 MPa.
+// The reference values were computed with a finer model: twenty waves along the face, ten waves
+// along the helix, modes kept to 1e-5, and seven teeth with their exact outline instead of five. The
+// bores are half of the root diameters. If coupling ended at the neighbouring teeth, the peak to
+// peak would be 2.85". Without the waves along the helix, the root stress would be 257 MPa.
 TEST(LoadedContact, OfHelicalTeethIsConverged) {
   const auto gear = [](int teeth, double face, double helix) {
     CylindricalSpec s =
