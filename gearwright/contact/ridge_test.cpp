@@ -110,8 +110,8 @@ TEST(Ridge, a_relief_of_nothing_has_none) {
   EXPECT_EQ(ridges(analyse_contact(pair, {96, 1, 0.006})), 0);
 }
 
-// The gap around the touch, computed from the fields of both sides only. It is a parabola along the
-// ridge and linear across it, with second-order terms on each side that follow from K.
+// The gap around the touch is computed only from the fields of both sides. It is a parabola along
+// the ridge and linear across it, with second-order terms on each side that follow from K.
 TEST(Ridge, curvatures_are_those_of_the_sampled_gap) {
   int seen = 0;
   for (const Where where : {Where::tip1, Where::tip2, Where::root1, Where::end1}) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr int kMaxSteps = 12;    // of the search for an exact ridge; two or three are usual
-constexpr double kRidge = 1e-9;  // rad of φ, which changes T by less than 1e-17
+constexpr double kRidge = 1e-9;  // rad of φ: such a step changes T by less than 1e-17
 constexpr double kMiss = 0.01;   // of the amplitude: greatest error of the quadratic functions
 constexpr double kMargin = 0.1;  // of the amplitude: greatest error of a crest between two nodes
 constexpr double kSteep = 0.5;   // curvature of the waves relative to that of the smooth flanks,

@@ -1,4 +1,5 @@
-// Poses: the letters cancel, a pose times its inverse is the identity, and lengths are preserved.
+// Laws of poses: adjacent frames of a product must be equal, a pose times its inverse is the
+// identity, and lengths are preserved.
 #include "gearwright/kinematics/pose.hpp"
 
 #include <gtest/gtest.h>

@@ -106,8 +106,8 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     x.line_load = next;
     x.approach_per_gap = VectorXd::Zero(n);
     for (Index i = 0; i < m; ++i) x.approach_per_gap[at[i]] = q.length * turned[i] / stiffness;
-    // Under a very small load, the forces are small differences of gaps, with their rounding
-    // errors.
+    // Under a very small load, the forces are small differences of large terms that follow from
+    // the gaps, and contain the rounding errors of these terms.
     const double cancelling =
         free.cwiseAbs().maxCoeff() + std::abs(x.approach) * turned.cwiseAbs().maxCoeff();
     const double still =

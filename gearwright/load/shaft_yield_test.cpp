@@ -297,8 +297,8 @@ TEST(ShaftYield, StiffShaftsChangeNothing) {
     EXPECT_NEAR(u.max_pressure, t.max_pressure, 1e-6 * t.max_pressure);
     EXPECT_NEAR(u.stiffness.mean, t.stiffness.mean, 1e-7 * t.stiffness.mean);
     EXPECT_GT(soft.torques[0].face_load_factor, 1.2 * t.face_load_factor);
-    // The displacement of the axes is not a part of the approach, so only the uneven load has an
-    // effect.
+    // The displacement of the axes is not a part of the approach, so the shafts change the
+    // stiffness only by making the load uneven.
     EXPECT_NEAR(soft.torques[0].stiffness.mean, t.stiffness.mean, 0.25 * t.stiffness.mean);
   }
 }
