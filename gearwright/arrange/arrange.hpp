@@ -21,9 +21,9 @@ struct ArrangedEnds;
 struct Arranged {
   GivenPair completed;              ///< the input with computed shifts, thickness and tips
   std::vector<Gear> gears{};        ///< one or two
-  std::optional<Pair> pair{};       ///< of two gears; none if no pair was requested
-  std::vector<Warning> warnings{};  ///< about gears and pair
-  std::shared_ptr<const ArrangedEnds> ends{};  ///< at the ends of the tolerances, if there are any
+  std::optional<Pair> pair{};       ///< none for a single gear, or if no pair was requested
+  std::vector<Warning> warnings{};  ///< warnings about the gears and the pair
+  std::shared_ptr<const ArrangedEnds> ends{};  ///< results at the ends of the tolerances
   std::shared_ptr<const GivenPair> given{};    ///< the unchanged input
 
   /// Gear 1 or 2.   Domain  this gear exists (contract)

@@ -18,7 +18,8 @@ std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groo
   return Warning{
       WarningCode::no_body,
       fmt::format("A {} of {} mm {}: {}.", keyway ? "keyway" : "bore", error->value,
-                  keyway ? "is not possible" : "leaves no body of the gear", error->rule),
+                  keyway ? "is not possible" : "leaves no material for the body of the gear",
+                  error->rule),
       which};
 }
 

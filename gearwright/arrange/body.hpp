@@ -1,4 +1,4 @@
-// The body of a gear: an external gear has a bore, and an internal gear has a rim.
+// Describes the body of a gear. An external gear has a bore, and an internal gear has a rim.
 #pragma once
 
 #include <optional>

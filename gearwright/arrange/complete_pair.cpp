@@ -39,8 +39,8 @@ ShiftProblem shift_problem(const GivenPair& given) {
   return p;
 }
 
-// True if both racks have the same module and pressure angle. Only then can profile shifts and centre
-// distance be computed from each other.
+// True if both racks have the same module and pressure angle. Only then can profile shifts and
+// centre distance be computed from each other.
 bool share_a_rack(const GivenPair& given) {
   const CylindricalSpec& c1 = given.gears[0]->cylindrical;
   const CylindricalSpec& c2 = given.gears[1]->cylindrical;
@@ -62,8 +62,8 @@ void shorten_tips(GivenPair& given, double a) {
     extended += (c.teeth > 0 ? side : 1.0) * reference_radius(c);
     extended += side * c.normal_module * c.profile_shift;
   }
-  // Tips are never lengthened. At a greater centre distance, the tip clearance simply exceeds the
-  // clearance of the racks.
+  // Tips are never lengthened. At a greater centre distance, the tip clearance exceeds that of the
+  // racks.
   const double k_m = std::min(0.0, side * (a - extended));
   for (auto& gear : given.gears) {
     CylindricalSpec& c = gear->cylindrical;
@@ -74,8 +74,8 @@ void shorten_tips(GivenPair& given, double a) {
   }
 }
 
-// Rejects inputs that require both gears to be cut by the same rack. Profile shifts of different
-// racks cannot be compared.
+// Rejects inputs that are possible only if both gears are cut by the same rack. Profile shifts of
+// different racks cannot be compared.
 std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   const std::string why =
       "requires two gears of the same module and pressure angle; for different racks, give both "

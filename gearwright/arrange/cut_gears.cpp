@@ -42,7 +42,7 @@ std::optional<Error> check_cutters(const GivenPair& given) {
   return std::nullopt;
 }
 
-// If the input contains a value that the cutter also determines, both values must agree.
+// Checks that a given value agrees with the value that the cutter determines.
 std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, int which) {
   const auto differs = [](const std::optional<double>& given, double value) {
     return given && std::abs(*given - value) > 1e-9 * std::max(1.0, std::abs(value));
@@ -134,7 +134,7 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
     const Error& error = result.error();
     if (!by_distance || error.field != "cut_by") return of_given_gear(error, given, which);
     // The generating distance is also the centre distance of the pair, so the error names the
-    // latter.
+    // centre distance.
     return Error{
         "pair.center_distance", error.value,
         "the centre distance is also the generating distance of the cut gear: " + error.rule};

@@ -9,11 +9,11 @@
 
 namespace gearwright {
 
-/// The design as the data of a drawing.
+/// Converts a design to the data of a drawing.
 GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row);
 
-/// The verdict on the drawing. If the search is rated, it includes the rating. The finding that the
-/// rating of plastics ignores wear is omitted, because it applies to every design.
+/// The verdict on the drawing. If the search computes a rating, the verdict includes it. The
+/// finding that the rating of plastics ignores wear is omitted, because it applies to every design.
 DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// Makes a change that a verdict proposes, in the input, as a user would. Internal to arrange/.
+// Changes the input as a verdict proposes. Internal to arrange/.
 #pragma once
 
 #include "gearwright/arrange/given_pair.hpp"
@@ -6,8 +6,8 @@
 
 namespace gearwright {
 
-/// Sets the number. Returns false if the input gives this number in another form, or if another
-/// gear determines it.
+/// Sets the changed number in the input. Returns false if the input gives this number in another
+/// form, or if another gear determines it.
 bool make_change(GivenPair& given, const SpecChange& change);
 
 }  // namespace gearwright

@@ -21,10 +21,11 @@ Error of_given_gear(Error error, const GivenPair& given, int which) {
                           of_gear(which, std::move(error)));
   }
   if (!gear.basic || own) return of_gear(which, std::move(error));
-  return following_from(gear_field(which, "basic"), "",
-                        fmt::format("for the rack of {:.6g}° that describes this gear,",
-                                    gear.cylindrical.normal_pressure_angle.deg()),
-                        error);
+  return following_from(
+      gear_field(which, "basic"), "",
+      fmt::format("for the rack with a pressure angle of {:.6g}° that describes this gear,",
+                  gear.cylindrical.normal_pressure_angle.deg()),
+      error);
 }
 
 Error of_basic(const Error& error, const GivenPair& given) {

@@ -11,8 +11,8 @@ namespace gearwright {
 /// gear.
 Error of_given_gear(Error error, const GivenPair& given, int which);
 
-/// If a gear is given by its base cylinder and the error of a pair names rack data of this gear,
-/// replaces them by the data of the base cylinder.
+/// Replaces rack data in the error of a pair by the data of the base cylinder, if the named gear is
+/// given by its base cylinder.
 Error of_basic(const Error& error, const GivenPair& given);
 
 /// Attributes an error in the radius at which the tooth ends to the given tip clearance.

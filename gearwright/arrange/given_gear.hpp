@@ -67,7 +67,7 @@ struct GearInput {
   std::optional<double> profile_shift;  ///< x
   bool helix_given = false;             ///< if false, the helix angle is 0, or unknown to the verb
                                         ///< `fit`
-  bool hand_given = false;              ///< true if the hand is a word, not the sign of the helix
+  bool hand_given = false;              ///< true if the hand is given as a word, not as a sign
   bool transverse_given = false;  ///< true if module or pressure angle is given in the transverse
                                   ///< section
   bool face_width_given = false;  ///< if false, the face width is 10 m_n, with a warning
@@ -75,7 +75,7 @@ struct GearInput {
                                           ///< shift
   std::optional<CutByInput> cut_by;       ///< none if the gear is cut by its rack
   std::optional<double> tip_clearance;    ///< mm, from a tip fillet to the root of the mating gear
-  bool tip_clearance_by_rule = false;     ///< true if this clearance is 0.2 m_n + 0.05
+  bool tip_clearance_by_rule = false;     ///< true if the clearance is 0.2 m_n + 0.05 mm
   std::optional<Ends> allowance_ends;     ///< E_sni, E_sns  mm; the nominal gear uses their mean
   MeasureInput measure;
   ToleranceInput tolerance;

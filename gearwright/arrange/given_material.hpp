@@ -11,7 +11,8 @@
 
 namespace gearwright {
 
-/// The given data. If the table of materials contains `name`, its row provides the missing values.
+/// The given data. If the table of materials contains `name`, the row of this name provides the
+/// missing values.
 struct MaterialInput {
   std::optional<std::string> name;
   std::optional<MaterialKind> kind;
@@ -22,14 +23,15 @@ struct MaterialInput {
   std::optional<double> sigma_Flim;        ///< σ_Flim   N/mm²
   std::optional<double> surface_hardness;  ///< HV
   std::optional<double> yield_strength;    ///< R_e      N/mm²
-  std::vector<double> temperatures;        ///< °C, for the lists of a plastic
+  std::vector<double> temperatures;        ///< °C, at which the lists of a plastic apply
   ByTemperature sigma_Hlim_by, sigma_Flim_by, youngs_modulus_by;
 };
 
-/// The material of `owner`, for example "gear1.material": the row of the table of materials, with
-/// any given values in place of those of the row.
+/// The material of `owner`, for example "gear1.material". Given values replace the values in the
+/// table of materials.
 ///
-/// Errors    a member of `owner` if a strength is unknown, or if the standard has no such material
+/// Errors    a member of `owner` if a strength is unknown, or if the standard does not cover the
+///           material
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 

@@ -26,7 +26,7 @@ struct PairInput {
   std::optional<double> backlash_circumferential;  ///< j_t  mm, at gear 1's working pitch circle
   std::optional<Angle> backlash_angle;             ///< rotation of gear 1 while gear 2 is held
   std::optional<Ends> backlash_ends;               ///< j_n  mm, least and greatest
-  double backlash_split = 0.5;                     ///< gear 1's share of the thinning
+  double backlash_split = 0.5;                     ///< share of the thinning on gear 1
   std::optional<Ends> distance_deviations;         ///< lower, upper deviation of the centre
                                                    ///< distance, mm
   std::optional<std::string> distance_tolerance;   ///< tolerance of ISO 286, "JS7"

@@ -65,7 +65,7 @@ auto same_finding(const Finding& like) {
   return [&like](const Finding& f) { return f.code == like.code && f.gear == like.gear; };
 }
 
-// Sets every tolerance that does not affect the finding back to its nominal value.
+// Resets every toleranced number that does not affect the finding to its nominal value.
 ToleranceCorner what_matters(const Arranged& arranged,
                              const std::vector<TolerancedNumber>& tolerances,
                              ToleranceCorner corner, const Finding& finding,

@@ -168,7 +168,7 @@ std::string fraction(const Rational& r) {
   return fmt::format("{:.6g} ({}/{})", r.value(), *p, *q);
 }
 
-// Summary of a drive without faults: ratio, efficiency, least and greatest backlash of its meshes.
+// Summary of a drive without faults: ratio, efficiency, safeties and least backlash of its meshes.
 std::string running(const Drive& drive) {
   std::string text = "The drive runs";
   std::string facts;
@@ -256,7 +256,7 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
   });
   Verdict verdict;
   if (!parts.empty()) verdict.level = parts.front().finding.level;
-  // A remedy is not rated, so no remedy is tried for a rated drive.
+  // A drive with a remedy is not rated again, so no remedy is tried for a rated drive.
   if (verdict.level != Level::green && parts.front().mesh && drive.ratings.empty())
     add_remedy(parts, drive, input, key_of, wanted);
   for (Part& part : parts) {

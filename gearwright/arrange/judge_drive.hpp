@@ -22,7 +22,7 @@ std::optional<DriveInput> changed(const DriveInput& input, const DriveChange& ch
 
 /// The verdict on the assembly and the meshes. A message about a mesh begins with the name of the
 /// mesh.
-/// Planets that can only be mounted axially are a green finding, because this is the usual way.
+/// Planets that can only be mounted axially are a green finding, because axial mounting is usual.
 ///
 /// `wanted`  required safeties of a rated drive
 /// `key_of`  returns the key of a change in the spec, which the remedy then contains; may be empty
@@ -31,7 +31,8 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
                     const WantedSafety& wanted = {1.0, 1.0});
 
 /// The level of the verdict of judge_drive(), without a search for remedies. If the caller has
-/// requested unequally spaced planets, `unequal_spacing_counts` is false and they are no finding.
+/// requested unequally spaced planets, `unequal_spacing_counts` is false, and they are not a
+/// finding.
 Level drive_level(const Drive& drive, const WantedSafety& wanted, bool unequal_spacing_counts);
 
 }  // namespace gearwright

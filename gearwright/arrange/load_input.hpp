@@ -15,10 +15,10 @@ namespace gearwright {
 /// A load on one tooth, and the points at which the deflection is computed.
 struct LoadProbeInput {
   int gear = 1;
-  double diameter = 0.0;                     ///< mm
-  std::optional<std::array<double, 2>> z{};  ///< mm
-  std::optional<double> half_width{};        ///< mm
-  std::vector<double> read_z{};              ///< mm
+  double diameter = 0.0;                     ///< mm, at which the load acts
+  std::optional<std::array<double, 2>> z{};  ///< mm, of both ends of the load
+  std::optional<double> half_width{};        ///< mm, of the Hertz strip
+  std::vector<double> read_z{};              ///< mm, at which the deflection is computed
 };
 
 /// The load on a pair or a drive, and the resolution of the computation.
@@ -28,7 +28,7 @@ struct LoadInput {
   int driver = 1;
   int positions = 64;              ///< number per pitch
   std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of positions
-  std::optional<int> slices{};     ///< default: fair_slices
+  std::optional<int> slices{};     ///< by default fair_slices()
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   double deflection_slope = 0.0;  ///< µm
   double deflection_bow = 0.0;    ///< µm

@@ -7,8 +7,8 @@
 
 namespace gearwright {
 
-/// The values of ISO 6336, assuming solid discs, at each torque for which `answer` has contact.
-/// Empty if the standard does not cover the pair.
+/// The values of ISO 6336 for solid discs, at each torque for which `answer` has contact. Empty if
+/// the standard does not cover the pair.
 std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer);
 
 }  // namespace gearwright

@@ -10,9 +10,9 @@
 
 namespace gearwright {
 
-/// Computes each half under half of the torque, and combines them to the results of the whole
+/// Computes each half under half of the torque, and combines them into the results of the whole
 /// gears. `arranged` is the half at z > 0. Deflections are given over the whole face including the
-/// gap. If mating halves differ in width, the middle of the narrower one applies to both.
+/// gap. If mating halves differ in width, both are computed about the middle of the narrower half.
 ///
 /// Domain    `halves` of both gears (contract)
 /// Errors    as loaded()

@@ -18,7 +18,7 @@ struct Sample {
   std::array<std::optional<Halves>, 2> halves;
 };
 
-// 17 : 29, m_n = 3, β = 25°, b = 50 with a gap of 6 mm.
+// A pair with z = 17 and 29, m_n = 3 mm, β = 25°, and b = 50 mm including a gap of 6 mm.
 Sample sample(double stagger) {
   GivenPair given;
   for (const int which : {1, 2}) {

@@ -42,7 +42,7 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
   return body;
 }
 
-// The reason why loaded contact does not support teeth of this kind, if there is one.
+// Returns an error if loaded contact does not support teeth of this kind.
 std::optional<Error> not_made_for(const Gear& gear, int which) {
   if (gear.involute() && !gear.tooth)
     return Error{gear_field(which, "cut_by"), "",
@@ -76,24 +76,26 @@ LoadRegime regime_of(const Arranged& arranged) {
 }
 
 // Shaft deflections can be given for line contact only. For point contact, the errors of mounting
-// describe how the gears move.
+// describe the displacement of the gears.
 std::optional<Error> not_for_points(const LoadInput& input) {
   for (const auto& [field, value] : {std::pair("load.deflection_slope", input.deflection_slope),
                                      std::pair("load.deflection_bow", input.deflection_bow)})
     if (value != 0.0)
       return refused(field, value,
-                     "applies only to teeth with line contact; these teeth have point contact. "
-                     "`errors` describe how their contact moves");
+                     "applies only to teeth with line contact, but these teeth have point contact; "
+                     "give the displacement of the gears in `errors` instead");
   return std::nullopt;
 }
 
-// The influence of a shaft holds for one face with line contact.
+// The deflection of a shaft is computed only for a single face with line contact.
 Error not_for_shaft(int which, bool of_half) {
-  return {gear_field(which, "shaft"), "",
-          of_half ? "applies under load to single-helical gears only; leave it out, and give the "
-                    "slope and the bow of its deflection in `load`"
-                  : "applies under load only to teeth with line contact; these teeth have point "
-                    "contact. Leave it out; `errors` describe how their contact moves"};
+  return {
+      gear_field(which, "shaft"), "",
+      of_half
+          ? "applies under load to single-helical gears only; leave it out, and give the "
+            "slope and the bow of its deflection in `load`"
+          : "applies under load only to teeth with line contact, but these teeth have point "
+            "contact; leave it out, and give the displacement of the gears in `errors` instead"};
 }
 
 // Lists the rotations of gear 1 for which `is` returns true, at most kMostNamed of them. Returns an
@@ -113,7 +115,7 @@ std::string rotations_where(const LoadedTorque& t, Is is) {
 void warn_about(const LoadedContact& contact, double share, std::vector<Warning>& warnings) {
   const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
   const auto is_lost = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
-  // Whether teeth touch does not depend on the torque.
+  // The first torque is sufficient here, because it does not affect whether teeth touch.
   if (const std::string where = rotations_where(contact.torques.front(), untouched);
       !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
     warnings.push_back(
@@ -130,10 +132,10 @@ void warn_about(const LoadedContact& contact, double share, std::vector<Warning>
         !where.empty())
       warnings.push_back(
           {WarningCode::load_unfinished,
-           fmt::format("At {} N m the forces do not converge at rotation1 = {}. These positions "
-                       "have no numbers, and maximum and peak-to-peak values cover the remaining "
-                       "positions.",
-                       torque, where),
+           fmt::format(
+               "At {} N m the forces do not converge at rotation1 = {}. These positions have no "
+               "results, and maximum and peak-to-peak values cover the remaining positions.",
+               torque, where),
            0});
     if (t.edge_carries)
       warnings.push_back(edge_carries_at(whole));

@@ -1,5 +1,5 @@
-// Computes a pair under torque, and probes of its teeth. Chooses bodies and resolution, and checks
-// that the result can be used.
+// Computes a pair under torque, and probes of its teeth. This includes the choice of bodies and
+// resolution, and a check that the result can be used.
 #pragma once
 
 #include <optional>
@@ -35,8 +35,7 @@ struct LoadAnalysis {
 struct HalfPlace {
   std::array<double, 2> middle{};  ///< mm, as in ContactMount
   bool below = false;
-  const PairCompliance* ready = nullptr;  ///< compliance of the other half, whose teeth are the
-                                          ///< same
+  const PairCompliance* ready = nullptr;  ///< compliance of the other half, which has equal teeth
 };
 
 /// Fraction of the root diameter at which a gear without a bore is held.
@@ -63,7 +62,7 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
 /// of the teeth, then the contact at all positions, and finally judge_load().
 struct LoadTask {
   ContactSetup setup;
-  LoadRequest request;  ///< without progress
+  LoadRequest request;  ///< its `progress` is not set
   bool gear2_drives = false;
   bool with_errors = false;   ///< true if there are errors of mounting or deflections
   double torque_share = 1.0;  ///< share of the torque on gear 1; 0.5 for one half of a

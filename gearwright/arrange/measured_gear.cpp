@@ -26,8 +26,8 @@ double default_chord_diameter(const Gear& g) {
 
 constexpr int kMostSpans = 31;  // a gear with more usable spans has hundreds of teeth
 
-// Measures a gear. If a tool does not fit, a given tool causes an error and a default tool a
-// warning.
+// Measures a gear. If a tool does not fit, the result is an error for a given tool and a warning
+// for a default tool.
 class Measuring {
  public:
   Measuring(const Arranged& arranged, const MeasureRequest& request, std::vector<Warning>& warnings)

@@ -53,7 +53,7 @@ struct GearMeasures {
   std::optional<ChordMeasure> chord;
   std::optional<ConstantChord> constant;
   std::optional<ThicknessAt> thickness;
-  std::optional<ReferenceGeometry<double>> reference;  ///< none for a gear with arcs
+  std::optional<ReferenceGeometry<double>> reference;  ///< none for circular-arc teeth
   std::optional<EvaluationRanges> ranges;
   std::optional<FlankToleranceValues> tolerances;  ///< none if no grade is given
 };

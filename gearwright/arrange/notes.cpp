@@ -13,7 +13,8 @@ namespace gearwright {
 
 namespace {
 
-// The shifts that were absent: "`gear1.profile_shift` = 0.433 and `gear2.profile_shift` = 0.14".
+// Lists the shifts that are not given: "`gear1.profile_shift` = 0.433 and `gear2.profile_shift` =
+// 0.14".
 std::string chosen_shifts(const GivenPair& given) {
   std::string text;
   for (const int which : {1, 2}) {

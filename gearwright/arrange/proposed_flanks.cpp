@@ -63,8 +63,8 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
   if (!found) return found.error();
   p.deflection = found->amount;
   p.unloaded = found->unloaded;
-  // Equal gears need equal reliefs, but the tables of neighbouring teeth cause differences of
-  // half a percent.
+  // Equal gears need equal reliefs, but the compliance tables of neighbouring teeth cause
+  // differences of half a percent.
   const double greater = std::max(p.deflection[0], p.deflection[1]);
   if (std::abs(p.deflection[0] - p.deflection[1]) < kSame * greater)
     p.deflection = {greater, greater};

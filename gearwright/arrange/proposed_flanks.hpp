@@ -23,8 +23,8 @@ struct LeadProposal {
   bool any() const { return slope != 0.0 || crowning != 0.0; }
 };
 
-/// Reliefs at the tips of both gears. A tip relief and a root relief of gear 1 can take their
-/// place, because the root of gear 1 meets the tip of gear 2.
+/// Reliefs at the tips of both gears. A tip relief and a root relief of gear 1 can replace them,
+/// because the root of gear 1 meets the tip of gear 2.
 struct ReliefProposal {
   ReliefLength length = ReliefLength::short_relief;
   std::array<double, 2> deflection{};  ///< C_i  mm, due to the load
@@ -32,8 +32,8 @@ struct ReliefProposal {
   std::array<bool, 2> unloaded{true, true};
   std::array<double, 2> tip_start{};  ///< mm, diameters, rounded to 1 µm
   double root_start = 0.0;            ///< mm, diameter on gear 1
-  double root_factor = 1.0;  ///< C_f/C_a2; not 1, because the flank of gear 1 starts below the
-                             ///< first contact
+  double root_factor = 1.0;  ///< C_f/C_a2; it is not 1, because the flank of gear 1 starts below
+                             ///< the first contact
 
   /// C_a of each gear and C_f of gear 1, mm. `pitch_deviation` is the sum for both gears, mm,
   /// normal to the flank.
@@ -45,7 +45,7 @@ struct ReliefProposal {
 /// `lead` if given, otherwise those of the input.
 ///
 /// Formula   [T12.28], [T12.29], [T12.30]
-/// Domain    a pair with line contact, tables of its teeth (contract)
+/// Domain    a pair with line contact, and the compliance of its teeth (contract)
 /// None      if reliefs of this length are impossible: ε_α ≤ 1, or ε_α ≥ 2 for long reliefs
 /// Errors    as unloaded_tips()
 Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, const LoadTask& task,
@@ -53,11 +53,12 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
                                                      ReliefLength length,
                                                      const LeadProposal* lead = nullptr);
 
-/// The deflection of the task under a torque on gear 1, N mm, that is uniform over the face: that of the
-/// shafts and the given one. A helix slope that cancels it makes the load uniform.
+/// The sum of the deflection of the shafts and the given deflection under a torque on gear 1, N mm.
+/// The load is assumed to be uniform over the face. A helix slope that cancels the deflection makes
+/// the load uniform.
 ///
 /// Formula   [T12.31], [T12.37]
-/// Domain    a pair with line contact, its compliance (contract)
+/// Domain    a pair with line contact, and its compliance (contract)
 FaceDeflection face_deflection(const LoadTask& task, const PairCompliance& compliance,
                                double torque);
 

@@ -27,9 +27,9 @@ Arranged arranged_pair(double beta_deg) {
   return std::move(arrange(given)).take();
 }
 
-// A root relief of gear 1 removes from each contact what the tip relief of gear 2 removes that it
-// replaces, [T12.30], for both hands and both drivers. The contact leaves a steep relief and gains a gap of
-// the second order, so the amounts here are small.
+// If a root relief of gear 1 replaces a tip relief of gear 2, it removes the same amount at each
+// contact, [T12.30], for both hands and both driving gears. A steep relief shifts the contact
+// point, which changes the gap by a term of second order, so the amounts here are small.
 TEST(ProposedFlanks, RootReliefOfGear1ReplacesTheTipReliefOfGear2) {
   for (const double beta : {0.0, 18.0, -18.0})
     for (const int driver : {1, 2}) {
@@ -50,7 +50,8 @@ TEST(ProposedFlanks, RootReliefOfGear1ReplacesTheTipReliefOfGear2) {
       const auto relief = propose_relief(arranged, task, *compliance, ReliefLength::long_relief);
       ASSERT_TRUE(relief && *relief);
       const ReliefProposal& p = **relief;
-      // The tip carries no load before the path begins, where the root relief would go on.
+      // With this amount, the tip carries no load before the start of the path, where a root relief
+      // would still continue.
       const double amount = 1.2 * p.deflection[1];
       const auto loaded_with = [&](const PairModifications& m) {
         LoadTask own = task;
@@ -65,7 +66,8 @@ TEST(ProposedFlanks, RootReliefOfGear1ReplacesTheTipReliefOfGear2) {
       const LoadedTorque by_tip = loaded_with(tip);
       const LoadedTorque by_root = loaded_with(root);
       const LoadedTorque plain = loaded_with({});
-      // R C'²/2 at the first contact, where the slope C' along the flank is greatest; R < ρ_A.
+      // The second-order term is R C'²/2 at the first contact, where the slope C' along the flank
+      // is greatest; R < ρ_A.
       const double r_b = arranged.gear(1).base_radius();
       const double rho = arranged.pair->involute()->mesh.rho1_true_begin;
       const double slope = amount / (roll_length(p.root_start / 2, r_b) - rho) * r_b / rho;

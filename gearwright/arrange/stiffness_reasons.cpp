@@ -17,9 +17,10 @@ namespace {
 
 constexpr double kWorthANote = 0.25;  // least relative difference from c_γα that causes a note
 constexpr double kFactor = 0.03;      // a factor within this distance of 1 is not mentioned
-constexpr double kMuchLeft = 0.1;     // shapes are examined if |rest − 1| is greater
+constexpr double kMuchLeft = 0.1;     // face and bodies are examined if the rest differs from 1 by
+                                      // more
 constexpr double kOverlap = 2.0;      // least overlap ratio of a helical face that is not narrow
-constexpr double kWidest = 12.0;      // modules; a wider face takes long and adds no insight
+constexpr double kWidest = 12.0;      // modules; computing a wider face takes long and adds nothing
 constexpr double kLeastWider = 1.2;
 constexpr double kThickRim = 8.0;  // modules; an internal gear with this rim counts as solid
 constexpr int kPositions = 8, kMostSlices = 16;

@@ -70,8 +70,8 @@ Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
     if (!nominal.completed.gear(which).cut_by) continue;
     return Error{pair.distance_tolerance ? "pair.distance_tolerance" : "pair.distance_deviations",
                  "",
-                 fmt::format("cannot be combined with `{}`, because the generating centre distance "
-                             "would change with it",
+                 fmt::format("cannot be combined with `{}`, because a deviation of the centre "
+                             "distance would also change the generating distance",
                              gear_field(which, "cut_by"))};
   }
   if (pair.distance_deviations) return pair.distance_deviations;
@@ -112,15 +112,14 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
     if (gear.tolerance.tip_deviations)
       gear.cylindrical.tip_diameter =
           tip_at_end(nominal.gears[i], *gear.tolerance.tip_deviations, end);
-    // The profile shift is that of the drawing, even if it was computed from the nominal centre
-    // distance.
+    // The profile shift is unchanged, even if it was computed from the nominal centre distance.
     if (nominal.gears[i].involute() && !gear.cut_by)
       gear.profile_shift = nominal.gears[i].spec.profile_shift;
   }
   if (given.pair.backlash_ends) {
     given.pair.backlash = (*given.pair.backlash_ends)[1 - end];
   } else if (given.pair.wants_backlash()) {
-    // A given backlash applies to the nominal gears. The thickness that they need for it is kept.
+    // A given backlash applies to the nominal gears, and their tooth thickness is unchanged here.
     given.pair.backlash.reset();
     given.pair.backlash_circumferential.reset();
     given.pair.backlash_angle.reset();
@@ -224,7 +223,7 @@ Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal
       continue;
     return Error{"pair.backlash", "",
                  "the range is too narrow, because the tolerance of the centre distance alone "
-                 "changes the backlash by more"};
+                 "changes the backlash by more than this range"};
   }
   return std::shared_ptr<const ArrangedEnds>(std::make_shared<ArrangedEnds>(std::move(ends)));
 }

@@ -1,5 +1,5 @@
-// Double-helical gears. Such a gear has two halves of opposite hands on one body, with or without a
-// gap.
+// Describes double-helical gears. Such a gear has two halves of opposite hands on one body, with or
+// without a gap.
 //
 // Each half is an ordinary helical gear. Two mating halves form a helical pair with the face width
 // of a half. The half at z > 0 is the one that is arranged and mounted.
@@ -36,6 +36,8 @@ struct Halves {
 ///           `gear2.double_helical.stagger_pitches` if the staggers differ
 std::optional<Error> halve(GivenPair& given);
 
+/// The values of a double-helical gear that follow from its input.
+///
 /// Formula   [T2.43], [T2.44]
 /// Domain    `half` has the face width of one half
 /// Errors    `helix_angle` if it is 0; `double_helical.groove_diameter` if the groove is not deeper
@@ -49,8 +51,8 @@ std::optional<double> groove_diameter(const Gear& half, const DoubleHelical& giv
 /// A warning if staggered halves have no gap between them.
 std::optional<Warning> stagger_warning(const Halves& halves, int which);
 
-/// A warning if the run-out of the hob needs a wider gap. None if the gap suffices or no hob is
-/// given.
+/// A warning if the run-out of the hob needs a wider gap. None if the gap is wide enough or no hob
+/// is given.
 std::optional<Warning> run_out_warning(const Halves& halves, int which);
 
 }  // namespace gearwright

@@ -14,15 +14,16 @@ namespace gearwright {
 
 namespace {
 
-/// Degrees. Drawings give angles with two decimals, so a given angle may differ from its place by this
-/// amount.
+/// Allowed difference of a given angle from its place, degrees. Drawings give angles with two
+/// decimals.
 constexpr double kSamePlace = 0.01;
-/// The greatest change of a number of teeth that is tried for proposals.
+/// The greatest change of a tooth number that is tried for a proposal.
 constexpr int kMostTeethChanged = 12;
 
-using Row = std::vector<long long>;  // A | b of a mesh
+using Row = std::vector<long long>;  // row of [A | b] for one mesh
 
-// One row per mesh: z of each rider is the coefficient of χ, and −z of a central gear that of u.
+// Returns one row per mesh. The coefficients of χ are z of the riders, and the coefficient of u is
+// −z of the central gear.
 std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<Row> rows;
   for (const std::size_t m : group.meshes) {
@@ -41,8 +42,8 @@ std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& gro
   return rows;
 }
 
-// Returns N*. The steps of Euclid's algorithm on the rows are unimodular. When the columns of A are in
-// echelon form, the rows in which A is 0 are those of Y·[A | b].
+// Returns N*. The steps of Euclid's algorithm on the rows are unimodular. When the columns of A are
+// in echelon form, the rows in which A is 0 are those of Y·[A | b].
 long long places_of(std::vector<Row> rows, std::size_t riders) {
   std::size_t top = 0;
   for (std::size_t column = 0; column < riders; ++column) {
@@ -72,7 +73,8 @@ long long places_of(std::vector<Row> rows, std::size_t riders) {
   return places;
 }
 
-// "ring 55 or 58", "sun 18": single gears with a few teeth more or less that assemble at equal pitch.
+// Lists changes of one gear by a few teeth that make an equal pitch possible, "ring 55 or 58, sun
+// 18".
 std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<std::size_t> gears;
   for (const std::size_t m : group.meshes)
@@ -144,7 +146,7 @@ bool equal_pitch(const std::vector<Rational>& turns) {
   return true;
 }
 
-// The clocking of each copy of a stepped planet, on which two gears mesh with one central gear each.
+// The clocking of each copy of a stepped planet whose two gears mesh with one central gear each.
 // None for any other planet.
 std::optional<std::vector<Rational>> clocking(const DriveGraph& graph, const PlanetGroup& group,
                                               const std::vector<Rational>& turns) {
@@ -216,13 +218,13 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
     return Error{"drive.spacing", "equal",
                  fmt::format("{} planets cannot be assembled at equal pitch, because a turn has {} "
                              "places, and {} is not a divisor of this number. One of these changes "
-                             "would help: {}{} planets; \"nearest\"",
+                             "would help: {}{} planets; spacing \"nearest\"",
                              n, made.places, n, others.empty() ? "" : others + "; ",
                              counts_that_assemble(made.places, n))};
   }
   if (spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
     return Error{"drive.spacing", "opposite",
-                 fmt::format("{} planets in {} places cannot be opposite each other, because both "
+                 fmt::format("{} planets at {} places cannot form opposite pairs, because both "
                              "numbers must be even; use \"nearest\"",
                              n, made.places)};
   for (long long i = 0; i < n; ++i)

@@ -2,7 +2,8 @@
 //
 //   u      place of a copy in turns, counter-clockwise from copy 0
 //   N*     number of places per turn: u = n/N* [T13.12]; 0 if any place is possible
-//   δ      clocking of a stepped planet's second gear against its first [T13.14]
+//   δ      clocking, the angle between the two gears of a stepped planet relative to copy 0
+//          [T13.14]
 //                                              theory: docs/theory/13-drives.md
 #pragma once
 
@@ -22,19 +23,20 @@ struct Assembly {
   std::vector<Rational> clocking;  ///< δ of each copy, turns; empty if all copies are identical
 };
 
-/// N* of a group.
+/// Computes N* of a group of planets.
 ///
-/// Formula   A copy turned by u about the carrier, with the central gears at rest, meshes iff every
-///           mesh has moved by whole teeth, A χ + b u ∈ Zᴹ. With Y a saturated integer basis of
-///           y A = 0, N* = gcd |y·b|; [T13.12]
+/// Formula   A copy turned by u about the carrier, with the central gears at rest, meshes if and
+///           only if every mesh has moved by whole teeth, A χ + b u ∈ Zᴹ. N* = gcd |y·b| over the
+///           rows y of a saturated integer basis of y A = 0; [T13.12]
 long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 
-/// The places of the copies. They follow from the given positions of the body if there are any,
-/// otherwise from the spacing: n_i = floor(i N*/N + 1/2), [T13.13].
+/// Computes the places of the copies. They are the given positions of the body, if there are any.
+/// Otherwise, they follow from the spacing: n_i = floor(i N*/N + 1/2), [T13.13].
 ///
-/// Errors    `drive.spacing` that does not assemble, with similar tooth numbers that do;
-///           `drive.positions` at which teeth do not meet, with the next place.
-///           If there are fewer places than copies, some copies get the same place; this is no error.
+/// Errors    `drive.spacing` if the planets cannot be assembled (the message proposes similar tooth
+///           numbers); `drive.positions` if the teeth do not mesh there (the message gives the
+///           nearest place). It is not an error if there are fewer places than copies and some
+///           copies get the same place.
 Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group);
 
 }  // namespace gearwright

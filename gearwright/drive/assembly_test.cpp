@@ -1,5 +1,6 @@
 // Oracles: (1) places of planets by trial: a copy is moved around the axis of the carrier in small
-// steps, and its gears are turned until all teeth mesh; (2) phases from tooth events in time.
+// steps, and its gears are turned until all teeth mesh; (2) phases are computed from the times at
+// which teeth pass the planets.
 #include "gearwright/drive/assembly.hpp"
 
 #include <gtest/gtest.h>
@@ -34,15 +35,15 @@ Assembly assembled(const DriveGraph& g) {
   return std::move(made).take();
 }
 
-// The number of places n/N of a turn at which a stepped planet of one body meshes with both its
-// central gears: for a whole number k of the z_p1 teeth of the first gear, the second must mesh
-// too.
+// Counts the places n/grid of a turn at which a stepped planet meshes with both its central gears.
+// Its first gear meshes in z_p1 positions k, and its second gear must mesh in one of them.
 int places_by_trying(int z_1, int z_p1, int z_2, int z_p2, int grid) {
   int count = 0;
   for (int n = 0; n < grid; ++n) {
     bool fits = false;
     for (int k = 0; k < z_p1 && !fits; ++k) {
-      // χ = (k + z_1 n/grid)/z_p1 turns; z_p2 χ − z_2 n/grid whole, all times grid z_p1.
+      // With χ = (k + z_1 n/grid)/z_p1 turns, z_p2 χ − z_2 n/grid must be whole. Here, it is
+      // multiplied by grid z_p1.
       const long long teeth = static_cast<long long>(z_p2) * (static_cast<long long>(k) * grid +
                                                               static_cast<long long>(z_1) * n) -
                               static_cast<long long>(z_2) * n * z_p1;
@@ -63,7 +64,8 @@ TEST(Assembly, PlacesAreThoseFoundByTrying) {
               : graph({{M::sun, s}, {M::planet, p1}, {M::ring, r}}, 1);
     const long long places = assembly_places(g, planet_groups(g).front());
     const int second = k % 2 ? p2 : p1;
-    // Every place is a multiple of 1/(z_s z_p2 + z_r z_p1), so that grid contains all places.
+    // Every place is a multiple of 1/(z_s z_p2 + z_r z_p1), so a grid of this step contains all
+    // places.
     EXPECT_EQ(places, places_by_trying(s, p1, -r, second, s * second + r * p1))
         << s << " " << p1 << " " << second << " " << r;
   }
@@ -96,7 +98,8 @@ TEST(Assembly, ClockedPlanetsMeshAnywhere) {
   const Assembly a = assembled(graph(teeth, 3, Spacing::equal_clocked));
   ASSERT_EQ(a.clocking.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
-    // With δ, the second gear meshes for some turn of the first: z_p2 (χ + δ) + z_r u is whole.
+    // If clocked by δ, the second gear meshes in one of the positions of the first: z_p2 (χ + δ) +
+    // z_r u is whole.
     bool fits = false;
     for (int k = 0; k < 31; ++k) {
       const Rational chi = (Rational(k) + Rational(17) * a.turns[i]) / Rational(31);
@@ -107,7 +110,7 @@ TEST(Assembly, ClockedPlanetsMeshAnywhere) {
 }
 
 // The time at which the next tooth of a central gear passes planet i, if the gear turns by one
-// tooth per period relative to the carrier. The teeth are at k/z turns from one at planet 0.
+// tooth per period relative to the carrier. The teeth are at k/z turns, and tooth 0 is at planet 0.
 double event_after(int z, double u) {
   double least = 2.0;
   for (int k = -std::abs(z); k <= 2 * std::abs(z); ++k) {

@@ -1,4 +1,5 @@
-// Whether a drive and its load can be computed: kinds of drives, bodies that may float, errors of pins.
+// Checks whether a drive and its load can be computed: the kind of the drive, the floating body and
+// the errors of the pins.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,12 +13,12 @@ namespace {
 
 using detail::not_loaded;
 
-// The reason why such a drive is not computed under load.
+// Returns an error if this kind of drive cannot be computed under load.
 std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load) {
   const DriveGraph& graph = drive.graph;
   if (graph.inputs.size() != 1 || drive.motion.freedom != 1)
     return not_loaded(
-        "does not apply to a drive with several inputs; hold one of them, or give one mesh as a "
+        "does not apply to a drive with several inputs; fix one of them, or extract one mesh as a "
         "pair with drive --take");
   if (!drive.motion.redundant.empty())
     return not_loaded(
@@ -28,9 +29,9 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
                       drive.geometry.faults.front().message);
   if (!drive.flow)
     return not_loaded(
-        "needs the torques of all meshes, and so a normal module, or efficiencies of the meshes");
+        "needs the torques of all meshes; give a normal module or the efficiencies of the meshes");
   if (drive.flow->self_locking())
-    return not_loaded("does not apply to a drive that locks itself and carries no power");
+    return not_loaded("does not apply to a self-locking drive, which transmits no power");
   if (!(load.torque > 0.0)) return Error{"load.torques", "0", "must be greater than 0"};
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     if (drive.flow->driver[m] < 0) continue;
@@ -41,20 +42,21 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
                         mesh.name);
     if (a.double_helical || b.double_helical)
       return not_loaded(
-          "does not apply to drives with double-helical gears; drive --take gives the mesh as a "
-          "pair, and the verb load computes it with both halves",
+          "does not apply to drives with double-helical gears; extract the mesh as a pair with "
+          "drive --take, and use the verb load, which computes both halves",
           mesh.name);
     const auto& pair = drive.geometry.pairs[m];
     if (!pair || !pair->involute() || !pair->parallel())
-      return not_loaded("needs involute teeth in every mesh: a normal module and shifts that fit",
-                        mesh.name);
+      return not_loaded(
+          "needs involute teeth in every mesh; give a normal module and profile shifts that fit",
+          mesh.name);
     if (pair->gear(1).internal())
       return not_loaded("needs the external gear of an internal mesh as its first gear", mesh.name);
   }
   return std::nullopt;
 }
 
-// A body that may float, and errors of pins that fit.
+// Returns an error if the body cannot float, or if the errors of the pins do not match the planets.
 std::optional<Error> not_possible(const Drive& drive, const DriveLoadCase& load) {
   const DriveGraph& graph = drive.graph;
   if (load.floating) {
@@ -81,31 +83,34 @@ std::optional<Error> not_possible(const Drive& drive, const DriveLoadCase& load)
     }
     const std::string& name = graph.bodies[*load.floating].name;
     if (!known)
-      return Error{"load.floating", name,
-                   names.empty() ? "cannot float, because the drive has no planets"
-                                 : fmt::format("cannot float; the carrier and the central gears of "
-                                               "a set can: {}",
-                                               fmt::join(names, ", "))};
+      return Error{
+          "load.floating", name,
+          names.empty()
+              ? "cannot float, because the drive has no planets"
+              : fmt::format(
+                    "cannot float; only the carrier and the central gears of a set can float: {}",
+                    fmt::join(names, ", "))};
     if (sets > 1)
       return Error{"load.floating", name,
-                   "belongs to several sets; a body that floats is computed in one set only"};
+                   "belongs to several sets, but a floating body must belong to one set only"};
   }
   if (load.pin_errors.empty()) return std::nullopt;
   const std::string count =
       fmt::format("{} number{}", load.pin_errors.size(), load.pin_errors.size() == 1 ? "" : "s");
   if (drive.sets.size() != 1)
     return Error{"load.pin_errors", count,
-                 drive.sets.empty() ? "apply to planets, and the drive has none"
-                                    : "apply to a drive with one set of planets only"};
+                 drive.sets.empty() ? "apply only to planets, but the drive has no planets"
+                                    : "apply only to a drive with one set of planets"};
   const PlanetGroup& group = drive.sets.front().group;
   if (group.pins() != load.pin_errors.size()) {
     std::vector<std::string> names;
     for (const std::size_t b : group.riders)
       names.push_back(fmt::format("{} of {}", group.count, graph.bodies[b].name));
-    return Error{"load.pin_errors", count,
-                 fmt::format("must be one number for each of the {} pins: {}; or a single number "
-                             "for the first of them",
-                             group.pins(), fmt::join(names, ", then "))};
+    return Error{
+        "load.pin_errors", count,
+        fmt::format(
+            "must be one number for each of the {} pins ({}), or a single number for the first pin",
+            group.pins(), fmt::join(names, ", then "))};
   }
   return std::nullopt;
 }

@@ -14,7 +14,8 @@ namespace gearwright {
 
 namespace {
 
-// Puts the ring or rack of each mesh second, as in pairs. The law of a mesh does not depend on the order.
+// Puts the ring or rack of each mesh second, as in pairs. The equation of a mesh does not depend on
+// this order.
 DriveGraph normalised(DriveGraph graph) {
   for (DriveMesh& mesh : graph.meshes)
     if (graph.gear(mesh, 0).factor() < 0) {
@@ -40,7 +41,8 @@ std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& g
   return list;
 }
 
-// Speeds of all bodies at the speeds of the inputs; a single input has the speed 1.
+// Returns the speeds of all bodies for the given speeds of the inputs. If there is only one input,
+// its speed is 1.
 std::optional<std::vector<double>> speeds_of(const Drive& drive) {
   const DriveGraph& graph = drive.graph;
   const std::vector<double> inputs = graph.inputs.size() == 1 ? std::vector{1.0} : graph.speeds_rpm;
@@ -101,7 +103,7 @@ std::optional<double> phase_between(const Drive& drive, const CentralMesh& sun,
     return std::nullopt;
   const DriveMesh& mesh = drive.graph.meshes[sun.mesh];
   const int which = &drive.graph.gear(mesh, 0) == sun.rider ? 1 : 2;
-  // Without a flow the sun is assumed to drive, unless it is the output.
+  // If the power flow is unknown, the sun is assumed to drive unless it is the output.
   bool sun_drives = drive.graph.output != sun.central->body;
   if (drive.flow && !drive.flow->self_locking() && drive.flow->driver[sun.mesh] >= 0)
     sun_drives = drive.flow->driver[sun.mesh] == 2 - which;
@@ -131,7 +133,8 @@ Result<PlanetSet> planet_set(Drive& drive, const PlanetGroup& group, int harmoni
   return set;
 }
 
-// The backlash at the end `body`, rad: Σ_m |λ_m/T| 2π j_m/p_bt,m. [T13.20]
+// Computes the backlash at `body`, the input or the output, rad: Σ_m |λ_m/T| 2π j_m/p_bt,m.
+// [T13.20]
 std::optional<double> play_at(const Drive& drive, std::size_t body) {
   const auto loads = lossless_loads(drive.graph, drive.motion, body);
   double sum = 0.0;

@@ -1,5 +1,5 @@
-// Computes a whole drive: speeds, torques and losses, the places of the planets and the sequence of
-// their meshes, teeth and backlash.
+// Computes a whole drive: speeds, torques, losses, teeth, backlash, and the places and phases of
+// the planets.
 //
 //   const auto drive = make_drive(graph_of(PlanetarySpec{…}));
 //   if (drive) use(*drive->motion.ratio, drive->flow->efficiency);
@@ -24,48 +24,49 @@ namespace gearwright {
 struct PlanetSet {
   PlanetGroup group;
   Assembly assembly;
-  std::optional<Neighbours> neighbours;           ///< none for one planet or without geometry
-  std::optional<int> sun_teeth, ring_teeth;       ///< of the first sun and the first ring
-  std::vector<Rational> sun_phases, ring_phases;  ///< γ_i; empty if there is no such gear
+  std::optional<Neighbours> neighbours;           ///< none for a single planet or without geometry
+  std::optional<int> sun_teeth, ring_teeth;       ///< z of the first sun, of the first ring
+  std::vector<Rational> sun_phases, ring_phases;  ///< γ_i at the sun, at the ring
   std::optional<double>
-      sun_ring_phase;  ///< γ_rs; none if no planet gear meshes with both, or without geometry
-  Phasing phasing;     ///< phasing of the sun's mesh, or of the ring's if there is no sun
+      sun_ring_phase;  ///< γ_rs; none if no planet gear meshes with a sun and a ring, or without
+                       ///< geometry
+  Phasing phasing;     ///< of the meshes with the sun, or with the ring if there is no sun
 };
 
 /// Transmission error at the output while the input turns uniformly.
 struct DriveError {
   struct Line {
-    double frequency_ratio;  ///< waves per turn of the input
+    double frequency_ratio;  ///< cycles per turn of the input
     double amplitude;        ///< rad
   };
-  /// Peak to peak, rad. For meshes of several frequencies it is the sum over the frequencies, which
-  /// is reached when their peaks coincide.
+  /// Peak-to-peak value, rad. If the meshes have several frequencies, it is the sum of the values
+  /// of all frequencies. The error reaches this sum when the peaks coincide.
   double peak_to_peak = 0.0;
-  std::vector<Line> lines;  ///< by frequency
+  std::vector<Line> lines;  ///< in the order of frequency
 };
 
 /// The shares of the planets of a set under load over one period of its meshes, in the frame of the
 /// carrier.
 struct PlanetShares {
   std::size_t set = 0;                     ///< index in Drive::sets
-  std::vector<std::vector<double>> share;  ///< of the load of all planets, [planet][position]
-  double mesh_load_factor = 1.0;        ///< K_γ = N max share, of all meshes of the set [T13.26]
+  std::vector<std::vector<double>> share;  ///< fraction of the load of the set, [planet][position]
+  double mesh_load_factor = 1.0;        ///< K_γ = N max share, over all meshes of the set [T13.26]
   std::optional<std::size_t> floating;  ///< body that is free to move radially
-  std::vector<Vec2> displacement;       ///< of that body, mm, at each position
+  std::vector<Vec2> displacement;       ///< of the floating body, mm, at each position
 
   double mean(std::size_t planet) const;
   double greatest(std::size_t planet) const;
   double least(std::size_t planet) const;
-  /// mm; none if no body floats.
+  /// In mm; none if no body floats.
   std::optional<double> greatest_displacement() const;
 };
 
-/// The drive under load, drive/loaded_drive.hpp.
+/// Results for the drive under load, computed by drive/loaded_drive.hpp.
 struct LoadedDrive {
-  /// Rotation of the output over one period of a mesh frequency, from its mean, rad.
+  /// Deviation of the output rotation from its mean over one period of a mesh frequency, rad.
   struct Curve {
     double frequency_ratio = 0.0;       ///< teeth per turn of the input
-    std::vector<double> loaded, rigid;  ///< at each position
+    std::vector<double> loaded, rigid;  ///< with elastic and with rigid teeth, at each position
   };
   double torque = 0.0;  ///< N m, on the input
   DriveError error;     ///< under load
@@ -73,16 +74,17 @@ struct LoadedDrive {
   std::vector<PlanetShares> sets;
 };
 
-/// The rotation of the input or output while the other one is held, rad.
+/// Backlash as the rotation of the input while the output is held, and of the output while the
+/// input is held, rad.
 struct DriveBacklash {
   double input, output;
 };
 
-/// A mesh rated as a pair, drive/drive_rating.hpp.
+/// Rating of a mesh as a pair of gears, computed by drive/drive_rating.hpp.
 struct MeshRating {
   RatedPair pair;
-  RatingInput input;  ///< with the life for one engagement per turn and bending in one direction
-  Rating rating;      ///< with the actual engagements and bending of each gear
+  RatingInput input;  ///< for one engagement per turn and bending in one direction
+  Rating rating;      ///< for the actual engagements and bending of each gear
   std::array<int, 2> engagements{1, 1};  ///< engagements of a flank per turn
 };
 
@@ -92,28 +94,30 @@ struct Drive {
   DriveGeometry geometry;
   std::vector<std::optional<MeshEfficiency>> efficiencies;  ///< of each mesh
   std::optional<PowerFlow> flow;  ///< none if an efficiency is unknown, or if meshes are redundant
-  std::optional<PowerFlow> backward;  ///< with the output driving; also none with several inputs
+  std::optional<PowerFlow> backward;  ///< power flow if the output drives; none also if there are
+                                      ///< several inputs
   std::vector<PlanetSet> sets;
-  std::optional<DriveBacklash> backlash;  ///< none with several inputs, redundant meshes, or
-                                          ///< without geometry
-  std::optional<DriveError> error;        ///< none as above, or if contact is lost in a mesh
+  std::optional<DriveBacklash> backlash;  ///< none if there are several inputs, redundant meshes or
+                                          ///< no geometry
+  std::optional<DriveError> error;        ///< none as for backlash, or if a mesh loses contact
   std::vector<std::optional<MeshRating>> ratings;  ///< of each mesh; empty if they are not rated
   std::optional<LoadedDrive> loaded;               ///< none if no load was requested
   std::vector<Warning> findings;
-  std::vector<Drive> stages;  ///< of a train, each as a separate drive
+  std::vector<Drive> stages;  ///< of a train; each stage is a separate drive
 
   /// Speed of a body, 1/min; for the body of a rack, pitches per minute. None if the speeds of the
   /// inputs are not given.
   std::optional<double> speed_rpm(std::size_t body) const;
-  /// ω of a body divided by ω of the first input. None if there are several inputs and their speeds are
-  /// not given.
+  /// ω of a body divided by ω of the first input. None if there are several inputs and their speeds
+  /// are not given.
   std::optional<double> speed_ratio(std::size_t body) const;
-  /// p_t of the rack on a body, mm, which its pinion determines. None if there is no rack on the body or
-  /// no module.
+  /// Transverse pitch p_t of the rack on a body, mm, computed from the module of its pinion. None
+  /// if the body has no rack or the module is unknown.
   std::optional<double> rack_pitch(std::size_t body) const;
-  /// Speed v = n p_t of the body of a rack, m/s. None without a speed or without a pitch.
+  /// Speed v = n p_t of the body of a rack, m/s. None if the speed or the pitch is unknown.
   std::optional<double> linear_speed(std::size_t body) const;
-  /// External force on the body of a rack, F = 2π T/p_t, N. None without a torque, a flow or a pitch.
+  /// External force on the body of a rack, F = 2π T/p_t, N. None if the torque, the power flow or
+  /// the pitch is unknown.
   std::optional<double> force(std::size_t body) const;
   /// ω of a body relative to the frame of its first mesh, divided by ω of the first input. None if
   /// speed_ratio() is none.
@@ -123,11 +127,11 @@ struct Drive {
   std::optional<std::size_t> frame_of_body(std::size_t body) const;
 };
 
-/// A drive and, for a train, its stages, each of which is a separate graph.
+/// The graph of a drive and, for a train, a separate graph of each stage.
 struct DriveInput {
   DriveGraph graph;
   std::vector<DriveGraph> stages{};
-  int harmonics = 3;  ///< of phasing and of the transmission error
+  int harmonics = 3;  ///< number of harmonics of the phasing and the transmission error
 };
 
 /// Errors    as check_graph, drive_motion, power_flow and assemble

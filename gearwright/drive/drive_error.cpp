@@ -18,14 +18,14 @@ namespace {
 using detail::MeshPhase;
 using Wave = std::complex<double>;
 constexpr int kMostHarmonics = kErrorPositions / 2 - 1;
-/// rad; a curve with less variation contains only rounding errors, as in contact_curve()
+/// rad; a curve that varies by less contains only rounding errors, as in contact_curve()
 constexpr double kRounding = Angle::arcseconds(1e-9).rad();
 
 Wave phasor(double turns) { return std::polar(1.0, kTurn * turns); }
 
-// The curve of a mesh as waves.
+// The harmonics of the curve of a mesh.
 struct MeshCurve {
-  std::vector<Wave> waves;   // of harmonics 0, 1, …, kErrorPositions/2, as amplitudes
+  std::vector<Wave> waves;   // complex amplitudes of harmonics 0, 1, …, kErrorPositions/2
   std::vector<Wave> shares;  // of each harmonic: mean over the planets of e^{−2πikγ}
 };
 
@@ -33,7 +33,7 @@ class DriveCurves {
  public:
   DriveCurves(const Drive& drive, const MeshErrors& errors) : drive_(drive), errors_(errors) {}
 
-  // Computes the curves of all meshes. Returns false if a number is missing.
+  // Computes the curves of all meshes. Returns false if one of them cannot be computed.
   bool make() {
     auto phases = detail::phases_of(drive_);
     if (!phases) return false;
@@ -54,7 +54,7 @@ class DriveCurves {
         found.lines.push_back({k * teeth.value_or(0.0), 2 * std::abs(sum(first, k, 0.0))});
       double least = 0.0, greatest = 0.0;
       for (int i = 0; i < kErrorPositions; ++i) {
-        // The time of position i of the curve of the first mesh.
+        // The time at which the first mesh reaches position i of its curve.
         const double t =
             static_cast<double>(i) / kErrorPositions - phases_[first].event - phases_[first].time;
         double value = 0.0;
@@ -72,8 +72,9 @@ class DriveCurves {
   }
 
  private:
-  // The transmission error of a mesh over one pitch. For a double-helical pair it is that of the whole
-  // gears. If these are turned over, the half with the hand of the drawing is at z < 0.
+  // The transmission error of a mesh over one pitch. For a double-helical pair, it is the error of
+  // both halves together. If the gears are seen from the other face, the half whose hand is on the
+  // drawing is at z < 0.
   static std::vector<double> curve_of(const ContactSetup& setup, bool gear2_drives, bool turned) {
     if (!setup.gear(1).gap)
       return gearwright::transmission_error(setup.pair(gear2_drives), kErrorPositions);
@@ -100,13 +101,14 @@ class DriveCurves {
     const auto te = curve_of(*setup, gear2_drives, phases_[m].turned);
     if (std::any_of(te.begin(), te.end(), [](double x) { return std::isnan(x); })) return false;
     if (peak_to_peak(te) < kRounding) return true;
-    // The error is > 0 if gear 2 is ahead of gear 1. If gear 2 drives, gear 1 is the driven gear, and
-    // the sign changes.
+    // The error is > 0 if gear 2 is ahead of gear 1. If gear 2 drives, gear 1 is the driven gear,
+    // and the sign changes.
     const double r_b = pair.gear(2).base_radius() * (gear2_drives ? -1 : 1);
     for (int k = 0; k <= kErrorPositions / 2; ++k) {
       Wave wave = 0.0;
       for (int j = 0; j < kErrorPositions; ++j) {
-        // The curve starts half a pitch before its middle. With integers, vanishing waves are exactly 0.
+        // The curve starts half a pitch before its middle. The phase is computed with integers, so
+        // that harmonics which vanish are exactly 0.
         const int turn = k * (j + kErrorPositions / 2) % kErrorPositions;
         wave += (te[static_cast<std::size_t>(j)] - te[0]) *
                 phasor(-static_cast<double>(turn) / kErrorPositions);
@@ -125,7 +127,8 @@ class DriveCurves {
       for (const Rational& gamma : phase.phases)
         mean += phasor(-phase.sense * (Rational(static_cast<long long>(k)) * gamma).frac().value());
       mean /= static_cast<double>(phase.phases.size());
-      curves_[m].shares[k] = std::abs(mean) < 1e-12 ? Wave(0.0) : mean;  // rounding of N terms
+      curves_[m].shares[k] = std::abs(mean) < 1e-12 ? Wave(0.0) : mean;  // a smaller mean is a
+                                                                         // rounding error
     }
   }
 
@@ -137,7 +140,8 @@ class DriveCurves {
     return list;
   }
 
-  // Harmonic k of all meshes of a frequency at time t, rad of the output.
+  // The sum of harmonic k of all meshes of one frequency at time t, as a rotation of the output,
+  // rad.
   Wave sum(std::size_t first, int k, double t) const {
     Wave total = 0.0;
     for (std::size_t m = 0; m < curves_.size(); ++m) {

@@ -7,7 +7,8 @@
 //   δφ_o = Σ_m |λ_m/T_o| (2π/p_bt,m) ē_m(t), ē_m = Σ_i e_m(t − γ_i)/N          [T13.21], [T13.22]
 //                                              theory: docs/theory/13-drives.md
 //
-// Equal planets with a floating member share the load equally, so the mean of their curves is used.
+// The curves of the planets of a set are averaged, because equal planets with a floating member
+// share the load equally.
 #pragma once
 
 #include <functional>
@@ -21,17 +22,18 @@ namespace gearwright {
 /// Number of positions of each mesh over one period, as in the contact analysis of a pair.
 inline constexpr int kErrorPositions = 64;
 
-/// Errors of mounting of a mesh, by its number; empty if there are none.
+/// A function that returns the errors of mounting of a mesh, by its index; empty if there are no
+/// errors.
 using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 
 /// The transmission error with the harmonics 1 … `harmonics` of each mesh frequency, at most
 /// kErrorPositions/2 − 1.
 ///
 /// Formula   [T13.21], [T13.22]; meshes that share a gear have one frequency, and the angle between
-///           them on the gear gives their phase, [T13.17]. Flanks without modifications and errors
-///           of mounting are conjugate, and their curve is 0
+///           them on the gear gives their phase, [T13.17]. Flanks that have neither modifications
+///           nor errors of mounting are conjugate, and their curve is 0
 /// Domain    a drive made by make_drive(), with its flow if there is one; harmonics ≥ 1 (contract)
-/// None      with several inputs, a redundant mesh, a rack, no geometry, lost contact, or a
+/// None      if there are several inputs, a redundant mesh, a rack, no geometry, lost contact, or a
 ///           measured gear that is loaded on the flank without readings
 std::optional<DriveError> transmission_error(const Drive& drive, int harmonics,
                                              const MeshErrors& errors = {});

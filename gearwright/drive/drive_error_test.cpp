@@ -1,7 +1,7 @@
-// Laws: (1) one mesh has the curve of its pair, whichever gear drives; (2) conjugate flanks have no
-// transmission error; (3) three planets in sequence leave every third harmonic; (4) with one
-// planet, the error is the sum of both curves at the actual positions of the planet, which the test
-// computes itself.
+// Laws: (1) a drive with one mesh has the curve of its pair, whichever gear drives; (2) conjugate
+// flanks have no transmission error; (3) if three planets mesh in sequence, only every third
+// harmonic remains; (4) with one planet, the error is the sum of both curves at the actual
+// positions of the planet, which the test computes itself.
 #include "gearwright/drive/drive_error.hpp"
 
 #include <gtest/gtest.h>
@@ -111,8 +111,8 @@ TEST(DriveErrorTest, PlanetsInSequenceLeaveEveryThirdHarmonic) {
   EXPECT_NEAR(in_phase.error->peak_to_peak, single.error->peak_to_peak, 1e-15);
 }
 
-// The sun turns by θ, the planet follows with the curve of their mesh, and the resulting position
-// counts for its mesh with the ring.
+// The sun turns by θ, and the planet follows with the transmission error of their mesh. The mesh
+// with the ring is evaluated at the resulting position of the planet.
 std::vector<double> turned_by_hand(const Drive& drive) {
   const auto flanks = relieved(0.004, 0.006);
   const Pair& sp = *drive.geometry.pairs[0];

@@ -18,7 +18,7 @@ namespace {
 
 using Fault = GeometryFault;
 
-// True if both gears of a mesh have teeth, not only tooth numbers.
+// True if the tooth data of both gears of a mesh are known, and not only the tooth numbers.
 bool has_teeth(const DriveGraph& graph, const DriveMesh& mesh) {
   return graph.gear(mesh, 0).spec && graph.gear(mesh, 1).spec;
 }
@@ -38,8 +38,8 @@ ShiftProblem shift_problem(const DriveGraph& graph, const DriveMesh& mesh,
   return problem;
 }
 
-// Groups the meshes with one centre distance: a planet's meshes with central gears. Any other mesh is a
-// group by itself.
+// Groups the meshes that have one centre distance. The meshes of a planet with its central gears
+// form a group, and any other mesh is a group by itself.
 std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph) {
   std::vector<std::vector<std::size_t>> classes;
   std::vector<std::optional<std::size_t>> planet;
@@ -87,7 +87,8 @@ class Completion {
   }
 
  private:
-  // A mesh with both shifts unknown comes last, because others may determine one of them.
+  // The number of unknown shifts of a mesh. A mesh with two of them is completed last, because
+  // other meshes may determine one.
   int unknowns(std::size_t m) const {
     int count = 0;
     for (const std::size_t g : graph_.meshes[m].gears) count += made_.shift[g] ? 0 : 1;
@@ -109,8 +110,8 @@ class Completion {
   void fault(const DriveMesh& mesh, const Error& error) {
     made_.faults.push_back(
         {Fault::Kind::not_coaxial,
-         fmt::format("No profile shift gives the mesh {} its centre distance: {}.", mesh.name,
-                     error.rule)});
+         fmt::format("No profile shift is possible for the mesh {} at its centre distance: {}.",
+                     mesh.name, error.rule)});
   }
 
   const DriveGraph& graph_;
@@ -168,14 +169,15 @@ void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, Drive
     if (graph.meshes[m].gears[0] == g || graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
 }
 
-// True if the tip of a gear follows from its rack and may be moved.
+// True if the rack determines the tip diameter of a gear, which then may be changed.
 bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made) {
   const DriveGear& gear = graph.gears[g];
   return made.gears[g] && !gear.spec->tip_diameter && !gear.spec->tip_fillet;
 }
 
-// With large shifts, the gears of a mesh are nearer than their racks allow. If a tip has less
-// clearance than the verdict requires, it is lowered by k m_n to the clearance of the racks.
+// With large shifts, the centre distance is less than a_d + (x1 + x2) m_n, so the tip clearance is
+// less than that of the racks. If it is also less than the verdict requires, the tip is lowered by
+// k m_n, which restores the clearance of the racks.
 void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kLeast = 0.1;  // m_n
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
@@ -192,8 +194,8 @@ void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   }
 }
 
-// A ring with the addendum of its rack often reaches below the flanks of its mating gears. If no tip
-// diameter is given, the teeth of the ring are shortened until they touch only those flanks.
+// A ring with the addendum of its rack often reaches below the flanks of its mating gears. If no
+// tip diameter is given, the teeth of the ring are shortened until they touch only those flanks.
 void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kClear = 0.02;  // m_n, in radius: twice the margin that the verdict requires
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {
@@ -210,7 +212,7 @@ void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
   }
 }
 
-// Places of the riders in the carrier's frame, with the tip diameter of the widest gear of each.
+// The position of a rider in the frame of the carrier, and the greatest tip diameter of its gears.
 struct Rider {
   double distance, angle, tip_diameter;
 };
@@ -249,7 +251,8 @@ std::optional<std::vector<Rider>> place_riders(const DriveGraph& graph, const Pl
 
 double tip_gap(const Rider& a, const Rider& b, double turned) {
   const double angle = b.angle + turned - a.angle;
-  // The distance of two polar points. For equal radii it is 2 a sin(Δ/2), with less cancellation.
+  // The distance of two points given in polar coordinates, in a form with little cancellation. For
+  // equal radii it is 2 a sin(Δ/2).
   const double half = std::sin(angle / 2);
   const double d = a.distance - b.distance;
   const double between = std::sqrt(d * d + 4 * a.distance * b.distance * half * half);
@@ -289,7 +292,8 @@ std::optional<std::vector<RiderPlace>> rider_places(
     const DriveGraph& graph, const PlanetGroup& group,
     const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault) {
   std::vector<RiderPlace> riders;
-  // Each rider after the first gets its angle from the triangle with a rider that already has one.
+  // The angle of each rider after the first follows from a triangle. Its corners are the axes of
+  // the carrier, of this rider, and of a rider whose angle is known.
   for (std::size_t i = 0; i < group.riders.size(); ++i) {
     const std::size_t body = group.riders[i];
     const auto a = distance_between(graph, group, distances, body, std::nullopt);
@@ -325,7 +329,7 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   std::vector<double> turned;
   for (const Rational& u : assembly.turns) turned.push_back(2 * std::numbers::pi * u.value());
   found.clearance = least_gap_of(*riders, turned);
-  constexpr int kMost = 1000;  // more planets than any gear has teeth
+  constexpr int kMost = 1000;  // greatest number of planets that is tried
   for (int n = 2; n <= kMost; ++n) {
     turned.clear();
     for (int i = 0; i < n; ++i) turned.push_back(2 * std::numbers::pi * i / n);

@@ -1,11 +1,12 @@
-// Computes the teeth of a drive: distances and shifts of all its meshes, and each mesh as a pair of gears.
+// Computes the geometry of the teeth of a drive: centre distances, profile shifts, and each mesh as
+// a pair of gears.
 //
 //   a      centre distance; all meshes of a planet with central gears share one [T13.15]
-//   c      least distance of the tips of neighbouring planets, mm [T13.15b]
+//   c      least distance between the tips of neighbouring planets, mm [T13.15b]
 //                                              theory: docs/theory/13-drives.md
 //
 // If a drive lacks the data of its teeth, it has speeds, torques and places, but no geometry.
-// Geometry that cannot be built is a finding, not an error, and the other numbers are still
+// A geometry that cannot be built is a finding and not an error, and the other results are still
 // computed.
 #pragma once
 
@@ -18,7 +19,7 @@
 
 namespace gearwright {
 
-/// The reason why a part of the teeth is impossible.
+/// The reason why a gear or a mesh is impossible.
 struct GeometryFault {
   enum class Kind { not_coaxial, no_gear, no_pair } kind;
   std::string message;
@@ -32,11 +33,12 @@ struct DriveGeometry {
   std::vector<GeometryFault> faults;
 };
 
-/// Computes absent shifts from distances and absent distances from shifts, as complete_shifts. A given
-/// distance applies to all meshes of a planet with central gears. If no distance is given, the first of
-/// these meshes has no backlash with the given shifts, and absent shifts are 0. A ring without a tip
-/// diameter ends 0.02 m_n before the ends of the flanks of its mating gears. Any other tip with less
-/// than 0.1 m_n of clearance is shortened by k m_n.
+/// Computes absent shifts from distances and absent distances from shifts, as complete_shifts()
+/// does. A given distance applies to all meshes of a planet with central gears. If no distance is
+/// given, absent shifts of the first of these meshes are 0, and its distance is the one without
+/// backlash. If the tip diameter of a ring is not given, its tips stay 0.02 m_n above the root ends
+/// of the flanks of its mating gears. Any other tip with a clearance of less than 0.1 m_n is
+/// lowered by the tip shortening k m_n.
 ///
 /// Formula   [T13.15]
 /// Domain    a checked graph (contract)
@@ -44,12 +46,13 @@ DriveGeometry drive_geometry(const DriveGraph& graph);
 
 /// Position of a planet in the frame of its carrier.
 struct RiderPlace {
-  double distance;  ///< from the carrier's axis to its own  mm
+  double distance;  ///< from the axis of the carrier to the axis of the planet  mm
   double angle;     ///< of copy 0, counter-clockwise from copy 0 of the first rider  rad
 };
 
-/// Positions of the planets of a group in their order, from the centre distances of their meshes. None
-/// if a distance is missing, or if an idler has no possible position (`fault` gives the reason).
+/// Computes the positions of the planets of a group, in their order, from the centre distances of
+/// their meshes. None if a distance is missing, or if an idler has no possible position (`fault`
+/// gives the reason).
 std::optional<std::vector<RiderPlace>> rider_places(
     const DriveGraph& graph, const PlanetGroup& group,
     const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault);
@@ -59,11 +62,12 @@ struct Neighbours {
   int most;          ///< greatest number of planets at equal pitch with c ≥ 0
 };
 
-/// The clearance between planets, and their greatest number. None if a distance or a gear is missing,
-/// or if an idler has no possible position (`fault` gives the reason).
+/// The clearance between planets, and their greatest number. None if a distance or a gear is
+/// missing, or if an idler has no possible position (`fault` gives the reason).
 ///
-/// Formula   c = min (2 a sin(Δ/2) − d_a) over neighbours; if riders have different distances a, c is
-///           the gap between their tips in polar coordinates; N_max = floor(π/asin(d_a/2a)); [T13.15b]
+/// Formula   c = min (2 a sin(Δ/2) − d_a) over neighbours; if riders have different distances a,
+///           the gap between their tips is computed in polar coordinates; N_max =
+///           floor(π/asin(d_a/2a)); [T13.15b]
 std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup& group,
                                      const DriveGeometry& geometry, const Assembly& assembly,
                                      std::optional<GeometryFault>& fault);

@@ -38,7 +38,7 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
   const DriveGear& b = graph.gear(mesh, 1);
   const auto wrong = [&](std::string rule) { return Error{"drive.mesh", mesh.name, rule}; };
   if (a.body == b.body)
-    return wrong(fmt::format("both gears are on body {}, but a mesh needs gears of two bodies",
+    return wrong(fmt::format("both gears are on body {}, but a mesh needs gears on two bodies",
                              graph.body(a).name));
   if (a.rack) return wrong("names the rack first; the pinion must come first");
   if (a.teeth < 0 && b.factor() < 0)
@@ -61,7 +61,8 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
         graph.bodies[*carrier_a].name, graph.bodies[*carrier_b].name));
   if (carrier_a && carrier_b && graph.body(a).count != graph.body(b).count)
     return wrong(
-        "its planets have different numbers of copies, but planets that mesh need equal numbers");
+        "its planets have different numbers of copies, but planets that mesh must have the same "
+        "number");
   if (b.rack && carrier_a)
     return wrong(
         "its pinion is on a carrier, but a rack can mesh only with a gear on a fixed axis");
@@ -126,7 +127,7 @@ std::optional<Error> check_graph(const DriveGraph& graph) {
 }
 
 std::vector<PlanetGroup> planet_groups(const DriveGraph& graph) {
-  // Riders that mesh are joined. Each gets the least index of the riders joined with it.
+  // Riders that mesh with each other form a group. Its number is the least index of its riders.
   std::vector<std::size_t> group(graph.bodies.size());
   for (std::size_t i = 0; i < group.size(); ++i) group[i] = i;
   for (const DriveMesh& mesh : graph.meshes) {

@@ -1,8 +1,8 @@
-// A drive as a graph: bodies that turn or move, the gears on them, bodies that ride on other bodies, and
-// meshes.
+// Describes a drive as a graph of bodies, the gears on them, and the meshes of these gears.
 //
-//   body     turns about an axis, or moves if it has a rack; a planet rides on a carrier, in N copies
-//   gear     z > 0 external, z < 0 ring, or a rack; sits on one body
+//   body     turns about an axis, or moves in a line if it has a rack
+//   rider    body that turns on a carrier: a planet or an idler; a set has N copies of it
+//   gear     z > 0 external, z < 0 ring, or a rack; belongs to one body
 //   mesh     two gears; its frame c is the carrier of one of its bodies, otherwise the housing
 //                                              theory: docs/theory/13-drives.md
 //
@@ -25,59 +25,62 @@ namespace gearwright {
 
 /// Arrangement of the copies of a planet around the carrier.
 enum class Spacing {
-  nearest,        ///< at equal pitch if this can be assembled, otherwise at the nearest places
-  equal,          ///< at equal pitch; an error if this cannot be assembled
-  equal_clocked,  ///< at equal pitch, with each stepped planet clocked for its place
-  opposite,       ///< every planet has another one opposite
+  nearest,        ///< equal pitch if the planets can then be assembled, otherwise the nearest
+                  ///< places
+  equal,          ///< equal pitch; an error if the planets cannot be assembled then
+  equal_clocked,  ///< equal pitch; the two gears of each stepped planet are clocked for its place
+  opposite,       ///< pairs of opposite planets
 };
 
 struct DriveBody {
   std::string name;
   std::optional<std::size_t> carrier;  ///< the body on which it rides
-  int count = 1;                       ///< N, copies of a body that rides
-  std::vector<double> positions_deg;   ///< of the copies, from copy 0; if empty, `spacing` is used
-  std::optional<Spacing> spacing{};    ///< by default that of the graph
+  int count = 1;                       ///< N, number of copies of a rider
+  std::vector<double> positions_deg;   ///< angle of each copy; if empty, `spacing` is used
+  std::optional<Spacing> spacing{};    ///< by default DriveGraph::spacing
 };
 
-/// The known data of the teeth of a gear; without a module there is no geometry.
+/// A gear with the known data of its teeth. If the module is unknown, no geometry is computed.
 struct DriveGear {
   std::string name;
   std::size_t body = 0;
   int teeth = 0;                        ///< z, < 0 for a ring
-  bool rack = false;                    ///< its body moves, and v/p_t replaces its speed
-  std::optional<CylindricalSpec> spec;  ///< all other data, except the shift
+  bool rack = false;                    ///< true for a rack: its body moves in a line with the
+                                        ///< speed v/p_t
+  std::optional<CylindricalSpec> spec;  ///< data of the teeth, except z and x
   std::optional<double> shift;          ///< x; computed if absent
   std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank
-  std::optional<Bore> bore{};                         ///< of the body (internal: rim)
-  std::optional<DoubleHelical> double_helical{};      ///< `spec` then has the width of both halves
+  std::optional<Bore> bore{};                         ///< bore of the gear body, or rim of a ring
+  std::optional<DoubleHelical> double_helical{};      ///< if set, b in `spec` includes the gap
 
-  /// The factor in [T13.1]: z, or −1 for a rack.
+  /// The coefficient of the gear in [T13.1]: z, or −1 for a rack.
   int factor() const { return rack ? -1 : teeth; }
 };
 
 struct DriveMesh {
   std::string name;
   std::array<std::size_t, 2> gears{};
-  std::optional<double> efficiency;  ///< η with the frame at rest; by default that of the pair
+  std::optional<double> efficiency;  ///< η with the frame at rest; by default computed from μ
   std::optional<double> center_distance;  ///< a  mm
-  /// Direction from the axis of the first gear to that of the second, counter-clockwise, for meshes
-  /// in the housing; planets are placed by their spacing. If absent, the shafts are in one line.
+  /// Direction from the axis of the first gear to the axis of the second, counter-clockwise. It
+  /// applies only to meshes in the housing, because planets are placed by their spacing. If absent,
+  /// the shafts are in one line.
   std::optional<Angle> direction{};
-  std::optional<double> friction{};  ///< μ; by default that of the graph
+  std::optional<double> friction{};  ///< μ; by default DriveGraph::friction
 };
 
-/// Gap between the faces of gears beside each other, in m_n.
+/// Axial gap between the faces of adjacent gears, in m_n.
 inline constexpr double kBetweenFaces = 2.0;
 
 struct DriveGraph {
   std::vector<DriveBody> bodies;
   std::vector<DriveGear> gears;
   std::vector<DriveMesh> meshes;
-  std::vector<std::size_t> fixed, inputs;  ///< bodies
+  std::vector<std::size_t> fixed, inputs;  ///< indices of bodies
   std::size_t output = 0;
-  std::vector<double> speeds_rpm;   ///< of the inputs; empty if not given
+  std::vector<double> speeds_rpm;   ///< speed of each input; empty if not given
   std::optional<double> torque_Nm;  ///< on the first input
-  double friction = 0.05;           ///< μ of meshes without an efficiency
+  double friction = 0.05;           ///< μ of meshes whose efficiency is not given
   Spacing spacing = Spacing::nearest;
   bool idler_left = true;  ///< true if an idler is counter-clockwise from its planet
 
@@ -85,7 +88,8 @@ struct DriveGraph {
     return gears[mesh.gears[static_cast<std::size_t>(which)]];
   }
   const DriveBody& body(const DriveGear& gear) const { return bodies[gear.body]; }
-  /// The carrier of a mesh; none for the housing.   Domain  a checked graph
+  /// The carrier that is the frame of a mesh; none if the frame is the housing.   Domain  a checked
+  /// graph
   std::optional<std::size_t> frame(const DriveMesh& mesh) const;
   bool is_fixed(std::size_t body) const;
   bool is_input(std::size_t body) const;
@@ -95,16 +99,16 @@ struct DriveGraph {
 
 /// Checks that the graph describes a possible drive.
 ///
-/// Errors    `drive.mesh` between riders of two carriers, or of a rack that does not mesh with an
-///           external gear in the housing; `drive.gear` without teeth; `drive.body` that rides on
-///           itself
+/// Errors    `drive.mesh` if its planets are on two carriers, or if a rack does not mesh with an
+///           external gear in the housing; `drive.gear` if it has no teeth; `drive.body` if it is
+///           its own carrier
 std::optional<Error> check_graph(const DriveGraph& graph);
 
-/// A planet, or several planets of one carrier that mesh with each other, with all their meshes. All
+/// A planet, or several planets of one carrier that mesh with each other, and all their meshes. All
 /// bodies of a group have the same number of copies.
 struct PlanetGroup {
   std::size_t carrier;
-  std::vector<std::size_t> riders;  ///< bodies
+  std::vector<std::size_t> riders;  ///< indices of the bodies
   std::vector<std::size_t> meshes;
   int count;  ///< N
 

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMeets = 1e-6;  // rad of the tooth period: allowance for rounding
+constexpr double kMeets = 1e-6;  // allowed rounding error of a phase, rad; one pitch is 2π
 
 double direction(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
@@ -56,7 +56,8 @@ class Layout {
     known_.assign(made_.gears.size(), 0);
   }
 
-  // The placed gears of a mesh for a copy of its planets; a central gear has one copy.
+  // Returns the two placed gears of a mesh for one copy of its planets. A central gear has only one
+  // copy.
   std::array<std::size_t, 2> placed(const DriveMesh& mesh, int copy) const {
     std::array<std::size_t, 2> two{};
     for (const std::size_t k : {0, 1}) {
@@ -88,7 +89,8 @@ class Layout {
   }
 
   std::optional<Error> find_angles() {
-    // Gears on fixed axes, and copy 0 of each planet, are turned by the first mesh that reaches them.
+    // Each gear on a fixed axis, and copy 0 of each planet, is turned such that its teeth mesh with
+    // the first gear of known angle that meshes with it.
     for (std::size_t root = 0; root < graph_.gears.size(); ++root) {
       if (known_[first_[root]]) continue;
       known_[first_[root]] = 1;
@@ -116,7 +118,8 @@ class Layout {
     return std::nullopt;
   }
 
-  // Rotates copy 0 about the carrier's axis, then each planet about its own axis.
+  // Gives the gears of a copy the angles of copy 0, rotated about the carrier's axis. Then turns
+  // each planet about its own axis until its teeth mesh.
   bool turn_copy(const PlanetSet& set, int copy) {
     const double u = set.assembly.turns[static_cast<std::size_t>(copy)].value();
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
@@ -127,12 +130,14 @@ class Layout {
     return turn_rider(set, copy, 0);
   }
 
-  // Turns planet k and the following ones, and returns false if that is not possible. Tries every
-  // angle at which the first of the planet's meshes with gears already placed can mesh.
+  // Turns planet k and the following planets until all their teeth mesh. Returns false if this is
+  // not possible. The first mesh of planet k with a gear that is already placed allows z angles,
+  // which are tried one by one.
   bool turn_rider(const PlanetSet& set, int copy, std::size_t k) {
     if (k == set.group.riders.size()) return true;
     const std::size_t body = set.group.riders[k];
-    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> meshes;  // with rider's side
+    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> meshes;  // placed gears, side
+                                                                             // of the rider
     for (const std::size_t m : set.group.meshes) {
       const auto two = placed(graph_.meshes[m], copy);
       for (const std::size_t side : {0, 1}) {
@@ -169,7 +174,8 @@ class Layout {
       if (graph_.gears[g].body == body) phi_[first_[g] + static_cast<std::size_t>(copy)] += angle;
   }
 
-  // Places the slots one after the other. Each is as wide as the widest gear that is in this slot only.
+  // Places the slots one after the other. Each is as wide as the widest of the gears that are only
+  // in this slot or, if there are none, of all its gears.
   void find_heights() {
     const auto& slots = made_.places.slots;
     std::vector<double> from, to;
@@ -212,12 +218,13 @@ class Layout {
   const Drive& drive_;
   const DriveGraph& graph_;
   DriveLayout made_;
-  std::vector<std::size_t> first_;  // of each gear: its copy 0 in made_.gears
-  std::vector<double> phi_;         // of each placed gear in the section z = 0
+  std::vector<std::size_t> first_;  // of each gear: index of its copy 0 in made_.gears
+  std::vector<double> phi_;         // φ of each placed gear in the section z = 0
   std::vector<char> known_;
 };
 
-// The least T for which a T is whole for all speeds a: lcm of the denominators over gcd of the numerators.
+// The least T for which the product a T is whole for all speeds a. It is the least common multiple
+// of their denominators divided by the greatest common divisor of their numerators.
 std::optional<Rational> least_common_turn(const std::vector<Rational>& speeds) {
   long long p = 0;
   Rational q = 1;
@@ -276,7 +283,7 @@ std::optional<Rational> turns_until_alike(const Drive& drive) {
     if (!drive.graph.bodies[gear.body].carrier)
       whole.push_back(speed(gear.body) * Rational(gear.teeth));
   for (const PlanetSet& set : drive.sets) {
-    // Equally spaced planets with a single gear are identical.
+    // Equally spaced planets with a single gear are interchangeable.
     std::size_t gears = 0;
     for (const DriveGear& gear : drive.graph.gears)
       if (drive.graph.bodies[gear.body].carrier == set.group.carrier) ++gears;

@@ -1,12 +1,13 @@
-// Computes an assembled drive: position and angle of every copy of every gear, such that all teeth mesh,
-// and its motion.
+// Computes the layout of an assembled drive, and its motion. The positions and angles of all gears
+// are such that all teeth mesh.
 //
 //   θ_a, θ_b   direction of the contact as seen from the axes of gears a and b
 //   φ          angle of a gear's x axis, the centre line of its tooth 0
 //
 // A tooth of one gear is opposite a space of the other, in the middle of the backlash:
 //
-//   z_a (θ_a − φ_a) + z_b (θ_b − φ_b) ≡ π  mod 2π,  z < 0 of a ring                       [T13.15c]
+//   z_a (θ_a − φ_a) + z_b (θ_b − φ_b) ≡ π  mod 2π,  z < 0 for a
+//   ring                       [T13.15c]
 //                                              theory: docs/theory/13-drives.md
 #pragma once
 
@@ -19,13 +20,13 @@ namespace gearwright {
 
 struct PlacedGear {
   std::size_t gear;  ///< index in the graph
-  int copy;          ///< of its body, from 0
+  int copy;          ///< number of the copy of its body, from 0
   Vec2 axis;         ///< mm
   double angle;      ///< φ in the middle of its face  rad
   double height;     ///< z of the middle of its face  mm
 };
 
-/// A section across the axes with the gears in it.
+/// A plane across the axes, and the gears that it cuts.
 struct DriveSection {
   double height;                   ///< z  mm
   std::vector<std::size_t> gears;  ///< indices of DriveLayout::gears
@@ -33,23 +34,24 @@ struct DriveSection {
 
 struct DriveLayout {
   DrivePlaces places;
-  std::vector<PlacedGear> gears;       ///< every copy, by gear and then by copy
+  std::vector<PlacedGear> gears;       ///< all copies, in the order of gear and copy
   std::vector<DriveSection> sections;  ///< one for each slot
 
   /// φ of a placed gear at a height.
   double angle_at(const Drive& drive, std::size_t placed, double height) const;
 };
 
-/// Errors    as drive_places; a drive without teeth; planets whose teeth do not meet
+/// Errors    as drive_places(); `drive.gear` if it has no geometry; `drive.mesh` or `drive.body` if
+///           teeth do not mesh
 Result<DriveLayout> drive_layout(const Drive& drive);
 
 /// The same layout after a number of turns of the first input.
 ///
-/// Domain    a drive whose speeds are known: one input, or speeds of all (contract)
+/// Domain    one input, or given speeds of all inputs (contract)
 DriveLayout turned(const Drive& drive, DriveLayout layout, double input_turns);
 
 /// Least number of turns of the input after which the drive looks the same: gears have moved by
-/// whole teeth, and equally spaced planets to the position of the next one. None with several
+/// whole teeth, and each equally spaced planet is where one of them was before. None with several
 /// inputs, or if there is no such number.
 std::optional<Rational> turns_until_alike(const Drive& drive);
 

@@ -1,6 +1,7 @@
-// Laws: (1) at the start and after any motion every copy of every mesh has a tooth opposite a space,
-// [T13.15c]; (2) clocked planets have the clocking of [T13.14]; (3) gears that would cut each other in
-// one plane do not share a slot; (4) after turns_until_alike() every gear has moved by whole teeth.
+// Laws: (1) at the start and after any motion every copy of every mesh has a tooth opposite a
+// space, [T13.15c]; (2) clocked planets have the clocking of [T13.14]; (3) gears that would cut
+// each other in one plane do not share a slot; (4) after turns_until_alike() every gear has moved
+// by whole teeth.
 #include "gearwright/drive/drive_layout.hpp"
 
 #include <gtest/gtest.h>
@@ -37,8 +38,8 @@ DriveLayout laid(const Drive& drive) {
   return std::move(layout).take();
 }
 
-// The distance of the nearest tooth of a gear from a direction, in parts of its pitch: 0 for a
-// tooth, 0.5 for a space. All its teeth are compared.
+// The distance of the nearest tooth of a gear from a direction, in pitches: 0 for a tooth, 0.5 for
+// a space. All teeth are compared.
 double tooth_against(const Drive& drive, const PlacedGear& placed, double angle,
                      const Vec2& towards) {
   const int z = std::abs(drive.graph.gears[placed.gear].teeth);
@@ -52,7 +53,8 @@ double tooth_against(const Drive& drive, const PlacedGear& placed, double angle,
   return best;
 }
 
-// Greatest distance of any mesh of any copy from tooth opposite space, in parts of a pitch.
+// The greatest deviation of any mesh from the position in which a tooth is opposite a space, in
+// pitches.
 double worst_mesh(const Drive& drive, const DriveLayout& layout) {
   double worst = 0.0;
   for (const DriveMesh& mesh : drive.graph.meshes) {
@@ -69,8 +71,8 @@ double worst_mesh(const Drive& drive, const DriveLayout& layout) {
                                          ring ? a.axis - b.axis : Vec2(b.axis - a.axis));
         const double two =
             tooth_against(drive, b, layout.angle_at(drive, k, height), a.axis - b.axis);
-        // As a mesh turns, the tooth positions of two external gears change in opposite senses, and
-        // those of a gear and its ring in the same sense.
+        // As a mesh turns, the tooth positions of two external gears change in opposite senses. The
+        // tooth positions of a gear and its ring change in the same sense.
         const double off = std::remainder(one + (ring ? -two : two) - 0.5, 1.0);
         worst = std::max(worst, std::abs(off));
       }
@@ -193,7 +195,7 @@ TEST(DriveLayout, LooksAlikeAfterTheLeastTurn) {
     const DriveLayout before = laid(drive);
     const DriveLayout after = turned(drive, before, turns->value());
     for (std::size_t i = 0; i < before.gears.size(); ++i) {
-      // A copy of the gear is there, with its teeth at the same places.
+      // A copy of the same gear must be on this axis, with its teeth at the same places.
       bool found = false;
       for (std::size_t k = 0; k < before.gears.size(); ++k) {
         const PlacedGear &a = after.gears[i], &b = before.gears[k];
@@ -204,7 +206,8 @@ TEST(DriveLayout, LooksAlikeAfterTheLeastTurn) {
       EXPECT_TRUE(found) << drive.graph.gears[before.gears[i].gear].name;
     }
   }
-  // Ring held, three planets: the carrier moves by a third of a turn, the sun 1.5 turns.
+  // If the ring of a set with three planets is held, the carrier turns by 1/3 and the sun by 1.5
+  // turns.
   EXPECT_TRUE(*turns_until_alike(laid_drive(sets().front())) == Rational::of(3, 2));
 }
 

@@ -32,7 +32,8 @@ std::string names(const DriveGraph& graph, const Bodies& bodies) {
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
-// Names the meshes that lock the drive, "a_b, c_d". Without any one of them, the drive is not locked.
+// Names the meshes that lock the drive, "a_b, c_d". If any one of them is removed, the drive can
+// turn.
 std::string locking_meshes(const DriveGraph& graph) {
   std::vector<std::string> list;
   for (std::size_t without = 0; without < graph.meshes.size(); ++without) {
@@ -50,12 +51,13 @@ std::string locking_meshes(const DriveGraph& graph) {
 
 Error too_large() {
   return {"drive.gear", "",
-          "the numbers of teeth lead to ratios of more than 127 bits; a drive of fewer stages, or "
-          "each stage alone, can be computed"};
+          "the numbers of teeth lead to ratios that need more than 127 bits; use fewer stages, or "
+          "compute "
+          "each stage alone"};
 }
 
 Error locked(const DriveGraph& graph) {
-  // Counts the degrees of freedom of the drive without held bodies.
+  // Counts the degrees of freedom of the drive without fixed bodies.
   RationalMatrix rows = mesh_rows(graph);
   const auto rank = rank_of(rows);
   if (!rank) return too_large();
@@ -151,10 +153,11 @@ Result<DriveMotion> drive_motion(const DriveGraph& graph) {
   if (freedom < inputs)
     return Error{"drive.input", names(graph, graph.inputs),
                  fmt::format("there are {} inputs and only {} degree{} of freedom, so their speeds "
-                             "would contradict each other; leave out {}",
+                             "would contradict each other; leave out {} of them",
                              inputs, freedom, freedom == 1 ? "" : "s", inputs - freedom)};
 
-  // ω of every body for each input; the right-hand sides are additional columns of the matrix.
+  // Solves for ω of every body, once for each input. The right-hand sides are additional columns of
+  // the matrix.
   add_unit_rows(rows, graph.inputs, n);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     rows[r].resize(n + inputs);

@@ -1,11 +1,15 @@
-// Computes the speeds of all bodies of a drive exactly, from a linear system with integer coefficients.
+// Computes the speeds of all bodies of a drive exactly, from a linear system with integer
+// coefficients.
 //
-//   W      meshes × bodies: z_a on body a, z_b on body b, −(z_a + z_b) on the frame, W ω = 0 [T13.1]
-//   f      degrees of freedom = bodies − rank of W with a row for each fixed body [T13.2]
+//   W      meshes × bodies: z_a on body a, z_b on body b, −(z_a + z_b) on the frame, W ω = 0
+//          [T13.1]
+//   f      degrees of freedom = number of bodies − rank of W with one more row for each fixed body
+//          [T13.2]
 //   i      = n_in/n_out, signed [T13.3]
 //                                              theory: docs/theory/13-drives.md
 //
-// In the frame of a mesh, the working pitch circles roll on each other for any shifts and centre distance.
+// In the frame of a mesh, the working pitch circles roll on each other for any shifts and centre
+// distance.
 #pragma once
 
 #include <optional>
@@ -26,18 +30,19 @@ struct DriveMotion {
   /// Meshes of closed loops that can move. Their torques depend on compliance.
   std::vector<std::size_t> redundant;
 
-  /// ω of a body at the speeds of the inputs, in their unit.
+  /// ω of a body for given speeds of the inputs, in the same unit.
   double speed(std::size_t body, const std::vector<double>& inputs) const;
 };
 
 /// The row of a mesh in W.   Domain  a checked graph
 std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh);
 
-/// Formula   W ω = 0, ω = 0 of fixed bodies, inputs one by one at speed 1; [T13.1]…[T13.5]
+/// Formula   W ω = 0, ω = 0 for fixed bodies, solved for each input with the speed 1;
+///           [T13.1]…[T13.5]
 /// Domain    a checked graph with at least one input (contract)
-/// Errors    `drive.fixed` if the drive is locked (the meshes that lock it are named) or its speeds are
-///           undetermined; `drive.input`, `drive.output` if the body is held or does not rotate, or if
-///           inputs contradict each other
+/// Errors    `drive.fixed` if the drive is locked (the meshes that lock it are named) or its speeds
+///           are undetermined; `drive.input`, `drive.output` if the body is fixed or does not
+///           rotate, or if the speeds of the inputs contradict each other
 Result<DriveMotion> drive_motion(const DriveGraph& graph);
 
 }  // namespace gearwright

@@ -35,8 +35,8 @@ bool first_drives(const Drive& drive, std::size_t m, double load) {
   return -a.factor() * load * turning(drive, a.body, m) > 0.0;
 }
 
-// The copies of a planet engage γ later. The copies of meshed planets follow their central gear of the
-// same frequency.
+// Finds the delays γ of the copies of a planet. For planets that mesh with each other, they are the
+// delays at a central gear whose mesh has the same frequency.
 void find_delays(const Drive& drive, std::size_t m, MeshPhase& phase) {
   const DriveGraph& graph = drive.graph;
   const PlanetSet* set = set_of(drive, m);
@@ -52,7 +52,8 @@ void find_delays(const Drive& drive, std::size_t m, MeshPhase& phase) {
   phase.phases = mesh_phases(gear.teeth, set->assembly.turns);
 }
 
-// Time at which the loaded flank of the gear passes the pitch point of a mesh, periods. [T13.17]
+// The time at which the loaded flank of a gear passes the pitch point of a mesh, in periods.
+// [T13.17]
 std::optional<double> passing(const Drive& drive, std::size_t m, int side, bool first_drives) {
   const DriveMesh& mesh = drive.graph.meshes[m];
   const DriveGear& gear = drive.graph.gear(mesh, side);
@@ -64,7 +65,8 @@ std::optional<double> passing(const Drive& drive, std::size_t m, int side, bool 
   return sense * std::abs(gear.teeth) * *theta + (drives ? -half : half);
 }
 
-// Follows the meshes that share a gear, one after the other. Returns false if a place is missing.
+// Computes the delay of each mesh from the delay of a mesh that shares a gear with it. Returns
+// false if the place of a planet is missing.
 bool find_times(const Drive& drive, std::vector<MeshPhase>& phases) {
   const DriveGraph& graph = drive.graph;
   const std::size_t none = phases.size();

@@ -1,6 +1,6 @@
-// The meshes of a drive in time: which gear drives, and the delay of each mesh and each planet.
+// Computes which gear of each mesh drives, and the delay of each mesh and each planet.
 //
-//   t      time in periods of the mesh, 0 where the loaded flanks of planet 0 touch at the pitch
+//   t      time in periods of the mesh, 0 when the loaded flanks of planet 0 touch at the pitch
 //          point
 //   γ_i    delay of the mesh of planet i, in periods [T13.16]
 //                                              theory: docs/theory/13-drives.md, 13.4 and 13.6
@@ -17,35 +17,34 @@
 
 namespace gearwright::detail {
 
-/// A mesh in time. Position x of its curve, in pitches of gear 1 from the centre line, is reached at
-/// the time x − event + time + γ_i.
+/// The phase of a mesh. The curve of a mesh is a function of the rotation x of gear 1, in pitches
+/// from the centre line. The mesh reaches x at the time x − event + time + γ_i.
 struct MeshPhase {
   bool first_drives = true;
-  /// True if gear 1 turns counter-clockwise in the frame of the mesh. The contact analysis of a pair
-  /// turns gear 1 clockwise.
+  /// True if gear 1 turns counter-clockwise in the frame of the mesh. The contact analysis of a
+  /// pair turns gear 1 clockwise.
   bool turned = false;
-  double weight = 0.0;  ///< rad of the output per mm of the curve
-  double event = 0.0;   ///< position of the pitch point in the curve, in periods
-  double time =
-      0.0;  ///< delay of that event after the first mesh of the same frequency, in periods
+  double weight = 0.0;           ///< rotation of the output per mm of the curve, rad
+  double event = 0.0;            ///< position of the pitch point in the curve, in periods
+  double time = 0.0;             ///< delay after the first mesh of the same frequency, in periods
   std::size_t first = 0;         ///< the first mesh of the same frequency
   double sense = 1.0;            ///< −1 if the delays of the planets have the opposite sign
-  std::vector<Rational> phases;  ///< γ_i for sense 1; empty if the mesh has one copy
+  std::vector<Rational> phases;  ///< γ_i for sense 1; empty if the mesh is not in a planet set
 };
 
 /// ω of a body relative to the frame of the mesh.   Domain  one input (contract)
 double turning(const Drive& drive, std::size_t body, std::size_t mesh);
 
-/// The set with the mesh; null if the mesh has one copy.
+/// The planet set that contains the mesh; null if there is none.
 const PlanetSet* set_of(const Drive& drive, std::size_t mesh);
 
-/// The position of copy 0 of a body of the set in the frame of the carrier, mm; none if an idler has no
-/// place.
+/// The position of copy 0 of a body of the set in the frame of the carrier, mm; none if an idler
+/// has no place.
 std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet& set,
                                              std::size_t body);
 
-/// The direction from the axis of a gear of a mesh to the mesh, of copy 0 of planets, turns; none as
-/// place_of().
+/// The direction from the axis of a gear to one of its meshes, for copy 0 of planets, in turns.
+/// None if place_of() returns none.
 std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_t gear);
 
 /// The phases of all meshes; none if a mesh is not a pair of involute gears, if a load is too large
@@ -56,8 +55,9 @@ std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_
 /// Domain    one degree of freedom, independent meshes, no rack (contract)
 std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive);
 
-/// The contact of a mesh as it turns, with modifications and errors of mounting; none if its flanks
-/// cannot be computed, or if a measured gear is loaded on the flank without readings.
+/// The contact setup of a mesh with its modifications and errors of mounting. If `turned`, the
+/// gears are seen from the other face, so that gear 1 turns clockwise. None if the flanks cannot be
+/// computed, or if a measured gear is loaded on the flank without readings.
 std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
                                          const ContactErrors& errors, bool turned);
 

@@ -10,8 +10,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kCloses = 1e-6;  // relative to the distance: allowed gap in a closed loop of
-                                  // shafts
+constexpr double kCloses = 1e-6;  // allowed gap in a closed loop of shafts, relative to a
 
 Vec2 polar(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
@@ -35,7 +34,8 @@ class Placing {
   }
 
  private:
-  // Distances follow from the teeth if every mesh has them, otherwise from the tooth numbers.
+  // Takes the centre distances from the geometry if every mesh has one, otherwise from the tooth
+  // numbers.
   void measure() {
     const DriveGeometry& geometry = drive_.geometry;
     made_.true_scale =
@@ -58,7 +58,7 @@ class Placing {
   }
   bool rides(std::size_t body) const { return graph_.bodies[body].carrier.has_value(); }
 
-  // Central gears of a planet share the axis of its carrier.
+  // The central gears that mesh with a planet have the axis of its carrier.
   void join_coaxial() {
     for (std::size_t b = 0; b < graph_.bodies.size(); ++b) axis_.push_back(b);
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
@@ -76,7 +76,7 @@ class Placing {
   struct Link {
     std::size_t mesh, to;
   };
-  // Shafts in the housing that mesh with those on one axis.
+  // The axes that are linked with `axis` by a mesh in the housing.
   std::vector<Link> links_of(std::size_t axis) const {
     std::vector<Link> links;
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
@@ -104,8 +104,8 @@ class Placing {
           placed[link.to] = 1;
         }
       }
-      // A single next shaft continues the line. Several shafts are placed at equal angles, and none of
-      // them lies towards the shaft from which this one was reached.
+      // If one shaft follows, it continues the line. If several shafts follow, they are placed at
+      // equal angles, and none of them lies towards the previous shaft.
       const auto ways = static_cast<double>(fresh.size() + (from == first ? 0 : 1));
       for (std::size_t k = 0; k < fresh.size(); ++k) {
         const auto [mesh, to] = fresh[k];
@@ -193,7 +193,7 @@ class Placing {
     return false;
   }
 
-  // Each mesh gets the first free slot after those of earlier meshes on its axes.
+  // Each mesh gets the first free slot that is not before the slot of an earlier mesh on its axes.
   void find_slots() {
     made_.slots.assign(graph_.gears.size(), {-1, -1});
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {

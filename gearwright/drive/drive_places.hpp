@@ -1,12 +1,12 @@
 // Computes the positions of the axes of a drive, and the order of its gears along them.
 //
-//   slot   a section of the axes that contains some of the meshes; gears that would overlap in one
-//          plane have different slots
+//   slot   axial section of the drive that contains some of the meshes; gears that would overlap in
+//          one plane have different slots
 //                                              theory: docs/theory/13-drives.md
 //
-// The drive itself determines the axes of its planets and the coaxial bodies. The rest is chosen
-// for a simple drawing: shafts of a train lie in one line, unless a mesh has an angle, and the
-// meshes follow each other along the axes in their order.
+// The drive determines the axes of its planets and of coaxial bodies. All other positions are
+// chosen for a simple drawing: the shafts of a train lie in one line unless the direction of a mesh
+// is given, and the meshes follow each other along the axes in their order.
 #pragma once
 
 #include <numbers>
@@ -16,7 +16,7 @@
 
 namespace gearwright {
 
-inline constexpr double kTurn = 2 * std::numbers::pi;  ///< rad
+inline constexpr double kTurn = 2 * std::numbers::pi;  ///< one turn, rad
 
 struct SlotRange {
   int first = 0, last = 0;
@@ -24,19 +24,19 @@ struct SlotRange {
 
 struct DrivePlaces {
   std::vector<Vec2> axes;        ///< of each body; for a rider, of its copy 0  mm
-  std::vector<double> turned;    ///< direction of a rider's copy 0 from its carrier's axis  rad
+  std::vector<double> turned;    ///< direction from the carrier's axis to copy 0 of a rider  rad
   std::vector<double> radii;     ///< r_a of each gear, r_f of a ring  mm
-  std::vector<int> mesh_slot;    ///< of each mesh
-  std::vector<SlotRange> slots;  ///< of each gear
+  std::vector<int> mesh_slot;    ///< slot of each mesh
+  std::vector<SlotRange> slots;  ///< slots of each gear
   int slot_count = 0;
-  bool true_scale = false;  ///< true if computed from teeth, false if from tooth numbers with m = 1
+  bool true_scale = false;  ///< true if computed from the teeth, false if from z with module 1
 
   /// The axis of copy `copy` of a body in the initial position.
   Vec2 axis_of(const Drive& drive, std::size_t body, int copy) const;
 };
 
-/// Errors    `drive.gear` of a rack; `drive.mesh` whose axes cannot be placed: coaxial axes, or a
-///           loop of shafts that does not close; planets without a possible position
+/// Errors    `drive.gear` if it is a rack; `drive.mesh` if its axes coincide or are in a loop of
+///           shafts that does not close; `drive.body` if a planet has no possible position
 Result<DrivePlaces> drive_places(const Drive& drive);
 
 }  // namespace gearwright

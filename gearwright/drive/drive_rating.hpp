@@ -1,7 +1,8 @@
-// Rates the strength of the meshes of a drive by ISO 6336. Each mesh is a pair in the frame of its carrier.
+// Rates the strength of the meshes of a drive by ISO 6336. Each mesh is rated as a pair in the
+// frame of its carrier.
 //
 //   T_1    z_1 λ T_in/N: the torque on gear 1 of one of N copies
-//   n_1    speed of gear 1 minus that of the carrier
+//   n_1    speed of gear 1 minus speed of the carrier
 //                                              theory: docs/theory/11-rating.md, 13-drives.md
 //
 // A tooth of a central gear engages with N planets per turn. A gear that drives in one mesh and is
@@ -18,16 +19,17 @@ namespace gearwright {
 /// The load of a drive, and the inputs common to its meshes.
 struct DriveLoad {
   double torque = 0.0;          ///< T  N m, on the first input, > 0
-  std::optional<double> speed;  ///< n  1/min, of the first input; if absent, ratings without speed
-  RatingInput common;           ///< all but torque, speed, materials; K_γ is used if N > 1
+  std::optional<double> speed;  ///< n  1/min, of the first input; if absent, meshes are rated
+                                ///<    without speed
+  RatingInput common;           ///< all other inputs; its K_γ is used only if N > 1
 };
 
-/// Material of a gear of a mesh, by the number of the gear.
+/// A function that returns the material of a gear, by its index in the graph.
 using GearMaterials = std::function<Result<Material>(std::size_t gear)>;
 
-/// The load and speed of a mesh as those of a pair; materials are left out.
+/// The inputs of a mesh for its rating as a pair, without the materials.
 ///
-/// Domain    a drive with a flow that does not lock itself (contract)
+/// Domain    a drive that is not self-locking and has a power flow (contract)
 RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& load);
 
 /// Engagements of one flank of a gear per turn, and whether the other flank carries load too.
@@ -36,15 +38,15 @@ struct FlankUse {
   bool both = false;
 };
 
-/// The use of the flanks of gear a (side 0) or b (side 1) of a mesh.
+/// The use of the flanks of gear a (side 0) or gear b (side 1) of a mesh.
 ///
-/// Domain    a drive with a flow that does not lock itself (contract)
+/// Domain    a drive that is not self-locking and has a power flow (contract)
 FlankUse flank_use(const Drive& drive, std::size_t mesh, int side);
 
 /// The ratings of all meshes; none for a mesh that carries no load or has no pair.
 ///
-/// Errors    `drive.mesh` if there is no flow or if the drive locks itself; as rate(), with the name of
-///           the mesh
+/// Errors    `drive.mesh` if there is no power flow or the drive is self-locking; as rate(), with
+///           the name of the mesh
 Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
                                                            const DriveLoad& load,
                                                            const GearMaterials& material);

@@ -1,5 +1,5 @@
 // Laws: (1) torque and speed of a mesh by the closed forms of a simple set; (2) the rating of a
-// gear in a drive is that of the pair with N times the life and alternating bending.
+// gear in a drive equals the rating of its pair with N times the life and alternating bending.
 #include "gearwright/drive/drive_rating.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Laws: (1) closed forms of a simple set's ratios and efficiencies, [T13.10]; (2) closed forms of
-// sets with two rings, [T13.11]; (3) losses are Σ P_m (1 − η_m) and torques add up to 0; (4) the
-// computed flow has the only consistent pattern of signs with η > 0, by enumeration.
+// sets with two rings, [T13.11]; (3) losses are Σ P_m (1 − η_m) and torques add up to 0; (4) an
+// enumeration shows that the computed flow has the only consistent pattern of signs with η > 0.
 #include "gearwright/drive/drive.hpp"
 
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ TEST(Drive, TwoRingsHaveTheClosedForms) {
   }
 }
 
-// A separate oracle: all patterns of signs, with the equations of each body.
+// Oracle: solves the equations of all bodies for every pattern of signs.
 std::vector<double> efficiencies_by_enumeration(const Drive& drive) {
   const DriveGraph& g = drive.graph;
   const auto n = static_cast<Eigen::Index>(g.bodies.size());
@@ -209,7 +209,8 @@ TEST(Drive, TrainMultipliesItsStages) {
   EXPECT_EQ(drive->graph.bodies[drive->graph.output].name, "s2_gear2");
 }
 
-// A motion in time: the teeth that pass a fixed point of the frame are counted over one turn.
+// The mesh frequency is the number of teeth that pass a point fixed in the frame per turn of the
+// sun.
 TEST(Drive, TeethPassAsTheFrameCounts) {
   const Drive drive = made(simple_set(20, 25, 70, 0.985, 0.993));
   const double sun = 1.0, carrier = 20.0 / 90.0;
@@ -250,20 +251,21 @@ TEST(Drive, GeometryOfASet) {
   const Drive drive = made(set);
   const double a = *drive.geometry.distance[0];
   EXPECT_EQ(a, *drive.geometry.distance[1]);
-  // With |z_r| = z_s + 2 z_p both pairs have one working angle: x_r = −2 x_p − x_s at every a.
+  // With |z_r| = z_s + 2 z_p, both pairs have the same working pressure angle, so x_r = −2 x_p −
+  // x_s at every a.
   EXPECT_NEAR(*drive.geometry.shift[2], -0.8, 1e-12);
   const PlanetSet& planets = drive.sets.front();
   const double d_a = drive.geometry.gears[1]->tip_diameter;
   EXPECT_NEAR(planets.neighbours->clearance, a * std::sqrt(3.0) - d_a, 1e-12);
   EXPECT_EQ(planets.neighbours->most,
             static_cast<int>(std::floor(std::acos(-1.0) / std::asin(d_a / (2 * a)))));
-  // The flanks of the thinned planet: γ_rs from its thickness on the two working circles. Both have
-  // the radius a z_p/(z_s + z_p), so the two thicknesses are equal.
+  // γ_rs follows from the tooth thickness of the planet on its two working pitch circles. Both
+  // circles have the radius a z_p/(z_s + z_p), so the two thicknesses are equal.
   const auto& pair = *drive.geometry.pairs[0]->involute();
   const double share = thickness_share(pair, 2);
   const double phase = 12.0 - share;
   EXPECT_NEAR(*planets.sun_ring_phase, phase - std::floor(phase), 1e-9);
-  // Carrier free, sun and ring held: (j_sp + j_pr)/(r_bs + r_br).
+  // If sun and ring are held, the carrier can turn by (j_sp + j_pr)/(r_bs + r_br).
   const auto& ring = *drive.geometry.pairs[1]->involute();
   const double j = pair.mesh.backlash.normal_base + ring.mesh.backlash.normal_base;
   const double r_b =

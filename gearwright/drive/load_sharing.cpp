@@ -13,10 +13,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Relative to the greatest stiffness: holds bodies that no spring touches, and changes no solution,
-/// because it acts on steps only.
+/// Additional stiffness, relative to the greatest one, that holds bodies which no spring touches.
+/// It changes only the steps and not the solution.
 constexpr double kHold = 1e-12;
-/// Slope of the energy after a step over that before; a greater one is past the minimum.
+/// If the slope of the energy changes its sign in a step and exceeds this fraction of the slope
+/// before the step, the step has passed the minimum.
 constexpr double kPast = 0.1;
 constexpr int kHalvings = 60;
 constexpr double kRounding = std::numeric_limits<double>::epsilon();
@@ -24,7 +25,7 @@ constexpr double kRounding = std::numeric_limits<double>::epsilon();
 struct State {
   VectorXd gradient;
   double scale = 0.0;     // the greatest of Σ |w F c|
-  double rounding = 0.0;  // of the approaches, as a force
+  double rounding = 0.0;  // effect of rounded approaches, as a force
 };
 
 double approach_of(const SharingProblem::Spring& s, const VectorXd& x) {
@@ -91,7 +92,8 @@ SharingSolution share_load(const SharingProblem& problem, VectorXd start) {
 }
 
 SharingSolution share_load(const SharingProblem& problem) {
-  // The displacements at which the springs carry their nominal forces, as nearly as they can.
+  // The start is the least-squares solution for the displacements at which the springs carry their
+  // nominal forces.
   const auto count = static_cast<Eigen::Index>(problem.springs.size());
   MatrixXd rows(count, problem.load.size());
   VectorXd approaches(count);

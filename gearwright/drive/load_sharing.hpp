@@ -1,4 +1,5 @@
-// The equilibrium of bodies between one-sided springs: how the planets of a set share its load.
+// Computes the equilibrium of bodies between one-sided springs, and so how planets share their
+// load.
 //
 //   x      unknown displacements, mm     y = c·x + y_0   approach of a spring's bodies, mm
 //   F(δ)   force of a spring, δ = y + e, 0 where its bodies do not touch
@@ -6,7 +7,7 @@
 //                                              theory: docs/theory/13-drives.md
 //
 // The solution is the minimum of a convex energy: Σ w ∫F dδ − Q·x. A body that no spring touches
-// stays where it is.
+// does not move.
 //
 // Internal to drive/.
 #pragma once
@@ -23,8 +24,8 @@ struct SharingProblem {
     const LoadSpring* spring = nullptr;
     Eigen::VectorXd row;   ///< c, approach per displacement
     double offset = 0.0;   ///< y_0 + e  mm, the approach δ at x = 0
-    double weight = 1.0;   ///< w, for losses in the chain of springs before this one
-    double nominal = 0.0;  ///< N, a force from which the solution begins
+    double weight = 1.0;   ///< w, due to losses in the springs before this one
+    double nominal = 0.0;  ///< N, force at the start of the iteration
   };
   std::vector<Spring> springs;
   Eigen::VectorXd load;  ///< Q  N
@@ -38,25 +39,26 @@ struct SharingSolution {
   };
   Eigen::VectorXd x;
   std::vector<double> forces;  ///< N, of each spring
-  double residual = 0.0;  ///< |Σ w F c − Q|, greatest component over the greatest of Σ |w F c|
+  double residual = 0.0;       ///< greatest |Σ w F c − Q| over greatest Σ |w F c|
   int iterations = 0;
   Stop stop = Stop::iterations;
 
   bool found() const { return stop == Stop::converged; }
 };
 
-/// Relative: rounding of the sums over some tens of springs, with a margin of a thousand.
+/// Relative. The rounding errors of sums over some tens of springs are about a thousand times
+/// smaller.
 inline constexpr double kSharingResidual = 1e-11;
 inline constexpr int kSharingSteps = 200;
 
-/// Formula   Newton steps with H = Σ w F′ c cᵀ; a step past the minimum along its direction is
-///           halved; [T13.25]
+/// Formula   Newton steps with H = Σ w F′ c cᵀ; a step that passes the minimum along its direction
+///           is halved; [T13.25]
 /// Laws      scaling all springs scales all forces; a linear problem takes one step
-/// Domain    weights > 0; Q is balanced by some forces ≥ 0 (contract: a load on every direction
-///           that no spring resists is 0)
+/// Domain    weights > 0; forces ≥ 0 exist that balance Q, so Q is 0 in every direction that no
+///           spring resists (contract)
 SharingSolution share_load(const SharingProblem& problem);
 
-/// The same from given displacements.
+/// The same solution, with an iteration that starts from given displacements.
 SharingSolution share_load(const SharingProblem& problem, Eigen::VectorXd start);
 
 }  // namespace gearwright::detail

@@ -1,6 +1,7 @@
 // Laws: (1) a spring is exact at its nodes, rises, and its inverse returns the approach; (2) nodes
 // of a line give the line; (3) the slope is the derivative; (4) bodies between springs are in
-// equilibrium, and a linear problem has its closed form; (5) a body that no spring touches stays.
+// equilibrium, and a linear problem has its closed form; (5) a body that no spring touches does not
+// move.
 #include "gearwright/drive/load_sharing.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +55,7 @@ TEST(LoadSpring, OfALineIsTheLine) {
   }
 }
 
-// A body between a spring that pushes it against a second one, and a third spring apart.
+// Two springs in series, and a third spring that its body does not touch.
 TEST(LoadSharing, SpringsInSeriesHaveTheirClosedForm) {
   const LoadSpring soft = LoadSpring::linear(2e4), stiff = LoadSpring::linear(6e4);
   SharingProblem problem;

@@ -9,7 +9,8 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr double kSteepest = 3.0;  // times the secant; a steeper piece might fall
+constexpr double kSteepest = 3.0;  // greatest slope relative to the secant; with a greater one, the
+                                   // curve might fall
 
 }  // namespace
 

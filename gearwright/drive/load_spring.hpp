@@ -1,8 +1,8 @@
-// A mesh as a spring in one position: the force along the line of action over the approach of its
-// teeth.
+// Describes a mesh in one position as a spring: the force along the line of action as a function of
+// the approach of the teeth.
 //
 //   δ      approach from the first touch, mm      F   force along the transverse line of action, N
-//   F(δ)   0 for δ ≤ 0; through the nodes with their slopes, rising and smooth [T13.24]
+//   F(δ)   0 for δ ≤ 0, then a smooth rising curve through the nodes with their slopes [T13.24]
 //                                              theory: docs/theory/13-drives.md
 //
 // Internal to drive/.
@@ -12,7 +12,7 @@
 
 namespace gearwright::detail {
 
-/// A solved load: approach, force, and slope dF/dδ there.
+/// A load at which the contact was solved: approach, force, and slope dF/dδ.
 struct SpringNode {
   double approach;  ///< mm
   double force;     ///< N
@@ -25,15 +25,15 @@ class LoadSpring {
     double force = 0.0, slope = 0.0;
   };
 
-  /// F = k δ.
+  /// The spring with F = k δ.
   static LoadSpring linear(double stiffness);
-  /// The spring through the nodes, in any order. Nodes that do not rise above the one before are
-  /// left out.
+  /// The spring through the nodes, which may be in any order. A node is left out if its force or
+  /// its approach does not exceed the value at the previous node.
   ///
   /// Formula   cubic Hermite pieces, their slopes limited to three times the secants (Fritsch and
-  ///           Carlson 1980), so F rises everywhere; below the first node the parabola with its
-  ///           slope; above the last one its tangent; [T13.24]
-  /// Laws      exact at the nodes; a linear spring from nodes of a line is that line
+  ///           Carlson 1980), so F rises everywhere; below the first node, the parabola with the
+  ///           slope of that node; above the last node, the tangent at that node; [T13.24]
+  /// Laws      exact at the nodes; if the nodes are on a line through 0, the spring is this line
   /// Domain    a node with approach, force and slope > 0 (contract)
   explicit LoadSpring(std::vector<SpringNode> nodes);
 
@@ -42,7 +42,7 @@ class LoadSpring {
   double approach(double force) const;
 
  private:
-  std::vector<SpringNode> nodes_;  // from (0, 0)
+  std::vector<SpringNode> nodes_;  // beginning with (0, 0)
 };
 
 }  // namespace gearwright::detail

@@ -25,12 +25,12 @@ using detail::PlanetEquilibrium;
 using detail::PlanetState;
 using detail::set_of;
 
-/// Numbers of planets whose phases share the positions of a period; with more of them, the number of
-/// positions is not adapted to the phases.
+/// Limit of the common multiple of the numbers of planets in positions_of(). A set that would
+/// exceed it does not affect the number of positions.
 constexpr int kMostCommon = 60;
 
-// Positions over a period: a multiple of the numbers of planets, so that planets at equal pitch are
-// at the same positions of their meshes.
+// The number of positions over a period. It is a multiple of the numbers of planets, so that
+// planets at equal pitch share the positions of their meshes.
 int positions_of(const Drive& drive, int least) {
   int common = 1;
   for (const PlanetSet& set : drive.sets) {
@@ -58,7 +58,8 @@ class DriveUnderLoad {
 
   std::optional<Error> make(Progress* progress) {
     auto phases = detail::phases_of(drive_);
-    if (!phases) return not_loaded("needs a geometry of all meshes and places for all planets");
+    if (!phases)
+      return not_loaded("needs the geometry of all meshes and a possible place for each planet");
     phases_ = std::move(*phases);
     for (const PlanetSet& set : drive_.sets)
       if (auto error = one_frequency(set)) return error;
@@ -100,8 +101,8 @@ class DriveUnderLoad {
       if (drive_.flow->driver[m] < 0) continue;
       if (first && phases_[m].first != phases_[*first].first)
         return not_loaded(
-            "does not apply to stepped planets, whose meshes have different frequencies; drive "
-            "--take gives each mesh as a pair for the verb load",
+            "does not apply to stepped planets, whose meshes have different frequencies; extract "
+            "each mesh as a pair with drive --take, and use the verb load",
             drive_.graph.meshes[m].name);
       if (!first) first = m;
     }
@@ -113,7 +114,7 @@ class DriveUnderLoad {
     return set ? set->group.count : 1;
   }
 
-  // F_bt of an equal share [T13.6].
+  // The force F_bt of an equal share of the load [T13.6].
   double nominal(std::size_t m) const {
     const double base_pitch = drive_.geometry.pairs[m]->gear(1).reference().base_pitch_transverse;
     return std::abs(drive_.flow->load[m]) * from_newton_metres(load_.torque) * kTurn / base_pitch /
@@ -127,16 +128,16 @@ class DriveUnderLoad {
     const auto setup = detail::mesh_contact(drive_, m, errors, phase.turned);
     if (!setup)
       return not_loaded(
-          "cannot be computed, because the mesh has no usable flanks, or a measured flank is "
-          "loaded "
-          "on the side without readings",
+          "cannot be computed, because the mesh has no usable flanks, or because a measured gear "
+          "is loaded on the flank without readings",
           name);
     MeshUnderLoad& mesh = meshes_[m];
     const ContactPair pair = setup->pair(!phase.first_drives);
     const double pitch = pair.pitch();
     // Copies whose delays differ by whole positions use the same springs.
     std::vector<double> rotations;
-    std::vector<std::pair<Rational, std::size_t>> classes;  // part of a position, first spring
+    std::vector<std::pair<Rational, std::size_t>> classes;  // fraction of a position, its first
+                                                            // spring
     const int n = positions_;
     for (std::size_t i = 0; i < static_cast<std::size_t>(copies(m)); ++i) {
       Rational delay = phase.phases.empty() ? Rational() : phase.phases[i] * Rational(n);
@@ -169,7 +170,8 @@ class DriveUnderLoad {
     return std::nullopt;
   }
 
-  // The curve of the meshes of one frequency without those of planets, whose set adds them.
+  // The curve of all meshes of one frequency. The loaded curve leaves out the meshes of planets,
+  // because make_set() adds them.
   LoadedDrive::Curve curve_of(std::size_t first) const {
     LoadedDrive::Curve curve;
     curve.frequency_ratio = drive_.frequency_ratio(first).value_or(0.0);
@@ -212,11 +214,10 @@ class DriveUnderLoad {
         for (std::size_t i = 0; i < count; ++i) states[k].push_back(meshes_[loaded[k]].state(i, j));
       const PlanetState state = equilibrium.solve(states);
       if (!state.found)
-        return errors.floating
-                   ? Error{"load.floating", drive_.graph.bodies[*errors.floating].name,
-                           "does not find an equilibrium between its planets; at least three "
-                           "planets around it, or two opposite ones, can hold it"}
-                   : not_loaded("has no equilibrium of the planets at this torque");
+        return errors.floating ? Error{"load.floating", drive_.graph.bodies[*errors.floating].name,
+                                       "has no equilibrium between its planets; at least three "
+                                       "planets around it, or two opposite planets, can hold it"}
+                               : not_loaded("has no equilibrium of the planets at this torque");
       curve.loaded[j] += state.output;
       for (std::size_t k = 0; k < loaded.size(); ++k) {
         const auto& forces = state.forces[k];
@@ -241,7 +242,7 @@ class DriveUnderLoad {
     });
   }
 
-  // The index of the curve of the frequency with this first mesh.
+  // The index of the curve whose first mesh is `first`.
   std::size_t frequency(std::size_t first) const {
     std::size_t index = 0;
     for (std::size_t m = 0; m < first; ++m) index += phases_[m].first == m ? 1 : 0;

@@ -1,7 +1,8 @@
 // Laws: (1) equal planets at equal phases share equally, and the shares add up to 1; (2) a drive of
-// one mesh has the loaded curve of its pair; (3) stiff teeth have the curve of rigid ones; (4) the
-// springs between the solved loads agree with direct solutions; (5) an error of a pin unloads the
-// planet that is ahead of the sun's push; (6) other kinds are rejected with the reason.
+// one mesh has the loaded curve of its pair; (3) very stiff teeth have the curve of rigid teeth;
+// (4) between the solved loads, the springs agree with direct solutions; (5) an error of a pin in
+// the direction of the sun's push unloads its planet; (6) drives of other kinds are rejected with
+// the reason.
 #include "gearwright/drive/loaded_drive.hpp"
 
 #include <gtest/gtest.h>
@@ -105,8 +106,8 @@ TEST(LoadedDriveTest, EqualPlanetsInPhaseShareEqually) {
   EXPECT_GT(loaded.error.peak_to_peak, 0.0);
 }
 
-// The sun turns counter-clockwise in the carrier, and planet i lies i/3 of a turn further in this sense.
-// It meets what planet 0 met γ_i = 20 i/3 pitches before.
+// The sun turns counter-clockwise in the carrier, and planet i is i/3 of a turn ahead of planet 0
+// in this sense. Its share equals the share of planet 0 γ_i = 20 i/3 pitches earlier.
 TEST(LoadedDriveTest, PlanetsInSequenceHaveTheSharesOfEachOtherLater) {
   constexpr int kPositions = 6;
   const Drive drive = drive_of({{20, 25, 70}});
@@ -135,8 +136,8 @@ TEST(LoadedDriveTest, AnErrorOfAPinUnloadsThePlanetAhead) {
   EXPECT_GT(*floating.greatest_displacement(), 1e-3);
 }
 
-// The second set of a train carries the torque that the first one passes on. Curves of a set reach the
-// output through the ratios of the sets behind it, and the peaks of both frequencies add up.
+// The input torque of the second set of a train is the output torque of the first. The curve of a
+// set is divided by the ratios of the sets after it, and the peaks of both frequencies add up.
 TEST(LoadedDriveTest, SetsOfATrainAreThoseOfTheirStages) {
   std::vector<StageSpec> stages(2);
   const std::array<std::array<int, 3>, 2> teeth{{{20, 25, 70}, {19, 26, 71}}};
@@ -181,7 +182,7 @@ TEST(LoadedDriveTest, SetsOfATrainAreThoseOfTheirStages) {
   EXPECT_NEAR(whole.error.peak_to_peak, peaks, 1e-9 * peaks);
 }
 
-// A drive of one mesh has the curve that loaded contact gives for its pair.
+// A drive with one mesh has the curve that the loaded contact of its pair gives.
 TEST(LoadedDriveTest, OneMeshHasTheLoadedCurveOfItsPair) {
   StageSpec stage;
   stage.pair.teeth = {19, 58};
@@ -214,7 +215,7 @@ TEST(LoadedDriveTest, OneMeshHasTheLoadedCurveOfItsPair) {
     const LoadedContact contact = loaded_contact(setup->pair(gear2_drives), setup->gear(1),
                                                  setup->gear(2), *compliance, request);
     const double at_output = gear2_drives ? 58.0 / 19 : 1.0;
-    // The drive has fewer positions, and at other places.
+    // The drive is computed at fewer positions, which are not among those of the pair.
     const double whole = contact.torques[0].peak_to_peak.rad() * at_output;
     EXPECT_LE(loaded.error.peak_to_peak, whole * (1 + 1e-6));
     EXPECT_NEAR(loaded.error.peak_to_peak, whole, 0.05 * whole);
@@ -242,7 +243,7 @@ TEST(LoadedDriveTest, SpringsAgreeWithDirectSolutions) {
        {TestSet{.helix_deg = 20.0}, TestSet{.crowning = 0.008, .lead_crowning = 0.006}}) {
     const Drive drive = drive_of(t);
     for (const std::size_t mesh : {0, 1}) {
-      if (mesh == 1 && t.helix_deg != 0.0) continue;  // its tables take longest
+      if (mesh == 1 && t.helix_deg != 0.0) continue;  // its compliance tables take longest
       const auto setup = detail::mesh_contact(drive, mesh, {}, true);
       ASSERT_TRUE(setup);
       const LoadRequest request = request_of(drive, mesh);
@@ -265,7 +266,7 @@ TEST(LoadedDriveTest, SpringsAgreeWithDirectSolutions) {
       }
     }
   }
-  // Measured: 0.0004 without crowning, 0.004 with it.
+  // The measured error is 0.0004 without crowning and 0.004 with crowning.
   EXPECT_LT(worst, 0.006);
 }
 

@@ -14,8 +14,9 @@ Error not_loaded(const std::string& rule, const std::string& mesh) {
 
 std::vector<double> load_levels(int copies) {
   if (copies < 2) return {1.0};
-  // Each level costs little beside the tables and gaps. LoadedDriveTest.SpringsAgreeWithDirectSolutions
-  // measures the errors between them.
+  // An additional level costs little, because the compliance tables and the gaps take most of the
+  // time. The test LoadedDriveTest.SpringsAgreeWithDirectSolutions measures the errors between the
+  // levels.
   std::vector<double> levels{0.06, 0.15, 0.3, 0.5, 0.75, 1.0, 1.35, 1.8, 2.0};
   if (copies > 2) levels.insert(levels.end(), {2.5, 3.0});
   return levels;
@@ -36,7 +37,7 @@ Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, L
   LoadedTurn turn(pair, setup.gear(1), setup.gear(2), *compliance, request);
   parallel_for(rotations.size(), [&](std::size_t i) { turn.solve(i, i + 1); });
   const LoadedContact contact = turn.result();
-  // Greater forces than an equal share may be missing; the tangent then replaces them.
+  // The results for forces above an equal share may be missing. The spring then ends in a tangent.
   for (std::size_t k = 0; k < levels.size(); ++k)
     for (const LoadedPosition& p : contact.torques[k].positions) {
       if (levels[k] > 1.0 || !p.unfinished) continue;

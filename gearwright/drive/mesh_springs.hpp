@@ -1,8 +1,9 @@
-// The springs of a mesh under load: for each position, the force over the approach, from the loaded
-// contact of the pair at several torques.
+// Computes the springs of a mesh: for each position, the force as a function of the approach, from
+// the loaded contact of the pair at several torques.
 //
-//   e_0    lead of the driven gear without load along the transverse line of action, mm
-//   δ      approach under load, so that the lead is e = e_0 − δ; F = f(δ)             [T13.24]
+//   e_0    distance by which the driven gear is ahead without load, along the transverse line of
+//          action, mm
+//   δ      approach under load, so that the driven gear is ahead by e_0 − δ; F = f(δ)  [T13.24]
 //                                              theory: docs/theory/13-drives.md, 13.7
 //
 // Internal to drive/.
@@ -19,7 +20,7 @@
 
 namespace gearwright::detail {
 
-/// The error of a drive, or of one of its meshes, that has no loaded contact.
+/// Makes the error for a drive, or for one of its meshes, whose loaded contact cannot be computed.
 Error not_loaded(const std::string& rule, const std::string& mesh = "");
 
 struct MeshSprings {
@@ -27,15 +28,15 @@ struct MeshSprings {
   std::vector<double> leads;        ///< e_0  mm
 };
 
-/// The forces at which the loaded contact is solved, as multiples of an equal share, for a mesh with
-/// this number of copies. A single copy carries the whole load, and its share is known.
+/// The forces at which the loaded contact is solved, as multiples of an equal share, for a mesh
+/// with this number of copies. A single copy carries the whole load, and its share is known.
 std::vector<double> load_levels(int copies);
 
-/// `rotations`: of gear 1, as in the contact analysis; `nominal`: an equal share, N along the
-/// transverse line of action.
+/// `rotations` are those of gear 1, as in the contact analysis. `nominal` is the force of an equal
+/// share of the load, N along the transverse line of action.
 ///
-/// Errors    `load` if no teeth touch at a position or no force converges there; `load.slices` too
-///           many; as pair_compliance()
+/// Errors    `load` if no teeth touch at a position or no force converges there; `load.slices` if
+///           there are too many; as pair_compliance()
 Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, LoadRequest request,
                                  const std::vector<double>& levels, double nominal,
                                  const std::vector<double>& rotations);

@@ -10,11 +10,10 @@ namespace gearwright {
 
 namespace {
 
-/// A share that differs from 0 or 1 by less than this differs only by rounding.
+/// A share that differs from 0 or 1 by less than this amount differs only by rounding.
 constexpr double kNothing = 1e-12;
 
-// Angles are reduced exactly before they become floating-point numbers, so that vanishing sums are
-// 0.
+// Angles are reduced to one turn as fractions, so that sums which vanish are exactly 0.
 double share_left(const std::vector<Rational>& turns) {
   std::complex<double> sum = 0.0;
   for (const Rational& t : turns) sum += std::polar(1.0, 2 * std::numbers::pi * t.frac().value());
@@ -61,7 +60,7 @@ double sun_ring_phase(int planet_teeth, double share_1, double share_2, bool sun
   const double flanks = (share_1 + share_2) / 2;
   const double phase = (planet_teeth % 2 == 0 ? 0.0 : 0.5) + (sun_drives ? -flanks : flanks);
   const double frac = phase - std::floor(phase);
-  // A phase that rounding puts just below a whole period is 0.
+  // A phase just below a whole period differs from it only by rounding and is set to 0.
   return frac > 1.0 - kNothing ? 0.0 : frac;
 }
 

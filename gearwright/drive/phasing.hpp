@@ -1,9 +1,10 @@
-// Computes the sequence of the meshes of a group of planets, and the harmonics that it cancels.
+// Computes the phases of the meshes of a group of planets, and the harmonics that these phases
+// cancel.
 //
-//   γ_i    periods by which the engagement of copy i follows that of copy 0 while the sun turns
+//   γ_i    delay of the mesh of copy i after the mesh of copy 0, in periods, while the sun turns
 //          counter-clockwise as seen from the carrier [T13.16]
-//   R_k, F_k^±   remaining share of harmonic k of torque and axial force, and of a transverse
-//          force that turns with and against the sun [T13.18]
+//   R_k, F_k^±   fraction of harmonic k that remains: R_k of the torque and the axial force, F_k^±
+//          of a transverse force that turns with (+) or against (−) the sun [T13.18]
 //                                              theory: docs/theory/13-drives.md
 #pragma once
 
@@ -13,7 +14,7 @@
 
 namespace gearwright {
 
-/// Classes of the first harmonic. [T13.19]
+/// Classification by the first harmonic. [T13.19]
 enum class PhasingClass {
   in_phase,    ///< R = 1: torques add, forces cancel
   sequential,  ///< R = 0, and a rotating force remains
@@ -30,7 +31,7 @@ struct Phasing {
   std::vector<Resultant> resultants;  ///< of harmonics 1, 2, …
 };
 
-/// γ_i of a central gear of z teeth, z < 0 for a ring.
+/// γ_i of a central gear with z teeth, z < 0 for a ring.
 ///
 /// Formula   γ_i = frac(z u_i); [T13.16]
 std::vector<Rational> mesh_phases(int teeth, const std::vector<Rational>& turns);
@@ -40,9 +41,9 @@ std::vector<Rational> mesh_phases(int teeth, const std::vector<Rational>& turns)
 Phasing phasing(const std::vector<Rational>& phases, const std::vector<Rational>& turns,
                 int harmonics);
 
-/// Periods by which the contact of a planet gear with a ring follows that with a sun, both at
-/// their pitch points on loaded flanks. `share_1` and `share_2` are the ratios of its tooth thickness to
-/// the pitch on the two working circles.
+/// Delay, in periods, of the contact of a planet gear with a ring after its contact with a sun.
+/// Both contacts are at the pitch points of the loaded flanks. `share_1` and `share_2` are the
+/// ratios of the planet's tooth thickness to the pitch on its two working pitch circles.
 ///
 /// Formula   frac(z_p/2 ∓ (s_1/p_1 + s_2/p_2)/2), with − if the sun drives; [T13.17]
 double sun_ring_phase(int planet_teeth, double share_1, double share_2, bool sun_drives);

@@ -38,8 +38,9 @@ PlanetEquilibrium::PlanetEquilibrium(const Drive& drive, const PlanetSet& set,
   find_rows(phases, errors);
 }
 
-// The torque of a follower is that of its driver times the efficiency [T13.6]. Weights that make the
-// forces of all meshes balance are products of efficiencies along the chain of the meshes.
+// The torque on the driven gear is the torque of the driving gear times the efficiency [T13.6]. The
+// weights make the forces of all meshes balance. They are products of efficiencies along the chain
+// of the meshes.
 void PlanetEquilibrium::find_weights(const std::vector<MeshPhase>& phases) {
   const DriveGraph& graph = drive_.graph;
   const auto share = [&](std::size_t m, int side) {
@@ -66,8 +67,8 @@ void PlanetEquilibrium::find_weights(const std::vector<MeshPhase>& phases) {
   }
 }
 
-// A common rotation of all bodies changes no approach, so one central body is held: the output or a
-// held body, if it is one of them.
+// A common rotation of all bodies changes no approach, so one central body is held: the output or,
+// if it is not a central body, a fixed body.
 void PlanetEquilibrium::find_unknowns() {
   const DriveGraph& graph = drive_.graph;
   columns_.assign(graph.bodies.size(), std::nullopt);
@@ -99,8 +100,8 @@ std::optional<Index> PlanetEquilibrium::column(std::size_t body, std::size_t pla
   return drive_.graph.bodies[body].carrier ? *first + static_cast<Index>(planet) : *first;
 }
 
-// n, the direction of the force of the first gear on the second one. It presses the gears apart, and
-// along the tangent it has the sense of the first gear if that drives.
+// n, the direction of the force of the first gear on the second one. It presses the gears apart.
+// Along the tangent, it has the sense of rotation of the first gear if this gear drives.
 Vec2 PlanetEquilibrium::push(std::size_t m, std::size_t planet, const MeshPhase& phase) const {
   const DriveMesh& mesh = drive_.graph.meshes[m];
   const Pair& pair = *drive_.geometry.pairs[m];
@@ -160,7 +161,8 @@ void PlanetEquilibrium::find_rows(const std::vector<MeshPhase>& phases,
         const auto c = column(gear.body, i);
         if (!c) continue;
         spring.row[*c] += sigma * per_tooth * gear.teeth / r;
-        // One copy gives the rotation of the output. Riders cancel.
+        // The terms of one copy give the rotation of the output, because the terms of the riders
+        // cancel.
         if (i == 0) output_[*c] -= phase.weight * spring.row[*c];
       }
       problem_.load += weights_[k] * nominal_[k] * spring.row;

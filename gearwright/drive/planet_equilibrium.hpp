@@ -1,4 +1,5 @@
-// The planets of a set between its central gears under load, in the frame of their carrier.
+// Computes the equilibrium of the planets of a set between its central gears under load, in the
+// frame of the carrier.
 //
 //   x_b    rotation of a body times its base radius, mm     D   displacement of an axis, mm
 //   y = σ (p_bt/2π) (z_a θ_a + z_b θ_b) + n·(D_a − D_b)                                [T13.23]
@@ -17,11 +18,11 @@
 
 namespace gearwright::detail {
 
-/// What differs from an ideal set.
+/// The deviations of a set from the ideal one.
 struct PlanetErrors {
   std::optional<std::size_t> floating;  ///< body that is free to move radially
-  std::vector<double> pins;  ///< ε  mm, tangential, > 0 counter-clockwise, of all planets of the
-                             ///< first rider, then of the next one; empty: all 0
+  std::vector<double> pins;  ///< ε  mm, tangential error of each pin, > 0 counter-clockwise: all
+                             ///< copies of the first rider, then of the next; if empty, all are 0
 };
 
 /// A mesh of one planet in one position.
@@ -37,22 +38,23 @@ struct PlanetState {
   bool found = false;
 };
 
-/// The unknowns and equations of one set, the same in all positions.
+/// The unknowns and equations of one set, which are the same in all positions.
 ///
 /// Laws      linear springs around a centred sun have the closed form [T13.28]; three planets share
 ///           equally around a floating sun
 class PlanetEquilibrium {
  public:
-  /// `nominal`: an equal share of each mesh of the drive, N along the transverse line of action.
+  /// `nominal` is the force of an equal share of the load in each mesh of the drive, N along the
+  /// transverse line of action.
   ///
-  /// Domain    a drive with a flow that does not lock itself, phases of its meshes, meshes of the
-  ///           set that are connected by gears with one frequency (contract)
+  /// Domain    a drive that is not self-locking and has a power flow; the meshes of the set are
+  ///           connected by gears and have one frequency (contract)
   PlanetEquilibrium(const Drive& drive, const PlanetSet& set, const std::vector<MeshPhase>& phases,
                     const std::vector<double>& nominal, const PlanetErrors& errors);
 
   /// The meshes of the set that carry load.
   const std::vector<std::size_t>& meshes() const { return meshes_; }
-  /// `states`: of [mesh of meshes()][planet].
+  /// `states` is indexed by [mesh of meshes()][planet].
   PlanetState solve(const std::vector<std::vector<MeshState>>& states) const;
 
  private:
@@ -66,13 +68,13 @@ class PlanetEquilibrium {
   const Drive& drive_;
   const PlanetSet& set_;
   std::vector<std::size_t> meshes_;
-  std::vector<double> nominal_;                       // of the meshes
-  std::vector<double> weights_;                       // w of the meshes
-  std::vector<std::optional<Eigen::Index>> columns_;  // of each body, of its first copy
+  std::vector<double> nominal_;                       // nominal force of each mesh
+  std::vector<double> weights_;                       // w of each mesh
+  std::vector<std::optional<Eigen::Index>> columns_;  // of each body: column of its first copy
   Eigen::Index unknowns_ = 0;
   std::optional<Eigen::Index> displaced_;  // the column of D's first component
-  SharingProblem problem_;                 // springs by mesh and planet, without states
-  Eigen::VectorXd output_;                 // rotation of the output per displacement
+  SharingProblem problem_;                 // springs in the order of mesh and planet
+  Eigen::VectorXd output_;                 // rotation of the output per unit of each unknown
 };
 
 }  // namespace gearwright::detail

@@ -1,10 +1,10 @@
 // Laws of planets between springs: (1) equal springs share equally; (2) with a floating sun, three
-// planets share equally at any errors of their pins, and stiff springs leave the mean of the rigid
-// curves; (3) with a centred sun, linear springs have the closed form of the share; (4) losses scale
-// the forces of the ring's mesh as [T13.6] does; (6) the teeth of several sets do the work of the
-// output; (5) random sets with one planet or two meshed ones on
-// each arm, of which the sun, the ring or the carrier floats, agree with a minimisation of the energy by
-// other code, tests/oracle/planets.
+// planets share equally for any errors of their pins, and with stiff springs only the mean of the
+// rigid curves remains; (3) with a centred sun, linear springs have the closed form of the share;
+// (4) losses scale the forces in the mesh with the ring by the efficiencies, as in [T13.6]; (5)
+// random sets, with one planet or two meshed planets on each arm and a floating sun, ring or
+// carrier, agree with the minimisation of the energy in tests/oracle/planets; (6) the work of the
+// teeth of several sets equals the work of the output.
 #include "gearwright/drive/planet_equilibrium.hpp"
 
 #include <fmt/format.h>
@@ -111,7 +111,8 @@ TEST(PlanetEquilibriumTest, EqualSpringsShareEqually) {
       for (std::size_t k = 0; k < 2; ++k)
         for (const double force : state.forces[k])
           EXPECT_NEAR(force, nominal[k], 1e-9 * nominal[k]) << planets;
-      // Two planets do not resist a displacement across their forces, which then stays near 0.
+      // Two planets do not resist a displacement perpendicular to their forces, which then stays
+      // near 0.
       EXPECT_LT(state.displacement.norm(), planets == 2 ? 1e-6 : 1e-9);
     }
   }
@@ -132,7 +133,8 @@ TEST(PlanetEquilibriumTest, ThreePlanetsShareEquallyAroundAFloatingSun) {
           for (const double force : state.forces[k])
             EXPECT_NEAR(force, nominal[k], 1e-6 * nominal[k]) << floating;
         if (stiffness < 1e10) continue;
-        // Without compliance, the output has the mean of the rigid curves and of the pins [T13.22].
+        // If the teeth are rigid, the output has the mean of the rigid curves and of the pin errors
+        // [T13.22].
         double mean = 0.0;
         const auto phases = phases_of(drive);
         for (std::size_t k = 0; k < 2; ++k) {
@@ -177,8 +179,8 @@ TEST(PlanetEquilibriumTest, ACentredSunHasTheClosedFormOfTheShare) {
   EXPECT_NEAR(state.output, -x / r_s * (20.0 / 90.0), 1e-12);  // i = 4.5
 }
 
-// Two sets with a common sun, as W. Simpson connects them: ring 1 drives, carrier 2 is held, and carrier
-// 1 with ring 2 is the output.
+// Two sets with a common sun, connected as in a Simpson gearset: ring 1 drives, carrier 2 is held,
+// and carrier 1 with ring 2 is the output.
 Drive two_sets() {
   DriveGraph graph;
   const auto add = [&](const char* name, std::optional<std::size_t> carrier = {}) {
@@ -205,8 +207,8 @@ Drive two_sets() {
   return std::move(drive).take();
 }
 
-// The work of the torque on the output equals that of the teeth, T_o δφ_o = −Σ F δ, over both sets and
-// for any springs that touch in the ideal position.
+// The work of the torque on the output equals the work of the teeth of both sets, T_o δφ_o = −Σ F
+// δ, for any springs that touch in the ideal position.
 TEST(PlanetEquilibriumTest, BothSetsOfADriveDoTheWorkOfItsOutput) {
   const Drive drive = two_sets();
   ASSERT_EQ(drive.sets.size(), 2u);
@@ -247,8 +249,8 @@ TEST(PlanetEquilibriumTest, LossesActAlongTheChain) {
   }
 }
 
-// The drive of a case of tests/oracle/planets. The oracle gives the pins of an idler before those of
-// the planet, which is the first rider of a set.
+// Makes the drive of a case in tests/oracle/planets. The oracle gives the pins of an idler before
+// those of the planet, which is the first rider of a set.
 Drive drive_of(const nlohmann::json& c) {
   const std::vector<int> teeth = c["teeth"];
   const bool idler = teeth.size() == 4;
@@ -295,7 +297,7 @@ TEST(PlanetEquilibriumTest, AgreesWithAMinimisationOfTheEnergy) {
       springs.leads.emplace_back();
       for (std::size_t i = 0; i < planets; ++i) {
         const double stiffness = c["stiffness"][i][k], bend = c["bend"][i][k];
-        // A parabola through 0 has one node, which lies above all forces.
+        // A parabola through 0 needs only one node, which is placed above all forces.
         constexpr double kFar = 1.0;
         springs.springs[k].emplace_back(std::vector<SpringNode>{
             {kFar, stiffness * kFar + bend * kFar * kFar, stiffness + 2 * bend * kFar}});
@@ -319,7 +321,8 @@ TEST(PlanetEquilibriumTest, AgreesWithAMinimisationOfTheEnergy) {
     for (std::size_t i = 0; i < planets; ++i)
       for (std::size_t k = 0; k < meshes; ++k)
         EXPECT_NEAR(state.forces[k][i], c["forces"][i][k].get<double>(), 3e-6 * share);
-    // Two opposite forces do not resist a displacement across them, which is then not unique.
+    // Two opposite forces do not resist a displacement perpendicular to them, which is then not
+    // unique.
     const auto& carried = state.forces[0];
     if (std::count_if(carried.begin(), carried.end(), [](double f) { return f > 0.0; }) < 3)
       continue;

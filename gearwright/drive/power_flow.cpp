@@ -17,7 +17,7 @@ constexpr double kIdle = 1e-11;
 /// Up to this number of loaded meshes, all patterns of their signs are tried.
 constexpr std::size_t kMostSigns = 16;
 
-// The bodies with an unknown external torque: held bodies, inputs and the output, except `given`.
+// The bodies with an unknown external torque: fixed bodies, inputs and the output, except `given`.
 std::vector<std::size_t> reacting(const DriveGraph& graph, std::size_t given) {
   std::vector<std::size_t> list = graph.fixed;
   for (const std::size_t in : graph.inputs)
@@ -35,7 +35,8 @@ class Statics {
         efficiencies_(efficiencies),
         reacting_(reacting(graph, graph.inputs.front())) {}
 
-  // The flow for one pattern of drivers. A mesh with driver −1 has no friction.
+  // Computes the flow if the driving gears of all meshes are given. A mesh with driver −1 has no
+  // friction.
   PowerFlow solve(const std::vector<int>& driver) const {
     const std::size_t n = graph_.bodies.size();
     const std::size_t meshes = graph_.meshes.size();
@@ -63,15 +64,15 @@ class Statics {
       (power > 0.0 ? flow.power_in : out) += power;
     }
     flow.efficiency = flow.power_in > 0.0 ? -out / flow.power_in : 0.0;
-    // With one degree of freedom the input drives. Power that flows in at the output means that the
-    // drive cannot run.
+    // With one degree of freedom the input drives. If power flows in at the output, the drive
+    // cannot run.
     if (graph_.inputs.size() == 1 && flow.torque[graph_.output] * speeds_[graph_.output] >= 0.0)
       flow.efficiency = 0.0;
     find_drivers(flow, driver);
     return flow;
   }
 
-  // Each body that a mesh acts on, with its torque per λ. [T13.6]
+  // Each body on which a mesh acts, with the torque on it per λ. [T13.6]
   std::vector<std::pair<std::size_t, double>> torques(std::size_t mesh, int driver) const {
     const DriveGear& a = graph_.gear(graph_.meshes[mesh], 0);
     const DriveGear& b = graph_.gear(graph_.meshes[mesh], 1);
@@ -89,9 +90,9 @@ class Statics {
  private:
   static Eigen::Index as_index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-  // The drivers of a solution, [T13.7], and the powers in the frames. The torque of a mesh on gear
-  // a is z_a λ. Gear a supplies −z_a λ (ω_a − ω_c), and a value > 0 means that power leaves the
-  // mesh.
+  // Finds the driving gears of a solution, [T13.7], and the powers in the frames. The torque of a
+  // mesh on gear a is z_a λ. Gear a supplies the power −z_a λ (ω_a − ω_c) to the mesh, and drives
+  // if this is > 0.
   void find_drivers(PowerFlow& flow, const std::vector<int>& assumed) const {
     for (std::size_t k = 0; k < graph_.meshes.size(); ++k) {
       const DriveMesh& mesh = graph_.meshes[k];
@@ -115,15 +116,15 @@ class Statics {
   std::vector<std::size_t> reacting_;
 };
 
-// True if the drivers agree with the assumed ones; idle meshes always agree.
+// True if the driving gears agree with the assumed ones. Idle meshes always agree.
 bool consistent(const std::vector<int>& assumed, const std::vector<int>& found) {
   for (std::size_t k = 0; k < found.size(); ++k)
     if (found[k] >= 0 && found[k] != assumed[k]) return false;
   return true;
 }
 
-// A group of planets, or a mesh in the housing, passes power from body to body. If one of these branches
-// carries more power than flows in from outside, power circulates.
+// A group of planets, or a mesh in the housing, passes power from body to body. If one of these
+// branches carries more power than flows in from outside, power circulates.
 bool circulates(const DriveGraph& graph, const Statics& statics, const std::vector<double>& speeds,
                 const PowerFlow& flow) {
   const std::vector<PlanetGroup> groups = planet_groups(graph);

@@ -16,13 +16,13 @@
 
 namespace gearwright {
 
-/// η of a mesh with its frame at rest, gear a driving and gear b driving.
+/// η of a mesh with its frame at rest, if gear a drives and if gear b drives.
 struct MeshEfficiency {
   double first_drives, second_drives;
 };
 
-/// Power that flows from a mesh to a body (> 0) or from the body to the mesh (< 0), in the frame of the
-/// housing. The powers of one mesh add up to its loss, < 0.
+/// Power that flows from a mesh to a body (> 0) or from the body to the mesh (< 0), in the frame of
+/// the housing. The sum of the powers of one mesh is minus its loss.
 struct PowerPath {
   std::size_t mesh, body;
   double power;
@@ -31,9 +31,9 @@ struct PowerPath {
 struct PowerFlow {
   std::vector<double> load;  ///< λ of each mesh
   std::vector<int> driver;   ///< 0 if gear a drives, 1 if gear b does, −1 if the mesh is idle
-  std::vector<double> mesh_power;  ///< P_m in the frame, of the driving gear
+  std::vector<double> mesh_power;  ///< P_m, power of the driving gear in the frame
   std::vector<double> torque;      ///< T_ext of each body, 0 if the body is free
-  std::vector<PowerPath> paths;    ///< by mesh; none for bodies at rest
+  std::vector<PowerPath> paths;    ///< in the order of meshes; none for bodies at rest
   double power_in = 0.0;           ///< sum of the powers T ω that flow in
   double efficiency = 0.0;         ///< η [T13.9]; 0 if self-locking (other members are empty)
   bool circulating = false;        ///< true if a branch carries more power than flows in
@@ -41,20 +41,22 @@ struct PowerFlow {
   bool self_locking() const { return efficiency <= 0.0; }
 };
 
-/// The flow at given speeds of all bodies, torque 1 on the first input.
+/// Computes the power flow for given speeds of all bodies and the torque 1 on the first input.
 ///
-/// Formula   The signs σ of the flow without friction are used first, then those of each solution until
-///           they repeat. If this gives no solution, all patterns of signs are tried, and the one with
-///           η > 0 is used. Closed forms: [T13.10], [T13.11]
+/// Formula   The iteration begins with the signs σ of the flow without friction. It continues with
+///           the signs of each solution until they no longer change. If it gives no solution, all
+///           patterns of signs are tried, and the one with η > 0 is used. Closed forms: [T13.10],
+///           [T13.11]
 /// Domain    independent meshes, f inputs and one output (contract)
 /// Errors    more than 16 loaded meshes whose signs do not converge
 Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>& speeds,
                              const std::vector<MeshEfficiency>& efficiencies);
 
-/// λ of each mesh without friction per unit torque on `body`, exact. λ is also the factor with which a
-/// motion of the mesh is transmitted to `body` [T13.20]. Inputs and output except `body` are held.
+/// λ of each mesh without friction per unit torque on `body`, exact. λ is also the factor with
+/// which a motion of the mesh is transmitted to `body` [T13.20]. Inputs and output except `body`
+/// are held.
 ///
-/// Domain    one degree of freedom, independent meshes; body turns (contract)
+/// Domain    one degree of freedom, independent meshes; `body` turns (contract)
 std::vector<Rational> lossless_loads(const DriveGraph& graph, const DriveMotion& motion,
                                      std::size_t body);
 

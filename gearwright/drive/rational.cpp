@@ -88,7 +88,8 @@ Rational operator+(const Rational& a, const Rational& b) {
 
 Rational operator*(const Rational& a, const Rational& b) {
   if (!a.fits() || !b.fits()) return Rational::too_large();
-  // After cancelling crosswise, the products are in lowest terms and as small as possible.
+  // The common factors of a numerator and the other denominator are cancelled before the
+  // multiplication. The products are then in lowest terms and as small as possible.
   const Wide d = common_divisor(a.p_, b.q_);
   const Wide e = common_divisor(b.p_, a.q_);
   Wide p, q;

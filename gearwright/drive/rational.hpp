@@ -3,8 +3,8 @@
 //   p/q in lowest terms, q > 0; q = 0 if a result did not fit into 127 bits
 //                                              theory: docs/theory/13-drives.md, [T13.3]
 //
-// Like NaN, overflow passes to every fraction that is computed from it, so code checks once at the
-// end.
+// Like NaN, overflow passes to every fraction that is computed from it, so only the last result
+// must be checked.
 #pragma once
 
 #include <optional>
@@ -20,14 +20,14 @@ class Rational {
   Rational(long long whole)
       : p_(whole) {}  // NOLINT(google-explicit-constructor): a whole number is
                       // a fraction
-  /// p/q.   Domain  q ≠ 0 (contract)
+  /// The fraction p/q.   Domain  q ≠ 0 (contract)
   static Rational of(long long p, long long q);
   static Rational too_large();  ///< a fraction in the state of overflow
 
   bool fits() const { return q_ != 0; }
   bool zero() const { return q_ != 0 && p_ == 0; }
   bool whole() const { return q_ == 1; }
-  /// −1, 0, 1.   Domain  fits() (contract)
+  /// The sign: −1, 0 or 1.   Domain  fits() (contract)
   int sign() const;
   double value() const { return static_cast<double>(p_) / static_cast<double>(q_); }
   /// p and q; none if one of them has more than 63 bits.
@@ -44,7 +44,7 @@ class Rational {
   /// Domain  b ≠ 0 (contract)
   friend Rational operator/(const Rational& a, const Rational& b);
   Rational operator-() const;
-  /// Domain  both fit (contract)
+  /// Domain  neither fraction has overflow (contract)
   friend bool operator==(const Rational& a, const Rational& b);
 
  private:
@@ -53,14 +53,16 @@ class Rational {
   Wide p_ = 0, q_ = 1;
 };
 
-/// Least common multiple of two whole numbers > 0; overflow if one of them has overflow.
+/// Least common multiple of two whole numbers > 0. The result is overflow if one of them has
+/// overflow or if the multiple does not fit.
 Rational least_common_multiple(const Rational& a, const Rational& b);
 
-/// Rows of equal length.
+/// A matrix as a list of rows of equal length.
 using RationalMatrix = std::vector<std::vector<Rational>>;
 
-/// Reduces the rows: each leading entry is 1 and is the only entry of its column. Pivots are
-/// searched in the first `columns` columns only; returns their columns, row by row.
+/// Reduces the rows such that each leading entry is 1 and is the only entry ≠ 0 in its column.
+/// Pivots are searched only in the first `columns` columns. Returns the column of the pivot of each
+/// row.
 ///
 /// Formula   Gauss–Jordan elimination over the fractions: the rank is exact
 std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns);
@@ -68,7 +70,8 @@ std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns);
 /// Rank of the matrix; none after overflow.
 std::optional<std::size_t> rank_of(RationalMatrix rows);
 
-/// Basis of all y with y·A = 0, one in each row; empty if the rows are independent or after overflow.
+/// Basis of all y with y·A = 0, one in each row; empty if the rows are independent or after
+/// overflow.
 RationalMatrix left_kernel(const RationalMatrix& rows);
 
 }  // namespace gearwright

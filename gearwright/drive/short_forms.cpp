@@ -37,7 +37,8 @@ std::vector<SetMesh> meshes_of(const PlanetarySpec& spec) {
   return list;
 }
 
-// The hand of each member relative to that of the sun. It is reversed in every external mesh.
+// The hand of the helix of a member relative to the hand of the sun, ±1. Every external mesh
+// reverses the hand.
 double hand_of(const PlanetarySpec& spec, M member) {
   const double planet = spec.z(M::idler) ? 1.0 : -1.0;
   switch (member) {
@@ -48,7 +49,7 @@ double hand_of(const PlanetarySpec& spec, M member) {
   }
 }
 
-// True if a planet with one gear meshes with two central gears of one kind, which are side by side.
+// True if a planet with one gear meshes with two suns or two rings, which are side by side.
 bool spans_two(const PlanetarySpec& spec, M member) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   if (member != M::planet || has(M::planet2)) return false;
@@ -78,7 +79,7 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
                         "; a planetary set needs planets, for example planet = 20");
   if (has(M::idler) && !has(M::sun))
     return Error{"planetary.idler", std::to_string(*spec.z(M::idler)),
-                 "is an idler between the sun and the planet, but there is no sun"};
+                 "needs a sun, because an idler is between the sun and the planet"};
   if (has(M::planet2) && !has(M::sun2) && !has(M::ring2))
     return Error{"planetary.planet2", std::to_string(*spec.z(M::planet2)),
                  "needs sun2 or ring2 to mesh with"};
@@ -114,7 +115,8 @@ std::optional<Error> find_bodies(const DriveGraph& graph, const std::vector<std:
   return std::nullopt;
 }
 
-// Default fixed body, inputs and output of a set.
+// Sets the fixed bodies, the inputs and the output of the graph, with defaults if they are not
+// given.
 std::optional<Error> set_ends(const PlanetarySpec& spec, DriveGraph& graph) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   std::vector<std::string> inputs = spec.inputs;
@@ -158,7 +160,8 @@ DriveGraph pair_graph(const PairStage& stage) {
   return graph;
 }
 
-// Appends a stage to the train. If there is a body `joined` of the train, it is the input of the stage.
+// Appends a stage to the train. If `joined` is given, this body of the train is also the input of
+// the stage.
 void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefix,
             std::optional<std::size_t> joined) {
   std::vector<std::size_t> body(stage.bodies.size());
@@ -231,7 +234,8 @@ Result<DriveGraph> graph_of(const PlanetarySpec& spec) {
   if (auto error = check_set(spec)) return *error;
   DriveGraph graph;
   std::array<std::size_t, kSetMembers> gear_of{};
-  // Bodies: the central gears, the carrier, then the riders; a stepped planet is one body.
+  // The bodies are the central gears, the carrier and the riders, in this order. A stepped planet
+  // is one body.
   for (const M m : {M::sun, M::sun2, M::ring, M::ring2})
     if (spec.z(m)) graph.bodies.push_back({to_string(m), std::nullopt, 1, {}});
   const std::size_t carrier = graph.bodies.size();

@@ -1,7 +1,9 @@
-// Expands planetary sets and trains of stages, the short forms of a drive, to the graph of the drive.
+// Expands the short forms of a drive, planetary sets and trains of stages, into the graph of the
+// drive.
 //
-// A set has a sun, planets and a ring, or other members of the list below. A stage of a train is a pair
-// of gears or a set. The graph has bodies, gears and meshes, and everything is computed from it.
+// A set has a sun, planets and a ring, or other members of the list below. A stage of a train is a
+// pair of gears or a set. The graph has bodies, gears and meshes, and everything is computed from
+// it.
 #pragma once
 
 #include <array>
@@ -44,16 +46,16 @@ struct PlanetarySpec {
   /// z of each gear, absent if there is no such gear. The number of a ring may have either sign.
   std::array<std::optional<int>, kSetMembers> teeth{};
   int planets = 1;
-  std::optional<double> normal_module;  ///< m_n  mm; no geometry if absent
+  std::optional<double> normal_module;  ///< m_n  mm; if absent, there is no geometry
   Angle normal_pressure_angle = Angle::degrees(20);
-  PerMember module;         ///< of single gears  mm
+  PerMember module;         ///< m_n of single gears  mm
   PerMember profile_shift;  ///< x
-  PerMember helix_deg;      ///< β; by default all follow from that of the sun
+  PerMember helix_deg;      ///< β; by default computed from β of the sun
   PerMember face_width;     ///< b  mm
   PerMember allowance;      ///< E_sn  mm
   PerMember tip_diameter;   ///< d_a  mm
   PerMesh efficiency;
-  PerMesh center_distance;                        ///< mm; a single number applies to the first mesh
+  PerMesh center_distance;                        ///< a  mm; `all` applies to the first mesh only
   double friction = 0.05;                         ///< μ
   std::optional<std::vector<std::string>> fixed;  ///< by default the ring
   std::vector<std::string> inputs;                ///< the sun if empty
@@ -84,28 +86,30 @@ struct PairStage {
 struct StageSpec {
   std::optional<PlanetarySpec> planetary;  ///< absent for a pair
   PairStage pair;
-  std::vector<double> speeds_rpm{};   ///< of the pair's input
-  std::optional<double> torque_Nm{};  ///< on the pair's input
+  std::vector<double> speeds_rpm{};   ///< of the input of the pair
+  std::optional<double> torque_Nm{};  ///< on the input of the pair
   double friction = 0.05;             ///< μ of the pair
 };
 
 /// The index of a body by its name.
 ///
-/// Errors    `field`, with the names of all bodies
+/// Errors    `field` if there is no such body; the message lists the names of all bodies
 Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
                               const std::string& field);
 
 /// The graph of a planetary set. Its bodies are named sun, planet, ring, carrier and so on, and its
 /// meshes sun_planet, planet_ring and so on.
 ///
-/// Errors    a missing member, a set without a mesh; unknown bodies in `fixed`, `input`, `output`
+/// Errors    a missing member; a set without a mesh; an unknown body in `fixed`, `input` or
+///           `output`
 Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 
-/// The whole train, and its stages as separate drives. Bodies are named s1_sun, s2_gear1 and so on. The
-/// body that joins two stages has its name in the first of them.
+/// The whole train, and its stages as separate drives. Bodies are named s1_sun, s2_gear1 and so on.
+/// A body that is the output of one stage and the input of the next has its name in the first of
+/// the two stages.
 ///
-/// Errors    as graph_of; `drive.input` of a later stage with several inputs; `drive.speed` and
-///           `drive.torque` of a later stage
+/// Errors    as graph_of(); `drive.input` if a later stage has several inputs; `drive.speed` and
+///           `drive.torque` if they are given for a later stage
 Result<DriveInput> train_of(const std::vector<StageSpec>& stages);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-// The figures of tooth contact: transmission error, its spectrum, developed flanks with their
+// Makes the figures of tooth contact: transmission error, its spectrum, developed flanks with their
 // contact, and maps over two errors.
 #pragma once
 
@@ -21,26 +21,26 @@ struct TeRun {
   std::vector<double> rotation, te;  ///< rad; neighbouring runs share their ends
 };
 
-/// The curve over one pitch in runs. A position without contact ends a run. At the handover between
-/// tooth pairs, both curves are extended to their intersection, but not beyond the greatest and the
-/// least computed value.
+/// Divides the curve over one pitch into runs. A position without contact ends a run. At the
+/// handover between tooth pairs, both curves are extended to their intersection, but not beyond the
+/// greatest and the least computed value.
 std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions);
 
 /// Transmission error over the rotation of gear 1, with the tooth pairs and kinds of contact.
-/// `result` is that of the scene or that of the non-working flanks. There is no figure if nothing
-/// touches.
+/// `result` is the result in the scene, or the result of the non-working flanks. There is no figure
+/// if no position has contact.
 std::optional<Figure> transmission_error_figure(const ContactScene& scene,
                                                 const ContactResult& result);
 /// Returns true if all harmonics are rounding errors.
 bool waves_are_rounding(const std::vector<Angle>& waves);
-/// There is no figure if contact is lost, because the curve is then not periodic, or if there is no
-/// harmonic.
+/// The harmonics of the transmission error. There is no figure if contact is lost, because the
+/// curve is then not periodic, or if there is no harmonic.
 std::optional<Figure> spectrum_figure(const ContactResult& result);
 
-/// The nodes of a raster for contours, with its gaps in mm.
+/// The gaps of a raster, mm, as a field for contours.
 ContourField field_of(const FlankRaster& raster);
-/// The regions in which a field of a raster is below a level, in heights along the face and
-/// diameters, mm.
+/// The regions in which a field of a raster is below a level, as points (height along the face,
+/// diameter), mm.
 std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& field, double level);
 
 /// Share of the flank, 0 … 1, that a pattern covers at this thickness of the marking compound.
@@ -61,27 +61,27 @@ Figure flank_frame(std::string id, std::string title, const FlankRaster& extent,
 
 /// The layers drawn on a flank; null ones are omitted.
 struct FlankLayers {
-  const FlankRaster* pattern = nullptr;  ///< least gap over a mesh
-  const FlankRaster* gap = nullptr;      ///< at one position
-  const ContactPoint* now = nullptr;     ///< the contact at that position
-  bool way = true;  ///< shows the path of the contact point, with its ellipses or lines
+  const FlankRaster* pattern = nullptr;  ///< least gap during a mesh
+  const FlankRaster* gap = nullptr;      ///< gap at one position
+  const ContactPoint* now = nullptr;     ///< contact at that position
+  bool way = true;  ///< true to draw the path of the contact point, with its ellipses or lines
 };
-/// The flank of gear `which` (0, 1).
+/// Draws the flank of gear `which` (0, 1).
 ///
 /// Domain    a pattern or a gap (contract)
 Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLayers& layers);
 
-/// A small flank of gear 1 that shows only the marking.
+/// Draws a small flank of gear 1 that shows only the marking.
 Figure small_pattern(std::string id, std::string title, const FlankRaster& pattern, double marking);
 
-/// Peak-to-peak value over two errors.
+/// Peak-to-peak transmission error over two errors.
 struct ContactMap {
-  ErrorMap map;                     ///< rad over the units below
+  ErrorMap map;                     ///< rad, over two errors in the units of `axes`
   std::array<NamedAmount, 2> axes;  ///< of x and y: names, units and the values of the spec
   bool whole = true;                ///< false if some values have not yet been computed
 };
-/// Round levels over the values of the map, arc seconds, ascending. They are few enough to be
-/// distinguished.
+/// Round levels within the values of the map, arc seconds, in ascending order. They are few enough
+/// to be distinguished.
 std::vector<double> map_levels(const ErrorMap& map);
 /// Draws the peak-to-peak transmission error over two errors as shaded steps.
 Figure error_map_figure(const ContactMap& map);

@@ -48,8 +48,8 @@ const char* words_of(TouchKind kind) {
     case TouchKind::tip2: return "tip edge of gear 2";
     case TouchKind::face1: return "end of face 1";
     case TouchKind::face2: return "end of face 2";
-    case TouchKind::form1: return "foot of flank 1";
-    case TouchKind::form2: return "foot of flank 2";
+    case TouchKind::form1: return "root end of flank 1";
+    case TouchKind::form2: return "root end of flank 2";
     case TouchKind::ridge: return "start of a relief";
     case TouchKind::corner: return "corner of a tooth";
   }
@@ -66,7 +66,7 @@ std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint
                                    std::size_t which) {
   if (!p.ellipse || !p.ellipse->semi_major) return {};
   constexpr int kCorners = 64;
-  // The angle is measured from the projection of axis 1, about the normal.
+  // The angle of the ellipse is measured about the normal, from the projection of axis 1.
   const Vec3& axis_1 = scene.axes[0].direction;
   const Vec3 e_1 = (axis_1 - p.normal * p.normal.dot(axis_1)).normalized();
   const Vec3 e_2 = p.normal.cross(e_1);

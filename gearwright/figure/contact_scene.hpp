@@ -1,6 +1,6 @@
-// Data of the contact figures: the gears, their axes as mounted, and the results.
+// Contains the data of the contact figures: the gears, their axes as mounted, and the results.
 //
-//   TE   transmission error, rad: lead of gear 2, divided by the ratio, > 0
+//   TE   transmission error, rad: rotation by which gear 2 is ahead of |z1/z2| φ1
 //   δ    thickness of the marking compound, mm
 #pragma once
 
@@ -36,7 +36,7 @@ struct ContactScene {
   std::string part{};     ///< suffix of the ids of figures; "-2" for the second half of a pair
 };
 
-/// Makes the scene of a pair that was turned through one pitch.
+/// Makes the scene of a pair whose contact was computed over one pitch.
 ContactScene contact_scene(const std::array<const Gear*, 2>& gears, const ContactPair& pair,
                            double marking, ContactResult driving);
 
@@ -46,13 +46,13 @@ void mirror_axes(ContactScene& scene);
 /// The pitch of gear 1, rad.
 double pitch_of(const ContactScene& scene);
 
-/// "tip edge of gear 1"
+/// The name of a kind of contact, "tip edge of gear 1".
 const char* words_of(TouchKind kind);
 
 /// Number of a tooth pair with its sign. "0" is the pair nearest the centre line.
 std::string pair_words(int k);
 
-/// Arc seconds with the significant digits.
+/// A value in arc seconds, with a number of decimals that suits its size.
 std::string shown_arcsec(double arcsec);
 
 /// The unit of a transmission error: seconds of arc, or µm along a rack.
@@ -66,7 +66,7 @@ struct TeUnit {
 };
 TeUnit te_unit(const RackTravel& rack);
 
-/// Signed and short, "+0.03°", "−0.02 mm".
+/// The amount with its sign and unit, "+0.03°", "−0.02 mm".
 std::string words_of(const NamedAmount& amount);
 
 /// Position of a point of the housing on a gear: height along its axis and radius, mm.
@@ -75,11 +75,11 @@ struct FlankPlace {
 };
 FlankPlace place_on(const ContactAxis& axis, const Vec3& point);
 
-/// The contact ellipse on gear `which` (0, 1), seen along the direction of motion of the tooth:
-/// points (height, radius), closed. There is none if the contact has no ellipse or an unbounded
+/// The contact ellipse on gear `which` (0, 1), seen along the direction of motion of the tooth, as
+/// a closed polygon of points (height, radius). Empty if the contact has no ellipse or an unbounded
 /// one.
 ///
-/// Units     mm, true size: the tangent plane of the contact point, projected
+/// Units     mm, true size, projected from the tangent plane at the contact point
 std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint& p,
                                    std::size_t which);
 

@@ -27,7 +27,7 @@ class Framed {
   double level() const { return level_; }
   bool below(std::size_t row, std::size_t column) const { return value(row, column) < level_; }
 
-  // Each node has the number of the edge along its row and that of the edge along its column.
+  // The number of an edge. Each node has two edges: one along its row and one along its column.
   std::size_t edge(std::size_t row, std::size_t column, bool along_row) const {
     return 2 * (row * columns() + column) + (along_row ? 0 : 1);
   }
@@ -61,8 +61,8 @@ class Framed {
   double level_;
 };
 
-// Adds the pieces of the border in one cell. Counter-clockwise round the cell, each piece leads from the
-// edge at which the region ends to the edge at which it begins again.
+// Adds the pieces of the border in one cell. If the cell is traversed counter-clockwise, each piece
+// leads from the edge at which the region ends to the edge at which the region begins again.
 void add_cell(const Framed& grid, std::size_t row, std::size_t column,
               std::map<std::size_t, std::size_t>& next) {
   const std::array<bool, 4> in{grid.below(row, column), grid.below(row, column + 1),
@@ -71,8 +71,8 @@ void add_cell(const Framed& grid, std::size_t row, std::size_t column,
       grid.edge(row, column, true), grid.edge(row, column + 1, false),
       grid.edge(row + 1, column, true), grid.edge(row, column, false)};
   const bool saddle = in[0] == in[2] && in[1] == in[3] && in[0] != in[1];
-  // If the mean of all four values is below the level, the two corners below it belong to one
-  // region.
+  // In a saddle, two opposite corners are below the level. They belong to one region if the mean of
+  // all four values is below the level.
   const double mean = 0.25 * (grid.value(row, column) + grid.value(row, column + 1) +
                               grid.value(row + 1, column + 1) + grid.value(row + 1, column));
   const bool joined = mean < grid.level();

@@ -1,9 +1,9 @@
-// Regions of a raster in which its values stay below a level, by marching squares.
+// Computes the regions of a raster in which the values are below a level, by marching squares.
 //
 // The nodes of a raster are (column, row). Between two nodes the value is linear. An infinite node
 // is above every level, and the border runs halfway to it, because it is unknown where between the
-// nodes the values end. The edge of the raster closes every region. Values are shown as ten shades
-// from dark (low) to bright, with the levels at which they change.
+// nodes the values end. The edge of the raster closes every region. Steps of values are shown in
+// ten shades from dark (low) to bright (high).
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ struct ContourField {
   double at(std::size_t row, std::size_t column) const { return value[row * columns + column]; }
 };
 
-/// Returns closed loops, (column, row), around all points below `level`. Filled by the even-odd
-/// rule, they are the region. The last point of a loop does not repeat the first.
+/// Returns closed loops, (column, row), around all points below `level`. The region is their
+/// interior by the even-odd rule. The last point of a loop does not repeat the first.
 ///
 ///   Laws      (1) the corners of a loop lie on raster edges, where the linear value equals the
 ///                 level
@@ -33,7 +33,7 @@ std::vector<std::vector<Vec2>> regions_below(const ContourField& field, double l
 /// Returns the enclosed area in squares of the raster, by the even-odd rule.
 double area_of(const std::vector<std::vector<Vec2>>& loops);
 
-/// Returns the style classes of step i of n, from the lowest step on.
+/// Returns the style classes of step i of n, counted from the lowest step.
 std::string shade_style(std::size_t i, std::size_t n);
 
 }  // namespace gearwright

@@ -15,7 +15,8 @@ namespace {
 constexpr double kFree = 0.06;  // fraction of an axis that is free at both ends
 // Ratio of the greatest to the least value above which a linear axis would crowd one end.
 constexpr double kWideSpan = 15.0;
-// Relative difference within which values count as one value, and the margin drawn around this value.
+// Relative difference within which values count as one value, and the margin drawn around this
+// value.
 constexpr double kOneValue = 1e-6;
 constexpr double kRoomOfOne = 0.01;
 
@@ -41,13 +42,15 @@ Figure designs_figure(FigureAxis x, FigureAxis y, const std::vector<DesignDot>& 
   for (const DesignDot& dot : dots) box.cover(dot.at);
   fit(x, box.lo.x(), box.hi.x());
   fit(y, box.lo.y(), box.hi.y());
-  Figure f{"designs-plot",
-           fmt::format("Designs by {} and {}", x.words, y.words),
-           fmt::format("{} designs as dots: the {} horizontally and the {} vertically.",
-                       dots.size(), x.words, y.words),
-           "",
-           std::move(x),
-           std::move(y)};
+  Figure f{
+      "designs-plot",
+      fmt::format("Designs by {} and {}", x.words, y.words),
+      fmt::format(
+          "{} designs as dots, with the {} on the horizontal axis and the {} on the vertical axis.",
+          dots.size(), x.words, y.words),
+      "",
+      std::move(x),
+      std::move(y)};
   f.tall = 0.7;
   if (border.size() > 1) f.line(std::move(border), "staircase");
   for (const DesignDot& dot : dots)

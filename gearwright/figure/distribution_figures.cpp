@@ -14,7 +14,7 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kMostBars = 60;
-constexpr std::size_t kMostPoints = 400;  // of a cumulative curve
+constexpr std::size_t kMostPoints = 400;  // greatest number of points of a curve
 
 std::string shown(double value) { return fmt::format("{:.4g}", value); }
 
@@ -56,12 +56,13 @@ Figure histogram_figure(const DistributionScene& scene) {
     ++count[std::min(bars - 1, static_cast<std::size_t>((v - least) / step))];
   const double all = static_cast<double>(scene.values.size());
   const double most = *std::max_element(count.begin(), count.end()) / all * 100;
-  Figure f{.id = scene.id,
-           .title = "Distribution: " + scene.words,
-           .description = "A histogram of the share of the samples in equal steps of the value.",
-           .caption = fmt::format(" over {} samples, with their percentiles.", scene.values.size()),
-           .x = value_axis(scene),
-           .y = {"share of the samples", "%", 0.0, 1.12 * most}};
+  Figure f{
+      .id = scene.id,
+      .title = "Distribution: " + scene.words,
+      .description = "A histogram of the share of the samples in equal intervals of the value.",
+      .caption = fmt::format(" over {} samples, with their percentiles.", scene.values.size()),
+      .x = value_axis(scene),
+      .y = {"share of the samples", "%", 0.0, 1.12 * most}};
   for (std::size_t i = 0; i < bars; ++i) {
     const double from = least + static_cast<double>(i) * step;
     const double share = 100 * count[i] / all;
@@ -102,11 +103,11 @@ Figure index_figure(const IndexScene& scene) {
       .id = scene.id,
       .title = "Share of the variance: " + scene.words,
       .description =
-          "For each tolerance, the share of the variance that it explains alone, and its total "
-          "share with interactions.",
+          "For each tolerance, the share of the variance that this tolerance explains alone, and "
+          "its total share with interactions.",
       .caption =
-          ", by Sobol’s indices. For each tolerance, the left bar is the share that it explains "
-          "alone, and the right bar is its total share with interactions.",
+          ", by Sobol’s indices. For each tolerance, the left bar shows the share that the "
+          "tolerance explains alone, and the right bar shows its total share with interactions.",
       .x = {"tolerance", "", 0.3, n + 0.7, true},
       .y = {"share of the variance", "", 0.0, 1.0}};
   f.keys = {{"alpha", "alone"}, {"beta", "total"}};

@@ -1,5 +1,6 @@
-// Distribution of a quantity over many samples, the contribution of each input to its variance, the
-// places of a flank that carry, and designs in their order.
+// Makes the figures of an analysis with many samples: the distribution of a quantity, the
+// contribution of each input to its variance, how often each place of a flank is in contact, and
+// the ranking of designs.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +16,12 @@ namespace gearwright {
 struct DistributionScene {
   std::string id;     ///< unique in a page, "scatter-te"
   std::string words;  ///< name of the quantity: "transmission error, peak to peak"
-  std::string unit;   ///< "″"; empty: a pure number
+  std::string unit;   ///< "″"; empty for a pure number
   std::vector<double> values;
   std::vector<std::pair<double, double>> percentiles;  ///< percent and value
 };
 
-/// Histogram: number of samples in each of several equal steps.
+/// Histogram: share of the samples in each of several equal intervals.
 ///
 /// Domain    at least two values that differ (contract)
 Figure histogram_figure(const DistributionScene& scene);
@@ -32,7 +33,7 @@ Figure cumulative_figure(const DistributionScene& scene);
 
 struct IndexScene {
   std::string id;
-  std::string words;  ///< name of the quantity whose variance is shared
+  std::string words;  ///< name of the quantity whose variance is explained
   struct Group {
     std::string name;  ///< plain text
     double first, total;
@@ -40,7 +41,7 @@ struct IndexScene {
   std::vector<Group> groups;
 };
 
-/// First and total Sobol indices, a pair of bars for each group.
+/// Draws the first and the total Sobol index of each group as a pair of bars.
 ///
 /// Domain    at least one group (contract)
 Figure index_figure(const IndexScene& scene);
@@ -59,25 +60,26 @@ struct RankingScene {
   std::vector<Entry> entries;
 };
 
-/// Percentile with its interval, and mean, over the rank.
+/// Draws the percentile with its confidence interval, and the mean, over the rank.
 ///
 /// Domain    at least one entry (contract)
 Figure ranking_figure(const RankingScene& scene);
 
-/// How often each place of a flank carries.
+/// How often each place of a flank is in contact.
 struct DensityScene {
   std::string id;
-  std::size_t which = 0;  ///< gear 1 or 2: 0, 1
+  std::size_t which = 0;  ///< 0 for gear 1, 1 for gear 2
   bool internal = false;
-  std::vector<double> diameter, height;  ///< mm, growing: rows and columns
+  std::vector<double> diameter, height;  ///< mm, ascending: of the rows, of the columns
   std::vector<double> share;             ///< 0 to 1, [row · columns + column]
   double marking = 0.0;                  ///< thickness of the marking compound, mm
   std::int64_t samples = 0;
 };
 
-/// The developed flank with shades of the share of the samples whose contact pattern covers a place.
+/// Draws the developed flank. Shades show the share of the samples whose contact pattern covers a
+/// place.
 ///
-/// Domain    two rows and columns at least (contract)
+/// Domain    at least two rows and two columns (contract)
 Figure density_figure(const DensityScene& scene);
 
 }  // namespace gearwright

@@ -1,6 +1,6 @@
-// Pictures of a whole drive: its kinematic scheme, its power flow, and its curves under load.
+// Draws a whole drive: its kinematic scheme, its power flow, and its curves under load.
 //
-// Each body has a colour of its own, the same in every picture of one drive.
+// Each body has its own colour, which is the same in all pictures of a drive.
 #pragma once
 
 #include <optional>
@@ -14,23 +14,23 @@ namespace gearwright {
 /// The class of a body's colour: "b0" to "b7", then "b0" again.
 std::string body_style(std::size_t body);
 
-/// The scheme of the drive in a half section: gears as bars, shafts, carriers with one planet of
-/// each kind, fixed bodies, with speeds and torques at the ends of shafts. Coaxial shafts are drawn beside
-/// each other. Radii are to scale, lengths are not.
+/// The scheme of the drive in a half section. It shows gears, shafts, carriers with one planet of
+/// each kind and fixed bodies, with speeds and torques at the ends of the shafts. Coaxial shafts
+/// are drawn beside each other. Radii are to scale, but lengths are not.
 Figure scheme_figure(const Drive& drive, const DrivePlaces& places);
 
-/// Diagram of the power flow from the inputs through bodies and meshes to the output. There is none
-/// if no power flows or if the drive is self-locking.
+/// Diagram of the power flow from the inputs through bodies and meshes to the output. There is no
+/// figure if no power flows or if the drive is self-locking.
 std::optional<Figure> power_figure(const Drive& drive);
 
-/// The share of each planet of a set under load over one period, and the displacement of its
-/// floating body, if it has one. Curves are over the rotation of the input.
+/// The load share of each planet of a set over one period, and the displacement of the floating
+/// body of the set, if it has one. Both are drawn over the rotation of the input.
 ///
 /// Domain    a drive under load, index of one of its loaded sets (contract)
 Figure planet_share_figure(const Drive& drive, std::size_t set);
 std::optional<Figure> displacement_figure(const Drive& drive, std::size_t set);
 
-/// The rotation error of the output under load and of rigid teeth over one period.
+/// The transmission error of the output over one period, under load and with rigid teeth.
 ///
 /// Domain    a drive under load, index of one of its curves (contract)
 Figure loaded_output_figure(const Drive& drive, std::size_t curve);

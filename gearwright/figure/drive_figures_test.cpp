@@ -1,7 +1,7 @@
 // Laws: (1) everything that is drawn lies within the axes; (2) the scheme contains the name of
 // every gear and the symbol of every fixed body; (3) each band has a label with its power, and the
-// sum of the losses of all meshes is the difference between input and output; (4) the curves under load
-// cover one period.
+// sum of the losses of all meshes is the difference between input and output; (4) the curves under
+// load cover one period.
 #include "gearwright/figure/drive_figures.hpp"
 
 #include <gtest/gtest.h>

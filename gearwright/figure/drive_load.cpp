@@ -1,5 +1,5 @@
-// A drive under load: the shares of its planets, the displacement of a floating body, and the rotation
-// error of the output, each over one period of the meshes.
+// Draws a drive under load: the load shares of its planets, the displacement of a floating body,
+// and the transmission error of the output, each over one period of the meshes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,13 +17,14 @@ namespace {
 
 constexpr double kCircle = 360.0;  // degrees
 
-// Degrees of the input in a period of a mesh. A mesh that does not roll has no period of its own.
+// The rotation of the input in a period of a mesh, degrees. If the mesh does not roll, it is one
+// turn.
 double period_of(double frequency_ratio) {
   constexpr double kLeast = 1e-9;  // teeth per turn
   return std::abs(frequency_ratio) > kLeast ? kCircle / std::abs(frequency_ratio) : kCircle;
 }
 
-// The same for the meshes of a set.
+// The rotation of the input in a period of the meshes of a set, degrees.
 double period_of(const Drive& drive, const PlanetShares& shares) {
   for (const std::size_t m : drive.sets[shares.set].group.meshes)
     if (drive.flow && drive.flow->driver[m] >= 0)
@@ -40,7 +41,7 @@ std::vector<Vec2> over_the_period(double period, std::size_t count, const Of& of
   return points;
 }
 
-// Axes around all curves. Values that hardly vary get a range of `least` about them.
+// Fits the axes to all curves. If the values hardly vary, the y axis gets the length `least`.
 Figure fitted(Figure f, double least) {
   fit_axes(f);
   if (f.y.hi - f.y.lo >= least) return f;
@@ -50,7 +51,7 @@ Figure fitted(Figure f, double least) {
   return f;
 }
 
-// The carrier of a set, after the words of a title, if there are several sets.
+// Returns " of CARRIER" as the end of a title, or nothing if there is only one set.
 std::string of_set(const Drive& drive, const PlanetShares& shares) {
   if (drive.loaded->sets.size() < 2) return "";
   return " of " + drive.graph.bodies[drive.sets[shares.set].group.carrier].name;
@@ -66,10 +67,10 @@ Figure planet_share_figure(const Drive& drive, std::size_t set) {
   const double period = period_of(drive, shares);
   Figure f{.id = "planet-share" + suffix(set),
            .title = "Load of the planets" + of_set(drive, shares),
-           .description = "Share of each planet of the load of all planets over one period.",
+           .description = "Share of each planet in the load of all planets over one period.",
            .caption =
-               ", as shares of the load of all planets, over one period of the meshes. The "
-               "dashed line is an equal share.",
+               ", as shares of the load of all planets, over one period of the meshes. The dashed "
+               "line shows an equal share.",
            .x = {"rotation of the input", "°"},
            .y = {"share of the load", ""}};
   const auto count = static_cast<double>(shares.share.size());
@@ -100,8 +101,8 @@ std::optional<Figure> displacement_figure(const Drive& drive, std::size_t set) {
                "Components of the displacement in the frame of the carrier over one "
                "period.",
            .caption =
-               " in the frame of the carrier: x towards the first planet, y "
-               "counter-clockwise from it.",
+               " in the frame of the carrier. The x axis points to the first planet, and the y "
+               "axis is a quarter turn counter-clockwise from x.",
            .x = {"rotation of the input", "°"},
            .y = {"displacement", "µm"}};
   for (const int c : {0, 1}) {
@@ -124,8 +125,8 @@ Figure loaded_output_figure(const Drive& drive, std::size_t curve) {
       .id = "loaded-output" + suffix(curve),
       .title = "Transmission error of the output",
       .description =
-          "Rotation error of the output under load and of rigid teeth over one "
-          "period of the meshes, from the mean.",
+          "Transmission error of the output over one period of the meshes, under load and with "
+          "rigid teeth, relative to the mean.",
       .caption = fmt::format(" over one period of the meshes with {:.4g} teeth per turn of the "
                              "input, each curve relative to its mean.",
                              c.frequency_ratio),

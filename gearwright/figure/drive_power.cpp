@@ -14,8 +14,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kBar = 0.05;  // half the width of a node, relative to the distance between columns
-constexpr double kAir = 0.62;  // between nodes of one column, in the same unit
-constexpr double kShown = 0.006;  // relative to the height; thinner bands would be invisible
+constexpr double kAir = 0.62;  // gap between the nodes of a column, in the same unit
+constexpr double kShown = 0.006;  // least width of a visible band, relative to the height
 constexpr int kPieces = 24;
 
 // A body or a mesh. Powers are shares of the input power.
@@ -24,7 +24,7 @@ struct Node {
   std::size_t index;
   double in = 0.0, out = 0.0, outside_in = 0.0, outside_out = 0.0;
   int column = 0;
-  double y = 0.0;  // of its middle
+  double y = 0.0;  // height of its middle
   double height() const { return std::max(in + outside_in, out + outside_out); }
 };
 
@@ -32,7 +32,7 @@ struct Band {
   std::size_t from, to;
   double power;
   bool back = false;                   // from a later column to an earlier one
-  double leaves = 0.0, arrives = 0.0;  // offset of its centre line from the top of each node
+  double leaves = 0.0, arrives = 0.0;  // y of its centre line at both nodes
 };
 
 class PowerDiagram {
@@ -80,7 +80,8 @@ class PowerDiagram {
     }
   }
 
-  // Places each node after all nodes from which it gets power, except in loops.
+  // Puts each node in a column after the columns of all nodes from which it gets power, except in
+  // loops.
   void find_columns() {
     std::vector<int> state(nodes_.size(), 0);  // 1: being visited, 2: done
     std::vector<std::size_t> order;
@@ -104,7 +105,7 @@ class PowerDiagram {
     for (const Node& n : nodes_) last_ = std::max(last_, n.column);
   }
 
-  // Nodes of a column from top to bottom, in the order of the nodes that supply them.
+  // Stacks the nodes of each column from top to bottom, in the order of the nodes that supply them.
   void stack() {
     double most = 0.0;
     for (int c = 0; c <= last_; ++c) {
@@ -145,7 +146,7 @@ class PowerDiagram {
     }
   }
 
-  // Positions of the bands at one side of a node, in the order of their other ends.
+  // Sets the positions of the bands at one side of a node, in the order of their other ends.
   void dock(std::size_t n, std::size_t Band::*here, std::size_t Band::*there, double Band::*place) {
     std::vector<Band*> list;
     for (Band& band : bands_)
@@ -163,7 +164,7 @@ class PowerDiagram {
 
   double x_of(const Node& n) const { return n.column; }
 
-  // A band of constant width along a line.
+  // Draws a band of constant width along a line.
   void ribbon(const std::vector<Vec2>& line, double width, const std::string& style,
               const std::string& words) {
     std::vector<Vec2> area, under;
@@ -223,8 +224,8 @@ class PowerDiagram {
     f_.id = "power";
     f_.title = "Power flow.";
     f_.description =
-        "Bands from the inputs through bodies and meshes to the output, as wide as the power that "
-        "they carry; losses leave downwards.";
+        "Bands lead from the inputs through bodies and meshes to the output. The width of a band "
+        "is proportional to its power. Losses leave downwards.";
     f_.caption =
         " The bands show powers in the frame of the housing, relative to the input power. The loss "
         "of a mesh leaves downwards. The number below the name of a mesh is the power that its "
@@ -286,7 +287,8 @@ class PowerDiagram {
                          : n.outside_out > 0.0 ? n.outside_out
                                                : n.height();
     std::string under = share(value);
-    if (n.mesh) under = "rolls " + share(drive_.flow->mesh_power[n.index] / drive_.flow->power_in);
+    if (n.mesh)
+      under = "rolling " + share(drive_.flow->mesh_power[n.index] / drive_.flow->power_in);
     f_.text({x, top}, escaped(name_of(n)), Anchor::middle, end ? "panel halo" : "halo",
             {0.0, -20.0});
     f_.text({x, top}, escaped(under), Anchor::middle, "tick halo", {0.0, -6.0});

@@ -14,15 +14,16 @@ namespace {
 
 // Units of the picture: the greatest radius is kTall, and the distance between slots is kSlot.
 constexpr double kTall = 2.0, kSlot = 1.7;
-constexpr double kHalf = 0.3;     // half a tooth bar
+constexpr double kHalf = 0.3;     // half the length of a bar of teeth
 constexpr double kWeb = 0.62;     // from the middle of a slot to the web of a carrier
-constexpr double kBell = 0.85;    // from the middle of a slot to the web of a ring
-constexpr double kLevel = 0.2;    // between coaxial shafts
-constexpr double kApart = 0.05;   // between the bars of a mesh
+constexpr double kBell = 0.85;    // from the middle of a slot to the bell of a ring
+constexpr double kLevel = 0.2;    // distance between coaxial shafts
+constexpr double kApart = 0.05;   // half the gap between the bars of a mesh
 constexpr double kEnd = 1.5;      // from the last web to the end of the outer shaft
 constexpr double kFurther = 2.5;  // additional length of each shaft inside the outer one
 
-// A vertical line from the shaft of a body to a gear, a carrier or the bell of a ring.
+// A vertical line from the shaft of a body to a gear, a carrier or the bell of a ring. The bell
+// joins a ring to its shaft.
 struct Rise {
   double x, to;
 };
@@ -36,7 +37,7 @@ class Scheme {
     f_.id = "scheme";
     f_.title = "The kinematic scheme.";
     f_.description =
-        "Gears are drawn as sticks with their teeth as bars, shafts as lines, and carriers with "
+        "Gears are drawn as lines with bars for their teeth, shafts as lines, and carriers with "
         "one planet each. Fixed bodies are marked. Speeds and torques are at the ends of the "
         "shafts.";
     f_.caption =
@@ -56,8 +57,8 @@ class Scheme {
   bool is_end(std::size_t body) const {
     return graph_.is_input(body) || graph_.output == body || graph_.is_fixed(body);
   }
-  // Ends of the shafts: inputs are on the left, the output is on the right, fixed bodies are on the
-  // free side.
+  // True if the shaft of a body ends at the left. Inputs end at the left, the output ends at the
+  // right, and a fixed body ends on the free side.
   bool leaves_left(std::size_t body) const {
     return graph_.output != body && (graph_.is_input(body) || !left_taken(body));
   }
@@ -78,7 +79,7 @@ class Scheme {
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) radii_.push_back(working_radius(g));
   }
 
-  // The radius of the working pitch circle in the first mesh.
+  // The radius of the working pitch circle of a gear in its first mesh.
   double working_radius(std::size_t g) const {
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
       const auto& gears = graph_.meshes[m].gears;
@@ -148,7 +149,8 @@ class Scheme {
     });
   }
 
-  // The position of the bell of a ring, beyond its slots, on the side on which the body ends or continues.
+  // The position of the bell of a ring. It is beyond the slots of the ring, on the side towards the
+  // end of its shaft or the other gears of its body.
   double bell_side(std::size_t body, const SlotRange& slots) const {
     return goes_right(body, slots) ? slot_x(slots.last) + kBell : slot_x(slots.first) - kBell;
   }
@@ -195,7 +197,7 @@ class Scheme {
   struct Shaft {
     std::size_t body;
     double from, to, y;
-    bool left = false, right = false;  // the body leaves on that side
+    bool left = false, right = false;  // the shaft ends on that side of the picture
     int level = 0;
   };
 
@@ -292,7 +294,7 @@ class Scheme {
     bottom_ = std::min(bottom_, at.y() - 1.2);
   }
 
-  // The text has true minus signs, and n_in and T_in have subscripts.
+  // Writes a text with true minus signs and with the subscripts of n_in and T_in.
   static std::string symbol_text(const std::string& text) {
     std::string out;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -307,7 +309,7 @@ class Scheme {
     return out;
   }
 
-  // Symbol of a fixed body, drawn above a ring or across the end of a shaft.
+  // Draws the symbol of a fixed body above a ring or across the end of a shaft.
   void ground(const Vec2& at, bool above) {
     const Vec2 along = above ? Vec2(1, 0) : Vec2(0, 1),
                out = above ? Vec2(0, 1) : Vec2(at.x() < 0 ? -1 : 1, 0);

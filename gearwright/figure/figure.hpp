@@ -1,9 +1,9 @@
-// A figure as a value: marks in the units of its axes, without pixels and colours.
+// Describes a figure as a value: marks in the units of its axes, without pixels or colours.
 //
 // A figure is made once from a result of the engine. Several writers use it: SVG for the report and
 // the page (figure_svg.hpp), JSON and CSV for the user's own plots (figure_data.hpp). The style of
 // a mark is a list of semantic classes ("g1", "edge", "limit"), which figure_style.css turns into
-// colours for light, dark and paper.
+// colours for light and dark screens and for paper.
 //
 //   Points are given in data coordinates. ±∞ is the edge of the plot. NaN begins a new piece of a
 //   line or of an area.
@@ -21,15 +21,15 @@ namespace gearwright {
 /// A point of a mark that begins a new piece.
 inline const Vec2 kNewPiece = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
 
-/// A value of an axis with its words as SVG markup.
+/// A value of an axis, and the words at this value as SVG markup.
 struct AxisName {
   double at;
   std::string markup;
 };
 
 struct FigureAxis {
-  std::string words;                 ///< "rotation of gear 1"; plain text
-  std::string unit;                  ///< "°"; empty: a pure number
+  std::string words;                 ///< name, "rotation of gear 1"; plain text
+  std::string unit;                  ///< "°"; empty for a pure number
   double lo = 0.0, hi = 1.0;         ///< the axis is reversed if hi < lo
   bool whole = false;                ///< only whole numbers are possible
   std::string symbol = {};           ///< "ε_α", after the words
@@ -40,35 +40,34 @@ struct FigureAxis {
 struct FigureMark {
   enum class Kind {
     line,  ///< through the points
-    area,  ///< within closed pieces, even-odd
+    area,  ///< inside closed pieces, by the even-odd rule
     bar,   ///< a rectangle between two opposite corners
     dot,
     text,
     circle,  ///< about a point, `radius` in the units of the axes
     shape,   ///< a gear's section (gear_shape.hpp), `radius` mm per unit of its path
-    cross    ///< an axis
+    cross    ///< marks an axis of rotation
   };
   Kind kind = Kind::line;
   std::string style;
   std::vector<Vec2> points;
-  std::string words =
-      {};  ///< SVG markup of a text; plain text for the name of a curve that can be read off, or of
-           ///< a dot
+  /// The SVG markup of a text, or the name of a curve or dot, plain text, shown at the pointer.
+  std::string words = {};
   Anchor anchor = Anchor::start;
   Vec2 offset = Vec2::Zero();  ///< px, of a text from its point
   double radius = 3.0;         ///< px, of a dot
-  int frame = -1;              ///< shown only at this position of a slider; −1: always
+  int frame = -1;              ///< position of the slider at which the mark is shown; −1: all
   /// For a line, dot, circle or cross: its name as SVG markup, drawn if there is room. A label of a
   /// dot is first tried at `offset` and −`offset`.
   std::string label = {};
   std::string label_style = {};
-  /// True for a line that is the border of an area; its label is on its right side or within the area.
-  /// True for a bar that labels must not overlap.
+  /// For a line, true if it is the border of an area; its label is then on its right side or inside
+  /// the area. For a bar, true if labels must not overlap it.
   bool border = false;
-  double turned = 0.0;     ///< of a shape: degrees, counter-clockwise
-  double per_pitch = 0.0;  ///< of a shape: degrees clockwise while gear 1 turns by one pitch
+  double turned = 0.0;     ///< rotation of a shape, degrees counter-clockwise
+  double per_pitch = 0.0;  ///< rotation of a shape, degrees clockwise, per pitch of gear 1
   int gear = -1;           ///< 0, 1: gear of the mark; for a circle also the side of its label
-  bool head = false;       ///< a line with an arrow at its end
+  bool head = false;       ///< true for a line with an arrowhead at its end
   int group = -1;          ///< index of the group with which the mark turns; −1: none
 };
 
@@ -80,15 +79,15 @@ struct FigureSlide {
   std::string style;
 };
 
-/// A point of a plane that is named in a column beside the plot, with a line from the point.
+/// A point of a plane figure whose name is in a column beside the plot, joined to it by a line.
 struct FigureLeader {
   Vec2 at;
   std::string markup;             ///< SVG markup
-  std::string style = {};         ///< of the words
-  Anchor anchor = Anchor::start;  ///< start: in the column at the right; end: at the left
+  std::string style = {};         ///< style of the words
+  Anchor anchor = Anchor::start;  ///< start: right column; end: left column
 };
 
-/// A part of a plane that turns as a whole.
+/// Marks of a plane figure that turn together.
 struct FigureGroup {
   Vec2 about;
   double per_pitch;  ///< degrees clockwise while gear 1 turns by one pitch
@@ -105,10 +104,10 @@ struct FigureLane {
   std::vector<Block> blocks;
 };
 
-/// The key of shades, starting with the lowest step.
+/// The key that explains the shades of a map, starting with the lowest step.
 struct FigureShades {
-  std::vector<double> levels;  ///< levels between the steps
-  std::string most;            ///< at the upper end
+  std::vector<double> levels;  ///< values at which the shade changes
+  std::string most;            ///< words at the upper end of the key
   std::string nothing;         ///< words for points without a value; empty if there are none
 };
 
@@ -123,19 +122,18 @@ struct Figure {
   std::string description;  ///< the content in words, for users who cannot see the picture
   std::string caption;      ///< HTML, after the title
   FigureAxis x, y;
-  std::string note = {};  ///< at the upper right, the decisive value; plain text
+  std::string note = {};  ///< the decisive value, at the upper right; plain text
   double tall = 0.45;     ///< height of the plot over its width
   double pitch = 0.0;     ///< one pitch of gear 1 along x; 0 if x is not a rotation
   bool bare = false;      ///< a small picture without axes
-  bool plane = false;     ///< a region of a plane with the same scale on both axes; `tall` is the
-                          ///< length of the vertical axis
+  bool plane = false;     ///< a region of a plane, with the same scale on both axes
   int frames = 0;         ///< number of positions of the slider; 0 if there is none
   std::vector<FigureMark> marks = {};
   std::vector<FigureLane> lanes = {};
   std::vector<FigureKey> keys = {};
   std::optional<FigureShades> shades = {};
   std::optional<FigureSlide> slide = {};
-  std::vector<FigureLeader> leaders = {};  ///< of a plane; its marks are then clipped to the plot
+  std::vector<FigureLeader> leaders = {};  ///< if there are any, marks are clipped to the plot
   std::vector<FigureGroup> groups = {};
   std::string definitions = {};  ///< SVG definitions of its shapes; empty if the page contains them
 
@@ -158,12 +156,12 @@ struct Figure {
 Figure plane_figure(std::string id, std::string title, std::string description,
                     const Bounds& window);
 
-/// Returns loops as the points of one area.
+/// Joins loops to the points of one area, with kNewPiece between them.
 std::vector<Vec2> pieces_of(const std::vector<std::vector<Vec2>>& loops);
 
-/// Widens the axes so that they contain every finite point of the named curves, with the margin
-/// `share` of their length above and below. If `from_zero`, y begins at 0. Returns false if the
-/// curves have no range.
+/// Fits the axes to every finite point of the named curves. The y axis gets a margin of `share`
+/// times its length above and below, and begins at 0 if `from_zero`. Returns false if no curve
+/// extends along x.
 bool fit_axes(Figure& figure, double share = 0.06, bool from_zero = false);
 
 }  // namespace gearwright

@@ -7,8 +7,9 @@
 
 namespace gearwright {
 
-/// {"id", "title", "description", "x": {"words", "unit"}, "y", "curves": [{"name", "points": [[x, y], …]}]}.
-/// The curves are the named lines and the bars in sequence. A break of a line is [null, null].
+/// {"id", "title", "description", "x": {"words", "unit"}, "y", "curves": [{"name", "points": [[x,
+/// y], …]}]}. The curves are the named lines and, as one more curve, the bars. A break of a line is
+/// [null, null]. If there are circles or labelled dots, they are in "circles" and "points".
 nlohmann::ordered_json figure_data(const Figure& figure);
 
 }  // namespace gearwright

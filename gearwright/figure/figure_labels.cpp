@@ -13,9 +13,9 @@ namespace {
 using Kind = FigureMark::Kind;
 using Places = std::vector<LabelPlace>;
 
-constexpr double kDot = 5.0;     // px, half the space of a dot
+constexpr double kDot = 5.0;     // px, half the box of a dot that labels avoid
 constexpr double kMiddle = 5.0;  // px from the middle of the letters down to the base line
-constexpr double kTurn = 0.035, kStep = 24.0;  // rad, px: distance between two candidate positions
+constexpr double kTurn = 0.035, kStep = 24.0;  // rad, px: greatest distance of possible positions
                                                // on a circle
 constexpr int kMostSteps = 4000;
 constexpr std::size_t kEnough = 60;
@@ -130,7 +130,7 @@ class Labels {
 
   // The label is first tried on the side away from the area, which is the right side because
   // boundaries run counter-clockwise. On the other side it is drawn only within the area, so that
-  // the edge of a narrow region is not confused with the opposite one.
+  // the edge of a narrow region is not confused with the opposite edge.
   Places beside_border(const FigureMark& m) const {
     const std::vector<Vec2> line = px(m.points);
     Places places;

@@ -16,7 +16,7 @@ struct FigurePlace {
 };
 
 /// Writes the label of each mark where it overlaps no other label. Dots and crosses come first and
-/// are always labelled. Lines and then circles are labelled if there is room.
+/// are always labelled. Lines, and then circles, are labelled only if there is room.
 void write_labels(Svg& svg, const Figure& figure, const FigurePlace& place);
 
 }  // namespace gearwright

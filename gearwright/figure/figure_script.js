@@ -1,7 +1,8 @@
 // Shows the values of the nearest curve at the pointer on a figure.
 (function () {
   'use strict';
-  var near = 32, touch = 6;  // px, to a curve above or below, and to an upright line at the side
+  var near = 32, touch = 6;  // px from the pointer: to a curve above or below it, to a vertical
+                             // line beside it
   var shown = null;
 
   function axisOf(plot, name) {
@@ -22,8 +23,8 @@
     }
     return path.pieces;
   }
-  // The point at which a path crosses the pointer's vertical line, nearest to the pointer; or the pointer beside an
-  // upright line.
+  // Returns the point, nearest to the pointer, at which a path crosses the vertical through the
+  // pointer or at which a vertical line passes beside the pointer.
   function passing(plot, at) {
     var best = null;
     plot.querySelectorAll('path[data-name]').forEach(function (path) {

@@ -22,10 +22,11 @@ constexpr double kEdge = 12.0;   // px of margin around everything
 constexpr double kHead = 34.0;   // px above the plot, for the words of the y axis
 constexpr double kFoot = 44.0;   // px below the plot, for numbers and words of the x axis
 constexpr double kLane = 22.0;
-constexpr double kColumn = 24.0, kBeside = 12.0;  // px of a column of names, and before its words
-constexpr double kLeaderGap = 19.0;               // px between its names
-constexpr double kShade = 19.0;                   // px, a box of the key
-constexpr double kAcross = 58.0, kUp = 26.0;      // px, least distance between ticks
+constexpr double kColumn = 24.0, kBeside = 12.0;  // px: width of a column without its words, gap
+                                                  // before the words
+constexpr double kLeaderGap = 19.0;               // px between the names of a column
+constexpr double kShade = 19.0;                   // px, box of the key
+constexpr double kAcross = 58.0, kUp = 26.0;      // px, least distance of ticks on x, on y
 
 // Number of characters of markup. Continuation bytes of UTF-8 are not counted.
 double letters(std::string_view markup) {
@@ -44,7 +45,7 @@ struct Scale {
     if (std::isinf(v)) return (v > 0) == (hi > lo) ? to : from;
     const double share = log ? std::log(v / lo) / std::log(hi / lo) : (v - lo) / (hi - lo);
     if (plane) return from + share * (to - from);
-    // Curves may extend beyond their plot, but by no more than its length.
+    // Curves may extend beyond their plot by at most its length.
     const double length = std::abs(to - from);
     return std::clamp(from + share * (to - from), std::min(from, to) - length,
                       std::max(from, to) + length);
@@ -81,9 +82,9 @@ std::string words_of(const FigureAxis& axis) {
 
 struct Layout {
   double left, right, top, bottom;  // px, of the plot
-  double foot, height;              // px: the line of the numbers of the x axis; the total height
+  double foot, height;              // px: line of the numbers of the x axis, and total height
   double note = 20.0;               // px, the line of the note
-  // px, the line of the words above each lane; 0 if the words are in front of the lane
+  // px, height of the line of words above each lane; 0 if the words are left of the lane
   double lane_words = 0.0;
   std::vector<AxisName> across, up;
 

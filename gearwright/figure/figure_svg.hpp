@@ -16,18 +16,19 @@ namespace gearwright {
 
 inline constexpr double kFigureWidth = 560.0;  ///< px, of a figure in a column of the report
 
-/// Returns the picture. Its group of class "plot" has the attributes `data-x` and `data-y`, "lo hi
-/// from to": values and their px, from which figure_script.js computes values and the position of a
-/// line.
+/// Returns the picture. The group of class "plot" has the attributes `data-x` and `data-y` with the
+/// text "lo hi from to": the values at both ends of the axis, and the px of both ends.
+/// figure_script.js converts px to values with them.
 ///
 /// Domain    width ≥ 240 px; finite axes of nonzero length (contract)
 std::string figure_svg(const Figure& figure, double width = kFigureWidth);
 
-/// Returns the picture with its caption, an HTML figure. `attributes` belong to the whole figure.
+/// Returns the picture with its caption as an HTML figure. `attributes` are those of this element,
+/// and `control` is HTML that follows the picture.
 std::string figure_html(const Figure& figure, double width = kFigureWidth,
                         std::string_view attributes = "", std::string_view control = "");
 
-/// The same for an optional figure. The result is empty if there is none.
+/// Returns figure_html() of the figure, or nothing if there is no figure.
 std::string html_of(const std::optional<Figure>& figure);
 
 /// Styles of the marks, the script that shows values at the pointer, and the script for zooming:

@@ -1,5 +1,5 @@
-// Developed flanks with the face from left to right, the root at the bottom and the tip at the top.
-// They show the marking, the gap, and the path of contact with its ellipses or lines.
+// Draws developed flanks with the face from left to right, the root at the bottom and the tip at
+// the top. They show the marking, the gap, and the path of contact with its ellipses or lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ void add_way(Figure& f, const std::vector<PathPiece>& pieces, std::size_t which)
       f.dot(way.front(), 2.2, piece.edge ? "edge-dot" : "mark action-dot");
   }
   if (inside) f.keys.push_back({"action", "path of contact"});
-  if (edge) f.keys.push_back({"edge-way", "touched by an edge"});
+  if (edge) f.keys.push_back({"edge-way", "edge contact"});
   if (ellipse) f.keys.push_back({"instant", "contact ellipse"});
   if (line) f.keys.push_back({"instant-line", "contact line"});
   if (pieces.empty()) return;
@@ -95,10 +95,11 @@ std::string side_words(const ContactScene& scene, std::size_t which) {
                      ring ? " of the internal gear (whose tip is at the smaller diameter)" : "");
 }
 
-// The gap is drawn in bands, with their values if nothing else is drawn on the flank.
+// Draws the gap in bands, with their values if nothing else is drawn on the flank.
 void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch) {
   const ContourField field = field_of(raster);
-  // Names keep a distance from each other and from the ends, as a fraction of the plot.
+  // Names keep a distance from each other and from the ends. The distance is a fraction of the
+  // plot.
   const auto share = [&](const Vec2& p) -> Vec2 {
     return {(p.x() - f.x.lo) / (f.x.hi - f.x.lo), (p.y() - f.y.lo) / (f.y.hi - f.y.lo)};
   };
@@ -174,7 +175,7 @@ std::vector<PathPiece> path_on_tooth(const ContactScene& scene) {
   std::vector<const ContactPoint*> points;
   for (const ContactPoint& p : scene.driving.positions)
     if (p.kind != TouchKind::none) points.push_back(&p);
-  // The position of pair k is that of pair 0, k pitches earlier.
+  // Pair k is where pair 0 was k pitches earlier.
   const auto own = [&](const ContactPoint* p) { return p->rotation1.rad() - p->pair * pitch; };
   std::sort(points.begin(), points.end(),
             [&](const auto* a, const auto* b) { return own(a) < own(b); });
@@ -253,8 +254,8 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
   if (layers.now) {
     if (layers.gap)
       f.caption += fmt::format(
-          "{} of tooth pair {} at rotation {}°: contour lines at 1, 2, 5, 10, 20 and 50 µm, as far "
-          "as the mating gear reaches",
+          "{} of tooth pair {} at rotation {}°: contour lines at 1, 2, 5, 10, 20 and 50 µm on the "
+          "part that the mating gear reaches",
           gap_alone ? "," : "; the darker bands show the gap", pair_words(layers.now->pair),
           fixed(layers.now->rotation1.deg(), 3));
     if (layers.now->line)

@@ -9,12 +9,12 @@ namespace gearwright {
 namespace {
 
 constexpr double kNarrowLetter = 8.1;  // px, the mean width of a letter on a narrow screen
-constexpr double kLineHeight = 19.0;   // px of a line of words there
+constexpr double kLineHeight = 19.0;   // px, height of a line of words on a narrow screen
 constexpr double kBaseline = 5.0;      // px from the middle of the letters down to the base line
-constexpr int kBoxWeight = 8;          // an overlap with text is worse than one with a line
+constexpr int kBoxWeight = 8;          // weight of an overlap with text; a line has 1
 constexpr int kOutside = 1000;
-// px. A label that is always drawn crosses a line before it moves further away from its point, so
-// that it is not confused with another.
+// px. A label that must be drawn crosses a line rather than move away from its point by more than
+// this distance, at which it could be taken for the label of another point.
 constexpr double kNear = 18.0;
 
 double width_of(std::string_view plain) {

@@ -1,8 +1,8 @@
 // Places labels at free positions of a picture.
 //
 // Lines, dots and labels that are already drawn are recorded. A new label gets the first of its
-// positions that touches none of them. Sizes are computed for the letters on a narrow screen,
-// which are the largest of the page's style.
+// possible positions at which it touches none of these. Sizes are computed for the letters on a
+// narrow screen, which are the largest ones.
 #pragma once
 
 #include <string>
@@ -31,7 +31,7 @@ bool meet(const PixelBox& a, const PixelBox& b);
 
 class FreeLabels {
  public:
-  /// `within` contains all labels.
+  /// All labels are placed inside `within`.
   explicit FreeLabels(const PixelBox& within) : within_(within) {}
 
   void keep_off(const PixelBox& box) { boxes_.push_back(box); }
@@ -52,8 +52,8 @@ class FreeLabels {
   std::vector<std::vector<Vec2>> lines_;
 };
 
-/// The four sides of a dot and the corners between them, `distance` px away. Those nearest to
-/// `towards` come first.
+/// The positions at the four sides of a dot and at the corners between them, `distance` px away.
+/// Positions in the direction `towards` come first.
 std::vector<LabelPlace> places_around(const Vec2& at, double distance, const Vec2& towards);
 
 }  // namespace gearwright

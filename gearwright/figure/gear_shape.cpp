@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kMaxHalvings = 12;  // 4096 chords per arc: a bound for curves with a cusp
+constexpr int kMaxHalvings = 12;  // 4096 chords per arc, which a curve with a cusp may reach
 
 double distance_to_chord(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 ab = b - a;
@@ -183,9 +183,9 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
   const std::string tooth = tooth_path(gear);
   const long r_f = units(gear.tooth->root_radius);
   // The chord that closes the fill of a tooth lies inside the root circle, which the disc fills. If
-  // the chord would cross a bore, the circle itself closes the fill. Colours are inherited where the
-  // shape is used. The attribute vector-effect must be set here, because style sheets do not apply
-  // inside the shape.
+  // the chord would cross a bore, the circle itself closes the fill. Colours are inherited where
+  // the shape is used. The attribute vector-effect must be set here, because style sheets do not
+  // apply inside the shape.
   std::string text;
   if (!gear.internal()) {
     if (chord_crosses_bore(gear)) {

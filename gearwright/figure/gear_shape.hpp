@@ -19,7 +19,8 @@ namespace gearwright {
 constexpr double kOutlineUnit = 5e-5;       ///< m_n; rounding moves a point by at most 0.71 units
 constexpr double kOutlineTolerance = 1e-4;  ///< m_n; total deviation of chords and rounding is less
                                             ///< than this
-constexpr double kRim = 2.5;                ///< m_n: metal drawn around internal roots
+constexpr double kRim = 2.5;                ///< m_n; rim drawn outside the roots of an internal
+                                            ///< gear
 
 /// Returns points of an arc, root to tip, both ends included, such that the chords stay within
 /// `tolerance`.
@@ -32,7 +33,7 @@ std::vector<Vec2> chords(const Arc& arc, double tolerance);
 /// Path data of one tooth from the middle of one space to the middle of the next.
 std::string tooth_path(const Gear& gear);
 
-/// Definitions of the shapes "NAME-tooth" and "NAME". The latter is the body of the gear with its
+/// Definitions of the shapes "NAME-tooth" and "NAME". "NAME" is the body of the gear with its
 /// teeth, or for an internal gear a rim of width kRim with its teeth. The result is empty if the
 /// gear has no outline.
 std::string gear_definition(const Gear& gear, const std::string& name);
@@ -40,7 +41,7 @@ std::string gear_definition(const Gear& gear, const std::string& name);
 /// Returns true if there is an outline to draw.
 bool has_outline(const Gear& gear);
 
-/// mm per path unit.
+/// The length of a path unit, mm.
 double outline_unit_mm(const Gear& gear);
 
 /// The largest drawn radius, mm: the tip, or the rim around the roots of an internal gear.

@@ -78,7 +78,7 @@ TEST_P(GearShape, FollowsTheOutline) {
   }
   EXPECT_LT(worst, kOutlineTolerance * gear.spec.normal_module);
   EXPECT_GT(worst, 0.2 * kOutlineTolerance * gear.spec.normal_module)
-      << "more points than the eye needs";
+      << "more points than the picture needs";
   EXPECT_LT(tooth_path(gear).size(), 3000u);
 }
 
@@ -111,14 +111,15 @@ TEST(GearShape, ABoreIsAHoleWithItsKeyway) {
   };
   EXPECT_EQ(plain.find("evenodd"), std::string::npos);
   EXPECT_NE(text.find("evenodd"), std::string::npos);
-  // The floor of the keyway is 2.8 mm above the bore circle if y points upwards, so it is below in
-  // a picture.
+  // The floor of the keyway is 2.8 mm above the bore circle. In SVG, y points down, so its y is
+  // negative.
   EXPECT_NE(text.find("V-" + units(12.8) + "H-" + units(3.0)), std::string::npos);
   gear.bore->keyway_width = 0.0;
   EXPECT_NE(gear_definition(gear, "g").find("M" + units(10.0) + " 0A"), std::string::npos);
 }
 
-// The chord from root to root of three teeth would cross the bore and would show as corners in it.
+// If a gear has few teeth, the chord between the roots of a tooth crosses the bore, which would
+// then show corners.
 TEST(GearShape, ABoreOfFewTeethStaysRound) {
   Gear gear = testing::sample_gear(5, 2, 0, 0.7);
   const double chord = gear.tooth->outline.arcs.front().begin_point.x();

@@ -1,4 +1,5 @@
-// Developed flanks under load: the pressure of line contact, the ellipses of point contact.
+// Draws developed flanks under load: the pressure of line contact, and the ellipses of point
+// contact.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +42,7 @@ std::vector<Sample> samples_of(const LoadScene& scene, std::size_t which, std::s
 }
 
 // The greatest pressure at a radius. A mating edge passes a point twice, on its way out and back,
-// and the greater value counts.
+// and the greater value is used.
 double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
@@ -57,8 +58,8 @@ double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   return most;
 }
 
-// The loaded part of a tooth pair, in one or several pieces. Each point has the value `of` its
-// slice.
+// The loaded part of a tooth pair, in one or several pieces. The second coordinate of each point is
+// `of` its slice.
 template <class Of>
 std::vector<Vec2> bearing_places(const LoadScene& scene, const LoadedPair& pair, const Of& of) {
   const auto heights = heights_of(scene, 0);
@@ -80,7 +81,7 @@ void add_frames(Figure& f, const LoadScene& scene, const Add& add) {
       add(pair, static_cast<int>(k));
 }
 
-// A tooth at one position of its mesh.
+// A tooth at one position of its engagement.
 struct Passing {
   double own;  // its rotation, pitches
   const LoadedPoint* point;
@@ -158,7 +159,8 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
     f.area(region_below(raster, field, i == 0 ? 0.0 : -levels[i - 1]),
            shade_style(i, n) + (i ? " step" : ""));
   f.shades = {levels, "≤ " + fixed(t.max_pressure, 0), ""};
-  std::erase_if(f.marks, [](const FigureMark& m) {  // the key replaces the names of the limits
+  std::erase_if(f.marks, [](const FigureMark& m) {  // the key of the shades takes the place of the
+                                                    // names
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });
   add_frames(f, scene, [&](const LoadedPair& pair, int frame) {
@@ -216,8 +218,8 @@ Figure ellipse_figure(const LoadScene& scene, std::size_t which) {
       flank_frame(fmt::format("ellipses{}{}", which + 1, scene.part),
                   fmt::format("Gear {}", which + 1), {{lo, hi}, {-half, half}, {}}, false, which);
   f.caption = fmt::format(
-                  " at {}. The contact ellipses are those of one tooth on its way through the "
-                  "mesh, and the line joins their centres. ",
+                  " at {}. The contact ellipses are those of one tooth during its mesh, and the "
+                  "line joins their centres. ",
                   torque_words(shown_torque(scene))) +
               f.caption;
   f.keys = {{"action", "ellipse on the flank"}, {"before", "ellipse beyond an end of the flank"}};

@@ -1,4 +1,4 @@
-// Data of the figures under load, and functions that they share.
+// Contains the data of the figures under load, and functions that these figures share.
 //
 //   T     torque on gear 1, N mm
 //   TE    loaded transmission error, rad
@@ -21,34 +21,35 @@ struct LoadScene {
                                        ///< at points
   bool gear2_drives = false;
   LoadedContact contact;  ///< positions evenly spaced over one pitch, starting at −half a pitch
-  std::vector<LoadStandard> standard;      ///< at each torque; may be empty
+  std::vector<LoadStandard> standard;      ///< results of the standard at each torque; may be empty
   std::optional<std::size_t> chosen = {};  ///< index of the torque whose fields are drawn; if none,
                                            ///< the greatest torque
   std::string part{};  ///< suffix of the ids of figures; "-2" for the second half of a pair
   /// The halves of a double-helical pair at z > 0 and at z < 0, or one of them if they are mirror
-  /// images. The other members are then those of the whole gears.
+  /// images. The other members then describe the whole gears.
   std::vector<LoadScene> halves{};
 };
 
-/// Returns the torques that pictures and tables show, as indices in the contact. If there are too
-/// many to distinguish, a selection is returned that includes the first and the last.
+/// Returns the torques that pictures and tables show, as indices of `contact.torques`. If there are
+/// too many to distinguish, a selection is returned that includes the first and the last.
 std::vector<std::size_t> shown_torques(const LoadScene& scene);
 /// Returns the torque whose pressures and stresses are drawn.
 const LoadedTorque& shown_torque(const LoadScene& scene);
-/// "250 N m"
+/// The torque in words, "250 N m".
 std::string torque_words(const LoadedTorque& torque);
 
 /// The style of curve i of the shown torques, and the keys of all these curves.
 std::string curve_style(std::size_t i);
 std::vector<FigureKey> torque_keys(const LoadScene& scene);
 
-/// The pitch of gear 1, rad, and the progress in pitches of a tooth pair through its mesh at a
-/// position.
+/// The pitch of gear 1, rad, and the rotation of a tooth pair from the centre line at a position,
+/// in pitches.
 double pitch_of(const LoadScene& scene);
 double own_pitches(const LoadScene& scene, const LoadedPosition& at, const LoadedPair& pair);
 
-/// The positions of the frames of a figure, as indices in the contact, starting at rotation 0 of
-/// gear 1. If there are many positions, only as many are used as can be distinguished.
+/// The positions of the frames of a figure, as indices of LoadedTorque::positions, starting at
+/// rotation 0 of gear 1. If there are many positions, only as many are used as can be
+/// distinguished.
 std::vector<std::size_t> frame_positions(const LoadScene& scene);
 
 /// Positions of the slices along the face of gear `which` (0, 1), mm.

@@ -72,7 +72,7 @@ Bounds about_pitch_point(const InvolutePair& pair) {
   return with_room({C, C}, half);
 }
 
-// The overlap of the tip cylinders on the centre line.
+// The region around the overlap of the tip cylinders on the centre line.
 Bounds about_overlap(const MeshScene& s) {
   const double a = s.pair->center_distance;
   const double r_1 = s.gears[0]->actual_tip_radius(), r_2 = s.gears[1]->actual_tip_radius();
@@ -222,7 +222,7 @@ Figure mesh_figure(const MeshScene& s, const Bounds& window) {
           : "The gears in the transverse section with their circles.";
   add_circles(f, s, true);
   if (meshing(s)) {
-    // The lines extend over both gears, for zooming out.
+    // The lines extend over both gears, so that they are complete after zooming out.
     const Bounds all = extent_of(s);
     f.line({{all.lo.x(), 0.0}, {all.hi.x(), 0.0}}, "thin dashdot");
   }

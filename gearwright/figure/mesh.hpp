@@ -22,8 +22,8 @@ namespace gearwright {
 struct NamedCircle {
   std::string symbol;      ///< "d_a"
   double radius;           ///< mm
-  const char* style = "";  ///< further classes, with a leading space
-  std::string words = {};  ///< "tip diameter", for the pointer
+  const char* style = "";  ///< style classes, with a leading space
+  std::string words = {};  ///< "tip diameter", shown at the pointer
   std::string key = {};    ///< key of the quantity in the catalogue
 };
 
@@ -44,7 +44,8 @@ struct MeshScene {
   std::array<std::string, 2> shapes;       ///< names of the definitions (gear_shape.hpp)
   std::array<std::vector<NamedCircle>, 2> circles{};
 };
-/// Includes the circles of mesh_circles, and the root circle of a gear without outline.
+/// Makes the scene of a pair with the circles of mesh_circles() and the root circle of each gear
+/// without an outline.
 MeshScene mesh_scene(const InvolutePair& pair, const std::array<std::string, 2>& shapes);
 
 /// Extent of a picture: the whole gears, their mesh, or the path of contact. Gears that do not mesh
@@ -57,15 +58,15 @@ Bounds mesh_window(const MeshScene& scene, MeshFrame frame, double aspect);
 /// with its letters.
 Figure mesh_figure(const MeshScene& scene, const Bounds& window);
 
-/// Draws the whole gears with their directions of rotation. `framed` marks the window of another
-/// picture.
+/// Draws the whole gears with their directions of rotation. A frame marks `framed`, the window of
+/// another picture.
 Figure whole_figure(const MeshScene& scene, const Bounds& window, const Bounds& framed);
 
 /// Draws only the bodies.
 Figure bodies_figure(const MeshScene& scene, const Bounds& window);
 
-/// Draws two bodies, first filled, then their outlines, so that an overlap is visible. Angles are
-/// in degrees.
+/// Draws the filled bodies of the gears and then their outlines, so that an overlap is visible.
+/// `angles` are in degrees.
 void add_bodies(Figure& figure, const MeshScene& scene, const std::array<double, 2>& angles);
 
 /// Draws the circles of the scene about both axes, with their symbols if `named`.

@@ -64,7 +64,7 @@ double beside_flank(const InvolutePair& pair, std::size_t i, double t, const Vec
   const Gear& gear = pair.gears[i];
   const Eigen::Isometry3d pose = i == 0 ? pair.pose_1().isometry() : pair.pose_2().isometry();
   const Vec2 arm = point - pose.translation().head<2>();
-  // The picture turns clockwise for positive degrees.
+  // A positive angle of the picture is clockwise.
   const double turned = rotation_to_pitch_point(pair)[i] - kRadian * turn_per_pitch(pair, i) * t;
   const double drawn = std::atan2(pose.linear()(1, 0), pose.linear()(0, 0)) + turned;
   const Arc* flank = gear.tooth->outline.find(ArcName::flank);
@@ -120,7 +120,7 @@ TEST(Turning, DotsForEveryToothThatPasses) {
       ++n;
     return n;
   };
-  // The path extends from −0.63 to 0.82 of a pitch, or from −0.11 to 0.58. There is none if the
+  // The path extends from −0.63 to 0.82 of a pitch, or from −0.11 to 0.58. There is no path if the
   // flanks do not meet.
   EXPECT_EQ(dots(testing::helical_pair()), 2u);
   EXPECT_EQ(dots(testing::two_and_sixty()), 2u);

@@ -1,4 +1,4 @@
-// How often each place of a flank carries, in steps of the share of the samples.
+// Draws how often each place of a flank is in contact, in steps of the share of the samples.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,16 +28,17 @@ Figure density_figure(const DensityScene& scene) {
   const double most = *std::max_element(raster.gap.begin(), raster.gap.end());
   const std::string proportions = std::move(f.caption);
   f.description =
-      "The developed usable flank: the face from left to right, the root below, the tip above. "
-      "Shades show the share of the samples whose contact pattern covers a place.";
-  f.caption = fmt::format(
-                  ": the share of {} samples in which marking compound of {} µm shows at a place "
-                  "after a full "
-                  "mesh, at most {} %; brighter shades are greater shares. ",
-                  scene.samples, fixed(scene.marking / kMmPerUm, 2), fixed(most, 0)) +
-              proportions;
+      "The developed usable flank, with the face from left to right, the root below and the tip "
+      "above. Shades show the share of the samples whose contact pattern covers a place.";
+  f.caption =
+      fmt::format(
+          ": the share of {} samples in which marking compound of {} µm marks a place during a "
+          "full mesh. The greatest share is {} %. Brighter shades show greater shares. ",
+          scene.samples, fixed(scene.marking / kMmPerUm, 2), fixed(most, 0)) +
+      proportions;
   f.shades = {kLevels, "≤ 100 %", ""};
-  std::erase_if(f.marks, [](const FigureMark& m) {  // the key replaces the names of the limits
+  std::erase_if(f.marks, [](const FigureMark& m) {  // the key of the shades takes the place of the
+                                                    // names
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });
   const ContourField field = field_of(raster);

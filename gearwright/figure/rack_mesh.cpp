@@ -42,7 +42,8 @@ Result<std::vector<Vec2>> rack_section(const RackPair& pair, double reach) {
   if (!outline) return outline.error();
   const double p_t = rack.transverse_pitch;
   const int n = rack.bar.teeth.value_or(2 * static_cast<int>(std::ceil(reach / p_t)) + 1);
-  // Half a tooth in the transverse section at the pitch line, H − r above the datum line.
+  // Half the transverse tooth thickness of the rack at its pitch line, which is H − r above the
+  // datum line.
   const double half = (rack.thickness / 2 - (pair.center_distance - pitch_radius(pair)) *
                                                 std::tan(rack.normal_pressure_angle.rad())) /
                       std::cos(rack.helix_angle.rad());
@@ -55,7 +56,8 @@ Result<std::vector<Vec2>> rack_section(const RackPair& pair, double reach) {
     const std::vector<Vec2> part = chords(arc, kOutlineTolerance * rack.normal_module);
     tooth.insert(tooth.end(), part.begin() + (tooth.empty() ? 0 : 1), part.end());
   }
-  // The middle tooth touches, below C, with the flank that faces the leading flank of the pinion.
+  // The middle tooth is below C. It touches with the flank that faces the leading flank of the
+  // pinion.
   const int most = static_cast<int>(std::ceil(reach / p_t)) + 1;  // on each side of the middle
   for (int k = std::max(0, n / 2 - most); k <= std::min(n - 1, n / 2 + most); ++k) {
     const double middle = -half + (k - n / 2) * p_t;

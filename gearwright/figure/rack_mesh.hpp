@@ -14,7 +14,7 @@
 
 namespace gearwright {
 
-/// The mesh around C, with circles, datum line, path of contact A–E and both lines of action.
+/// Draws the mesh around C, with circles, datum line, path of contact A–E and both lines of action.
 /// `shape` is the name of the pinion's definition (gear_shape.hpp).
 ///
 /// Errors    those of rack_outline()
@@ -28,7 +28,7 @@ Result<Figure> rack_mesh_figure(const RackPair& pair, const std::string& shape, 
 /// Errors    those of rack_outline()
 Result<std::vector<Vec2>> rack_section(const RackPair& pair, double reach);
 
-/// Rotation of the pinion, counter-clockwise, at which its leading flank is at C.
+/// Rotation of the pinion, counter-clockwise, at which its leading flank passes through C.
 ///
 /// Formula   ψ_1 = s_bt1/d_b1 − inv α_t        Units rad
 double rack_pinion_rotation(const RackPair& pair);

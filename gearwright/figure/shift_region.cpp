@@ -19,27 +19,27 @@ struct EdgeLook {
 };
 
 // In the order of ShiftEdge.
-constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"gear 1 least shift", "edge-g1"},
-                                                    {"gear 1 greatest shift", "edge-g1 far"},
-                                                    {"gear 2 least shift", "edge-g2"},
-                                                    {"gear 2 greatest shift", "edge-g2 far"},
+constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"least shift of gear 1", "edge-g1"},
+                                                    {"greatest shift of gear 1", "edge-g1 far"},
+                                                    {"least shift of gear 2", "edge-g2"},
+                                                    {"greatest shift of gear 2", "edge-g2 far"},
                                                     {"least centre distance", "edge-c"},
                                                     {"greatest centre distance", "edge-c far"},
                                                     {"contact ratio", "edge-eps"},
-                                                    {"clipped contact ratio", "edge-true"},
+                                                    {"effective contact ratio", "edge-true"},
                                                     {"sliding", "edge-slide"},
                                                     {"clearance", "edge-clear"},
                                                     {"interference at gear 1", "edge-hit"},
                                                     {"interference at gear 2", "edge-hit"},
-                                                    {"no working angle", "edge-mesh"}}};
+                                                    {"no working pressure angle", "edge-mesh"}}};
 
 constexpr double kPadding = 0.17;      // margin around the rectangle
 constexpr double kZoomPadding = 0.42;  // margin around a region, with room for its labels
 constexpr double kMinWindow = 1e-3;    // modules, a hundredth of the setting accuracy of a cutter
 constexpr double kMap = 0.19;          // size of the overview map, relative to the width
-constexpr double kMapGap = 0.015;      // relative to the width, between the map and the corner of
-                                       // the plot
-// Relative to the width; shorter stretches are named only if there is no longer one.
+constexpr double kMapGap = 0.015;      // between the map and the corner of the plot, relative to
+                                       // the width
+// Relative to the width. Shorter stretches of an edge are named only if there is no longer one.
 constexpr double kShortStretch = 0.025;
 
 // The part of the line Σ = const inside the window. Empty if there is none.
@@ -83,7 +83,7 @@ void add_region(Figure& f, const ShiftChart& chart) {
 }
 
 // Names the longest stretch of each kind and all others that are not short. If the centre distance
-// is exact, both edges are the same line.
+// is exact, its least and its greatest value are the same line.
 void name_edges(Figure& f, const ShiftChart& chart) {
   const bool exact = exact_distance(chart.graph.problem());
   const double least = kShortStretch * (f.x.hi - f.x.lo);
@@ -125,7 +125,7 @@ void add_distances(Figure& f, const ShiftGraph& graph, const Bounds& window, boo
   }
 }
 
-// The line of Eq. 11 through the window, thick where it is feasible.
+// The line of balanced shifts, Eq. 11, through the window. It is thick where it is feasible.
 void add_balanced(Figure& f, const ShiftChart& chart, const Bounds& window) {
   const Trial& t = chart.graph.trial();
   const SearchProblem& problem = chart.graph.problem();
@@ -136,7 +136,8 @@ void add_balanced(Figure& f, const ShiftChart& chart, const Bounds& window) {
   for (const Interval& i : chart.region.balanced_sums) f.line({on(i.lo), on(i.hi)}, "balanced");
 }
 
-// Draws the whole rectangle, with the window marked, in the corner that covers least of the region.
+// Draws a map of all limits, with the window marked, in the corner where it covers least of the
+// region.
 void add_map(Figure& f, const ShiftChart& chart, const Bounds& window) {
   const Bounds limits = limits_box(chart.graph);
   const double size = kMap * window.size().x(), gap = kMapGap * window.size().x();
@@ -230,9 +231,8 @@ ShiftChart shift_chart(const ShiftGraph& graph, const Vec2& design) {
 Figure shift_limits_figure(const ShiftGraph& graph, const Bounds& window) {
   Figure f{"region",
            "Profile shifts within the limits",
-           "The profile shift of gear 1 increases to the right and that of gear 2 upwards, in "
-           "modules. No shifts are "
-           "feasible.",
+           "The profile shift of gear 1 increases to the right, and the profile shift of gear 2 "
+           "increases upwards, in modules. No shifts are feasible.",
            "",
            {"profile shift of gear 1", ""},
            {"profile shift of gear 2", ""}};
@@ -252,9 +252,9 @@ Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window) 
   const ShiftRegion& region = chart.region;
   Figure f = shift_limits_figure(chart.graph, window.box);
   f.description = fmt::format(
-      "The profile shift of gear 1 increases to the right and that of gear 2 upwards, in modules. "
-      "The feasible region "
-      "has the area {:.4g}. It extends from ({}, {}) at the least sum of the profile shifts to "
+      "The profile shift of gear 1 increases to the right, and the profile shift of gear 2 "
+      "increases upwards, in modules. The feasible region has the area {:.4g}. It extends from "
+      "({}, {}) at the least sum of the profile shifts to "
       "({}, {}) at the greatest "
       "sum.",
       region.area, shown_shift(region.lo.x()), shown_shift(region.lo.y()),

@@ -17,17 +17,17 @@
 
 namespace gearwright {
 
-/// "gear 1 least shift", "contact ratio", …
+/// The name of an edge, "least shift of gear 1" or "contact ratio".
 std::string_view words_of(ShiftEdge edge);
-/// Class of this edge in the style of figures, "edge-g1 far".
+/// Style class of an edge, "edge-g1 far".
 std::string_view style_of(ShiftEdge edge);
 
 /// The rectangle of the shift limits of both gears.
 Bounds limits_box(const ShiftGraph& graph);
 
 /// The window of the picture. It covers all limits if the longer side of the region is at least
-/// `fair_part` times the longer side of the limits, and otherwise only the region (`zoomed`). It has
-/// the given ratio of width to height and is never empty.
+/// `fair_part` times the longer side of the limits, and otherwise only the region (`zoomed`). It
+/// has the given ratio of width to height and is never empty.
 struct RegionWindow {
   Bounds box;
   bool zoomed;
@@ -53,11 +53,13 @@ struct ShiftChart {
 /// Domain    the graph has a region (contract)
 ShiftChart shift_chart(const ShiftGraph& graph, const Vec2& design);
 
-/// Draws only the rectangle of the limits and the lines of the centre distances, for a graph without a region.
+/// Draws only the rectangle of the limits and the lines of the centre distances, for a graph
+/// without a region.
 Figure shift_limits_figure(const ShiftGraph& graph, const Bounds& window);
 
-/// Draws all marks with names, and the middles at the least and the greatest Σx. The keys are the
-/// edges. If the window shows only a part, a corner has a small map of the whole.
+/// Draws the region with the names of its edges, and marks the points with the least and the
+/// greatest Σx. The keys are the edges. If the window shows only a part of the limits, a small map
+/// in a corner shows all of them.
 Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window);
 
 /// Draws only the region and its edges, without axes.

@@ -105,8 +105,8 @@ void Svg::cross(const Vec2& at, double half, std::string_view style) {
 
 void Svg::use(std::string_view shape, const Vec2& center, double scale, double degrees,
               std::string_view style, std::string_view attributes) {
-  // The unit of a shape is very small, and a gear extends over up to 10^6 units, so the scale has
-  // its own number of digits.
+  // The unit of a shape is very small, and a gear extends over up to 10^6 units, so the scale needs
+  // nine digits.
   body_ += fmt::format(
       "<use class=\"{}\" href=\"#{}\" transform=\"translate({}) scale({:.9g}) rotate({})\"{}{}/>\n",
       style, shape, point(center), scale, fixed(-degrees, 6), attributes.empty() ? "" : " ",
@@ -145,8 +145,8 @@ std::vector<double> spread(const std::vector<double>& wanted, double gap, double
                    [&](std::size_t i, std::size_t j) { return wanted[i] < wanted[j]; });
   if (n > 1) gap = std::min(gap, (hi - lo) / static_cast<double>(n - 1));
 
-  // The positions minus their gaps must not decrease. Neighbours that do are pooled (isotonic
-  // regression).
+  // When the gaps are subtracted, the positions must not decrease. Neighbours that do are pooled
+  // (isotonic regression).
   struct Block {
     double mean;
     std::size_t count;

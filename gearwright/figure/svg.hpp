@@ -2,9 +2,9 @@
 // writer of figures and for the figures of the theory pages.
 //
 // Positions are pixels of the picture, with y down. Colours and widths are classes of
-// figure_style.css, so one picture serves for light, dark and paper. Strokes, marks and labels keep
-// their size when the user zooms. Marks and labels are groups of class "lb", which the script of the
-// page scales back.
+// figure_style.css, so one picture suits light and dark screens and paper. Strokes, marks and
+// labels keep their size when the user zooms. Marks and labels are groups of class "lb", which the
+// script of the page scales back.
 #pragma once
 
 #include <array>
@@ -53,15 +53,15 @@ class Svg {
             std::string_view title = "");
   /// `attributes` are inserted unchanged.
   void path(std::string_view d, std::string_view style, std::string_view attributes = "");
-  /// A rectangle to which attributes refer as clip-path="url(#id)".
+  /// Defines a rectangle to which attributes refer as clip-path="url(#id)".
   void define_clip(std::string_view id, double x, double y, double width, double height);
-  /// Shapes for `use`, as SVG markup.
+  /// Adds definitions of shapes for use(), as SVG markup.
   void define(std::string_view shapes);
   /// Vertical and horizontal lines, `half` px long on each side, whose size is independent of the
   /// zoom.
   void cross(const Vec2& at, double half, std::string_view style);
-  /// A shape of the page's definitions: centre in px, px per unit of the shape, turned
-  /// counter-clockwise by `degrees`. `attributes` are inserted unchanged.
+  /// Draws a shape that the page defines, turned counter-clockwise by `degrees`. `center` is in px,
+  /// and `scale` is px per unit of the shape. `attributes` are inserted unchanged.
   void use(std::string_view shape, const Vec2& center, double scale, double degrees,
            std::string_view style, std::string_view attributes = "");
   /// `markup` is SVG text content, which the caller has escaped or which comes from symbol_svg. It
@@ -87,7 +87,7 @@ class Svg {
 /// Domain    gap ≥ 0; if (n − 1) gap > hi − lo, the labels share [lo, hi] evenly
 std::vector<double> spread(const std::vector<double>& wanted, double gap, double lo, double hi);
 
-/// A pixel coordinate with two decimals and no trailing zeros. 0.01 px is invisible.
+/// A pixel coordinate with two decimals and no trailing zeros. An error of 0.01 px is invisible.
 std::string pixel(double value);
 
 }  // namespace gearwright

@@ -16,7 +16,7 @@ Ticks round_ticks(double lo, double hi, int most) {
   double power = std::floor(std::log10(rough));
   double step = std::pow(10.0, power);
   for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
-    // 1e-9 accepts a step that fits except for rounding.
+    // The tolerance 1e-9 also accepts a step that is too small only due to rounding.
     if (factor * std::pow(10.0, power) < rough * (1 - 1e-9)) continue;
     step = factor * std::pow(10.0, power);
     if (factor == 10.0) power += 1;
@@ -31,7 +31,7 @@ Ticks round_ticks(double lo, double hi, int most) {
 
 Ticks log_ticks(double lo, double hi, double apart) {
   GW_EXPECTS(0.0 < lo && lo < hi);
-  // The finest list whose neighbouring values keep this distance.
+  // The finest list whose neighbouring values are at least this far apart.
   using List = std::vector<double>;
   const double room = std::pow(10.0, apart);
   const List steps = room <= 1.2   ? List{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8}

@@ -1,4 +1,4 @@
-// Round values for the ticks of an axis, and for the levels of a map.
+// Computes round values for the ticks of an axis and for the levels of a map.
 #pragma once
 
 #include <string>
@@ -25,11 +25,11 @@ Ticks round_ticks(double lo, double hi, int most);
 Ticks log_ticks(double lo, double hi, double apart);
 
 /// Formats the value of a tick with this number of decimals and a true minus sign. If `decimals` is
-/// −1, as for logarithmic axes, the value is written with its own digits. The digits of large
-/// values are in groups of three.
+/// −1, as for logarithmic axes, the value is written with as many digits as it needs. The digits of
+/// large values are in groups of three.
 std::string tick_text(double value, int decimals);
 
-/// Returns those of round_ticks that lie between lo and hi.
+/// Returns the values of round_ticks() that lie between lo and hi, without lo and hi themselves.
 std::vector<double> levels_between(double lo, double hi, int most);
 
 /// Returns lo … hi widened by `share` of its length on both sides. A single value also gets some

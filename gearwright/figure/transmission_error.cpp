@@ -1,4 +1,4 @@
-// The transmission error over the rotation of gear 1, and its spectrum.
+// Draws the transmission error over the rotation of gear 1, and its spectrum.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ const char* pair_style(int pair) {
   return kStyles[static_cast<std::size_t>(((pair % 3) + 3) % 3)];
 }
 
-// The shown pitch and half of the neighbouring pitches. Their positions have shifted rotations and
-// tooth pairs.
+// Returns the positions of the shown pitch and of half a pitch on each side of it. The rotations
+// and tooth pairs of the repeated positions are shifted.
 std::vector<ContactPoint> repeated(const std::vector<ContactPoint>& one, double pitch) {
   const int n = static_cast<int>(one.size());
   const int half = n / 2;
@@ -51,7 +51,7 @@ Span span_of(const std::vector<ContactPoint>& points) {
   return s;
 }
 
-// Blocks of equal value along the rotation. Borders are halfway between positions.
+// Divides the rotation into blocks of equal value. The borders are halfway between positions.
 template <typename Value, typename Of>
 std::vector<std::pair<Value, Span>> blocks_of(const std::vector<ContactPoint>& points,
                                               const Of& of) {
@@ -170,21 +170,21 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
   const TeUnit unit = te_unit(result.rack);
   const double peak = (te.hi - te.lo) * unit.per_rad;
   const double half = 0.62 * std::max(peak, kFlat);
-  Figure f{
-      other ? "te-other" : "te",
-      other ? "Transmission error of the non-working flanks" : "Transmission error",
-      fmt::format(
-          "Transmission error in {} over the rotation of gear 1, and below it the tooth pair "
-          "in contact and its position on the flanks.",
-          unit.words),
-      fmt::format(", measured from its middle at {}. The shaded pitch has {} positions and is "
-                  "repeated. Each tooth pair has a colour and a number, counted from the pair "
-                  "nearest to the centre line. A dashed curve means that an edge touches. A dotted "
-                  "vertical line marks the change from one tooth pair to the next.",
-                  unit.text(Angle::radians(middle)), result.positions.size()),
-      {"rotation of gear 1", "°", -pitch, pitch},
-      {"transmission error", unit.words, -half, half},
-      "peak to peak " + unit.text(Angle::radians(te.hi - te.lo))};
+  Figure f{other ? "te-other" : "te",
+           other ? "Transmission error of the non-working flanks" : "Transmission error",
+           fmt::format(
+               "Transmission error in {} over the rotation of gear 1, and below it the tooth pair "
+               "in contact and its position on the flanks.",
+               unit.words),
+           fmt::format(
+               ", relative to the middle of its range, {}. The shaded pitch has {} positions and "
+               "is repeated. Each tooth pair has a colour and a number, counted from the pair "
+               "nearest to the centre line. A dashed curve means that an edge touches. A dotted "
+               "vertical line marks the change from one tooth pair to the next.",
+               unit.text(Angle::radians(middle)), result.positions.size()),
+           {"rotation of gear 1", "°", -pitch, pitch},
+           {"transmission error", unit.words, -half, half},
+           "peak to peak " + unit.text(Angle::radians(te.hi - te.lo))};
   f.pitch = pitch;
   f.bar({-pitch / 2, -kInfinity}, {pitch / 2, kInfinity}, "measured");
   for (const double level : {te.hi, te.lo}) {
@@ -220,15 +220,14 @@ std::optional<Figure> spectrum_figure(const ContactResult& result) {
   const double most = *std::max_element(amplitudes.begin(), amplitudes.end());
   Figure f{"spectrum",
            "Spectrum",
-           fmt::format("The bars show the amplitudes at the first, second, third and further "
-                       "orders of the mesh frequency, in {}.",
+           fmt::format("The bars show the amplitude at each order of the mesh frequency, in {}.",
                        unit.words),
            " of the transmission error, with the amplitude of each harmonic.",
            {"order of mesh frequency", "", 0.3, n + 0.7, true},
            {"amplitude", unit.words, 0.0, 1.15 * std::max(most, kFlat / 2)}};
   std::vector<int> by_size;
   for (int h = 1; h <= n; ++h) {
-    const std::string told = fmt::format("{} wave{} per pitch: {}{}", h, h == 1 ? "" : "s",
+    const std::string told = fmt::format("{} cycle{} per pitch: {}{}", h, h == 1 ? "" : "s",
                                          shown_arcsec(amplitude(h)), unit.symbol);
     f.bar({h - 0.35, 0.0}, {h + 0.35, amplitude(h)}, "bar alpha", told);
     by_size.push_back(h);

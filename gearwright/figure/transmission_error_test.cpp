@@ -21,13 +21,14 @@ ContactPoint point(double rotation, double te, int pair, TouchKind kind = TouchK
   return p;
 }
 
-// The greater of two straight curves counts, so the runs meet at their intersection, at 1.75.
+// Of two straight curves, the greater value counts, so the runs meet at the intersection, 1.75.
 TEST(TeRuns, TheHandoverIsWhereTheCurvesCross) {
   const auto a = [](double x) { return 10.0 - 2.0 * x; };
   const auto b = [](double x) { return 3.0 + 2.0 * x; };
   std::vector<ContactPoint> points;
   for (int i = 0; i < 5; ++i) points.push_back(a(i) > b(i) ? point(i, a(i), 0) : point(i, b(i), 1));
-  points.push_back(point(-1, a(2.0) - 5.0, 9));  // lower elsewhere, so the crossing is visible
+  points.push_back(point(-1, a(2.0) - 5.0, 9));  // a lower value elsewhere, so the intersection is
+                                                 // drawn
   std::rotate(points.begin(), points.end() - 1, points.end());
   const auto runs = te_runs(points);
   ASSERT_EQ(runs.size(), 3u);
@@ -76,7 +77,7 @@ TEST(TePicture, AConjugatePairHasAFlatCurveAndNoWaves) {
   EXPECT_FALSE(spectrum_figure(s.report.driving));
 }
 
-// The curve over the computed pitch is the result itself, starting from its middle.
+// The curve over the computed pitch is the result itself, relative to the middle of its range.
 TEST(TePicture, TheCurveIsTheResult) {
   const auto s = testing::helical_contact();
   const auto figure = transmission_error_figure(s.report, s.report.driving);

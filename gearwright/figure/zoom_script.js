@@ -4,8 +4,8 @@
 //
 //   figureZoom(holder, on)   holder: the picture or an element around it, whose picture may change
 //     on.always   the wheel zooms at once, not only after the pointer has moved on the picture
-//     on.touch    one finger moves, two zoom
-//     on.home()   restores the view, instead of the initial one
+//     on.touch    one finger moves the picture, two fingers zoom
+//     on.home()   restores the view; without it, the initial view is restored
 //     on.settled()  called after the view has not changed for a moment
 (function () {
   'use strict';
@@ -51,8 +51,8 @@
       return {x: box.x + box.w / 2, y: box.y + box.h / 2};
     }
 
-    // A page that is scrolled past the pointer must not stop at the picture. The wheel controls the
-    // picture only after the pointer itself has moved on it.
+    // If the user scrolls the page and a picture comes under the pointer, the page must not stop
+    // there. The wheel controls the picture only after the pointer itself has moved on it.
     window.addEventListener('scroll', function () { armed = false; }, {passive: true});
     holder.addEventListener('pointerleave', function () { armed = false; });
     holder.addEventListener('wheel', function (event) {

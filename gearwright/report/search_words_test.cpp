@@ -24,9 +24,9 @@ TEST(SearchWords, EveryEdgeHasWordsOfItsOwnAndAColour) {
     EXPECT_NE(style.find("." + name + "{stroke:"), style.npos) << name;
   }
   EXPECT_EQ(words.size(), kShiftEdges);
-  EXPECT_EQ(words_of(ShiftEdge::s2max), "gear 2 greatest shift");
-  EXPECT_EQ(words_of(ShiftEdge::eps_true), "clipped contact ratio");
-  EXPECT_EQ(words_of(ShiftEdge::mesh), "no working angle");
+  EXPECT_EQ(words_of(ShiftEdge::s2max), "greatest shift of gear 2");
+  EXPECT_EQ(words_of(ShiftEdge::eps_true), "effective contact ratio");
+  EXPECT_EQ(words_of(ShiftEdge::mesh), "no working pressure angle");
 }
 
 TEST(SearchWords, EveryLimitHasWordsOfItsOwn) {

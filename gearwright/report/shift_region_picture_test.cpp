@@ -84,7 +84,7 @@ TEST(ShiftRegionPicture, WordsStandBesideTheEdgesOfABand) {
     if (design_name(row.trial) != "2 · 33:67") continue;
     const std::string figure = figure_of(sample, row);
     for (const char* words : {"least centre distance", "greatest centre distance",
-                              "gear 1 least shift", "gear 2 least shift"})
+                              "least shift of gear 1", "least shift of gear 2"})
       EXPECT_EQ(count_of(figure, std::string(">") + words + "<"), 2u)
           << words;  // at the edge and in the legend
     EXPECT_EQ(count_of(figure, "class=\"distance-line\""), 2u);

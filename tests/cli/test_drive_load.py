@@ -95,11 +95,11 @@ class Messages(unittest.TestCase):
                 ("drive", SET + DRAFT + "torque_Nm = [60, 70]\n", "load.torque_Nm", "must be one number"),
                 ("drive", SET + DRAFT + 'floating = "sum"\n', "load.floating", "sun"),
                 ("drive", SET + DRAFT + 'floating = "planet"\n', "load.floating", "the central gears"),
-                ("drive", SET + DRAFT + "pin_error_um = [1, 2]\n", "load.pin_error_um", "3 pins: 3 of planet"),
+                ("drive", SET + DRAFT + "pin_error_um = [1, 2]\n", "load.pin_error_um", "3 pins (3 of planet"),
                 ("drive", apart + DRAFT, "load", "gears that do not fit: "),
                 ("drive", SET.replace("planets = 3", "planets = 1") + DRAFT + 'floating = "sun"\n', "load.floating", "single planet"),
                 ("drive", SET + DRAFT + "driver = 2\n", "load.driver", "--take N"),
-                ("drive", STAGE + DRAFT + "pin_error_um = [1, 2]\n", "load.pin_error_um", "has none"),
+                ("drive", STAGE + DRAFT + "pin_error_um = [1, 2]\n", "load.pin_error_um", "has no planets"),
                 ("drive", stepped + DRAFT, "load", "stepped planets"),
                 ("drive", differential + DRAFT, "load", "several inputs"),
         ):
