@@ -213,7 +213,7 @@ std::optional<Figure> harris_figure(const LoadScene& scene) {
   add([](const LoadedTorque& t) { return t.peak_to_peak.arcsec(); }, "ink", "peak to peak");
   for (std::size_t h = 0; h < std::min(kWaves, quiet->harmonics.size()); ++h)
     add([h](const LoadedTorque& t) { return t.harmonics.empty() ? kNaN : t.harmonics[h].arcsec(); },
-        curve_style(h), fmt::format("{} cycle{} per pitch", h + 1, h == 0 ? "" : "s"));
+        curve_style(h), fmt::format("order {} of the mesh frequency", h + 1));
   return fitted(std::move(f), true);
 }
 

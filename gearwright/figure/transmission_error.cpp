@@ -227,9 +227,9 @@ std::optional<Figure> spectrum_figure(const ContactResult& result) {
            {"amplitude", unit.words, 0.0, 1.15 * std::max(most, kFlat / 2)}};
   std::vector<int> by_size;
   for (int h = 1; h <= n; ++h) {
-    const std::string told = fmt::format("{} cycle{} per pitch: {}{}", h, h == 1 ? "" : "s",
-                                         shown_arcsec(amplitude(h)), unit.symbol);
-    f.bar({h - 0.35, 0.0}, {h + 0.35, amplitude(h)}, "bar alpha", told);
+    const std::string hover =
+        fmt::format("order {}: {}{}", h, shown_arcsec(amplitude(h)), unit.symbol);
+    f.bar({h - 0.35, 0.0}, {h + 0.35, amplitude(h)}, "bar alpha", hover);
     by_size.push_back(h);
   }
   // The values of the three highest peaks are shown, unless a bar is in the way.
