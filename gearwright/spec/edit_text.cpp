@@ -220,7 +220,8 @@ class Editor {
   std::vector<std::size_t> lines_;  // beginning of each line
 };
 
-// The path and the table of a material that is only a name, material = "16MnCr5", if `parts` lead into it.
+// If the path `parts` leads into a material that is only a name, material = "16MnCr5", the result
+// is the path of the material and its table.
 std::optional<std::pair<std::string, Json>> named_material_of(
     const Json& tree, const std::vector<std::string>& parts) {
   const Json* node = &tree;
@@ -269,7 +270,8 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
     editor.set(parts, toml_value(wished));
   }
   std::string text = std::move(editor).text();
-  // In rare forms, such as a table in dotted parts, the whole text is written anew, without the comments.
+  // Some rare forms, such as a table with a dotted name, cannot be edited in place. The whole text
+  // is then written anew, without the comments.
   const bool none = text.find_first_not_of(" \t\r\n") == std::string::npos;
   const auto after = none ? Result<Json>(Json::object()) : parse_spec(text, SpecFormat::toml);
   if (!after || !same(*after, wanted)) return toml_text(wanted);

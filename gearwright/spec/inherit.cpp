@@ -153,7 +153,7 @@ Json with_named_materials(const Json& tree) {
   Json::object_t whole;
   for (const auto& [key, node] : tree.items()) {
     if (key == "drawing") {
-      whole.emplace_back(key, node);  // its `material` is a text for users
+      whole.emplace_back(key, node);  // the key `material` of [drawing] is a text for users
     } else if (key == "material" && node.is_object()) {
       Json::object_t table;  // in a planetary set, each member may have its own material
       for (const auto& [member, value] : node.items())

@@ -24,10 +24,10 @@ enum class SpecUse {
   run,         ///< every computation for which the spec has a table
 };
 
-/// All inputs that a spec lacks, by their keys in a file and each with an example: a second gear, a
-/// torque and, for a rating, its load, the materials of the gears and the inputs of its factors. A
-/// wrong material is included. The list is empty for a search and for an unknown gear, which have
-/// verbs of their own.
+/// All inputs that a spec lacks, by their keys in a file and each with an example. They include a
+/// second gear, a torque and, for a rating, its load, the materials of the gears and the inputs of
+/// its factors. A wrong material is also reported. The list is empty for a search and for an
+/// unknown gear, because these have their own verbs.
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
 
 /// The missing inputs as one error, or nothing if no input is missing.

@@ -95,7 +95,7 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   set.fixed = read_names(t, "fixed");
   set.inputs = read_names(t, "input").value_or(std::vector<std::string>());
   read_input_loads(t, set.speeds_rpm, set.torque_Nm);
-  t.table("material");  // spec/drive_tree.cpp
+  t.table("material");  // read by spec/drive_tree.cpp
   t.finish();
   return set;
 }

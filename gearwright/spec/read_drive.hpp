@@ -16,11 +16,11 @@ namespace gearwright {
 /// True if the spec has one of the three tables.
 bool is_drive(const Json& tree);
 
-/// The graph of the drive, to which a short form is expanded, with the stages of a train.
+/// The graph of the drive and, for a train, its stages. A short form is expanded to a graph.
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 
-/// The materials of the gears that have their own material, by the names of the gears. The map is empty
-/// for a table that does not describe a drive.
+/// The materials of the gears that have their own material, by the names of the gears. The map is
+/// empty if the tree has no table of a drive.
 std::map<std::string, MaterialInput> drive_materials(const Json& tree);
 
 /// Sets an absent speed of [rating] to the speed of the first input, because a life and a power need a

@@ -107,7 +107,7 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   const ReferenceInput<double> rack = as_rack(base, alpha_n);
   const auto agrees = [&](const char* key, const std::optional<double>& given, double value) {
     if (!given || std::abs(*given - value) <= kSameInput * std::max(1.0, std::abs(value))) return;
-    gear.fail(key, fmt::format("contradicts [{}], which makes it {}; leave one of them out",
+    gear.fail(key, fmt::format("contradicts [{}], which gives the value {}; leave one of them out",
                                gear.name("basic"), format_number(value, *given)));
   };
   agrees(gear.has("lead_angle_deg") ? "lead_angle_deg" : "helix_angle_deg",
@@ -206,7 +206,7 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   }
   if (keys.find("modifications")) g.modifications = read_modifications(t, folder);
   check_tolerance(t, g);
-  t.table("measured");  // spec/read_measured.cpp
+  t.table("measured");  // read by spec/read_measured.cpp
   if (t.has("teeth")) {
     read_basic(t, g, module, alpha);
   } else {
@@ -249,8 +249,8 @@ std::optional<double> rack_angle(TableReader& gear, std::optional<double> given)
   if (!agma) return given;
   const double own = agma->normal_pressure_angle.deg();
   if (given && std::abs(*given - own) > kSameInput * own)
-    gear.fail("rack", fmt::format("has a pressure angle of {:g}°, but the gear is given one of "
-                                  "{:.6g}°; leave out the pressure angle",
+    gear.fail("rack", fmt::format("has a pressure angle of {:g}°, but the gear has a pressure "
+                                  "angle of {:.6g}°; leave out the pressure angle",
                                   own, *given));
   return own;
 }

@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// If the distance of two lines of a grid, relative to the range, is smaller than this, they are the same line measured
-// twice. A spline between them would turn noise into a slope.
+// Two lines of a grid count as one line that was measured twice if their distance, relative to the
+// range, is smaller than this. A spline between them would turn noise into a slope.
 constexpr double kMinStep = 1e-4;
 
 constexpr std::array<std::size_t, 2> kFlanks{0, 1};  // right, left

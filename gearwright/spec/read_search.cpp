@@ -86,7 +86,8 @@ std::vector<double> read_modules(TableReader& t) {
 void check_teeth(TableReader& t, SearchProblem& p) {
   if (p.ratio[0] < 0.0 && p.ratio[1] >= 0.0)
     t.fail("ratio",
-           "must not contain 0; it is positive for external pairs and negative for internal pairs");
+           "must not contain 0; the ratio is positive for external pairs and negative for internal "
+           "pairs");
   if (p.ratio[0] >= 0.0 && p.ratio[1] < 1.0)
     t.fail("ratio",
            "must contain values of 1 or more, because the ratio is z2/z1 and gear 2 has "
@@ -199,8 +200,8 @@ Blank read_blank(const Json* node, const std::string& path) {
   b.alpha_deg = t.number("normal_pressure_angle_deg");
   b.helix_deg = t.number("helix_angle_deg");
   b.face_mm = t.number("face_width_mm");
-  t.table("material");       // for a rated search: read_search_rating
-  t.table("modifications");  // of the designs: spec.cpp
+  t.table("material");       // for a rated search; read by read_search_rating
+  t.table("modifications");  // for the designs; read by spec.cpp
   if (const Json* rack = t.any("rack");
       rack && rack->is_object() && rack->contains("kind") && (*rack)["kind"] != "straight") {
     t.fail("rack.kind",

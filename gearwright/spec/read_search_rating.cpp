@@ -50,11 +50,13 @@ constexpr const char* kNeedsRating =
 
 constexpr const char* kNoAllowances = "none";
 
-// Usual face widths, in reference diameters of the pinion. The shaft of a wider pinion bends and twists too
-// much, so its whole face does not carry. Narrower gears are rare in reducers.
+// Usual face widths, in reference diameters of the pinion. The shaft of a wider pinion bends and
+// twists too much, so that only a part of its face carries load. Narrower gears are rare in
+// reducers.
 constexpr std::array kUsualFace{0.2, 1.0};
 
-// Only the names are checked here, for a diameter and a centre distance that every table contains.
+// This check needs only the names, so it uses a diameter and a centre distance that every table
+// contains.
 constexpr double kAnyDiameter = 100.0;
 
 void check_names(const TableReader& t, const SearchAllowances& allowances) {

@@ -22,11 +22,11 @@ void read_search_rating(const Json& tree, JobSpec& spec);
 /// empty name.
 void check_series(const TableReader& t, std::string& series);
 
-/// The series of a search that has none of its own.
+/// The default series of thickness allowances for a search.
 inline constexpr const char* kUsualSeries = "cd25";
 
 /// Sets the check of drawings if the search has a rating, face widths or allowances, unless designs
-/// with interference are also listed. `search` is the table, whose rating must have been read.
+/// with interference are also listed. `search` is the table. Its rating must have been read before.
 void read_search_drawing(const Json& search, SearchProblem& problem);
 
 }  // namespace gearwright

@@ -150,9 +150,10 @@ class Reader {
           table["cut_by"] = {{"teeth", std::lround(*tool->number("number_of_teeth"))}};
           if (!rack.empty()) table["cut_by"]["rack"] = rack;
           if (table.erase("thickness_allowance_mm") + table.erase("thickness_series") > 0)
-            note(fmt::format(
-                "The thickness of gear {} is not read, because it follows from its cutter.",
-                named(gear)));
+            note(
+                fmt::format("The thickness of gear {} is not read, because its cutter determines "
+                            "the thickness.",
+                            named(gear)));
         }
       }
     }

@@ -159,7 +159,7 @@ void refuse_planets(const Json& tree) {
                        "[[stage]] and [drive]"}};
 }
 
-// Reads a rack as gear 2. In this case [pair] may contain only the keys of the rack's position.
+// Reads a rack as gear 2. [pair] may then contain only the centre distance and the speed.
 RackBar read_rack_bar(const Json& rack, const Json& tree) {
   TableReader t(rack_bar_keys(), rack, "gear2");
   RackBar bar;
@@ -223,7 +223,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   };
   spec.measured = {read_measured(tree, 1), read_measured(tree, 2)};
   const bool unknown = spec.measured[0] || spec.measured[1];
-  for (const char* table : {"planetary", "stage", "drive"}) t.any(table);  // spec/read_drive.cpp
+  for (const char* table : {"planetary", "stage", "drive"}) t.any(table);  // in spec/read_drive.cpp
   if (is_drive(tree)) {
     for (const char* table : {"gear1", "gear2", "pair", "search"})
       t.refuse(table,
@@ -243,7 +243,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   refuse_halves(gear_2, "gear2", tree);
   lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
   lacks.shared("gear2.teeth",
-               "gear2.normal_module_mm");  // with teeth, gear 2 takes the module of gear 1
+               "gear2.normal_module_mm");  // if gear 2 has teeth, it takes the module of gear 1
   if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;
   const bool drives = search && is_drive_search(*search);
   if (drives) {

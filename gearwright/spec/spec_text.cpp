@@ -130,8 +130,8 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   std::vector<Open> open_;
 };
 
-// The first line with too many dots outside quotes. The TOML parser recurses for each part of a dotted
-// name, so their number is limited before parsing.
+// The first line with too many dots outside quotes. The TOML parser recurses for each part of a
+// dotted name, so the number of parts is limited before parsing.
 std::optional<int> deep_line(std::string_view text) {
   int line = 1;
   int dots = 0;

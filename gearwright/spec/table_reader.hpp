@@ -42,9 +42,11 @@ class TableReader {
   std::optional<bool> boolean(const std::string& key);
   std::optional<std::string> word(const std::string& key);
   std::optional<std::string> text(const std::string& key);
-  /// The list of finite numbers of a key. Their number is checked, but not their range.
+  /// The list of finite numbers of a key. The length of the list is checked, but not the range of
+  /// the numbers.
   std::optional<std::vector<double>> raw_numbers(const std::string& key);
-  /// The same list with more checks: the range of the numbers, their order, and whole numbers if required.
+  /// The list of raw_numbers() with more checks: the range of the numbers, their order, and whole
+  /// numbers if required.
   std::optional<std::vector<double>> numbers(const std::string& key);
   const Json* table(const std::string& key);  ///< a sub-table, or null
   const Json* any(const std::string& key);    ///< a value of any type, or null
@@ -63,7 +65,7 @@ class TableReader {
   /// Fails because of an unknown key, with the nearest known key; because of a missing key that is
   /// required always or by another key; or because of two keys that exclude each other.
   void finish() const;
-  void refuse_unknown() const;  ///< makes only the first of these checks
+  void refuse_unknown() const;  ///< checks only for an unknown key
 
   const KeyTable& keys() const { return keys_; }
   const std::string& name() const { return path_; }  ///< name of the table

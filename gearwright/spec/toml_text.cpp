@@ -89,7 +89,7 @@ std::string toml_text(const Json& tree) {
 }
 
 std::string toml_comment(const std::vector<std::string>& sentences) {
-  constexpr std::size_t kWidth = 78;  // width of a terminal without the sign and a blank
+  constexpr std::size_t kWidth = 78;  // 80 columns of a terminal, minus "# "
   std::string text, line;
   for (const std::string& sentence : sentences) {
     for (std::size_t at = 0; at < sentence.size();) {
