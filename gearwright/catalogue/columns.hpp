@@ -24,7 +24,7 @@ struct RecordColumn {
   bool opened() const { return info().of && info().list.empty(); }
   /// The keys of the path, separated by `between`: "ellipse.semi_minor_mm".
   std::string name(std::string_view between) const;
-  /// True if this interface has the column.
+  /// True if the column is available at the given interface.
   bool has(Doors door) const;
   /// The number of values in each row, including those of nested lists. It is 0 if the number varies.
   std::size_t width() const;

@@ -118,9 +118,10 @@ const KeyTable& gear_keys() {
            "`lead_angle_deg` with `hand` can replace it")
            .with_also({"helix", "spiral_angle", "skew_angle"}),
        Key::number("lead_angle_deg", "90° − |β|", Range::above(0, 90, " (spur)"), {}, "",
-                   "lead angle, with `hand`")
+                   "lead angle, given together with `hand`")
            .with_fields({"helix_angle"}),
-       Key::word("hand", {"right", "left"}, {}, "", "hand of the teeth, with `lead_angle_deg`")
+       Key::word("hand", {"right", "left"}, {}, "",
+                 "hand of the teeth, given together with `lead_angle_deg`")
            .with_also({"helix_hand", "helix_direction", "direction"}),
        Key::number(
            "profile_shift", "x", Range::between(-kMaxShift, kMaxShift), &GearInput::profile_shift,
@@ -180,19 +181,19 @@ const KeyTable& gear_keys() {
        Key::part("modifications", modification_keys, {}, "flank modifications"),
        Key::part("material", material_keys, &GearInput::material, "material of the teeth"),
        Key::part("shaft", shaft_keys, &GearInput::shaft,
-                 "shaft and bearings, whose deflection changes the contact under load of `load` "
-                 "and determines "
-                 "K_Hβ of `rate`"),
+                 "shaft and bearings, whose deflection changes the loaded contact of the verb load "
+                 "and determines K_Hβ of the verb rate"),
        Key::part("bore", bore_keys, &GearInput::bore,
                  "bore and keyway of the CAD files; for an internal gear the outside of the rim"),
        Key::part("double_helical", double_helical_keys, &GearInput::double_helical,
                  "two halves of opposite hands on one body"),
        Key::part("measure", measure_keys, &GearInput::measure,
                  "positions and tools of the measurements"),
-       Key::number(
-           "quality", "", KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
-           {&GearInput::tolerance, &ToleranceInput::quality}, "no tolerances",
-           "flank tolerance class (grade) of ISO 1328-1; the same as `quality` of `tolerance`")
+       Key::number("quality", "",
+                   KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
+                   {&GearInput::tolerance, &ToleranceInput::quality}, "no tolerances",
+                   "flank tolerance class (grade) of ISO 1328-1; another place for `quality` of "
+                   "`tolerance`")
            .with_fields({"tolerance.quality"})
            .with_also({"grade", "accuracy_grade"}),
        Key::part("tolerance", tolerance_keys, &GearInput::tolerance,

@@ -27,7 +27,8 @@ struct BasicInput {
 const KeyTable& gear_keys();
 /// The keys of [gearN.cut_by]: the keys of a gear without the keys of flanks and cutters.
 const KeyTable& cutter_keys();
-/// The keys of a [gearN] that, together with [search], does not describe a complete gear.
+/// The keys of [gearN] in a spec with [search]. They are the values that the search does not
+/// determine.
 const KeyTable& blank_keys();
 const KeyTable& basic_keys();
 const KeyTable& root_fillet_keys();

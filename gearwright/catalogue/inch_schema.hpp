@@ -1,4 +1,5 @@
-// The names of lengths in inch in a JSON Schema that is written for mm. Internal to catalogue/ and job/.
+// Adds the inch names of lengths to a JSON Schema that is written for mm. Internal to catalogue/
+// and job/.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,7 +10,8 @@ namespace gearwright {
 /// is then satisfied by either name.
 void add_inch_names(nlohmann::ordered_json& schema);
 
-/// Adds to the schema of specs that all lengths of a spec have the names of its `units`.
+/// Adds a rule to the schema of specs. The names of all lengths of a spec must agree with its
+/// `units`.
 void separate_units(nlohmann::ordered_json& schema);
 
 }  // namespace gearwright

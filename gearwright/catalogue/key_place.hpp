@@ -1,5 +1,5 @@
-// The destination of the value of a key. It is a member of an input struct, and it is addressed without the
-// type of the struct.
+// The destination of the value of a key. It is a member of an input struct, and a KeyPlace refers
+// to it without the type of the struct.
 //
 //   KeyTarget   an input struct, whose type is checked at every use
 //   KeyPlace    the way in which a value is stored in the struct
@@ -73,7 +73,7 @@ class KeyPlace {
   template <class T, class M, class V>
   KeyPlace(M T::*outer, V M::*inner)
       : KeyPlace(within<T>([outer, inner](T& t) -> V& { return t.*outer.*inner; })) {}
-  /// within<T>([](T& t) -> auto& { return t.life[0]; })
+  /// A member that a function returns: within<T>([](T& t) -> auto& { return t.life[0]; })
   template <class T, class F>
   static KeyPlace within(F reach);
   /// Members that are computed from a value of type V by set(T&, const V&). The function may return a

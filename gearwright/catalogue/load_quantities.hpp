@@ -12,7 +12,7 @@ namespace gearwright {
 
 struct ProbeView {
   const ProbeAnswer* answer;
-  bool wide;  ///< true for the whole face width in plane strain
+  bool wide;  ///< true if the load covers the whole face width, in plane strain
 };
 
 struct LoadPositionView {

@@ -227,7 +227,7 @@ const Quantities<ParallelPair>& needed_face_quantities() {
       q.number(key, words, "b", meaning, face).unit(Unit::mm).shown([worth](const P& p) {
         return worth(p) && !p.gears[0].gap;
       });
-      q.number(whole_key, words, "b", "the same face widths including both halves and the gap",
+      q.number(whole_key, words, "b", "face width including both halves and the gap",
                [face](const P& p) {
                  const auto half = face(p);
                  return half && *half > 0.0 ? std::optional(p.whole_face(*half)) : half;

@@ -67,8 +67,9 @@ const Quantities<InvolutePair>& sliding_velocity_quantities();
 const Quantities<Efficiency>& efficiency_quantities();
 const Quantities<InternalMargins>& internal_quantities();
 
-/// The first function gives the helix angle of gear i on its working pitch cylinder. The second gives the
-/// transverse angle there for the normal angle of the rack at the first contact. Both are in rad.
+/// The first function gives the helix angle of gear i on its working pitch cylinder. The second
+/// gives the transverse pressure angle on this cylinder, which follows from the normal angle of the
+/// rack at the first contact. Both angles are in rad.
 double working_helix(const ArcPair& pair, std::size_t i);
 double working_transverse(const ArcPair& pair, std::size_t i);
 

@@ -50,8 +50,8 @@ struct QuantityInfo {
   std::string symbol;  ///< "d_a", with indices after the underscore
   Unit unit = Unit::none;
   std::string group{};    ///< heading for users
-  std::string meaning{};  ///< one sentence with the condition of its existence, without full
-                          ///< stop
+  std::string meaning{};  ///< one sentence without full stop, with the condition under which the
+                          ///< value exists
   Type type = Type::number;
   std::vector<int> list{};            ///< lengths of nested lists, 0 for any; empty for one value
   Two two = Two::values;              ///< meaning of a list of two values
@@ -82,7 +82,7 @@ struct Quantity {
   std::function<Value(const S&)> get;
   std::function<bool(const S&)> exists{};  ///< if false, the key is absent; by default always
                                            ///< present
-  std::function<bool(const S&)> worth{};   ///< if false, users see no row; by default always
+  std::function<bool(const S&)> worth{};   ///< if false, users see no row; by default they see it
   std::function<bool(const S&)> asked{};   ///< if true, users see a dash instead of a missing value
   std::function<bool(const S&)> there{};   ///< for an entry of a part: true if the subject has
                                            ///< that part
@@ -309,7 +309,8 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
 /// (0.17 µm on a radius of 1 m) and for pure numbers.
 int digits_of(const QuantityInfo& info);
 
-/// The system of the values of a quantity in an answer in these units. Modules are in mm in both systems.
+/// The unit system of the values of a quantity in an answer in `units`. Modules are in mm in both
+/// systems.
 UnitSystem system_of(const QuantityInfo& info, UnitSystem units);
 
 /// A value as text for users without its unit, or `none` if there is no value. A list is written "x, y, z",

@@ -80,9 +80,9 @@ void say_contact(Quantities<V>& q) {
          "from the tip form circle of the pinion to the tip line of the rack [T2.38]",
          &V::transverse_contact_ratio)
       .always();
-  q.term("contact_ratio_true", "for the path clipped to the usable flanks [T2.39]", [](const V& v) {
-     return v.true_contact_ratio() + v.overlap_ratio;
-   }).always();
+  q.term("contact_ratio_true", "for the part of the path on the usable flanks [T2.39]",
+         [](const V& v) { return v.true_contact_ratio() + v.overlap_ratio; })
+      .always();
   q.term("overlap_ratio", "over the common face", &V::overlap_ratio).always();
   q.term("approach_contact_ratio", "contact ratio before the pitch point, with the pinion driving",
          [](const V& v) { return v.approach / v.base_pitch; })

@@ -173,9 +173,11 @@ void say_inputs(Quantities<V>& q) {
     const double power = v.input.torque * speed(v) * 2 * std::numbers::pi / 60.0 / 1000.0;
     return power > 0 ? Value(power) : Value();
   });
-  q.number("torque_Nm", "torque", "T", "stress under the nominal load", [](const V& v) {
-     return std::array{v.input.torque, v.input.torque * ratio(v)};
-   }).per_gear();
+  q.number("torque_Nm", "torque", "T", "torque on each gear under the nominal load",
+           [](const V& v) {
+             return std::array{v.input.torque, v.input.torque * ratio(v)};
+           })
+      .per_gear();
   q.term("speed_rpm", "null if no speed is given", [](const V& v) {
      return speed(v) > 0 ? Value(std::array{speed(v), speed(v) / ratio(v)}) : Value();
    }).per_gear();
@@ -269,7 +271,7 @@ void say_spectrum(Quantities<V>& q) {
            "or with safeties of 1 if these keys are absent; null if there is no such torque",
            &V::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
-           "least face width with the same safeties, up to 40 modules; null if there is no such "
+           "least face width for the same safeties, up to 40 modules; null if there is no such "
            "face width",
            &V::face_holding)
       .digits(2);

@@ -65,7 +65,7 @@ struct LoadedSpreadView {
 struct JudgedView {
   const JudgedFamily* family;
   SpreadView peak_to_peak;
-  std::vector<LoadedSpreadView> loaded;  ///< one for each torque, if under load
+  std::vector<LoadedSpreadView> loaded;  ///< one entry for each torque, if the aim includes load
 };
 
 struct RobustView {

@@ -33,7 +33,7 @@ enum class Unit {
   kg_per_mm,
   modules,          ///< normal modules; no unit is shown to users
   modules_squared,  ///< area of a region of two profile shifts
-  percent,          ///< a share of 1, shown to users times 100
+  percent,          ///< a share from 0 to 1, shown to users as a percentage
   inch,             ///< this unit and the units below occur in answers to inch specs only
   microinch,
   per_inch,

@@ -67,7 +67,7 @@ class Value {
   const ValueList* list() const { return std::get_if<ValueList>(&variant_); }
   const ValueRecord* record() const { return std::get_if<ValueRecord>(&variant_); }
   const ValueMap* map() const { return std::get_if<ValueMap>(&variant_); }
-  /// The value as a double if it is a double or a whole number. Other types have none.
+  /// The value as a double if it is a double or a whole number, otherwise nothing.
   std::optional<double> number() const {
     if (const auto* x = std::get_if<double>(&variant_)) return *x;
     if (const auto* n = std::get_if<long long>(&variant_)) return static_cast<double>(*n);
