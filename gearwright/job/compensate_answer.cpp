@@ -75,7 +75,8 @@ std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetu
 }
 
 std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup) {
-  // An involute pair touches along lines. `compensate` corrects its lead by slopes instead of a lead angle.
+  // An involute pair touches along lines. `compensate` corrects its lead by helix slope
+  // modifications instead of a lead angle.
   const ArcPair* arcs = job.pair->arcs();
   if (!arcs || setup.gear(1).twist() == 0.0) return std::nullopt;
   const bool gear2_drives = job.spec.contact.driver == 2;
@@ -91,7 +92,7 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
     const auto lo = slope(-kReach);
     const auto hi = slope(kReach);
     if (!lo || !hi || *lo * *hi > 0.0) continue;
-    // If contact is lost in between, the bracket has no root.
+    // If contact is lost within the bracket, no root is found.
     constexpr double kLost = std::numeric_limits<double>::quiet_NaN();
     const auto or_lost = [&](double d) { return slope(d).value_or(kLost); };
     const Root root = find_root(or_lost, -kReach, kReach);
@@ -292,7 +293,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     if (std::isnan(l.after.max_pressure))
       job.warnings.push_back(
           {WarningCode::load_unfinished,
-           fmt::format("At {} N m the corrected teeth have a position without result, because no "
+           fmt::format("At {} N m the corrected teeth have a position without a result, because no "
                        "teeth touch there or the forces do not converge.",
                        format_number(newton_metres(l.torque))),
            0});

@@ -21,7 +21,7 @@ std::string quantities_csv(const SolvedJob& job);
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
 /// A row for each torque and position.
 std::string load_csv(const SolvedJob& job, const LoadAnalysis& answer);
-/// A row for each proposal, the spec as given first.
+/// A row for each proposal. The first row is the spec as given.
 std::string propose_csv(const SolvedJob& job, const ProposeView& view);
 /// A row for each quantity, with the columns key, quantity, symbol, unit, first, second, formula and branch.
 /// `second` is the value of gear 2.

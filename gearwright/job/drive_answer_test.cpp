@@ -1,6 +1,7 @@
-// Interfaces of drives: (1) a spec and the graph to which it expands have the same numbers; (2) the
-// drives of a search have those of the verb drive for their specs; (3) gears of stages and of the
-// graph take the keys of a gear, and impossible values are rejected; (4) rate rates every mesh.
+// Interfaces of drives: (1) a spec and the graph to which it expands have the same numbers; (2) a
+// drive in the result of a search has the numbers that the verb drive computes for its spec; (3)
+// gears of stages and of the graph take the keys of a gear, and impossible values are rejected; (4)
+// the verb rate rates every mesh.
 #include "gearwright/job/drive_answer.hpp"
 
 #include <gtest/gtest.h>
@@ -160,8 +161,8 @@ TEST(DriveAnswerTest, SearchesGiveTheBacklashOfTheirSeries) {
       EXPECT_GE(list.size(), 6u);
       return list;
     };
-    // The means of cd25 are −69, −90 and −120 µm up to 50, 125 and 280 mm, and j_n = −(E_sn1 + E_sn2)
-    // at α_wn = α_n. Profile shifts change it by some percent.
+    // The means of cd25 are −69, −90 and −120 µm up to 50, 125 and 280 mm, and j_n = −(E_sn1 +
+    // E_sn2) at α_wn = α_n. Profile shifts change j_n by a few percent.
     for (const double j : backlash("")) {
       EXPECT_GT(j, 0.95 * (0.069 + 0.069));
       EXPECT_LT(j, 1.05 * (0.120 + 0.120));

@@ -1,4 +1,4 @@
-// A drive that is computed from a spec, its rating, its verdict and its files.
+// The drive of a spec, with its rating, its verdict and its files.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,7 @@ struct DriveJob {
 /// Errors    a spec without a drive; the errors of make_drive(), with the keys of the spec
 Result<DriveJob> solve_drive(const JobSpec& spec);
 
-/// The [errors] of a spec, as those of each mesh. Both must outlive the function.
+/// The [errors] of a spec as the errors of each mesh. `spec` and `drive` must outlive the result.
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 
 /// The load of a rating, which is given in [rating] or by the drive.
@@ -50,17 +50,17 @@ Result<DriveJob> solve_rated_drive(const JobSpec& spec);
 /// Computes the drive under its [load].
 ///
 /// Errors    `load.…` for keys that do not apply to a drive, and for a torque that is missing or
-///           contradictory; as mesh_spec() for a pair under load, with the mesh in the rule; as
-///           loaded_drive()
+///           contradictory; the errors of mesh_spec() for a pair under load, with the mesh in the
+///           rule; the errors of loaded_drive()
 std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
 
 /// The same drive under load if its spec has [load], with the verdict. If `solved` is an error, it is returned.
 Result<DriveJob> with_load(Result<DriveJob> solved, Progress* progress = nullptr);
 
-/// The drive of a spec with all that it contains: its meshes rated if it has [rating], under load
-/// if it has [load], and the verdict.
+/// The drive of a spec with all results that the spec requests: its meshes are rated if it has
+/// [rating], and it is computed under load if it has [load]. The verdict is included.
 ///
-/// Errors    as solve_drive(), rate_drive() and load_drive()
+/// Errors    the errors of solve_drive(), rate_drive() and load_drive()
 Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress = nullptr);
 
 /// The required safeties of [rating]; 1 if they are absent.

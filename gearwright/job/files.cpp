@@ -55,7 +55,7 @@ std::string without_modifications(const std::vector<ToothedBody>& bodies) {
   return note;
 }
 
-// The same note for a drawing, which shows the section of the teeth as cut.
+// The note about flank modifications for a drawing, which shows the section of the teeth as cut.
 std::string drawn_as_cut(const std::vector<ToothedBody>& bodies) {
   for (const ToothedBody& body : bodies)
     if (body.modified || !body.unmodified.empty()) return "; without flank modifications";
@@ -146,7 +146,7 @@ std::optional<Error> beyond(const SolvedJob& job) {
     return Error{table, "",
                  "needs two gears, but gear 2 is a rack; if this table is left out, run writes the "
                  "report and the files of the rack and its pinion. A gear 2 with teeth = 1000 can "
-                 "replace the rack, and its results differ by the order of 1/teeth"};
+                 "replace the rack; the results then differ by about 1/teeth"};
   }
   return std::nullopt;
 }
@@ -367,7 +367,8 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   const auto scatter = scatter_part(job, options.progress);
   if (!scatter) return scatter.error();
   std::optional<ScatterView> scatter_shown;
-  std::optional<PatternDensity> density;  // a figure of the report, also if results do not have it
+  std::optional<PatternDensity> density;  // for a figure of the report, even if the results do not
+                                          // contain it
   if (*scatter) {
     scatter_shown = scatter_view(job, **scatter);
     if (!scatter_shown->density && options.wants("report"))

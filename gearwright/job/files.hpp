@@ -33,8 +33,8 @@ struct FileOptions {
   OnFile on_file;                ///< called before each file; may be empty
   Progress* progress = nullptr;  ///< reports the progress of contact and corrections
   StepSchema step_schema = StepSchema::ap242;
-  double mesh_tolerance_mm = 0.005;     ///< of STL, GLB, 3MF
-  double drawing_tolerance_mm = 0.001;  ///< of DXF with arcs
+  double mesh_tolerance_mm = 0.005;     ///< tolerance for STL, GLB and 3MF
+  double drawing_tolerance_mm = 0.001;  ///< tolerance for DXF with arcs
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
   std::vector<std::string> only{};      ///< for `run`: words of kRunParts; everything if empty
 
@@ -55,7 +55,7 @@ struct JobFile {
 
 enum class FileKind { step, stl, glb, threemf, dxf, svg };
 
-/// The ending of the names of files of this kind, ".step" and so on.
+/// The extension of file names of this kind, ".step" and so on.
 std::string_view ending(FileKind kind);
 
 /// One gear as a body, in its own frame or in the housing.
@@ -101,10 +101,10 @@ struct RunFiles {
 Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
                                  const FileOptions& options);
 
-/// Writes the files of `run` into `folder`: result.json, report.html, drawing.pdf, gear1.*,
-/// gear2.* and pair.*, as far as they apply, or only the parts in `only`. A gear without an outline has
-/// no files, and the job gets a warning.
-/// Files of an earlier run that this run does not write are removed (run_folder.hpp).
+/// Writes the files of `run` into `folder`: result.json, report.html, drawing.pdf, gear1.*, gear2.*
+/// and pair.*, as far as they apply, or only the parts in `only`. A gear without an outline has no
+/// files, and the job gets a warning. Files of an earlier run that this run does not write are
+/// removed (run_folder.hpp).
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

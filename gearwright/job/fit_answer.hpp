@@ -32,7 +32,7 @@ FitView fit_view(const FitAnswer& answer);
 /// {"fit": {"branches", "reason", "nearest"}}
 Json fit_json(const FitAnswer& answer);
 
-/// A table for people.
+/// A table for users.
 std::string fit_listing(const FitAnswer& answer, UnitSystem units);
 
 }  // namespace gearwright

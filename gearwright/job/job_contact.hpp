@@ -30,8 +30,8 @@ struct NamedInfluence {
   Influence influence;
 };
 
-/// Influences of every error, and of every modification that has its place on the drawing; without those
-/// of a rack.
+/// The influences of every error, and of every modification whose reach on the flank is given. The
+/// influences of the modifications of a rack are not included.
 std::vector<NamedInfluence> influences_of(const SolvedJob& job);
 
 }  // namespace gearwright

@@ -8,8 +8,8 @@
 
 namespace gearwright {
 
-/// The report points into the job. Its positions are always those of one pitch, even if the result has
-/// other rotations.
+/// The report contains pointers into the job. Its positions always cover one pitch, even if the
+/// result has other rotations.
 struct LoadPart {
   LoadAnalysis answer;
   std::optional<LoadScene> report;  ///< none if only probes were requested

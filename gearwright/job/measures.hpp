@@ -12,9 +12,9 @@
 
 namespace gearwright {
 
-/// The measurements of each gear with the tools of [gearN.measure], or otherwise with the usual tools.
-/// If a gear does not have a measurement that was not requested, the measurement is absent and the job
-/// gets a warning: `no_chord`, `no_span`, `no_balls`, `no_pins`. A contact off the usable flank also
+/// The measurements of each gear with the tools of [gearN.measure], or otherwise with the usual
+/// tools. If a measurement that was not requested is impossible, it is absent, and the job gets a
+/// warning: `no_chord`, `no_span`, `no_balls`, `no_pins`. A contact off the usable flank also
 /// produces a warning.
 ///
 /// Errors    `gearN.measure.…`: a requested measurement that is impossible
@@ -41,7 +41,7 @@ struct RackQuestion {
 /// Reads "3,20", ",17.5" or "3,". Other texts give no rack.
 std::optional<RackQuestion> parse_rack_question(const std::string& text);
 
-/// Describes the gear, with its teeth as cut, by that rack.
+/// The data of the gear, with its teeth as cut, for the rack of the question.
 ///
 /// Errors    `--as-rack` if no such rack describes this gear. The message gives the module for the
 ///           angle, or the greatest angle

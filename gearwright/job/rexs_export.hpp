@@ -1,6 +1,6 @@
 // A pair or a drive as a REXS file: gears, flanks, tools, shafts, stages and the load.
 //
-// The version is 1.7. Version 2.0 keeps its names with few exceptions. Internal to job/ and the
+// The version is 1.7. Version 2.0 uses the same names with few exceptions. Internal to job/ and the
 // program.
 #pragma once
 

@@ -33,10 +33,10 @@ Result<ScatterAnswer> prepared_scatter(SolvedJob& job);
 ///           with an unknown input; the errors of scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr, int threads = 0);
 
-/// The density of patterns for the first samples of each replicate, at most as many in all; 0 for
-/// the usual number.
+/// The request for a density of patterns from the first samples of each replicate. `most` limits
+/// the number of samples of all replicates, and 0 selects the default limit.
 DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, int most = 0);
-/// This density, for the figures of an answer that has none.
+/// Computes this density for the figures if the answer does not contain it.
 PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer,
                           Progress* progress = nullptr, int most = 0);
 

@@ -33,13 +33,15 @@ std::string margin_line(const SearchLimits& limits);
 /// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H ≥ 1.1"; empty if the designs
 /// are not rated.
 std::string rating_line(const SearchProblem& problem);
-/// Describes the drawings of designs and their default limits. The text is empty if designs are not drawn.
+/// Describes the drawings of designs and their default limits. The text is empty if no drawings are
+/// checked.
 std::string drawing_line(const SearchProblem& problem);
 
-/// One line for each change, such as "through contact_ratio_min = 1.17 instead of 1.2".
+/// One line for each change, such as "search.contact_ratio_min = 1.17 instead of 1.2".
 std::vector<std::string> change_lines(const SearchRun& run);
 
-/// One line for each limit that rejected candidates, "the limit …: 2698", in the order of the limits.
+/// One line for each limit that rejected candidates, "tip clearance: 2698", in the order of the
+/// limits.
 std::vector<std::string> rejected_lines(const SearchCounts& counts);
 
 /// The search as an HTML page.

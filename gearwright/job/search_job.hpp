@@ -40,10 +40,10 @@ struct SearchOptions : CampaignOptions {
   std::optional<std::size_t> top;      ///< designs to keep; by default kDefaultDesigns
   std::optional<std::int64_t> chunk;   ///< trials of a chunk; by default by the search's size
   std::optional<std::size_t> regions;  ///< listed designs with regions; by default all
-  int threads = 0;                     ///< with 0, as many as the machine has
+  int threads = 0;                     ///< 0 uses all threads of the machine
   /// Called many times a second, by one thread at a time.
   std::function<void(const SearchProgress&)> progress;
-  /// If set to true, the search ends at once and discards the chunks in work.
+  /// If set to true, the search ends at once and discards unfinished chunks.
   const std::atomic<bool>* stop = nullptr;
 };
 
@@ -78,9 +78,9 @@ inline constexpr std::int64_t kMaxChunks = 1'000'000;
 ///
 /// Throws    IoError
 /// Errors    --yes-large for a large search or grid, with its duration or number of points; no
-///           tooth numbers with the ratio; more chunks than kMaxChunks; --out with an existing
-///           campaign, or with a finished search of another spec; --resume without a campaign or
-///           for another spec; --shard or --resume without --out
+///           numbers of teeth that give the ratio; more chunks than kMaxChunks; --out with an
+///           existing campaign, or with a finished search of another spec; --resume without a
+///           campaign or for another spec; --shard or --resume without --out
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
 

@@ -24,8 +24,7 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
   }
   if (text.empty()) return std::nullopt;
   return Warning{WarningCode::inherited,
-                 fmt::format("These values are absent and therefore those of gear 1: {}.", text),
-                 2};
+                 fmt::format("Gear 2 takes these absent values from gear 1: {}.", text), 2};
 }
 
 // Notes about fits of the drawing that apply to no gear of the spec.
@@ -133,11 +132,10 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
   if (spec.rack && scope != Scope::gears) {
-    return Error{
-        "gear2.form", "rack",
-        "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, contact, "
-        "outline, export and run compute a rack and its pinion. A gear 2 with teeth = "
-        "1000 can replace the rack, and its results differ by the order of 1/teeth"};
+    return Error{"gear2.form", "rack",
+                 "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, "
+                 "contact, outline, export and run compute a rack and its pinion. A gear 2 with "
+                 "teeth = 1000 can replace the rack; the results then differ by about 1/teeth"};
   }
   return solve_gears(spec, scope);
 }

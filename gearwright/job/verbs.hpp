@@ -26,8 +26,10 @@ struct Answer {
   Json record;                     ///< every quantity, with the keys of the catalogue
   std::vector<Warning> warnings;   ///< about the gears and the results
   std::optional<Verdict> verdict;  ///< none if the verb judges no gears
-  std::vector<Json> specs;  ///< proposals: branches, candidates, corrections; the meshes of a drive
-  /// For each of the specs, sentences on its origin and then on facts that the user should know; or empty.
+  std::vector<Json> specs;  ///< specs that the verb proposes (branches, candidates, corrections),
+                            ///< or the meshes of a drive
+  /// For each of the specs, sentences about its origin, followed by facts that the user should
+  /// know. The list may be empty.
   std::vector<std::vector<std::string>> notes;
   Json expanded;                         ///< for a drive, the spec with its graph; otherwise null
   std::string why_none;                  ///< the reason if a verb that proposes specs has none
@@ -52,7 +54,8 @@ struct Verb {
   SpecUse use;       ///< the spec must contain all inputs for this use
   bool csv, strict;  ///< csv: the result has a table; strict: it has a verdict
   bool lasts;        ///< true if the verb may take seconds, so its progress is shown
-  /// The option --take: there is none; a flag for a single proposed spec; or the number of one of several.
+  /// The option --take: no option, a flag for a single proposed spec, or a number that selects one
+  /// of several specs.
   enum class Take { none, flag, number } take;
   const char* take_meaning;
   Result<Answer> (*solve)(const JobSpec& spec, Progress* progress);
