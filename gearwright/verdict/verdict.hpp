@@ -110,15 +110,15 @@ struct JudgedRating {
 struct Judged {
   std::vector<const Gear*> gears;  ///< one or two gears; if `pair` is set, its gears
   const Pair* pair = nullptr;      ///< null if the gears are not mounted
-  const RackPair* rack = nullptr;  ///< the rack, if gear 2 is one
+  const RackPair* rack = nullptr;  ///< the pinion and its rack, if gear 2 is a rack
   const std::vector<Warning>* warnings = nullptr;  ///< warnings from all results
   const ContactResult* contact = nullptr;          ///< contact of the working flanks; null if not
                                                    ///< computed
   bool errors = false;                             ///< true if `contact` was computed under errors
   bool shifts_follow = false;  ///< true if the centre distance is given and a missing profile shift
                                ///< is computed from it
-  /// True if a profile shift that is not given would follow from a centre distance, but none is
-  /// given.
+  /// True if the spec gives neither the centre distance nor all profile shifts. A given centre
+  /// distance would then determine the missing profile shift.
   bool distance_sets_shifts = false;
   bool tolerances = false;               ///< true if findings are also computed at the tolerance
                                          ///< ends

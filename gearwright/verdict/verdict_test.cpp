@@ -174,7 +174,7 @@ TEST(Verdict, edges_and_places_under_errors) {
     p.height[0] = -0.8 * involutes.gears[0].spec.face_width / 2;
   }
   EXPECT_TRUE(finds(judged_with(none), WarningCode::contact_place, Level::amber));
-  // The same position, relative to the narrower face of gear 2.
+  // The contact is near the end of the face of gear 2 only.
   for (ContactPoint& p : contact.positions) {
     p.height[0] = -0.6 * involutes.gears[0].spec.face_width / 2;
     p.height[1] = 0.8 * involutes.gears[1].spec.face_width / 2;
