@@ -1,4 +1,5 @@
-// The asserts of toml++ are switched off, because they do not handle broken input (see spec_text.cpp).
+// The asserts of toml++ are switched off, because they do not handle broken input (see
+// spec_text.cpp).
 #ifndef NDEBUG
 #define NDEBUG
 #endif
@@ -30,8 +31,8 @@ std::vector<std::string> parts_of(std::string_view path) {
   return parts;
 }
 
-// Sets the value at the path in the tree and makes missing tables. Null removes the value. The result is false if a
-// part of the path is not a table.
+// Sets the value at the path in the tree and makes missing tables. Null removes the value. The
+// result is false if a part of the path is not a table.
 bool set_in(Json& tree, const std::vector<std::string>& parts, const Json& value) {
   Json* node = &tree;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
@@ -111,7 +112,8 @@ class Editor {
     std::size_t from = offset(key->source().begin);
     std::size_t to = range(node->source()).second;
     if (table->is_inline() && depth > 0) {
-      // Removes one comma as well: the next comma, or the previous comma if the element is the last.
+      // Removes one comma as well: the next comma, or the previous comma if the element is the
+      // last.
       const std::size_t next = text_.find_first_not_of(" \t", to);
       if (next != std::string::npos && text_[next] == ',') {
         to = text_.find_first_not_of(" \t", next + 1);

@@ -124,7 +124,8 @@ void hand_on_halves(const Json& from, Json& to) {
   put(to, "double_helical", own);
 }
 
-// A rack with straight flanks or with double arcs cuts both gears of a pair. The racks F and P cut one gear each.
+// A rack with straight flanks or with double arcs cuts both gears of a pair. The racks F and P cut
+// one gear each.
 bool cuts_both(const Json& rack) {
   if (rack.is_string()) return true;
   if (!rack.is_object()) return false;

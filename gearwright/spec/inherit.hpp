@@ -1,6 +1,7 @@
-// Values that gear 2 takes from gear 1 if its table omits them: module, pressure angle, rack, face width, gap and
-// stagger of a double-helical gear, material, quality and helix angle. The hand of the helix is opposite, or the same
-// for an internal gear. A material that is only a name becomes a table.
+// Values that gear 2 takes from gear 1 if its table omits them: module, pressure angle, rack, face
+// width, gap and stagger of a double-helical gear, material, quality and helix angle. The hand of
+// the helix is opposite, or the same for an internal gear. A material that is only a name becomes a
+// table.
 //
 // Internal to spec/ and the programs.
 #pragma once
@@ -20,11 +21,11 @@ struct Inherited {
   std::vector<std::string> noted{};  ///< copied keys that are no dimensions: material, quality
 };
 
-/// True if the table is that of a rack, form = "rack".
+/// True if the table describes a rack, form = "rack".
 bool is_rack(const Json& gear);
 
-/// The spec with every material that is only a name, material = "16MnCr5", replaced by a table [material]
-/// with this name.
+/// The spec with every material that is only a name, material = "16MnCr5", replaced by a table
+/// [material] with this name.
 Json with_named_materials(const Json& tree);
 
 /// Copies values from gear 1 to gear 2 of a mounted pair, if both have teeth. A gear that is cut by

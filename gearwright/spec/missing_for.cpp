@@ -91,14 +91,16 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
       missing.push_back(spelled(material.error()));
     }
   }
-  // The inputs of VDI 2736 depend on the materials, so they are listed only if the materials are known.
+  // The inputs of VDI 2736 depend on the materials, so they are listed only if the materials are
+  // known.
   if (known || input.edition != RatingEdition::vdi_2736)
     for (const Error& error : missing_inputs(input, halves)) missing.push_back(spelled(error));
   return missing;
 }
 
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
-  // If gear 2 is a rack, only the geometry is computed. The other verbs reject the rack with the reason.
+  // If gear 2 is a rack, only the geometry is computed. The other verbs reject the rack with the
+  // reason.
   if (spec.rack) return {};
   std::vector<Error> missing;
   if (spec.search || spec.given.contains("search") || spec.measured[0] || spec.measured[1] ||

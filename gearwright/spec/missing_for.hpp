@@ -1,4 +1,5 @@
-// The inputs that a spec lacks for a computation. They are found before the computation and reported together.
+// The inputs that a spec lacks for a computation. They are found before the computation and
+// reported together.
 #pragma once
 
 #include <array>
@@ -39,8 +40,9 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<MaterialInput, 2>& materials,
                                       const std::array<std::string, 2>& tables, int halves = 1);
 
-/// The table that contains the material of a gear: the gear's own table, that of gear 1, or
-/// [rating.material]. If the spec has none of these, it is the table in which a material would be given.
+/// The table that contains the material of a gear: the gear's own table, the table of gear 1, or
+/// [rating.material]. If the spec has none of these, it is the table in which a material would be
+/// given.
 std::string material_table(const JobSpec& spec, int which);
 
 }  // namespace gearwright

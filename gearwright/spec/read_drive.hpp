@@ -23,8 +23,8 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 /// empty if the tree has no table of a drive.
 std::map<std::string, MaterialInput> drive_materials(const Json& tree);
 
-/// Sets an absent speed of [rating] to the speed of the first input, because a life and a power need a
-/// speed.
+/// Sets an absent speed of [rating] to the speed of the first input, because a life and a power
+/// need a speed.
 void lend_speed(Json& tree);
 
 /// Reads a planetary set from a table with the keys of [planetary].
@@ -35,8 +35,8 @@ PlanetarySpec read_set(const Json& node, const std::string& path);
 /// Domain    read_drive accepts the spec (contract)
 Json expanded_spec(const Json& tree, const DriveInput& drive);
 
-/// Replaces the names in an error of a drive's graph by the keys of the file. For example, `drive.fixed` of a set
-/// becomes planetary.fixed.
+/// Replaces the names in an error of a drive's graph by the keys of the file. For example,
+/// `drive.fixed` of a set becomes planetary.fixed.
 Error of_drive_table(Error error, const Json& tree);
 
 }  // namespace gearwright

@@ -57,7 +57,8 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
                               gear.name("thickness_allowance_mm")));
 }
 
-// Computes module, helix angle and profile shift for a given rack from the dimensions of the finished gear in [basic].
+// Computes module, helix angle and profile shift for a given rack from the dimensions of the
+// finished gear in [basic].
 void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
                 std::optional<double> alpha) {
   const Json* node = gear.table("basic");
@@ -141,7 +142,8 @@ void refuse_involute_keys(TableReader& gear) {
               why + "; the positions of the arc centres determine the depth of the cutter");
 }
 
-// The table that the word `kind` selects among the possible tables of a key. Without `kind` it is the first table.
+// The table that the word `kind` selects among the possible tables of a key. Without `kind` it is
+// the first table.
 const KeyTable& kind_of_table(const Key& key, const Json& node, const std::string& path) {
   const auto it = node.find("kind");
   if (it == node.end()) return key.tables.front()();
@@ -156,7 +158,8 @@ const KeyTable& kind_of_table(const Key& key, const Json& node, const std::strin
                         : "must be a text in quotes");
 }
 
-// The table of a cutter with the numbers that it omits. They are taken from the gear or from its mating gear.
+// The table of a cutter with the numbers that it omits. They are taken from the gear or from its
+// mating gear.
 Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   Json whole = cutter;
   for (const char* key_of_both : {"normal_module_mm", "normal_pressure_angle_deg"}) {

@@ -14,13 +14,14 @@
 
 namespace gearwright {
 
-/// `keys` are gear_keys() or cutter_keys(), and `path` is the name of the table, "gear1". `mate` is the
-/// table of the other gear, from which a separate cutter takes the module and angles that it omits.
-/// File names are relative to `folder`.
+/// `keys` are gear_keys() or cutter_keys(), and `path` is the name of the table, "gear1". `mate` is
+/// the table of the other gear, from which a separate cutter takes the module and angles that it
+/// omits. File names are relative to `folder`.
 GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& path,
                     const Json* mate = nullptr, const std::filesystem::path& folder = {});
 
-/// The rack in [gearN], by default ISO53-A. `module`, in mm, selects one of the racks of GB/T 12759.
+/// The rack in [gearN], by default ISO53-A. `module`, in mm, selects one of the racks of GB/T
+/// 12759.
 Rack read_rack(TableReader& gear, std::optional<double> module);
 
 /// Reads a rack for which only straight flanks are allowed.

@@ -23,9 +23,9 @@ constexpr std::size_t kMaxTopography = 4 << 20;  ///< in bytes, enough for 200 0
 std::array<FlankModifications, 2> read_modifications(TableReader& gear,
                                                      const std::filesystem::path& folder);
 
-/// Reads a topography from CSV with the columns diameter_mm, z_mm and removed_um. The rows may have any order,
-/// and every diameter must occur once with every z. A first line with these names, empty lines and comments after #
-/// are allowed.
+/// Reads a topography from CSV with the columns diameter_mm, z_mm and removed_um. The rows may have
+/// any order, and every diameter must occur once with every z. A first line with these names, empty
+/// lines and comments after # are allowed.
 ///
 /// Errors    line and reason, without a key
 Result<Topography> topography_from_csv(std::string_view csv);

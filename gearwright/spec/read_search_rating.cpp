@@ -15,8 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The materials in the tables of the gears, with or without teeth. If gear 2 has no material, it takes the
-// material of gear 1.
+// The materials in the tables of the gears, with or without teeth. If gear 2 has no material, it
+// takes the material of gear 1.
 std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable& rating) {
   std::array<MaterialInput, 2> materials;
   bool before = false;
@@ -99,7 +99,7 @@ bool wants_rating(const SearchProblem& problem, const RatingTable& rating) {
 
 void read_search_rating(const Json& tree, JobSpec& spec) {
   const RatingTable& rating = spec.rating;
-  // If gear 2 takes a material from gear 1, the table of gear 1 is named.
+  // If gear 2 takes its material from gear 1, the error names the table of gear 1.
   const std::array<std::string, 2> tables{material_table(spec, 1), material_table(spec, 2)};
   const auto check = [&](const std::array<MaterialInput, 2>& given) {
     const std::vector<Error> missing = missing_for_rating(rating, given, tables);

@@ -83,11 +83,13 @@ class Lacks {
       if (known == all_.end()) {
         all_.push_back(error);
       } else {
-        *known = error;  // the inputs of a verb are described in more detail than those of a table
+        *known = error;  // the inputs of a verb are described in more detail than the inputs of a
+                         // table
       }
     }
   }
-  /// Omits the second input if the first is also missing, because the second follows from the first.
+  /// Omits the second input if the first is also missing, because the second follows from the
+  /// first.
   void shared(const std::string& first, const std::string& second) {
     if (!has(all_, first)) return;
     std::erase_if(all_, [&](const Error& e) { return e.field == second; });
@@ -192,7 +194,7 @@ void refuse_halves(const Json* gear, const std::string& path, const Json& tree) 
 
 // The designs of a search take the modifications of a gear without teeth.
 void check_modifications(const Json* gear, const char* name, const std::filesystem::path& folder) {
-  if (!gear || gear->contains("teeth")) return;  // read_gear() reads those of a complete gear
+  if (!gear || gear->contains("teeth")) return;  // read_gear() reads a complete gear
   TableReader t(blank_keys(), *gear, name);
   read_modifications(t, folder);
 }
@@ -213,8 +215,8 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
   const Json* search = t.table("search");
-  // In a spec with [search], a table of a gear without teeth contains only the data that the search does not
-  // choose. The mating gear of an unknown gear may have no data except its number of teeth.
+  // In a spec with [search], a table of a gear without teeth contains only the data that the search
+  // does not choose. The mating gear of an unknown gear needs only its number of teeth.
   const auto is_gear = [&](const Json* gear) {
     const Json* other = gear == gear_1 ? gear_2 : gear_1;
     return gear && (!search || gear->contains("teeth")) && !is_unknown_gear(*gear) &&

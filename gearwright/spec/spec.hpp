@@ -1,8 +1,8 @@
 // The spec file: a gear or a pair as on a drawing, in TOML or JSON.
 //
-// Lengths are in mm, or in inch if the spec gives units = "inch", and angles in degrees, as given in the key. A
-// spec that was read is in mm. Absent keys are also absent in the structs.
-// job/solved_job.hpp computes the values that follow from the spec.
+// Lengths are in mm, or in inch if the spec gives units = "inch". Angles are in degrees. The name
+// of a key contains its unit. After reading, all lengths are in mm. Absent keys are also absent in
+// the structs. job/solved_job.hpp computes the values that follow from the spec.
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ struct SpecTree;         // spec/parse_spec.hpp
 
 struct JobSpec : SpecTables {
   std::string text;  ///< the text of the spec, for the report; JSON text if it was read from a tree
-  /// The spec as a tree of tables, with the values that gear 2 takes from gear 1. It is null if the spec
-  /// was not read.
+  /// The spec as a tree of tables, with the values that gear 2 takes from gear 1. It is null if the
+  /// spec was not read.
   std::shared_ptr<const SpecTree> tree;
   GivenKeys given;                          ///< the paths of the keys in the text
   std::shared_ptr<const DriveInput> drive;  ///< null if the spec has no drive
@@ -57,7 +57,8 @@ Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
 
 Result<JobSpec> read_spec(const SpecText& text, SpecUse use = SpecUse::geometry);
 
-/// The error of a spec in inch for a feature whose results are in mm only; nothing for a spec in mm.
+/// The error of a spec in inch for a feature whose results are in mm only; nothing for a spec in
+/// mm.
 std::optional<Error> only_in_mm(const JobSpec& spec, std::string_view feature);
 
 /// Reads the text of the file with read_spec_text(), then the spec.
