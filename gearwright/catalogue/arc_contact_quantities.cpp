@@ -119,7 +119,7 @@ void say(Quantities<C>& q) {
   q.record<radius_quantities>("transverse_radius_mm", "radii of the transverse profiles",
                               at([](const ArcContact& a) { return radius_quantities().of(a); }));
   q.number("transverse_radius_difference_mm", "difference of the transverse radii", "Δρ",
-           "radius of the concave profile minus that of the convex profile",
+           "radius of the concave profile minus radius of the convex profile",
            at([](const ArcContact& a) {
              return a.transverse_radius_concave - a.transverse_radius_convex;
            }));

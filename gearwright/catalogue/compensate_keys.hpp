@@ -1,5 +1,5 @@
-// The keys of [compensate] and [compensate.range], which are the permitted corrections and the ranges of
-// errors.
+// The keys of [compensate] and [compensate.range], which are the permitted corrections and the
+// ranges of errors.
 #pragma once
 
 #include <array>

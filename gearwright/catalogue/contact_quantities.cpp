@@ -32,7 +32,8 @@ auto touching(F get) {
   return [get](const P& p) { return touches(p) ? Value(std::invoke(get, p)) : Value(); };
 }
 
-// True if gear 2 is a rack, or if it is not. The results for a rack are travels instead of angles.
+// is_rack is true if gear 2 is a rack, and is_gear if it is not. The results for a rack are travels
+// instead of angles.
 const auto is_rack = [](const auto& x) { return static_cast<bool>(x.rack); };
 const auto is_gear = [](const auto& x) { return !x.rack; };
 bool of_rack(const V& v) { return is_rack(*v.working); }
@@ -188,7 +189,8 @@ const Quantities<ContactResult>& non_working_quantities() {
   return kAll;
 }
 
-// Derivatives of the transmission error and of the contact point at every position, in the units of the keys.
+// Derivatives of the transmission error and of the contact point at every position, in the units of
+// the keys.
 Value sensitivities(const V& v) {
   ValueMap all;
   const RackTravel rack = v.working->rack;

@@ -10,7 +10,7 @@ namespace gearwright {
 
 const Quantities<Drive>& drive_quantities();
 
-/// One body of a drive, and one mesh of a drive.
+/// A view of one body of a drive, and a view of one mesh.
 struct DriveBodyView {
   const Drive* drive;
   std::size_t body;

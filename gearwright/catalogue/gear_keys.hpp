@@ -1,8 +1,8 @@
 // The keys of [gear1] and [gear2].
 //
-// The table of a gear contains these tables: the dimensions of the finished tooth (basic), circular fillets,
-// a cutter (cut_by) and a bore. Its other tables are in rack_keys.hpp, modification_keys.hpp (flank
-// modifications) and inspection_keys.hpp (measuring).
+// The table of a gear contains these tables: the dimensions of the finished tooth (basic), circular
+// fillets, a cutter (cut_by) and a bore. Its other tables are in rack_keys.hpp,
+// modification_keys.hpp (flank modifications) and inspection_keys.hpp (measuring).
 #pragma once
 
 #include <optional>

@@ -6,8 +6,8 @@
 
 namespace gearwright {
 
-/// Adds to each property of a length the property with its name and limits in inch. A requirement of such a property
-/// is then satisfied by either name.
+/// Adds to each property of a length the property with its name and limits in inch. If the property
+/// is required, either of the two names is sufficient.
 void add_inch_names(nlohmann::ordered_json& schema);
 
 /// Adds a rule to the schema of specs. The names of all lengths of a spec must agree with its

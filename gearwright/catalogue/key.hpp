@@ -1,6 +1,7 @@
 // The catalogue of inputs. It contains the only description of each key of a spec.
 //
-//   Key        name in the file, symbol, kind, range with its reason, default, keys that it needs or
+//   Key        name in the file, symbol, kind, range with its reason, default, keys that it needs
+//   or
 //              excludes, one sentence of meaning, and the member of an input struct that it sets
 //   KeyTable   the keys of one table of a spec, and a rule for several of them
 //   KeyPlace   the member, key_place.hpp
@@ -183,7 +184,8 @@ struct KeyTable {
   std::vector<Key> keys;
   KeyRule rule{};  ///< checks the values after reading; "needs" and "excludes" are checked for each
                    ///< key
-  /// The key whose text may replace the table: material = "16MnCr5". It is empty if there is no such key.
+  /// The key whose text may replace the table: material = "16MnCr5". It is empty if there is no
+  /// such key.
   std::string_view shorthand{};
 
   const Key* find(std::string_view key) const;
@@ -204,9 +206,9 @@ std::string plain_words(std::string_view meaning);
 /// The least number of letters to insert, delete or replace that turns one word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// A suggestion for an unknown word, with the known words: "did you mean mass? Known are …". A known word
-/// is suggested if at most one letter in three differs, or if one of the words is a part of the other. Case
-/// is ignored. `meant` is the intended word, if it is known.
+/// A suggestion for an unknown word, with the known words: "did you mean mass? Known are …". A
+/// known word is suggested if at most one letter in three differs, or if one of the words is a part
+/// of the other. Case is ignored. `meant` is the intended word, if it is known.
 std::string word_hint(const std::string& word, const std::vector<std::string>& known,
                       std::string_view meant = {});
 

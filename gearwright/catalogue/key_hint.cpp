@@ -123,7 +123,8 @@ bool of_one_kind(std::string_view a, std::string_view b) {
   return a.empty() || b.empty() || kind(a) == kind(b);
 }
 
-// Searches the tables below this table and then all others. An example of the result is "diameter_mm in [gear1.bore]".
+// Searches the tables below this table and then all others. An example of the result is
+// "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
   // The result contains the name of the other table only if `table` has no key with the same name.
@@ -150,7 +151,8 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   return std::nullopt;
 }
 
-// The key whose name contains the word, or is contained in the word. The key with the fewest other letters is returned.
+// The key whose name contains the word, or is contained in the word. The key with the fewest other
+// letters is returned.
 const Key* with_part(const KeyTable& table, const Word& word) {
   return cheapest(table, kLongest, [&](const Key& key) {
     const std::string name = folded(without_unit(key.key));

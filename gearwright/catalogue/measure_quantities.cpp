@@ -178,7 +178,8 @@ const Quantities<ChordMeasure>& chord_quantities() {
              [](const C& c) { return c.chord.tip_to_chord; })
         .always();
     q.number("caliper_angle_deg", "angle of the calliper to the transverse plane", "",
-             "sign as for β [T5.7]", [](const C& c) { return deg(c.chord.caliper_angle); })
+             "signed in the same way as β [T5.7]",
+             [](const C& c) { return deg(c.chord.caliper_angle); })
         .always()
         .digits(3);
   });

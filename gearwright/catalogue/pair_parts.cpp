@@ -133,7 +133,8 @@ std::optional<LineView> line_between(const InvolutePair& p) {
                   {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
 }
 
-// The path of the first contact over the common face, and its mirror image for the non-working flanks.
+// The path of the first contact over the common face, and its mirror image for the non-working
+// flanks.
 std::optional<LineView> line_between(const ArcPair& p) {
   if (p.contacts.empty()) return std::nullopt;
   const Vec3 at = p.first_contact().at.point;
@@ -220,7 +221,8 @@ const Quantities<ParallelPair>& needed_face_quantities() {
   using P = ParallelPair;
   using Face = std::optional<double> (*)(const P&);
   static const Quantities<P> kAll("pair.needed face width", [](Quantities<P>& q) {
-    // Adds the face width of the teeth. For double-helical gears, the face width of the whole gear is also added.
+    // Adds the face width of the teeth. For double-helical gears, the face width of the whole gear
+    // is also added.
     const auto add = [&q](const char* key, const char* whole_key, const char* words,
                           const char* meaning, Face face) {
       const auto worth = [face](const P& p) { return face(p).value_or(0.0) > 0.0; };

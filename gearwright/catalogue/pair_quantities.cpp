@@ -63,7 +63,8 @@ std::array<double, 2> working_pitch_diameter(const V& v) {
   return v.visit([](const auto& p) { return p.working_pitch_diameter(); });
 }
 
-// v_t = π d_w n/60 in m/s, with d_w in mm and n in 1/min. Gear 2 rotates at n_1/|u|. Source: ISO 6336-1.
+// v_t = π d_w n/60 in m/s, with d_w in mm and n in 1/min. Gear 2 rotates at n_1/|u|. Source: ISO
+// 6336-1.
 std::array<double, 2> pitch_line_velocity(const V& v) {
   const auto d = working_pitch_diameter(v);
   const double turns_1 = v.mounted().speed_rpm.value() / 60.0;
@@ -194,8 +195,8 @@ void say_contact(Quantities<V>& q) {
          &V::contact_ratio)
       .always()
       .shown([](const V& v) { return !is<CrossedPair>(v); });
-  // A pair on crossed axes has a single contact ratio. There is no transverse contact ratio to which an overlap ratio
-  // could be added.
+  // A pair on crossed axes has a single contact ratio. There is no transverse contact ratio to
+  // which an overlap ratio could be added.
   of_crossed
       .number("contact_ratio_crossed", "contact ratio", "ε", "AE/p_bn", &CrossedPair::contact_ratio)
       .doors(kPeople);

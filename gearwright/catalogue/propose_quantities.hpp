@@ -33,7 +33,7 @@ struct Proposal {
   bool pitch = false;  ///< true if the reliefs include pitch deviations
   bool lead = false;   ///< true if there is a helix crowning and slope
   std::array<ProposedGear, 2> gears{};
-  std::vector<ProposedLoad> loads{};       ///< at each torque
+  std::vector<ProposedLoad> loads{};       ///< results for each torque
   LoadedScore worst = no_score();          ///< worst values over all torques
   std::optional<LoadedScore> at_limits{};  ///< worst values at both limits of the helix slope
                                            ///< deviation

@@ -136,7 +136,7 @@ const Quantities<RackGeometry>& rack_quantities() {
            [](const R& r) { return r.bar.teeth ? Value(*r.bar.teeth) : Value(); });
     q.term("normal_module_mm", "normal module of the pinion", &R::normal_module).always();
     q.term("helix_angle_deg",
-           "angle of the teeth to the pinion axis; the hand is opposite to that of the pinion",
+           "angle of the teeth to the pinion axis; the hand is opposite to the hand of the pinion",
            &R::helix_angle)
         .always();
     q.term("face_width_mm", "as given, or the face width of the pinion", &R::face_width).always();

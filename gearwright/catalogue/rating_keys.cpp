@@ -52,8 +52,8 @@ void set_rims(RatingTable& rating, const std::array<double, 2>& rim) {
   rating.rim_thickness = std::min(rim[0], rim[1]);
 }
 
-// If power and torque are both given, they must agree. If only a spectrum is given, its step with the greatest torque
-// is the load.
+// If power and torque are both given, they must agree. If only a spectrum is given, its step with
+// the greatest torque is the load.
 std::optional<KeyFault> complete_load(RatingTable& rating) {
   RatingInput& in = rating.input;
   if (!rating.spectrum.empty()) {

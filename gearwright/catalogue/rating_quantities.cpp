@@ -142,7 +142,8 @@ Value section(const V& v, double CriticalSection::*member, double scale = 1.0) {
                     std::abs(v.rating.section[1].*member) * scale};
 }
 
-// The strengths of both materials. A strength is null for a plastic whose strength depends on temperature.
+// The strengths of both materials. A strength is null for a plastic whose strength depends on
+// temperature.
 Value strengths(const V& v, double Material::*member) {
   ValueList values;
   for (const Material& m : v.input.materials)
@@ -252,7 +253,7 @@ void say_spectrum(Quantities<V>& q) {
            [](const V& v) { return of_spectrum(v, &S::damage_flank); })
       .per_gear()
       .digits(4);
-  q.number("damage_root", "damage of the roots", "U_F", "as for the flanks",
+  q.number("damage_root", "damage of the roots", "U_F", "as `damage_flank`, but for the roots",
            [](const V& v) { return of_spectrum(v, &S::damage_root); })
       .per_gear()
       .digits(4);
@@ -319,7 +320,8 @@ void say_contact(Quantities<V>& q) {
       .when(asked);
 }
 
-// True for VDI 2736. Only plastics have temperatures, so a rating by ISO 6336 does not have these rows and keys.
+// True for VDI 2736. Only plastics have temperatures, so a rating by ISO 6336 does not have these
+// rows and keys.
 bool by_vdi(const V& v) { return v.rating.edition == RatingEdition::vdi_2736; }
 
 void say_temperatures(Quantities<V>& q) {
@@ -335,8 +337,8 @@ void say_temperatures(Quantities<V>& q) {
            of(&ToothTemperatures::flank))
       .per_gear()
       .when(by_vdi);
-  q.number("root_temperature_C", "temperature of the roots", "ϑ_Fu", "as for the flanks",
-           of(&ToothTemperatures::root))
+  q.number("root_temperature_C", "temperature of the roots", "ϑ_Fu",
+           "as `flank_temperature_C`, but for the roots", of(&ToothTemperatures::root))
       .per_gear()
       .when(by_vdi);
 }

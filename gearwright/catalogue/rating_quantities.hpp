@@ -1,7 +1,7 @@
 // The quantities of a strength rating, which are `rating` in a result.
 //
-// Each factor is described once, with its member of the rating. All interfaces use this description for the
-// value, the formula number and the branch.
+// Each factor is described once, with its member of the rating. All interfaces use this description
+// for the value, the formula number and the branch.
 #pragma once
 
 #include <array>
@@ -34,15 +34,16 @@ struct RatingView {
 
 const Quantities<RatingView>& rating_quantities();
 
-/// The clause of the standard for a factor, and the branch that was used. There are two branches, for gear 1
-/// and gear 2, if they differ.
+/// The clause of the standard for a factor, and the branch that was used. There are two branches,
+/// for gear 1 and gear 2, if they differ.
 struct FactorSource {
   std::string key, formula;
   std::vector<std::string> branches;
 };
 std::vector<FactorSource> factor_sources(const Rating& rating);
 
-/// "ISO 6336-1, 6.5.4, (13), (14): subcritical, N ≤ 0.85", or "" for a key that is not a factor.
+/// Example: "ISO 6336-1, 6.5.4, (13), (14): subcritical, N ≤ 0.85". The text is "" for a key that
+/// is not a factor.
 std::string source_text(const Rating& rating, std::string_view key);
 
 }  // namespace gearwright

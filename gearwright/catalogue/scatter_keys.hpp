@@ -1,5 +1,5 @@
-// The keys of [scatter] and its tables, which are the variations from pair to pair and the requested
-// results.
+// The keys of [scatter] and its tables, which are the variations from pair to pair and the
+// requested results.
 #pragma once
 
 #include <array>

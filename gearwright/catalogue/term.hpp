@@ -57,8 +57,8 @@ std::string_view unit_text(Unit unit);
 std::string_view unit_suffix(Unit unit);
 /// The unit that the suffix of the key names, or Unit::none if there is no such suffix.
 Unit unit_of(std::string_view key);
-/// The number of decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), and 5 for degrees
-/// (0.17 µm on a radius of 1 m) and for pure numbers.
+/// The number of decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), and 5 for
+/// degrees (0.17 µm on a radius of 1 m) and for pure numbers.
 int unit_digits(Unit unit);
 
 struct Term {

@@ -40,7 +40,7 @@ inline void write_document(const std::string& path, const std::string& text) {
 
 inline bool documents_are_written() { return std::getenv("GW_WRITE_DOCS") != nullptr; }
 
-/// Expects the file to be `made`, or writes it.
+/// Expects the file to equal `made`, or writes it.
 inline void expect_document(const std::string& path, const std::string& made) {
   if (documents_are_written()) write_document(path, made);
   EXPECT_EQ(document(path), made) << path
@@ -60,7 +60,7 @@ inline std::vector<std::string> blocks_of(const std::string& path, const std::st
   return names;
 }
 
-/// Expects the block <!-- kind: name --> to be `made`, whose lines end with a line feed.
+/// Expects the block <!-- kind: name --> to equal `made`, whose lines end with a line feed.
 inline void expect_block(const std::string& path, const std::string& kind, const std::string& name,
                          const std::string& made) {
   std::string text = document(path);
