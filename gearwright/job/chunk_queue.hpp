@@ -19,7 +19,8 @@ namespace gearwright {
 struct CampaignOptions {
   std::filesystem::path out;  ///< folder of the files; empty if there are none
   bool resume = false;
-  int shard = 1, shards = 1;      ///< this process computes the chunks shard − 1 + k shards
+  int shard = 1, shards = 1;      ///< this process computes every `shards`-th chunk, starting at
+                                  ///< shard − 1
   bool many = false;              ///< true if shards or ranks may have opened the folder before
   bool together = false;          ///< true for ranks; the first rank then opens the folder for all
   std::string writer = "search";  ///< name of this process in the journal

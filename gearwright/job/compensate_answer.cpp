@@ -35,7 +35,8 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
           pair.center_distance};
 }
 
-// dTE/dφ1 of tooth pair 0 in the middle of its mesh, after the lead angle of one gear was changed.
+// The slope dTE/dφ1 of tooth pair 0 in the middle of its mesh, after a change of the lead angle of
+// one gear.
 std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
                                    Angle delta_lambda) {
   SetupChange change;
@@ -117,7 +118,8 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
 }
 
 constexpr int kPositions = 24;
-// Under load, a curve takes a hundred times as long, so fewer positions and corners of the range are computed.
+// Under load, a curve of the transmission error takes a hundred times as long to compute, so fewer
+// positions and fewer corners of the range are computed.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
@@ -148,7 +150,8 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
   return list;
 }
 
-// The warning about corrections at the end of the range, or nothing if there are no such corrections.
+// The warning about corrections at the end of the range, or nothing if there are no such
+// corrections.
 std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   std::string list;
   for (const FoundCorrection& c : answer.corrections) {
@@ -198,7 +201,8 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   SolvedJob with = std::move(solved).take();
   const auto contact = answer_contact(with);
   if (!contact) return contact.error();
-  // The warnings about the range of errors, which includes the errors of the spec, and about the load are kept.
+  // Two kinds of warnings are kept: warnings about the range of errors, which includes the errors
+  // of the spec, and warnings about the load.
   for (const Warning& w : job.warnings) {
     if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);
@@ -226,8 +230,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!corrections) return corrections.error();
   CompensateAnswer answer;
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
-  // Contact at every position is checked before the search. If the teeth are too short for this, no correction in a
-  // workshop makes them longer.
+  // Contact at every position is checked before the search. If the teeth are too short for it, no
+  // correction can restore contact.
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);
@@ -254,7 +258,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   answer.setting = arc_setting(job, setup);
   answer.lead = lead_without_slope(job, setup);
   if (answer.setting && answer.setting->angle_nominal) {
-    // Deviation from the rack angle of the drawing that is reached at the end of the flank.
+    // Difference between the rack angle at the end of the flank and the rack angle of the drawing.
     constexpr Angle kProfileEnd = Angle::degrees(10);
     task.profile = {*answer.setting->angle_nominal, kProfileEnd};
   }

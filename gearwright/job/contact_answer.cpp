@@ -95,8 +95,8 @@ void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>
        touch.gear});
 }
 
-// Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the outlines of the
-// gears determine whether this happens, [T2.34] and [T4.33].
+// Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the
+// outlines of the gears determine whether this happens, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Progress* progress) {
   const bool gear2_drives = input.driver == 2;
@@ -110,7 +110,8 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
          "cut by a pinion cutter and not for circular fillets."});
     return;
   }
-  // Only one pitch is examined. All pitches are equal, and positions in several pitches might have the same phase.
+  // Only one pitch is examined. All pitches are equal, and positions in several pitches might have
+  // the same phase.
   const auto first_pitch = [&](std::span<const ContactPoint> positions) {
     return input.rotations.empty() ? positions.first(static_cast<std::size_t>(input.positions))
                                    : positions;

@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// For a double-helical pair, the results are those of the whole gears. Their halves share the load,
+/// For a double-helical pair, the results describe the whole gears. Their halves share the load,
 /// because one gear floats along its axis (contact/halves.hpp). There is no pattern.
 struct ContactAnswer {
   /// For a double-helical pair, the setup of the half at z > 0; none for a rack.
@@ -20,7 +20,8 @@ struct ContactAnswer {
   ContactResult driving;          ///< the working flanks for the gear that drives
   ContactResult other;            ///< the non-working flanks, at the same positions
   std::optional<Angle> min_play;  ///< play of gear 2 between its flanks; < 0 if the gears jam
-  /// Peak to peak of the continuous curve of the driving flanks, or nothing if contact is lost.
+  /// The peak-to-peak transmission error of the working flanks over the continuous curve, or
+  /// nothing if contact is lost.
   std::optional<Angle> continuous_span;
   std::optional<ErrorMap> map;
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< if requested in [contact]

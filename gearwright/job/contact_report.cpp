@@ -19,8 +19,8 @@ namespace gearwright {
 namespace {
 
 // Line contact is narrow across the tooth and long along it, and the cells of the raster have the
-// same proportions. For modules of a few mm, the gap then changes by some hundredths of a µm from node
-// to node and from position to position, so the border of a pattern is almost smooth.
+// same proportions. For modules of a few mm, the gap then changes by some hundredths of a µm from
+// node to node and from position to position, so the border of a pattern is almost smooth.
 constexpr RasterSize kLines{97, 41};
 constexpr RasterSize kPoints{65, 81};
 constexpr RasterSize kSmall{17, 33};
@@ -128,7 +128,8 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
   parallel_for(list.size() + 1, make);
 }
 
-// The report on one half of a double-helical pair. The setup of the half at z < 0 (`below`) is a mirror image.
+// The report on one half of a double-helical pair. The setup of the half at z < 0 (`below`) is a
+// mirror image.
 ContactReport report_of_half(const SolvedJob& job, const ContactAnswer& half, Angle behind,
                              bool below) {
   const bool gear2_drives = job.spec.contact.driver == 2;
@@ -150,8 +151,8 @@ ContactReport report_of_half(const SolvedJob& job, const ContactAnswer& half, An
   return r;
 }
 
-// The report on the whole gears and their halves. If the spec has other rotations, the contact is computed
-// again at equal positions over one pitch.
+// The report on the whole gears and their halves. If the spec has other rotations, the contact is
+// computed again at equal positions over one pitch.
 Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer& given) {
   SolvedJob again = job;  // a copy, because its warnings have already been reported
   again.spec.contact.map.reset();
@@ -252,8 +253,8 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   if (!wants_contact(job)) return std::optional<ContactPart>();
   auto made = answer_contact(job, progress);
   if (!made) {
-    // If nothing touches, the rule of the error is sufficient, because it is about the whole pair. Otherwise
-    // the message also names the invalid number.
+    // If nothing touches, the rule of the error is sufficient, because it is about the whole pair.
+    // Otherwise the message also names the invalid number.
     if (!without_contact(made.error())) return made.error();
     const Error why = spelled(made.error(), job.spec.given);
     const bool whole_pair = made.error().kind == FailureKind::nothing_touches;

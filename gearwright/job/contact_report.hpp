@@ -11,8 +11,8 @@ namespace gearwright {
 /// An error with its value in the unit of its key. `index` counts the rows of error_entries().
 NamedAmount named_error(std::size_t index, double value);
 
-/// True if there is a pair and either the spec has [errors], [contact] or modifications, or the teeth are
-/// circular arcs.
+/// True if there is a pair and either the spec has [errors], [contact] or modifications, or the
+/// teeth are circular arcs.
 bool wants_contact(const SolvedJob& job);
 
 /// A result and its part of the report. The report contains pointers into the job.

@@ -11,7 +11,7 @@ namespace gearwright {
 
 /// The quantities of the result.
 ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer);
-/// The title and {"contact"}.
+/// A record with the title and "contact".
 Json contact_json(const SolvedJob& job, const ContactAnswer& answer);
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);
 

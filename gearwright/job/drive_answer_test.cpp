@@ -139,8 +139,8 @@ TEST(DriveAnswerTest, SearchesHaveTheNumbersOfTheirSpecs) {
   }
 }
 
-// A listed drive has backlash by the series of DIN 3967 in every mesh, unless the search has allowances
-// of its own, and the verdict of its spec is green.
+// A listed drive has backlash by the series of DIN 3967 in every mesh, unless the search has
+// allowances of its own, and the verdict of its spec is green.
 TEST(DriveAnswerTest, SearchesGiveTheBacklashOfTheirSeries) {
   for (const std::string kind : {"kind = \"planetary\"\nratio = [4.4, 4.6]\nsun_teeth = [15, 24]\n",
                                  "kind = \"train\"\nratio = [11.9, 12.1]\npinion_teeth = [17, "

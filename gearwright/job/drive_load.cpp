@@ -19,7 +19,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSameTorque = 1e-9;  // relative; a power and a speed may differ by rounding
+constexpr double kSameTorque = 1e-9;  // relative; a torque from power and speed may differ by
+                                      // rounding
 
 // The error if the spec gives keys of [load] that apply to a single pair only.
 std::optional<Error> not_for_drives(const JobSpec& spec) {

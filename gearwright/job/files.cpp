@@ -126,8 +126,9 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                  std::move(drawing.text)};
 }
 
-// The error if the spec requests results that are not available for these gears. A rack and its pinion have only
-// geometry, contact, a report and files. Double-helical gears have everything except corrections and scatter.
+// The error if the spec requests results that are not available for these gears. A rack and its
+// pinion have only geometry, contact, a report and files. Double-helical gears have everything
+// except corrections and scatter.
 std::optional<Error> beyond(const SolvedJob& job) {
   const bool halves = job.halves[0] && job.pair;
   if (!job.rack && !halves) return std::nullopt;
@@ -151,8 +152,8 @@ std::optional<Error> beyond(const SolvedJob& job) {
   return std::nullopt;
 }
 
-// The corrections, or nothing if the spec has no [compensate]. If nothing touches, there are no corrections
-// either, and the contact analysis or this function adds a warning.
+// The corrections, or nothing if the spec has no [compensate]. If nothing touches, there are no
+// corrections either, and the contact analysis or this function adds a warning.
 Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
   auto answer = answer_compensate(job, progress);
@@ -176,7 +177,8 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   return std::optional<CompensateView>();
 }
 
-// The scatter, or nothing if the spec has no [scatter]. If there is no contact, the contact analysis warns.
+// The scatter, or nothing if the spec has no [scatter]. If there is no contact, the contact
+// analysis warns.
 Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.scatter.given) return std::optional<ScatterAnswer>();
   auto answer = answer_scatter(job, progress);
@@ -293,8 +295,8 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   auto made = make(bodies);
   const auto modified = [](const ToothedBody& body) { return body.modified != nullptr; };
   if (made || std::none_of(bodies.begin(), bodies.end(), modified)) return made;
-  // Modified teeth have more faces, which may be too many for a file. In this case the file has the teeth
-  // as cut.
+  // Modified teeth have more faces, which may be too many for a file. In this case the file has the
+  // teeth as cut.
   std::vector<ToothedBody> as_cut = bodies;
   for (ToothedBody& body : as_cut) {
     if (!body.modified) continue;

@@ -23,7 +23,8 @@ struct ReportFile;  // report/report.hpp
 
 using OnFile = std::function<void(std::string_view what)>;
 
-/// The tolerances that a user may choose, in mm. A finer tolerance would make files that no program can read.
+/// The tolerances that a user may choose, in mm. A finer tolerance would make files that no program
+/// can read.
 struct ToleranceRange {
   double least, greatest;
 };
@@ -41,7 +42,8 @@ struct FileOptions {
   bool wants(std::string_view part) const;
 };
 
-/// Parts of `run`: the result, the report, the drawing (PDF, A4), and kinds of files by their endings.
+/// Parts of `run`: the result, the report, the drawing (PDF, A4), and kinds of files by their
+/// endings.
 inline constexpr std::array<std::string_view, 9> kRunParts{
     "result", "report", "drawing", "step", "stl", "glb", "3mf", "dxf", "svg"};
 
@@ -64,8 +66,8 @@ std::string_view ending(FileKind kind);
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
-/// The two halves of a gear's body. Gear 2 is turned in the opposite direction, unless it is internal,
-/// so that the halves of the mating gears have the same stagger.
+/// The two halves of a gear's body. Gear 2 is turned in the opposite direction, unless it is
+/// internal, so that the halves of the mating gears have the same stagger.
 ///
 /// Errors    `double_helical.gap` if the halves are staggered but have no gap
 Result<TwoHelices> two_helices_of(const Gear& half, const Halves& halves, int which);
@@ -75,7 +77,8 @@ Result<TwoHelices> two_helices_of(const Gear& half, const Halves& halves, int wh
 Error of_body(Error error, const std::string& name);
 
 /// Makes one file with these bodies, in memory, so that all errors occur before anything is
-/// written. If the file cannot contain modified flanks, it has the teeth as cut, and its note gives the reason.
+/// written. If the file cannot contain modified flanks, it has the teeth as cut, and its note gives
+/// the reason.
 ///
 /// Errors    a bore that does not fit; a file that is too large to be useful
 Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,

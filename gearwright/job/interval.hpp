@@ -1,5 +1,5 @@
-// The range of a record within tolerances: the numbers that differ between the two ends, in JSON and
-// for users. Internal to job/.
+// The range of a record within tolerances: the numbers that differ between the two ends, in JSON
+// and for users. Internal to job/.
 #pragma once
 
 #include <vector>

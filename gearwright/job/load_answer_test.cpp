@@ -143,7 +143,7 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   for (const char* key : {"transmission_error_arcsec", "approach_um", "max_pressure_MPa", "kind"})
     EXPECT_TRUE(position[key].is_null() || !std::isfinite(position[key].get<double>())) << key;
   EXPECT_NE(load_listing(job, answer).find("unfinished"), std::string::npos);
-  // If no position is left, there is no result.
+  // If no position has a result, there is an error.
   for (LoadedPosition& p : t.positions)
     p = LoadedPosition{.rotation1 = p.rotation1, .unfinished = true};
   const auto error = judge_load(task, *answer.contact, job.warnings);

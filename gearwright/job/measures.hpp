@@ -1,4 +1,5 @@
-// The verb measure, and the description of a gear by another rack. Internal to job/ and the program.
+// The verb measure, and the description of a gear by another rack. Internal to job/ and the
+// program.
 #pragma once
 
 #include <optional>
@@ -27,7 +28,8 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job);
 /// two records or none. Without tolerances the list is empty.
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
-/// job_record with `measure` added to each of `gears`, and the ranges of the measurements within tolerances.
+/// job_record with `measure` added to each of `gears`, and the ranges of the measurements within
+/// tolerances.
 Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
 std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures>& measures);

@@ -49,7 +49,7 @@ struct RatedLoad {
 };
 
 // The table [rating] for one mesh. Its load is the load of one copy of the mesh. Its life and its
-// reversed bending are those of the gear with the more severe use.
+// reversed bending apply to the gear with the more severe use.
 Json rating_table(const Json& of_drive, const RatedLoad& load) {
   Json table = of_drive;
   for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"})

@@ -21,7 +21,7 @@ struct ProposeAnswer : ProposeView {
   std::vector<Json> specs;  ///< one for each proposal; the first one is the spec as given
   /// Sentences about each of the specs, as in Answer.
   std::vector<std::vector<std::string>> notes;
-  Verdict verdict;  ///< on the recommended proposal, whose warnings replace those of the job
+  Verdict verdict;  ///< on the recommended proposal, whose warnings replace the job's
 };
 
 /// Errors    `load.torques` if neither [load] nor [rating] gives a torque; teeth with point

@@ -265,14 +265,16 @@ Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& i
   return task;
 }
 
-// Returns the number of samples of each replicate, a power of two, at most `most` for all replicates but at least one.
+// Returns the number of samples of each replicate, a power of two, at most `most` for all
+// replicates but at least one.
 int few_samples(const ScatterTask& task, int most) {
   int samples = 1;
   while (2 * samples <= std::min(task.samples, most / task.replicates)) samples *= 2;
   return samples;
 }
 
-// The family of loaded teeth for the first samples of each replicate. All samples share the compliance.
+// The family of loaded teeth for the first samples of each replicate. All samples share the
+// compliance.
 Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   // The samples under load must use the same flanks as the samples without load.
   const int driver = job.spec.load.driver;

@@ -1,5 +1,5 @@
-// [scatter.robust] under load: the answer and the corrected spec, and the optimum of `compensate` if
-// nothing varies.
+// [scatter.robust] under load: the answer and the corrected spec, and the optimum of `compensate`
+// if nothing varies.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

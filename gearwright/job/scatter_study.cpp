@@ -42,7 +42,8 @@ Json spec_of(const JobSpec& spec, const Search& search, const DesignRow& row) {
   return tree;
 }
 
-// True if a failure of prepared_scatter() concerns all designs, because it is about [scatter] as given.
+// True if a failure of prepared_scatter() concerns all designs, because it is about [scatter] as
+// given.
 bool of_all_designs(const Error& error) {
   return error.kind != FailureKind::no_flank &&
          (error.field.starts_with("scatter.") || error.field.ends_with("tolerance.quality"));

@@ -1,4 +1,5 @@
-// A study: the scatter of every design of a search, ranked by a percentile of the transmission error.
+// A study: the scatter of every design of a search, ranked by a percentile of the transmission
+// error.
 //
 //   N   rank of a design in the search, as in `search --take N`
 //
@@ -24,7 +25,8 @@ namespace gearwright {
 struct ListedDesign {
   std::int64_t number;  ///< N
   std::int64_t trial;
-  /// Teeth in the file of the list, by which a file of another search is recognised.
+  /// The numbers of teeth in the file of the list. They show whether the file belongs to another
+  /// search.
   std::optional<std::array<int, 2>> teeth{};
 };
 
@@ -44,7 +46,7 @@ struct StudyOptions : CampaignOptions {
 
 struct StudyRun {
   bool finished = false;      ///< true if all rows are computed and this process made the files
-  std::vector<Json> designs;  ///< ranked rows; scattered_design_quantities
+  std::vector<Json> designs;  ///< ranked rows with scattered_design_quantities
   std::vector<Json> refused;  ///< rows without a scatter, in the order of the list
   std::int64_t done = 0, of = 0;
   std::vector<std::string> notes;  ///< repairs in the folder
@@ -61,7 +63,8 @@ Result<std::vector<ListedDesign>> listed_designs(const std::filesystem::path& pa
 ///
 /// Throws    WorkStopped
 /// Errors    "--designs" if the search of the spec does not have the design; an error of [scatter],
-///           which concerns all designs. A failure that concerns this design only is a row.
+///           which concerns all designs. A failure that concerns this design only becomes a part of
+///           its row.
 Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDesign& design,
                        const StudyOptions& options);
 

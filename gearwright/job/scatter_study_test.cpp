@@ -75,7 +75,7 @@ TEST(ScatterStudy, LostContactComesLast) {
             run);
   std::vector<int> order;
   for (const Json& r : run.designs) order.push_back(r["design"]);
-  EXPECT_EQ(order, (std::vector{3, 4, 6, 1, 2}));  // 5 % are exactly what the percentile leaves out
+  EXPECT_EQ(order, (std::vector{3, 4, 6, 1, 2}));  // exactly 5 % of the samples may lose contact
   ASSERT_EQ(run.refused.size(), 1u);
 }
 
@@ -100,7 +100,7 @@ TEST(ScatterStudy, ASpecThatIsWrongForAllDesignsIsAnError) {
   EXPECT_FALSE(std::filesystem::exists(options.out));
 }
 
-// A study is not continued with another measured flank in a file of the same name.
+// A study is not continued if the file of a topography has the same name but other contents.
 TEST(ScatterStudy, TheContentsOfATopographyBelongToTheStudy) {
   const testing::ScratchFolder scratch;
   const auto measured = [&](int um) {

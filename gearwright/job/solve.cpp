@@ -12,7 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// A note about the values that gear 2 takes from gear 1 and that are not among its numbers: material and quality.
+// A note about the values that gear 2 takes from gear 1 and that are not among its numbers:
+// material and quality.
 std::optional<Warning> note_inherited(const JobSpec& spec) {
   std::string text;
   for (const std::string& key : spec.inherited) {
@@ -69,7 +70,8 @@ std::optional<Error> find_halves(SolvedJob& job) {
                "opposite hands"};
 }
 
-// Solves the gears and the pair. For double-helical gears, these are the gears and the pair of one half.
+// Solves the gears and the pair. For double-helical gears, these are the gears and the pair of one
+// half.
 Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
     return absent_input("gear1.normal_module",

@@ -1,9 +1,9 @@
 // The table of the verbs, which all interfaces use.
 //
-// Each row of the table is a verb with its name, its meaning, an example, the properties of its result
-// and its function. The command line with its help, completion and manual page, batch, case files,
-// Python and the page read this table. A new verb needs one row and one function. Internal to job/ and
-// the programs.
+// Each row of the table is a verb with its name, its meaning, an example, the properties of its
+// result and its function. The command line with its help, completion and manual page, batch, case
+// files, Python and the page read this table. A new verb needs one row and one function. Internal
+// to job/ and the programs.
 #pragma once
 
 #include <functional>
@@ -42,7 +42,8 @@ struct Answer {
 /// The answer with its specs and notes in the units of the spec.
 Answer in_units_of(const JobSpec& spec, Answer answer);
 
-/// The record, followed by `warnings` and `verdict` if the verb judges gears, in the units of the answer.
+/// The record, followed by `warnings` and `verdict` if the verb judges gears, in the units of the
+/// answer.
 Json answer_json(const Answer& answer);
 /// The listing, warnings and verdict.
 std::string answer_text(const Answer& answer);
@@ -73,8 +74,8 @@ const Verb* find_verb(std::string_view name);
 /// "gear, pair, …"
 std::string verb_names();
 
-/// The JSON of a verb's result. If the name is empty, the verb is `pair` for two gears and `gear` for
-/// one.
+/// The JSON of a verb's result. If the name is empty, the verb is `pair` for two gears and `gear`
+/// for one.
 ///
 /// Domain    the verb exists (contract)
 Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Progress* progress = nullptr);

@@ -1,4 +1,5 @@
-// Case files contain published numbers with their source, which are computed in the same way as a user's spec.
+// Case files contain published numbers with their source. The program computes these numbers in the
+// same way as for a user's spec.
 //
 //   {"cases": [{"id", "source", "verb", "spec": {...},
 //               "expected": {"pair.center_distance_mm": 56.4999},
