@@ -108,7 +108,7 @@ struct JudgedRating {
 
 /// The data to be judged. All pointers must stay valid during the call.
 struct Judged {
-  std::vector<const Gear*> gears;  ///< one or two gears; if `pair` is set, its gears
+  std::vector<const Gear*> gears;  ///< one or two gears; the gears of `pair`, if it is set
   const Pair* pair = nullptr;      ///< null if the gears are not mounted
   const RackPair* rack = nullptr;  ///< the pinion and its rack, if gear 2 is a rack
   const std::vector<Warning>* warnings = nullptr;  ///< warnings from all results
