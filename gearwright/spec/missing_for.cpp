@@ -113,8 +113,8 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   const bool propose_torque = torque || spec.rating.torque || spec.rating.power;
   if (use == SpecUse::propose && !propose_torque)
     missing.push_back(absent_input("load.torque_Nm",
-                                   ": enter a torque on gear 1, in N m, torque_Nm = 100 for "
-                                   "example, or power_kW and speed_rpm of [rating]"));
+                                   ": enter a torque on gear 1 in N m, for example torque_Nm = "
+                                   "100, or give power_kW and speed_rpm in [rating]"));
   const bool under_torque =
       (use == SpecUse::load && !probes_alone) ||
       ((use == SpecUse::compensate || (use == SpecUse::run && spec.compensate.given && two)) &&
@@ -130,7 +130,7 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   if (use == SpecUse::scatter && !any_tolerance(spec))
     missing.push_back(
         absent_input("scatter.errors",
-                     "; the verb scatter needs a range of at least one number. Give, for example, "
+                     "; the verb scatter needs a range for at least one number. Give, for example, "
                      "[scatter.errors] with crossing_deg = [-0.02, 0.02], or [scatter.bearings] "
                      "with span_mm and radius_mm, or [scatter.gear1] with thickness_allowance_mm = "
                      "[-0.02, 0.02] or modifications, or a grade (quality = 6)"));

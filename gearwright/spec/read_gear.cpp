@@ -33,7 +33,7 @@ std::optional<double> read_helix(TableReader& t) {
   }
   const auto value = beta ? beta : of_lead;
   if (hand && value && *value != 0.0 && (*value > 0.0) != (*hand == "right")) {
-    t.fail("hand", "contradicts the sign of helix_angle_deg (> 0 is a right hand)");
+    t.fail("hand", "contradicts the sign of helix_angle_deg (> 0 means right hand)");
   }
   return value;
 }

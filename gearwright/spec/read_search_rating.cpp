@@ -86,8 +86,9 @@ void check_faces(const TableReader& t, const SearchProblem& p) {
            "rated");
   if (!p.limits.safety_flank && !p.limits.safety_root && !p.limits.overlap_ratio)
     t.fail(key,
-           "is a band, within which each design has the least sufficient width; also give "
-           "safety_flank_min, safety_root_min or overlap_ratio_min, or give a single width");
+           "is a band, in which each design takes the least sufficient width; also give "
+           "safety_flank_min, safety_root_min or overlap_ratio_min, or replace the band by a "
+           "single width");
 }
 
 }  // namespace
