@@ -15,8 +15,8 @@ std::optional<KeyFault> check_ranges(CompensateInput& c, const KeyGiven&) {
   for (std::size_t i = 0; i < kErrorCount; ++i) {
     if (!c.range[i] || ++count <= kMaxRanges) continue;
     return KeyFault{error_entries()[i].key,
-                    fmt::format("is not allowed as a further range. At most {} ranges are "
-                                "possible, because every combination of range ends is computed",
+                    fmt::format("is one range too many; at most {} ranges are possible, because "
+                                "every combination of range ends is computed",
                                 kMaxRanges)};
   }
   return std::nullopt;

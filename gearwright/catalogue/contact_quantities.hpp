@@ -26,7 +26,7 @@ struct ContactView {
   const ContactResult* non_working;  ///< the non-working flanks, at the same positions
   double marking = 0.0;              ///< thickness of the marking compound, mm
   std::optional<Angle> min_play{};   ///< least play of gear 2; < 0 if the gears jam
-  std::vector<NamedSlope> slopes{};  ///< one entry for each sensitivity
+  std::vector<NamedSlope> slopes{};  ///< one entry for each requested derivative
   const std::array<FlankRaster, 2>* pattern = nullptr;
   const ErrorMap* map = nullptr;
   std::array<std::string, 2> map_axes{};             ///< names of x and y

@@ -268,7 +268,7 @@ void say_strength(Quantities<V>& q) {
       .when(wide)
       .digits(kFewDigits);
   q.number("mass_kg", "mass of both gears", "m",
-           "mass of full cylinders of the mean diameter (d_a + d_f)/2, or for an internal gear "
+           "mass of full cylinders with the mean diameter (d_a + d_f)/2; for an internal gear, "
            "mass of the ring from the mean diameter to 2.5 m_n outside its root; only for a rated "
            "search or with `objective` = `mass`",
            [](const V& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })

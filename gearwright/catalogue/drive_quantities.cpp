@@ -215,7 +215,7 @@ void say(Quantities<Drive>& q) {
        })
       .doors(kJson);
   q.record<drive_backlash_quantities>(
-      "backlash", "backlash of input and output; null with several inputs and without geometry",
+      "backlash", "backlash of input and output; null with several inputs or without geometry",
       &Drive::backlash);
   q.record<drive_error_quantities>(
       "transmission_error",

@@ -73,12 +73,12 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
     perhaps("base_pitch_um", "base pitch", "f_pb",
             "±, f_pt cos α_t [T10.31]; null for circular arcs", &T::base_pitch);
     perhaps("sector_pitch_um", "sector pitch over an eighth of the teeth", "F_pk",
-            "for k = ⌊|z|/8⌋ pitches [T10.31]; null for fewer than 16 teeth, and for the edition "
-            "of 2013, whose formula could not be confirmed",
+            "for k = ⌊|z|/8⌋ pitches [T10.31]; null for fewer than 16 teeth, or for the edition of "
+            "2013, whose formula could not be confirmed",
             &T::sector_pitch);
     perhaps("single_flank_composite_um", "single flank composite, total", "F_i′",
             "for the mating gear of the spec, by ISO 1328-1:1995, annex A [T10.32]; null without a "
-            "mating gear, and for the edition of 2013, which requires a design value",
+            "mating gear, or for the edition of 2013, which requires a design value",
             &T::single_flank);
     perhaps("tooth_single_flank_composite_um", "single flank composite, tooth to tooth", "f_i′",
             "null under the same conditions as the total", &T::tooth_single_flank);

@@ -328,7 +328,8 @@ const KeyTable& double_helical_keys() {
                    "offset of the teeth at z < 0 relative to the teeth at z > 0, in transverse "
                    "pitches; the mating gear must have the same offset"),
        Key::positive("groove_diameter_mm", "", &D::groove_diameter,
-                     "the root diameter minus half a normal module (for an internal gear plus)",
+                     "the root diameter minus half a normal module, or plus half a normal module "
+                     "for an internal gear",
                      "diameter of the gear within the gap")
            .with_needs({"gap_mm"}),
        Key::positive("hob_diameter_mm", "d_a0", &D::hob_diameter, "no run-out is computed",

@@ -27,8 +27,8 @@ void say_halves(Quantities<Halves>& q) {
            [](const H& h) { return h.given.stagger_pitches; })
       .always();
   q.number("groove_diameter_mm", "groove diameter", "",
-           "diameter of the gear within the gap, as given or equal to the root diameter minus "
-           "m_n/2 (for an internal gear plus); null without a gap",
+           "diameter of the gear within the gap, as given, or the root diameter minus m_n/2 (plus "
+           "m_n/2 for an internal gear); null without a gap",
            &H::groove_diameter);
   q.number("hob_run_out_mm", "least gap for the run-out of the hob", "",
            "[T2.43]; null without a hob", &H::hob_run_out);

@@ -1,8 +1,7 @@
 // The catalogue of inputs. It contains the only description of each key of a spec.
 //
 //   Key        name in the file, symbol, kind, range with its reason, default, keys that it needs
-//   or
-//              excludes, one sentence of meaning, and the member of an input struct that it sets
+//              or excludes, one sentence of meaning, and the member of an input struct that it sets
 //   KeyTable   the keys of one table of a spec, and a rule for several of them
 //   KeyPlace   the member, key_place.hpp
 //

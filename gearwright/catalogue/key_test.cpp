@@ -76,7 +76,7 @@ KeyValue value_of(const Key& key, const Json& v) {
   }
 }
 
-// If a default is a value, it is the default of the struct.
+// If the default in the catalogue is a value, the struct has the same default.
 template <class T>
 void expect_defaults(const KeyTable& table, std::size_t at_least) {
   std::size_t seen = 0;

@@ -51,8 +51,8 @@ const KeyTable& load_keys() {
                    "additional approach of the flanks that is parabolic along the face; the key "
                    "gives its value in the middle of the face"),
        Key::text("floating", &LoadInput::floating, "all bodies are centred",
-                 "only for drives: body that is free to move radially, the sun, the ring or the "
-                 "carrier of a planetary set"),
+                 "only for drives: body that is free to move radially (the sun, the ring or the "
+                 "carrier of a planetary set)"),
        Key::number("pin_error_um", "", Range::between(-1e5, 1e5), &LoadInput::pin_errors, "0",
                    "only for drives: tangential position error of the pin of each planet, > 0 "
                    "counter-clockwise; a single number applies to the first planet; if planets "

@@ -90,12 +90,12 @@ const Quantities<BallMeasure>& ball_quantities() {
              [](const B& b) { return b.seat.ball_diameter; })
         .always();
     q.number("dimension_mm", "dimension over or between two balls", "M_dK",
-             "over the balls, for an internal gear between them; both balls are in one transverse "
-             "plane, in opposite or most nearly opposite tooth spaces [T10.8]",
+             "over the balls, or between them for an internal gear; both balls are in one "
+             "transverse plane, in opposite or most nearly opposite tooth spaces [T10.8]",
              &B::dimension)
         .always();
     q.number("radial_mm", "distance from the axis over one ball", "M_rK",
-             "for an internal gear to the inside of the ball",
+             "for an internal gear, to the inner side of the ball",
              [](const B& b) { return b.seat.radial; })
         .always();
     say_seat<B>(q, [](const B& b) -> const BallSeat& { return b.seat; });

@@ -8,8 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// In a path, `#` is any number. A path that begins with "*." matches a key of any table, and one
-// that begins with "**." a key of any table except the spec itself.
+// In a path, `#` is any number. A path that begins with "*." matches a key of any table. A path
+// that begins with "**." matches a key of any table except the spec itself.
 struct Row {
   std::string_view path;
   std::string_view value;  // value of a known key; empty for an unknown key

@@ -181,7 +181,7 @@ const Quantities<InvolutePair>& path_quantities() {
     };
     point("A", "start of contact, at the tip of gear 2", &Mesh<double>::rho1_A);
     point("B", "one pitch before E", &Mesh<double>::rho1_B);
-    point("C", "pitch point, for crossed axes the pitch point of gear 1", &Mesh<double>::rho1_C);
+    point("C", "pitch point; for crossed axes, the pitch point of gear 1", &Mesh<double>::rho1_C);
     point("D", "one pitch after A", &Mesh<double>::rho1_D);
     point("E", "end of contact, at the tip of gear 1", &Mesh<double>::rho1_E);
   });
@@ -314,7 +314,7 @@ const Quantities<InterferenceView>& interference_quantities() {
     q.term("gear", "gear whose root or tip is affected; null if both gears are affected",
            [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
     q.number("amount", "amount", "",
-             "margin in mm, for `trochoid` in rad; negative if the parts interfere", &I::amount)
+             "margin in mm, or in rad for `trochoid`; negative if the parts interfere", &I::amount)
         .when([](const I& i) { return i.amount.has_value(); });
     q.text("message", "sentence for users", &I::message).always();
   });
@@ -341,8 +341,8 @@ const Quantities<Collision>& collision_quantities() {
            "gear with the affected root or the projecting tip; null if both gears are affected",
            [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
     q.number("depth_mm", "depth", "",
-             "depth of an overlap along the common normal in the middle of the play, or for "
-             "contact beyond the flank the remaining distance between the flanks",
+             "depth of an overlap along the common normal in the middle of the play; for contact "
+             "beyond the flank, the remaining distance between the flanks",
              &S::depth)
         .always();
     q.text("arcs", "touching arcs of gear 1 and gear 2, with the names of `outline`",

@@ -159,7 +159,7 @@ void say_crossed(Quantities<V>& all) {
       .doors(kJson)
       .when(is<InvolutePair>);
   q.number("needed_lead_crowning_um", "minimum lead crowning", "C_β",
-           "only with an internal gear, for each gear, the least lead crowning of this gear alone "
+           "only with an internal gear; for each gear, the least lead crowning of this gear alone "
            "with which the flanks stay clear of each other beside the line of action [T4.36]; null "
            "if no crowning of this gear alone is sufficient",
            [](const CrossedPair& p) { return needed_crowning_um(p); })
@@ -231,7 +231,7 @@ void say_contact(Quantities<V>& q) {
   q.under(kFace);
   q.part(as<ArcPair>)
       .number("face_width_for_contact_mm", "minimum face width for continuous contact", "b",
-              "smallest common face width with a contact point at all times, for double-helical "
+              "smallest common face width with a contact point at all times; for double-helical "
               "gears, the width of one half; only for circular arcs",
               [](const ArcPair& p) { return p.face_for_contact; })
       .when()
@@ -312,7 +312,7 @@ void say_clearances(Quantities<V>& q) {
       .expected();
   q.number("fillet_clearance_mm", "clearance of root fillet to mating tip corner", "",
            "per gear, least distance of the fillet from the tip corner of the mating gear [T2.26]; "
-           "null on crossed axes and if no corner reaches the fillet",
+           "null on crossed axes, or if no corner reaches the fillet",
            by_kind([](const ParallelPair& p) { return Value(p.fillet_clearance); },
                    [](const CrossedPair&) { return Value(std::array<std::optional<double>, 2>{}); },
                    [](const ArcPair&) { return Value(); }))
@@ -393,7 +393,7 @@ void say_friction(Quantities<V>& q) {
       .record<efficiency_quantities>(
           "efficiency",
           "efficiency with friction of the flanks alone [T4.27], if all tooth pairs in contact "
-          "carry equal parts of a constant normal force; null without `friction_coefficient`, and "
+          "carry equal parts of a constant normal force; null without `friction_coefficient`, or "
           "if `contact_ratio_true` is less than 1",
           [](const Efficiency& e) { return efficiency_quantities().of(e); })
       .doors(kJson);

@@ -154,13 +154,13 @@ const Quantities<ProposeView>& propose_quantities() {
              [](const V& v) { return um(v.helix_deviation); })
         .digits(2);
     q.number("deflection_slope_um", "linear deflection of the shafts along the face", "S",
-             "sum of the slope in `[load]` and of the slope by the shafts of the gears under a "
-             "uniform load [T12.37]; null without either",
+             "sum of the slope in `[load]` and of the slope caused by the shafts of the gears "
+             "under a uniform load [T12.37]; null if both are absent",
              [](const V& v) { return v.deflection ? um(v.deflection->slope) : Value(); })
         .digits(2);
     q.number("deflection_bow_um", "parabolic deflection of the shafts along the face", "B",
-             "sum of the bow in `[load]` and of the bow by the shafts of the gears under a uniform "
-             "load",
+             "sum of the bow in `[load]` and of the bow caused by the shafts of the gears under a "
+             "uniform load",
              [](const V& v) { return v.deflection ? um(v.deflection->bow) : Value(); })
         .digits(2);
     q.record<proposal_quantities>("proposals", "the spec as given, then the proposals",

@@ -74,7 +74,7 @@ const KeyTable& scatter_keys() {
                  "[T14.10], which multiplies the computing time by (inputs + 2)"),
        Key::flag("worst_case", &S::worst_case, "false",
                  "if true, the greatest peak-to-peak transmission error and the least play within "
-                 "all ranges are searched [T14.15]"),
+                 "all ranges are found by a search [T14.15]"),
        Key::flag("loosening", &S::loosening, "false",
                  "if true, the result contains the factor by which each tolerance can grow until "
                  "the greatest of `percentiles` of the peak-to-peak transmission error has grown "
