@@ -82,8 +82,8 @@ struct KeyList {
 struct KeyAlias {
   std::string_view of;
   double (*value)(double given, double cos_beta) = nullptr;  ///< converts to the unit of `of`
-  bool transverse = false;  ///< true for a value in the transverse section, which depends on the
-                            ///< helix angle
+  bool transverse = false;  ///< true for a value in the transverse section, whose conversion
+                            ///< depends on the helix angle
 };
 
 struct KeyTable;
