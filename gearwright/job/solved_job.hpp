@@ -11,8 +11,8 @@ namespace gearwright {
 /// A spec with its gears and its pair. Warnings name the keys of the file.
 struct SolvedJob : Arranged {
   JobSpec spec;  ///< as read; computed values are in `completed`
-  /// The halves of double-helical gears. In this case, `gears` and `pair` describe the half at z >
-  /// 0.
+  /// The halves of double-helical gears. In this case, `gears` and `pair` describe only the half at
+  /// z > 0.
   std::array<std::optional<Halves>, 2> halves{};
   /// The pinion with its rack if gear 2 is a rack. In this case `gears` contains only the pinion.
   std::optional<RackPair> rack{};
