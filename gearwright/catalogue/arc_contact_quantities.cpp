@@ -1,4 +1,4 @@
-// The quantities of a contact of circular-arc teeth: `arc_contacts` of a pair.
+// The quantities of a contact between circular-arc teeth: `arc_contacts` of a pair.
 #include <cmath>
 
 #include "gearwright/catalogue/pair_parts.hpp"
@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kMarking = 0.00635;  // mm, thickness of the marking compound for the ellipse
 
-// Semi-axis of the area in which a gap with the curvature k is smaller than the thickness of the marking
-// compound. There is none if k ≤ 0.
+// Semi-axis of the area in which a gap with the curvature k is smaller than the thickness of the
+// marking compound. It has no value if k ≤ 0.
 Value semi_axis(double k) { return k > 0.0 ? Value(std::sqrt(2 * kMarking / k)) : Value(); }
 
 Value tensor(const Mat2& k) {
@@ -57,8 +57,9 @@ const Quantities<ArcContact>& ellipse_quantities() {
     q.number("semi_minor_mm", "semi-minor axis of the contact ellipse", "",
              "null if the flanks interfere in this direction",
              [](const A& a) { return semi_axis(a.gap[1]); });
-    q.number("angle_deg", "major axis of the contact ellipse to the axis", "",
-             "angle about the normal, from the projection of axis 1 to the major axis", &A::angle);
+    q.number("angle_deg", "direction of the ellipse's major axis", "",
+             "angle about the flank normal, from the projection of axis 1 to the major axis",
+             &A::angle);
   });
   return kAll;
 }
@@ -91,7 +92,8 @@ void say(Quantities<C>& q) {
   q.number("point_mm", "point of contact at rotation 0", "x, y, z", "in the housing frame",
            at([](const ArcContact& a) { return a.point; }))
       .list({3});
-  q.term("normal", "unit vector out of gear 1", at([](const ArcContact& a) { return a.normal; }))
+  q.term("normal", "unit vector that points out of gear 1",
+         at([](const ArcContact& a) { return a.normal; }))
       .list({3})
       .doors(kJson);
   q.number("contact_diameter_mm", "diameter of contact", "", "per gear", [](const C& c) {
@@ -117,12 +119,13 @@ void say(Quantities<C>& q) {
   q.record<radius_quantities>("transverse_radius_mm", "radii of the transverse profiles",
                               at([](const ArcContact& a) { return radius_quantities().of(a); }));
   q.number("transverse_radius_difference_mm", "difference of the transverse radii", "Δρ",
-           "radius of the concave profile minus that of the convex profile",
+           "radius of the concave profile minus radius of the convex profile",
            at([](const ArcContact& a) {
              return a.transverse_radius_concave - a.transverse_radius_convex;
            }));
-  q.number("line_contact_radius_difference_mm", "difference that line contact would have", "",
-           "[T7.10]", at([](const ArcContact& a) { return a.line_contact_difference; }));
+  q.number("line_contact_radius_difference_mm",
+           "difference of the transverse radii for line contact", "", "[T7.10]",
+           at([](const ArcContact& a) { return a.line_contact_difference; }));
 }
 
 }  // namespace

@@ -20,17 +20,19 @@ struct RecordColumn {
   bool optional = false;                  ///< true if a row may have no value for the column
 
   const QuantityInfo& info() const { return *path.back(); }
-  /// True for a record. The quantities of the record are the columns after this one.
+  /// True if the column is a record, whose quantities are the columns after this one.
   bool opened() const { return info().of && info().list.empty(); }
   /// The keys of the path, separated by `between`: "ellipse.semi_minor_mm".
   std::string name(std::string_view between) const;
-  /// True if this interface has the column.
+  /// True if the column is available at the given interface.
   bool has(Doors door) const;
-  /// The number of values in each row, including those of nested lists. It is 0 if the number varies.
+  /// The number of values in each row, including the values of nested lists. It is 0 if the number
+  /// varies.
   std::size_t width() const;
   /// The value of this column in a record of the row's table, or null if the record lacks it.
   const Value* in(const ValueRecord& row) const;
-  /// The plain values of this column in a row. Their number is width(), and missing values are null.
+  /// The plain values of this column in a row. Their number is width(), and missing values are
+  /// null.
   ///
   /// Domain    width() > 0 (contract)
   std::vector<const Value*> values(const ValueRecord& row) const;
@@ -42,7 +44,7 @@ std::vector<RecordColumn> columns_of(const QuantityTable& table);
 /// The value of a quantity in a record of its table, or null if the record lacks it.
 const Value* value_in(const ValueRecord& record, const QuantityInfo& info);
 
-/// The tables. Each is followed by the tables of its records, unless these have occurred before.
+/// The given tables, each followed by the tables of its records. No table occurs twice.
 std::vector<const QuantityTable*> with_inner_tables(
     std::initializer_list<const QuantityTable*> tables);
 

@@ -11,7 +11,8 @@
 namespace gearwright {
 namespace {
 
-// A point without contact whose ellipse is known, so that some columns have a value and some have none.
+// A point without contact whose ellipse is known, so that some columns have a value and some have
+// none.
 ContactPoint point() {
   ContactPoint p;
   p.kind = TouchKind::none;

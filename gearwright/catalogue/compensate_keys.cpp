@@ -8,15 +8,15 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kMaxRanges = 5;  // 32 corners
+constexpr int kMaxRanges = 5;  // 5 ranges have 2^5 = 32 corners
 
 std::optional<KeyFault> check_ranges(CompensateInput& c, const KeyGiven&) {
   int count = 0;
   for (std::size_t i = 0; i < kErrorCount; ++i) {
     if (!c.range[i] || ++count <= kMaxRanges) continue;
     return KeyFault{error_entries()[i].key,
-                    fmt::format("makes more than {} ranges, which is not allowed, because every "
-                                "combination of the ends of the ranges is computed",
+                    fmt::format("is one range too many; at most {} ranges are possible, because "
+                                "every combination of range ends is computed",
                                 kMaxRanges)};
   }
   return std::nullopt;
@@ -38,8 +38,8 @@ const KeyTable& compensate_keys() {
            "corrections", correction_words(), &CompensateInput::corrections,
            "for circular-arc pairs `tool_setting_mm` and `cutter_lead1_deg`, for others "
            "`gear1.lead_slope_um` and `gear1.lead_crowning_um`",
-           "`tool_setting_mm` (Δb_F of the rack F, at most 5 mm and a tenth of a module), "
-           "`cutter_lead1_deg` and `cutter_lead2_deg` (within ±0.5), and for either gear "
+           "`tool_setting_mm` (Δb_F of the rack F, at most 5 mm and at most a tenth of a module), "
+           "`cutter_lead1_deg` and `cutter_lead2_deg` (within ±0.5), and, for either gear, "
            "`gear1.lead_slope_um` (±100), `gear1.lead_crowning_um` (0 to 50), "
            "`gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50), and "
            "`gear1.tip_relief_um`, `gear1.root_relief_um` and `gear1.end_relief_um` (0 to 50) if "
@@ -52,13 +52,15 @@ const KeyTable& compensate_keys() {
                  "pattern or, under the torques of `[load]`, the peak-to-peak transmission error "
                  "of loaded teeth or the greatest pressure. Under load, the worst torque "
                  "determines the result, and `centering_arcsec` has no effect"),
-       Key::not_negative("centering_arcsec", "w", &CompensateInput::centering_arcsec,
-                         "a tenth of the transmission error without corrections, at least 0.1; "
-                         "corrections that increase this error by 0.01 or more are then excluded",
-                         "cost of a pattern at the very end of the face [T8.24], or at the end of "
-                         "the profile for circular arcs, whose contact moves along the face. If "
-                         "the key is given, the transmission error may increase. If the total "
-                         "improvement is less than 0.001 arcsec, every correction is 0"),
+       Key::not_negative(
+           "centering_arcsec", "w", &CompensateInput::centering_arcsec,
+           "a tenth of the transmission error without corrections, at least 0.1. With this "
+           "default, corrections that increase the transmission error by 0.01 arcsec or more are "
+           "excluded",
+           "cost of a pattern at the end of the face [T8.24]. For circular arcs, whose contact "
+           "moves along the face, it is the cost of a pattern at the end of the profile. If the "
+           "key is given, corrections may increase the transmission error. If the total "
+           "improvement is less than 0.001 arcsec, every correction is 0"),
        Key::part("range", compensate_range_keys,
                  KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),
                  "ranges of up to five errors for which the corrections must work, each [least, "

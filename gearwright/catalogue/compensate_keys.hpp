@@ -1,5 +1,5 @@
-// The keys of [compensate] and [compensate.range], which are the permitted corrections and the ranges of
-// errors.
+// The keys of [compensate] and [compensate.range], which are the permitted corrections and the
+// ranges of errors.
 #pragma once
 
 #include <array>
@@ -60,8 +60,8 @@ constexpr bool under_load(CompensateAim aim) { return aim != CompensateAim::tran
 struct CompensateInput {
   bool given = false;  ///< true if the spec has [compensate]
   CompensateAim aim = CompensateAim::transmission_error;
-  std::vector<std::size_t> corrections;    ///< indices in kCorrections; if empty, the usual ones of
-                                           ///< the pair
+  std::vector<std::size_t> corrections;    ///< indices in kCorrections; if empty, the default
+                                           ///< corrections for the kind of pair
   std::optional<double> centering_arcsec;  ///< cost of a pattern at the end of the face
   /// [compensate.range]: the least and the greatest value of each error, by its index in
   /// error_entries.

@@ -16,7 +16,7 @@ constexpr const char* kLead = "Lead angle that removes the slope of the transmis
 const Quantities<Scenario>& scenario_quantities() {
   using S = Scenario;
   static const Quantities<S> kAll("compensate.scenarios", [](Quantities<S>& q) {
-    q.text("errors", "in words", &S::errors).always();
+    q.text("errors", "errors of the scenario, in words", &S::errors).always();
     q.record<score_quantities>("before", "scores without corrections", &S::before).always();
     q.record<score_quantities>("after", "scores with the corrections", &S::after).always();
   });
@@ -29,14 +29,14 @@ const Quantities<SettingAnswer>& angle_quantities() {
     q.number("nominal", "pressure angle as drawn", "θ", "at the contact", &S::angle_nominal)
         .unit(Unit::deg)
         .digits(6);
-    q.number("displaced", "pressure angle with the change of centre distance", "θ", "ΔC",
-             &S::angle_displaced)
+    q.number("displaced", "pressure angle with the change of centre distance", "θ",
+             "under ΔC, without a setting", &S::angle_displaced)
         .unit(Unit::deg)
         .digits(6);
-    q.number("exact", "pressure angle with the exact setting", "θ", "besides", &S::angle_exact)
+    q.number("exact", "pressure angle with the exact setting", "θ", "under ΔC", &S::angle_exact)
         .unit(Unit::deg)
         .digits(6);
-    q.number("first_order", "pressure angle with the first-order setting", "θ", "besides",
+    q.number("first_order", "pressure angle with the first-order setting", "θ", "under ΔC",
              &S::angle_first_order)
         .unit(Unit::deg)
         .digits(6);
@@ -76,7 +76,7 @@ const Quantities<LeadAnswer>& lead_quantities() {
              "change that removes the slope; null if no change within ±0.57° removes it",
              [](const L& l) { return l.exact[0]; })
         .digits(6);
-    q.number("cutter_lead2_deg", "change of the lead angle of gear 2 instead", "Δλ_2",
+    q.number("cutter_lead2_deg", "alternative change of the lead angle of gear 2", "Δλ_2",
              "change that removes the slope; null if no change within ±0.57° removes it",
              [](const L& l) { return l.exact[1]; })
         .digits(6);
@@ -143,7 +143,7 @@ void say(Quantities<V>& q) {
   q.under(kLead);
   q.record<lead_quantities>("lead",
                             "change of the lead for circular-arc pairs; null for involute pairs, "
-                            "whose lead is corrected by slopes",
+                            "whose lead is corrected by helix slope modifications",
                             &V::lead);
   q.add(Type::map, "spec", "spec", "", "the complete spec with the corrections", &V::spec)
       .always()
@@ -210,12 +210,12 @@ const Quantities<ContactScore>& score_quantities() {
              return std::isfinite(s.peak_to_peak.rad()) ? Value(s.peak_to_peak.arcsec()) : Value();
            })
         .otherwise("no contact");
-    q.number("contact_along_face", "contact off the middle of the face", "",
-             "mean place, ±1 at the ends [T8.24]", &S::along_face)
+    q.number("contact_along_face", "contact offset along the face", "",
+             "mean position, ±1 at the ends [T8.24]", &S::along_face)
         .unit(Unit::percent)
         .digits(1);
-    q.number("contact_along_profile", "contact off the middle of the profile", "",
-             "mean place, ±1 at the ends [T8.24]", &S::along_profile)
+    q.number("contact_along_profile", "contact offset along the profile", "",
+             "mean position, ±1 at the ends [T8.24]", &S::along_profile)
         .unit(Unit::percent)
         .digits(1);
     q.number("edge_share", "positions with an edge in contact", "",

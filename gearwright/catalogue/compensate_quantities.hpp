@@ -11,7 +11,8 @@
 
 namespace gearwright {
 
-/// A correction that was found. `key` and `unit` are those of the files: "gear1.lead_crowning_um", "um".
+/// A correction that was found. `key` and `unit` are spelled as in specs: "gear1.lead_crowning_um",
+/// "um".
 struct FoundCorrection {
   std::string key, unit;
   std::string words;  ///< for users: "helix crowning of gear 1"
@@ -36,7 +37,7 @@ struct CompensateView {
   std::optional<LeadAnswer> lead;
   Value spec;  ///< the whole spec with the corrections
   CompensateAim aim = CompensateAim::transmission_error;
-  std::vector<AimedLoad> loads{};  ///< results under torque, if the aim is under load
+  std::vector<AimedLoad> loads{};  ///< results for each torque, if the aim includes load
 };
 
 /// The smallest improvement worth making: "0.001 ″".

@@ -48,14 +48,14 @@ const KeyTable& contact_keys() {
       {Key::number("positions", "", Range::between(4, 100'000), &ContactInput::positions, "64",
                    "positions per pitch of gear 1"),
        Key::number("pitches", "", Range::between(1, 10'000), &ContactInput::pitches, "1",
-                   "number of pitches in the result; each repeats the results of the first. "
+                   "number of pitches in the result, each with the results of the first pitch. "
                    "Positions times pitches must be at most 10⁶"),
        Key::number("marking_mm", "δ", Range::above(0, 1, ", usually 0.003 to 0.01"),
                    &ContactInput::marking, "0.00635",
                    "thickness of the marking compound for ellipses and pattern"),
        Key::number("driver", "", Range::between(1, 2), &ContactInput::driver, "1",
-                   "gear that drives; if gear 2 drives, the sense of rotation is the same and the "
-                   "trailing flanks touch"),
+                   "gear that drives; if gear 2 drives, the sense of rotation does not change, and "
+                   "the trailing flanks touch"),
        Key::flag("pattern", &ContactInput::pattern, "false",
                  "if true, the result has the marking pattern of both flanks"),
        Key::number("rotation1_deg", "", Range::between(-1e6, 1e6), &ContactInput::rotations, "",
@@ -63,7 +63,7 @@ const KeyTable& contact_keys() {
            .with_list(KeyList{1, 100'000})
            .with_fields({"rotations"}),
        Key::part("map", contact_map_keys, &ContactInput::map,
-                 "peak-to-peak transmission error over two errors at once")},
+                 "map of the peak-to-peak transmission error over two errors")},
       check_contact};
   return table;
 }
@@ -71,7 +71,7 @@ const KeyTable& contact_keys() {
 const KeyTable& contact_map_keys() {
   static const KeyTable table{
       "contact_map",
-      "Peak-to-peak transmission error over two errors at once; [errors] gives the other errors",
+      "Map of the peak-to-peak transmission error over two errors; [errors] gives the other errors",
       {Key::word("x", error_words(), axis(0), kRequired, "a key of [errors], such as crossing_deg")
            .with_form("a key of `[errors]`"),
        Key::number("x_range", "", {}, range(0), kRequired,

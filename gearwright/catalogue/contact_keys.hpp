@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-/// [contact.map]: a map of the peak to peak over two errors.
+/// [contact.map]: a map of the peak-to-peak transmission error over two errors.
 struct ContactMapInput {
   std::array<std::size_t, 2> key{};              ///< indices of x and y in error_entries
   std::array<std::array<double, 2>, 2> range{};  ///< lower and upper end for x and y

@@ -17,8 +17,8 @@ constexpr const char* kContact = "Tooth contact";
 
 bool touches(const P& p) { return p.kind != TouchKind::none; }
 
-// A getter for a quantity of a single contact point. It has no value for a whole double-helical pair, whose halves
-// have a contact point each.
+// A getter for a quantity of a single contact point. It has no value for a whole double-helical
+// pair, because each half has its own contact point.
 template <class F>
 auto at_place(F get) {
   return [get](const P& p) {
@@ -32,7 +32,8 @@ auto touching(F get) {
   return [get](const P& p) { return touches(p) ? Value(std::invoke(get, p)) : Value(); };
 }
 
-// True if gear 2 is a rack, or if it is a gear. Results for racks are travels instead of angles.
+// is_rack is true if gear 2 is a rack, and is_gear if it is not. The results for a rack are travels
+// instead of angles.
 const auto is_rack = [](const auto& x) { return static_cast<bool>(x.rack); };
 const auto is_gear = [](const auto& x) { return !x.rack; };
 bool of_rack(const V& v) { return is_rack(*v.working); }
@@ -46,7 +47,8 @@ const Quantities<ContactEllipse>& ellipse_quantities() {
     q.number("semi_major_mm", "semi-major axis", "", "null for line contact", &E::semi_major);
     q.number("semi_minor_mm", "semi-minor axis", "", "√(2δ/k2)", &E::semi_minor).always();
     q.number("angle_deg", "direction of the major axis", "",
-             "angle about the normal from the projection of axis 1 to the major axis", &E::angle)
+             "angle about the flank normal, from the projection of axis 1 to the major axis",
+             &E::angle)
         .always();
   });
   return kAll;
@@ -89,17 +91,18 @@ void say_position(Quantities<P>& q) {
            touching([](const P& p) { return p.rack.of(p.rotation2); }))
       .when(is_rack);
   q.term("transmission_error_arcsec",
-         "rotation 2 minus |z1/z2| times rotation 1, without removing the mean; > 0 if gear 2 is "
-         "ahead [T8.2]",
+         "rotation of gear 2 minus |z1/z2| times the rotation of gear 1; the mean is not removed; "
+         "> 0 if gear 2 is ahead [T8.2]",
          touching([](const P& p) { return p.te.arcsec(); }))
       .when(is_gear);
   q.term("transmission_error_um",
-         "travel minus r times rotation 1, without removing the mean; > 0 if the rack is ahead "
-         "[T8.29]",
+         "travel of the rack minus r times the rotation of gear 1; the mean is not removed; > 0 if "
+         "the rack is ahead [T8.29]",
          touching([](const P& p) { return travel_um(p.rack, p.te); }))
       .when(is_rack);
   q.whole("tooth", "tooth pair", "k",
-          "number k of the touching tooth pair, which reaches the centre line k pitches later",
+          "number of the tooth pair in contact; tooth pair k reaches the centre line k pitches "
+          "after tooth pair 0",
           touching(&P::pair));
   q.term("kind",
          "kind of contact: inside the flanks, along a line or at an edge; `form1` and `form2` are "
@@ -110,7 +113,8 @@ void say_position(Quantities<P>& q) {
   q.term("point_mm", "in the housing frame", at_place(&P::point))
       .words("point of contact")
       .list({3});
-  q.term("normal", "unit vector in the housing frame, out of gear 1", at_place(&P::normal))
+  q.term("normal", "unit vector in the housing frame that points out of gear 1",
+         at_place(&P::normal))
       .list({3});
   q.number("diameter_mm", "diameter of contact", "", "per gear; null for a rack",
            at_place([](const P& p) {
@@ -179,13 +183,14 @@ const Quantities<ContactResult>& non_working_quantities() {
         .words("transmission error of the non-working flanks, peak to peak")
         .when(is_rack);
     q.flag("contact_lost", "contact of the non-working flanks is lost",
-           "at some position no tooth pair touches", &R::contact_lost)
+           "true if no tooth pair touches at some position", &R::contact_lost)
         .doors(kJson);
   });
   return kAll;
 }
 
-// Derivatives of the transmission error and of the contact point at every position, in the units of the keys.
+// Derivatives of the transmission error and of the contact point at every position, in the units of
+// the keys.
 Value sensitivities(const V& v) {
   ValueMap all;
   const RackTravel rack = v.working->rack;
@@ -238,7 +243,7 @@ const Quantities<RasterView>& raster_quantities() {
                return Value(std::move(rows));
              })
         .list({0, 0});
-    q.number("marked", "share marked", "",
+    q.number("marked", "marked share of the flank", "",
              "share of the flank on which the marking compound would appear, 0 to 1",
              [](const R& r) {
                const auto& gap = r.raster->gap;
@@ -308,13 +313,13 @@ void say(Quantities<V>& q) {
    }).when(of_rack);
   q.number("continuous_peak_to_peak_arcsec",
            "transmission error, peak to peak of the continuous curve", "",
-           "peak to peak between the extremes of the curve [T14.11], independent of the positions; "
-           "null if contact is lost at some rotation",
+           "difference between the extremes of the curve [T14.11]; it does not depend on the "
+           "computed positions; null if contact is lost at some rotation",
            &V::continuous_span)
       .when(of_gear)
       .doors(kJson);
   q.number("continuous_peak_to_peak_um", "transmission error, peak to peak of the continuous curve",
-           "", "the same along a rack",
+           "", "as `continuous_peak_to_peak_arcsec`, but for the travel of a rack",
            [](const V& v) {
              return v.continuous_span ? Value(travel_um(v.working->rack, *v.continuous_span))
                                       : Value();
@@ -338,7 +343,7 @@ void say(Quantities<V>& q) {
       .when(of_gear)
       .always()
       .doors(kJson);
-  q.term("harmonics_um", "the same along a rack",
+  q.term("harmonics_um", "as `harmonics_arcsec`, but for the travel of a rack",
          [](const V& v) {
            ValueList list;
            for (const Angle h : v.working->harmonics) list.push_back(travel_um(v.working->rack, h));
@@ -347,23 +352,22 @@ void say(Quantities<V>& q) {
       .list({0})
       .when(of_rack)
       .doors(kJson);
-  q.term("contact_lost", "at some position no tooth pair touches",
+  q.term("contact_lost", "true if no tooth pair touches at some position",
          [](const V& v) { return v.working->contact_lost; });
   q.record<non_working_quantities>(
        "non_working_flank", "transmission error of the non-working flanks, at the same positions",
        [](const V& v) { return non_working_quantities().of(*v.non_working); })
       .always();
   q.number("least_play_deg", "minimum angular backlash of gear 2", "",
-           "least play between both flanks over the positions; negative if the gears jam; null if "
-           "one of the flanks never touches",
+           "least play between the working and the non-working flanks over the positions; negative "
+           "if the gears jam; null if one of the flanks never touches",
            &V::min_play)
       .when(of_gear)
       .digits(6);
-  q.number(
-       "least_play_mm", "minimum backlash along the rack", "",
-       "least play between both flanks over the positions; negative if pinion and rack jam; null "
-       "if one of the flanks never touches",
-       [](const V& v) { return v.min_play ? Value(v.working->rack.of(*v.min_play)) : Value(); })
+  q.number("least_play_mm", "minimum backlash along the rack", "",
+           "least play between the working and the non-working flanks over the positions; negative "
+           "if pinion and rack jam; null if one of the flanks never touches",
+           [](const V& v) { return v.min_play ? Value(v.working->rack.of(*v.min_play)) : Value(); })
       .when(of_rack);
   q.add(Type::map, "sensitivity", "sensitivities", "",
         "exact derivatives [T8.10] with respect to each error and each modification of the spec, "
@@ -391,20 +395,21 @@ void say(Quantities<V>& q) {
       .when([](const V& v) { return v.float_axial != nullptr; });
   q.record<contact_quantities>(
        "halves",
-       "contact of both halves of a double-helical pair, at z > 0 and at z < 0; the other numbers "
-       "are those of the whole gears, for which the positions contain no point of contact",
+       "contact of each half of a double-helical pair, first at z > 0, then at z < 0; all other "
+       "numbers describe the whole gears, whose positions contain no point of contact",
        [](const V& v) -> const auto& { return v.halves; })
       .list({2})
       .when([](const V& v) { return !v.halves.empty(); })
       .doors(kJson);
   q.record<pattern_quantities>(
        "pattern",
-       "pattern of both flanks; only with `pattern = true`, for double-helical pairs in `halves`",
+       "pattern of both flanks; only with `pattern = true`; for double-helical pairs it is in "
+       "`halves`",
        [](const V& v) -> const auto& { return v; })
       .when([](const V& v) { return v.pattern != nullptr; })
       .doors(kJson);
   q.record<map_quantities>(
-       "map", "peak to peak over the two errors of [contact.map]",
+       "map", "peak-to-peak transmission error over the two errors of [contact.map]",
        [](const V& v) -> const auto& { return v; })
       .when([](const V& v) { return v.map != nullptr; })
       .doors(kJson);

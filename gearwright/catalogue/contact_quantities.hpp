@@ -16,7 +16,7 @@ namespace gearwright {
 /// A change whose effect was requested, and its name in results.
 struct NamedSlope {
   std::string name;   ///< "center_distance_per_mm"
-  double unit = 1.0;  ///< rad or mm per unit of the name
+  double unit = 1.0;  ///< one unit of the change, in rad or mm
 };
 
 /// A contact analysis with the results of additional requests. For a double-helical pair, it is the
@@ -26,11 +26,12 @@ struct ContactView {
   const ContactResult* non_working;  ///< the non-working flanks, at the same positions
   double marking = 0.0;              ///< thickness of the marking compound, mm
   std::optional<Angle> min_play{};   ///< least play of gear 2; < 0 if the gears jam
-  std::vector<NamedSlope> slopes{};  ///< one entry for each sensitivity
+  std::vector<NamedSlope> slopes{};  ///< one entry for each requested derivative
   const std::array<FlankRaster, 2>* pattern = nullptr;
   const ErrorMap* map = nullptr;
   std::array<std::string, 2> map_axes{};             ///< names of x and y
-  std::optional<Angle> continuous_span{};            ///< peak to peak of the continuous TE curve
+  std::optional<Angle> continuous_span{};            ///< peak-to-peak value of the continuous
+                                                     ///< transmission error
   const std::vector<double>* float_axial = nullptr;  ///< mm, for each position; null for one helix
   std::vector<ContactView> halves{};  ///< the halves of a double-helical pair, z > 0 and z < 0
 };

@@ -25,7 +25,7 @@ constexpr int kFewDigits = 3;     // decimals of ratios and thicknesses in the p
 bool is_crossed(const V& v) { return v.problem->crossed(); }
 bool is_parallel(const V& v) { return !is_crossed(v); }
 
-// The value of an objective in the unit that users read.
+// The value of an objective in the unit of the result.
 Value objective_value(const V& v, Objective o) {
   const auto c = cost(*v.problem, *v.row, o);
   const bool greater_is_better = o == Objective::contact_ratio || o == Objective::area ||
@@ -50,12 +50,12 @@ const Quantities<V>& region_quantities() {
           [](const V& v) { return v.edges(); })
         .when([](const V& v) { return static_cast<bool>(v.edges); })
         .list({0});
-    q.number("lo", "middle of the slice with the least Σx", "", "[x1, x2]",
+    q.number("lo", "middle of the region at the least Σx", "", "[x1, x2]",
              [](const V& v) { return v.row->lo; })
         .list({2})
         .always()
         .column("lo_x#");
-    q.number("hi", "middle of the slice with the greatest Σx", "", "[x1, x2]",
+    q.number("hi", "middle of the region at the greatest Σx", "", "[x1, x2]",
              [](const V& v) { return v.row->hi; })
         .list({2})
         .always()
@@ -110,9 +110,9 @@ void say_place(Quantities<V>& q) {
       .always()
       .column("x#")
       .digits(4);
-  q.word("point", "place of the shifts",
-         "`eq11` means on the line of Eq. 11 and away from the borders of the region; `lo_hi` "
-         "means in the middle of the region, if the line misses the region",
+  q.word("point", "position of the profile shifts in the region",
+         "`eq11` is a point on the line of Eq. 11, away from the borders of the region; `lo_hi` is "
+         "a point in the middle of the region, used if the line misses the region",
          [](const V& v) { return v.row->balanced ? "eq11" : "lo_hi"; })
       .one_of({"eq11", "lo_hi"})
       .always()
@@ -141,8 +141,8 @@ void say_contact(Quantities<V>& q) {
       .greater_first()
       .digits(kFewDigits);
   q.number("contact_ratio_true", "effective transverse contact ratio", "ε_α,eff",
-           "for the path clipped to the usable flanks, which begin at ρ_F of [T9.1]; the faces of "
-           "crossed gears are not considered",
+           "for the part of the path on the usable flanks, which begin at ρ_F of [T9.1]; for "
+           "crossed gears, the limits of the faces are ignored",
            [](const V& v) { return v.row->contact_ratio_true; })
       .always()
       .column("contact_ratio_true")
@@ -268,7 +268,7 @@ void say_strength(Quantities<V>& q) {
       .when(wide)
       .digits(kFewDigits);
   q.number("mass_kg", "mass of both gears", "m",
-           "mass of full cylinders of the mean diameter (d_a + d_f)/2, or for an internal gear "
+           "mass of full cylinders with the mean diameter (d_a + d_f)/2; for an internal gear, "
            "mass of the ring from the mean diameter to 2.5 m_n outside its root; only for a rated "
            "search or with `objective` = `mass`",
            [](const V& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
@@ -287,8 +287,8 @@ void say(Quantities<V>& q) {
       .doors(kPage)
       .greater_first()
       .digits(4)
-      .shown(
-          [](const V& v) { return v.row->area > 0.0; });  // an exact centre distance leaves a line
+      .shown([](const V& v) { return v.row->area > 0.0; });  // with an exact centre distance, the
+                                                             // region is a line
   q.record<region_quantities>(
        "region", "profile shifts that satisfy every limit",
        [](const V& v) -> const auto& { return v; })

@@ -34,7 +34,8 @@ const KeyTable& drawing_keys() {
   static const KeyTable table{
       "drawing",
       "The title block of the report and of drawings",
-      {Key::text("title", &D::title, "the spec's `title`", "title of the drawing"),
+      {Key::text("title", &D::title, "value of the key `title` of the spec",
+                 "title of the drawing"),
        Key::text("number", &D::number, "", "drawing number")
            .with_also({"drawing_number", "no", "part_number"}),
        Key::text("author", &D::author, "", "name of the author"),

@@ -1,5 +1,5 @@
-// The keys of [drawing], which are the words of a title block and the fits of bore and keyway. They are printed as
-// given, and no date or author is added.
+// The keys of [drawing], which are the texts of a title block and the fits of bore and keyway. They
+// are printed as given, and no date or author is added.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace gearwright {
 
-/// The words of the title block, and the fits of bore and keyway. A text is empty if it is not given.
+/// The texts of the title block, and the fits of bore and keyway. A text is empty if it is not
+/// given.
 struct DrawingInput {
   std::string title, number, author, date, material, note;
   std::string heat_treatment, surface_texture, edges, general_tolerances;

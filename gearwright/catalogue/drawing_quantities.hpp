@@ -1,4 +1,4 @@
-// The title block as a result: `drawing` contains the words of the table [drawing] of the spec.
+// The title block as a result: `drawing` contains the texts of the table [drawing] of the spec.
 #pragma once
 
 #include "gearwright/catalogue/drawing_keys.hpp"

@@ -14,7 +14,7 @@ constexpr std::string_view kBodies = "a body or a list of bodies";
 constexpr std::string_view kMembers = "a number, or a table of numbers by member";
 constexpr std::string_view kMeshes = "a number, or a table of numbers by mesh";
 
-// A key whose value may have several forms. The reader handles it.
+// A key whose value may have several forms. The reader of drives converts the value.
 Key formed(std::string_view key, std::string_view symbol, std::string_view form,
            std::string_view fallback, std::string_view meaning) {
   const bool required = fallback == kRequired;
@@ -58,11 +58,12 @@ Key torque_key() {
 
 template <class Member>
 Key spacing_key(Member place, std::string_view fallback = "\"nearest\"") {
-  return Key::word("spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
-                   "spacing of the planets. `nearest` means at equal pitch if the planets can be "
-                   "assembled so, otherwise at the nearest possible places; `equal` means at equal "
-                   "pitch, or an error; `equal_clocked` means at equal pitch with clocked planets; "
-                   "`opposite` means in opposite pairs");
+  return Key::word(
+      "spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
+      "spacing of the planets. `nearest` places the planets at equal pitch if they can be "
+      "assembled there, otherwise at the nearest possible positions; `equal` requires equal pitch; "
+      "`equal_clocked` requires equal pitch and turns the second gear of each stepped planet to "
+      "fit; `opposite` places the planets in opposite pairs");
 }
 
 }  // namespace
@@ -111,7 +112,7 @@ const KeyTable& planetary_keys() {
        spacing_key(&P::spacing),
        Key::number(
            "positions_deg", "", {}, &P::positions_deg, "determined by `spacing`",
-           "places of the planets around the carrier, counter-clockwise from the first planet")
+           "positions of the planets around the carrier, counter-clockwise from the first planet")
            .with_list({1, 1000}),
        formed(
            "material", "",
@@ -123,7 +124,8 @@ const KeyTable& planetary_keys() {
 const KeyTable& stage_keys() {
   static const KeyTable table{
       "stage",
-      "A stage of a train, from the input to the output: a pair of gears or a set",
+      "A stage of a train, which is a pair of gears or a planetary set; the stages are listed from "
+      "the input to the output",
       {formed("teeth", "z", "two numbers, the second negative for a ring", "",
               "numbers of teeth of a pair"),
        formed("gears", "", "two tables with the keys of [gear1]", "",
@@ -195,8 +197,9 @@ const KeyTable& drive_body_keys() {
        formed("rides_on", "", "a body", "the housing", "carrier on which the planet is mounted"),
        Key::number("count", "N", KeyRange::between(1, 1000), &DriveBody::count, "1",
                    "number of copies of a planet"),
-       Key::number("positions_deg", "", {}, &DriveBody::positions_deg, "determined by `spacing`",
-                   "places of the copies around the carrier, counter-clockwise from the first copy")
+       Key::number(
+           "positions_deg", "", {}, &DriveBody::positions_deg, "determined by `spacing`",
+           "positions of the copies around the carrier, counter-clockwise from the first copy")
            .with_list({1, 1000}),
        spacing_key(&DriveBody::spacing, "the value for the whole drive")}};
   return table;
@@ -242,7 +245,7 @@ const KeyTable& drive_mesh_keys() {
        Key::number(
            "angle_deg", "", KeyRange::between(-360, 360), &DriveMesh::direction, "0",
            "direction from the axis of the first gear to the axis of the second gear, "
-           "counter-clockwise; not allowed for planets, whose places determine the direction")}};
+           "counter-clockwise; not allowed for planets, whose positions determine the direction")}};
   return table;
 }
 

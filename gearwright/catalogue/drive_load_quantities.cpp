@@ -30,26 +30,27 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
              [](const V& v) { return v.shares->mesh_load_factor; })
         .always();
     q.number("share_mean", "mean share of each planet", "",
-             "load of a planet over that of all planets, mean over a period",
+             "load of a planet divided by the load of all planets, averaged over a period",
              [](const V& v) {
                return of_planets(*v.shares, [&](std::size_t i) { return v.shares->mean(i); });
              })
         .always()
         .list({0});
-    q.number("share_max", "greatest share of each planet", "", "over a period",
+    q.number("share_max", "greatest share of each planet", "", "greatest value within a period",
              [](const V& v) {
                return of_planets(*v.shares, [&](std::size_t i) { return v.shares->greatest(i); });
              })
         .always()
         .list({0});
     q.number("share_min", "least share of each planet", "",
-             "over a period; 0 if the planet loses contact",
+             "least value within a period; 0 if the planet loses contact",
              [](const V& v) {
                return of_planets(*v.shares, [&](std::size_t i) { return v.shares->least(i); });
              })
         .always()
         .list({0});
-    q.number("shares", "shares of the planets", "", "of each planet at each position of the period",
+    q.number("shares", "shares of the planets", "",
+             "share of each planet at each position of the period",
              [](const V& v) {
                return of_planets(*v.shares, [&](std::size_t i) {
                  return ValueList(v.shares->share[i].begin(), v.shares->share[i].end());
@@ -58,13 +59,13 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
         .always()
         .list({0, 0})
         .doors(kJson);
-    q.text("floating", "name of the body that floats; null if there is none",
+    q.text("floating", "name of the body that floats; null if no body floats",
            [](const V& v) -> Value {
              if (!v.shares->floating) return {};
              return v.drive->graph.bodies[*v.shares->floating].name;
            });
     q.number("displacement_um", "greatest displacement of the floating body", "",
-             "from the axis of the carrier; null if no body floats",
+             "distance from the axis of the carrier; null if no body floats",
              [](const V& v) { return micrometres(v.shares->greatest_displacement()); });
     q.number("displacement_x_um", "displacement of the floating body", "",
              "at each position, in the frame of the carrier, towards the first planet",
@@ -77,7 +78,7 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
         .list({0})
         .doors(kJson);
     q.number("displacement_y_um", "displacement of the floating body", "",
-             "likewise, counter-clockwise from x",
+             "at each position, in the frame of the carrier, 90° counter-clockwise from x",
              [](const V& v) -> Value {
                if (!v.shares->floating) return {};
                ValueList list;
@@ -104,12 +105,13 @@ const Quantities<LoadedDrive::Curve>& loaded_curve_quantities() {
       return Value(list);
     };
     q.number("loaded_arcsec", "rotation error under load", "",
-             "of the output at each position of the period, from its mean",
+             "deviation of the output from its mean rotation at each position of the period",
              [seconds](const C& c) { return seconds(c.loaded); })
         .unit(Unit::arcsec)
         .always()
         .list({0});
-    q.number("rigid_arcsec", "rotation error of rigid teeth", "", "likewise, for equal shares",
+    q.number("rigid_arcsec", "rotation error of rigid teeth", "",
+             "as `loaded_arcsec`, but for rigid teeth and equal shares",
              [seconds](const C& c) { return seconds(c.rigid); })
         .unit(Unit::arcsec)
         .always()
@@ -126,14 +128,15 @@ const Quantities<Drive>& drive_load_quantities() {
        return d.loaded->torque;
      }).always();
     q.number("output_arcsec_peak_to_peak", "transmission error of the output under load", "",
-             "greatest value minus least value; for several mesh frequencies their sum",
+             "greatest value minus least value; for several mesh frequencies, the sum of these "
+             "differences",
              [](const Drive& d) {
                return Value(Angle::radians(d.loaded->error.peak_to_peak).arcsec());
              })
         .unit(Unit::arcsec)
         .always();
     q.number("rigid_arcsec_peak_to_peak", "transmission error of the output, rigid teeth", "",
-             "of `transmission_error`",
+             "value in `transmission_error`",
              [](const Drive& d) -> Value {
                if (!d.error) return {};
                return Angle::radians(d.error->peak_to_peak).arcsec();
@@ -148,7 +151,7 @@ const Quantities<Drive>& drive_load_quantities() {
         .list({0})
         .doors(kJson);
     q.number("mesh_load_factor", "greatest mesh load factor", "K_γ",
-             "of all sets [T13.26]; null without planets",
+             "greatest value over all sets [T13.26]; null without planets",
              [](const Drive& d) { return mesh_load_factor(d); })
         .doors(kJson);
     q.number("rated_mesh_load_factor", "mesh load factor of the rating", "K_γ",

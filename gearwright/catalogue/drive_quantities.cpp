@@ -47,7 +47,8 @@ Value shifts_of(const Drive& d) {
   return map;
 }
 
-// The centre distance of the first mesh of the first planetary set. There is none without a set or its geometry.
+// The centre distance of the first mesh of the first planetary set. There is no value if the drive
+// has no set or the set has no geometry.
 std::optional<double> set_distance(const Drive& d) {
   if (d.sets.empty() || d.sets.front().group.meshes.empty()) return std::nullopt;
   return d.geometry.distance[d.sets.front().group.meshes.front()];
@@ -81,7 +82,7 @@ const Quantities<DriveError>& drive_error_quantities() {
   using E = DriveError;
   static const Quantities<E> kAll("drive.transmission_error", [](Quantities<E>& q) {
     q.number("output_arcsec_peak_to_peak", "transmission error of the output", "",
-             "greatest value minus least value; for several mesh frequencies the sum of these "
+             "greatest value minus least value; for several mesh frequencies, the sum of these "
              "differences [T13.21]",
              [](const E& e) { return Value(Angle::radians(e.peak_to_peak).arcsec()); })
         .unit(Unit::arcsec)
@@ -102,10 +103,10 @@ const Quantities<Resultant>& resultant_quantities() {
     q.number("torque", "torque and axial force", "R_k",
              "remaining share of harmonic k in the sum over all planets [T13.18]", &R::torque)
         .always();
-    q.number("force_forward", "transverse force with the sun", "F_k^+", "[T13.18]",
+    q.number("force_forward", "transverse force that turns with the sun", "F_k^+", "[T13.18]",
              &R::force_forward)
         .always();
-    q.number("force_backward", "transverse force against the sun", "F_k^-", "[T13.18]",
+    q.number("force_backward", "transverse force that turns against the sun", "F_k^-", "[T13.18]",
              &R::force_backward)
         .always();
   });
@@ -168,10 +169,9 @@ void say_motion(Quantities<Drive>& q) {
 
 void say_power(Quantities<Drive>& q) {
   q.under(kPower);
-  q.term(
-      "efficiency",
-      "with the losses of the teeth and the input driving; 0 if the drive is self-locking [T13.9]",
-      [](const Drive& d) { return efficiency_of(d.flow); });
+  q.term("efficiency",
+         "with tooth losses and the input driving; 0 if the drive is self-locking [T13.9]",
+         [](const Drive& d) { return efficiency_of(d.flow); });
   q.number("efficiency_backward", "efficiency, output driving", "η",
            "0 if the drive is self-locking",
            [](const Drive& d) { return efficiency_of(d.backward); });
@@ -215,7 +215,7 @@ void say(Quantities<Drive>& q) {
        })
       .doors(kJson);
   q.record<drive_backlash_quantities>(
-      "backlash", "backlash of input and output; null with several inputs and without geometry",
+      "backlash", "backlash of input and output; null with several inputs or without geometry",
       &Drive::backlash);
   q.record<drive_error_quantities>(
       "transmission_error",
@@ -257,7 +257,8 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
   using V = DriveBodyView;
   static const Quantities<V> kAll("drive.body", [](Quantities<V>& q) {
     q.number("speed_ratio", "speed ratio", "",
-             "absolute speed per turn of the first input; for a rack in pitches per turn",
+             "absolute speed divided by the speed of the first input; for a rack, pitches per turn "
+             "of the input",
              [](const V& v) { return v.drive->speed_ratio(v.body); });
     q.whole("speed_ratio_exact", "exact speed ratio", "", "[p, q]; null with several inputs",
             [](const V& v) -> Value {
@@ -277,7 +278,9 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
              "computed with the module of its pinion; null for a body that turns",
              [](const V& v) { return v.drive->linear_speed(v.body); });
     q.number("torque_ratio", "torque ratio", "",
-             "external torque per torque of the first input; for a rack F p_t/2π", [](const V& v) {
+             "external torque divided by the torque of the first input; for a rack, F p_t/2π "
+             "replaces its torque",
+             [](const V& v) {
                return flows(*v.drive) ? Value(v.drive->flow->torque[v.body]) : Value();
              });
     q.number("torque_Nm", "external torque", "T", "null for a rack", [turns](const V& v) -> Value {
@@ -338,10 +341,11 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
                                 return pair ? Value(pair_quantities().of(*pair)) : Value();
                               })
         .doors(kJson);
-    q.record<rating_quantities>("rating",
-                                "strength by ISO 6336 of one of the copies; only with the verb "
-                                "rate; null for a mesh without power",
-                                rating_of)
+    q.record<rating_quantities>(
+         "rating",
+         "rating by ISO 6336 of one of the copies of the mesh; only with the verb "
+         "rate; null for a mesh without power",
+         rating_of)
         .when([](const V& v) { return !v.drive->ratings.empty(); })
         .doors(kJson);
   });
@@ -351,25 +355,26 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
 const Quantities<PlanetSet>& assembly_quantities() {
   using P = PlanetSet;
   static const Quantities<P> kAll("drive.assembly", [](Quantities<P>& q) {
-    q.whole("positions", "places per turn", "N*",
-            "number of places in a turn at which a planet can be assembled; 0 if every place is "
-            "possible [T13.12]",
+    q.whole("positions", "possible positions per turn", "N*",
+            "number of positions in a turn at which a planet can be assembled; 0 if every position "
+            "is possible [T13.12]",
             [](const P& p) { return p.assembly.places; })
         .always();
     q.flag("equal", "equal pitch", "true if the planets are at equal pitch",
            [](const P& p) { return p.assembly.equal; });
-    q.number("angles_deg", "places of the planets", "", "counter-clockwise from the first [T13.13]",
+    q.number("angles_deg", "positions of the planets", "",
+             "counter-clockwise from the first planet [T13.13]",
              [](const P& p) { return each(p.assembly.turns, degrees_of); })
         .always()
         .list({0});
-    q.whole("angles_exact", "places of the planets", "", "[p, q] in turns",
+    q.whole("angles_exact", "positions of the planets", "", "[p, q] in turns",
             [](const P& p) { return each(p.assembly.turns, fraction); })
         .always()
         .list({0, 2})
         .doors(kJson);
     q.number("clocking_deg", "clocking", "δ",
-             "rotation of the second gear of each stepped planet; null if all stepped planets are "
-             "equal [T13.14]",
+             "rotation of the second gear of each stepped planet on its shaft; null if all stepped "
+             "planets are equal [T13.14]",
              [](const P& p) {
                return p.assembly.clocking.empty() ? Value() : each(p.assembly.clocking, degrees_of);
              })
@@ -377,7 +382,7 @@ const Quantities<PlanetSet>& assembly_quantities() {
     q.whole("planets_max", "greatest number of planets", "", "at equal pitch [T13.15b]",
             [](const P& p) { return p.neighbours ? Value(p.neighbours->most) : Value(); });
     q.number("neighbour_clearance_mm", "clearance of neighbouring planets", "c",
-             "between their tips [T13.15b]",
+             "least distance of their tip circles [T13.15b]",
              [](const P& p) { return p.neighbours ? Value(p.neighbours->clearance) : Value(); });
   });
   return kAll;
@@ -394,7 +399,7 @@ const Quantities<PlanetSet>& phasing_quantities() {
              "phase by which each mesh follows the first mesh, in periods [T13.16]",
              [](const P& p) { return phases(p.sun_phases); })
         .list({0});
-    q.number("ring_phase", "phases of the ring's meshes", "γ", "as for the sun", [](const P& p) {
+    q.number("ring_phase", "phases of the ring's meshes", "γ", "as `sun_phase`", [](const P& p) {
        return phases(p.ring_phases);
      }).list({0});
     q.number("sun_ring_phase", "phase of the ring relative to the sun", "γ_rs",

@@ -10,7 +10,7 @@ namespace gearwright {
 
 const Quantities<Drive>& drive_quantities();
 
-/// One body of a drive, and one mesh of a drive.
+/// A view of one body of a drive, and a view of one mesh.
 struct DriveBodyView {
   const Drive* drive;
   std::size_t body;
@@ -36,12 +36,14 @@ struct PlanetSharesView {
 };
 const Quantities<PlanetSharesView>& planet_share_quantities();
 
-/// The greatest K_γ that the planets have under load; none without planets and a load.
+/// The greatest mesh load factor K_γ of the planets under load. There is no value without planets
+/// or without a load.
 std::optional<double> mesh_load_factor(const Drive& drive);
-/// The K_γ with which the meshes of planets are rated; none without a rating.
+/// The mesh load factor K_γ of the rating of planet meshes. There is no value without a rating.
 std::optional<double> rated_mesh_load_factor(const Drive& drive);
 
-/// The rating of a mesh, with the same quantities as for a pair. An idle mesh has none.
+/// The rating of a mesh, with the same quantities as for a pair. A mesh without power has no
+/// rating.
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh);
 const Quantities<PlanetSet>& assembly_quantities();
 const Quantities<PlanetSet>& phasing_quantities();

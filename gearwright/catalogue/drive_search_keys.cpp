@@ -29,7 +29,8 @@ Key teeth(std::string_view key, SetMember member, std::string_view fallback,
               meaning);
 }
 
-// A key of [planetary] in [search]. It applies to every set of the search, and its reader is that of the set.
+// A key of [planetary] that is allowed in [search]. It applies to every set of the search, and it
+// is read in the same way as in [planetary].
 Key of_set(std::string_view key, std::string_view fallback = {}) {
   Key k = *planetary_keys().find(key);
   k.place = {};
@@ -57,7 +58,7 @@ const KeyTable& drive_search_keys() {
                  "kind of the drive: sun, planet and ring; stepped planets with `sun` and `ring2`; "
                  "two rings, and with `sun_teeth` also a sun; two suns; or a train of pairs"),
        Key::number("ratio", "i", {}, &Problem::ratio, kRequired,
-                   "signed ratio n_in/n_out, as a closed band")
+                   "signed ratio n_in/n_out; a band includes its ends")
            .with_list(kDriveBand)
            .with_form("a number, or a band [least, greatest]"),
        Key::number("target_ratio", "", {}, &Problem::target_ratio, "the middle of the band `ratio`",
@@ -113,15 +114,14 @@ const KeyTable& drive_search_keys() {
            .with_list({.least = 1, .most = 100, .single = true, .order = {.strict = true}}),
        Key::positive("size_max_mm", "", &Problem::size_max, "no limit",
                      "greatest overall diameter, or for a train the greatest sum of the centre "
-                     "distances, in both cases without profile shifts"),
+                     "distances; both are computed without profile shifts"),
        of_set("normal_pressure_angle_deg"),
        of_set("helix_angle_deg"),
        of_set("profile_shift"),
        of_set("thickness_allowance_mm", "by `thickness_series`"),
-       Key::text(
-           "thickness_series", &Problem::series, "\"cd25\"",
-           "thickness allowances of all gears by DIN 3967, the means of both ends, if a module "
-           "is given; `\"none\"` gives nominal teeth")
+       Key::text("thickness_series", &Problem::series, "\"cd25\"",
+                 "thickness allowances of all gears by DIN 3967, used if a module is given; each "
+                 "allowance is the mean of its two limits; `\"none\"` gives nominal teeth")
            .with_excludes({"thickness_allowance_mm"}),
        face_width(),
        Key::positive(

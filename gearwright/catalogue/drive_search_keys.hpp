@@ -1,4 +1,4 @@
-// The keys of [search] if it has the key `kind` and therefore searches for whole drives.
+// The keys of a [search] for whole drives, which has the key `kind`.
 #pragma once
 
 #include "gearwright/catalogue/key.hpp"

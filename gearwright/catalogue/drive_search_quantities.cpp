@@ -65,24 +65,25 @@ void say_found(Quantities<F>& q) {
            "0 if the drive is self-locking",
            [](const F& f) { return of_drive(f, "efficiency_backward"); });
   q.number("size_mm", "size", "",
-           "diameter over planets and rings without profile shifts; for a train the sum of the "
-           "centre distances",
+           "diameter over planets and rings without profile shifts; for a train, sum of the centre "
+           "distances",
            [](const F& f) { return Value(f.candidate.size); })
       .always();
   q.number("center_distance_mm", "centre distance", "a", "centre distance of the meshes of the set",
            [](const F& f) { return of_drive(f, "center_distance_mm"); });
-  q.whole("positions", "places per turn", "N*",
-          "number of places at which a planet can be assembled",
+  q.whole("positions", "possible positions per turn", "N*",
+          "number of positions in a turn at which a planet can be assembled",
           [](const F& f) { return of_set(f, assembly_quantities(), "positions"); });
   q.add(Type::flag, "equal", "equal pitch", "", "true if the planets are at equal pitch",
         [](const F& f) { return of_set(f, assembly_quantities(), "equal"); });
-  q.number("neighbour_clearance_mm", "clearance of neighbouring planets", "c", "between their tips",
+  q.number("neighbour_clearance_mm", "clearance of neighbouring planets", "c",
+           "least distance of their tip circles",
            [](const F& f) { return of_set(f, assembly_quantities(), "neighbour_clearance_mm"); });
   q.word("phasing", "class of phasing", "for the first harmonic", [](const F& f) {
      return of_set(f, phasing_quantities(), "class");
    }).one_of({"in_phase", "sequential", "counter", "mixed"});
   q.number("normal_module_mm", "normal module", "m_n",
-           "the same for all meshes; null without geometry", [](const F& f) {
+           "normal module of all meshes; null without geometry", [](const F& f) {
              const auto& gear = f.drive.geometry.gears.front();
              return gear ? Value(f.candidate.module) : Value();
            });
@@ -92,7 +93,8 @@ void say_found(Quantities<F>& q) {
   q.number("safety_flank", "safety against pitting", "S_H",
            "least value of all meshes; null if designs are not rated",
            [](const F& f) { return Value(least_safety(f.drive, &Rating::S_H)); });
-  q.number("safety_root", "safety against root breakage", "S_F", "likewise",
+  q.number("safety_root", "safety against root breakage", "S_F",
+           "least value of all meshes; null if designs are not rated",
            [](const F& f) { return Value(least_safety(f.drive, &Rating::S_F)); });
 }
 
@@ -129,8 +131,8 @@ void say_search(Quantities<DriveSearchView>& q) {
       .always();
   q.add(Type::map, "left_out", "not listed", "",
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "
-        "mounted), `neighbours` (planets too close with their profile shifts), `safety`, `verdict` "
-        "(amber or red)",
+        "mounted), `neighbours` (planets too close to each other with their profile shifts), "
+        "`safety`, `verdict` (amber or red)",
         [](const S& s) { return counts(kDriveFaultNames, s.designs->left_out); })
       .always()
       .doors(kJson);
@@ -145,7 +147,7 @@ void say_search(Quantities<DriveSearchView>& q) {
   q.record<found_drive_quantities>(
        "designs",
        "drives in order, the best first, at most the number of `--top`; all have a green verdict, "
-       "and their numbers are those of the verb drive",
+       "and their numbers equal the results of the verb drive",
        [](const S& s) { return Value(found_drive_quantities().each(s.designs->list)); })
       .list({0})
       .always()

@@ -11,7 +11,8 @@
 
 namespace gearwright {
 
-/// A drive in the result of a search, computed in the same way as by the verb drive. Its verdict is green.
+/// A drive in the result of a search, computed in the same way as by the verb drive. Its verdict is
+/// green.
 struct FoundDrive {
   DriveCandidate candidate;
   Drive drive;
@@ -24,7 +25,7 @@ inline constexpr std::array<std::string_view, 4> kDriveFaultNames{"no_teeth", "n
                                                                   "safety", "verdict"};
 
 struct DriveDesigns {
-  std::vector<FoundDrive> list;     ///< best first by the first objective
+  std::vector<FoundDrive> list;     ///< sorted by the first objective, the best drive first
   std::vector<std::size_t> pareto;  ///< indices in `list`
   std::size_t computed = 0;
   std::array<std::size_t, kDriveFaultNames.size()> left_out{};

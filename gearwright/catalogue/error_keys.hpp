@@ -1,5 +1,5 @@
-// The table of the eight errors of mounting and cutting with key, symbol, words and member of ContactErrors. The
-// keys of [errors] are made from this table.
+// The table of the eight errors of mounting and cutting with key, symbol, words and member of
+// ContactErrors. The keys of [errors] are made from this table.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct ErrorEntry {
   std::string_view key;           ///< "crossing_deg"
   std::string_view symbol;        ///< Δγ
   std::string_view words;         ///< "out-of-plane shaft deviation"
-  std::optional<ErrorKind> kind;  ///< for the derivative, if contact computes it
+  std::optional<ErrorKind> kind;  ///< kind of the derivative; empty if contact computes none
   int gear;                       ///< 1 or 2 for an error of a gear, 0 for an error of mounting
   /// Sets the error to a value in the unit of the key.
   void (*set)(ContactErrors&, const std::array<const Gear*, 2>&, double);

@@ -20,7 +20,9 @@ const Quantities<FileView>& file_quantities() {
 const Quantities<ArcView>& outline_quantities() {
   using A = ArcView;
   static const Quantities<A> kAll("outline.arc", [](Quantities<A>& q) {
-    q.word("name", "arc", "in the order from the middle of the space to the middle of the tooth",
+    q.word("name", "arc",
+           "name of the arc; the arcs are listed from the middle of the space to the middle of the "
+           "tooth",
            [](const A& a) { return to_string(a.arc->name); })
         .always()
         .one_of({"root_land", "root_fillet", "flank", "tip_fillet", "tip_land"});

@@ -1,4 +1,5 @@
-// The quantities of files and outlines: `files` in a result of `run` and `export`, and `arcs` in one of `outline`.
+// The quantities of files and outlines: `files` in a result of `run` and `export`, and `arcs` in a
+// result of `outline`.
 #pragma once
 
 #include <optional>

@@ -31,7 +31,7 @@ const KeyTable& fit_keys() {
        of_few_teeth("least_tip_land_mm", "", &FitInput::min_tip_land, "0",
                     "least normal tooth thickness at both tips"),
        of_few_teeth("least_gap_mm", "", &FitInput::min_gap, "0",
-                    "least chord of the tooth spaces of both gears at the start of the flanks"),
+                    "least chord of the tooth space at the start of the flanks, for both gears"),
        of_few_teeth("clearance_mm", "", &FitInput::clearance, "0.2 m_n + 0.05",
                     "tip clearance of both gears"),
        of_few_teeth("backlash_mm", "", &FitInput::backlash, "0",

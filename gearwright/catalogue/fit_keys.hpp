@@ -13,7 +13,8 @@ struct FitInput {
   std::optional<Angle> working_normal_pressure_angle;  ///< α_wn of the requested designs
   bool few_teeth = false;  ///< true for a pinion with circular fillets and the wheel that it cuts
   std::optional<double> min_tip_land, min_gap, clearance, backlash;  ///< mm, for few_teeth
-  std::optional<double> contact_ratio;                               ///< total, for few_teeth
+  std::optional<double> contact_ratio;                               ///< total contact ratio, for
+                                                                     ///< few_teeth
 };
 
 const KeyTable& fit_keys();

@@ -31,8 +31,8 @@ const Quantities<BranchView>& branch_quantities() {
     q.term("transverse_contact_ratio", "for a design with few teeth", &B::transverse_contact_ratio)
         .when([](const B& b) { return b.transverse_contact_ratio.has_value(); });
     q.text("refused",
-           "reason for which the verb pair rejects this branch, whose line of action is correct "
-           "but whose teeth are not; absent if the verb pair accepts the branch",
+           "reason why the verb pair rejects the teeth of this branch, although its line of action "
+           "is correct; absent if the verb pair accepts the branch",
            [](const B& b) { return b.refused ? Value(*b.refused) : Value(); })
         .when([](const B& b) { return b.refused.has_value(); });
   });
@@ -56,7 +56,8 @@ const Quantities<FitView>& fit_quantities() {
   static const Quantities<V> kAll("fit", [](Quantities<V>& q) {
     q.under("Answers");
     q.record<branch_quantities>(
-         "branches", "solutions in the order of |β_1|, or for known gears in the order of α_wn",
+         "branches",
+         "solutions in the order of |β_1|, or in the order of α_wn if the gears are known",
          &V::branches)
         .list({0})
         .always();

@@ -18,8 +18,8 @@ void say_active(Quantities<EvaluationRanges>& q, const std::string& end, const c
   const auto key = [&](const char* what) { return "active_" + end + what; };
   const auto at_it = [&](const char* what) { return std::string(what) + " at " + diameter; };
   q.number(key("_diameter_mm").c_str(), ("active " + end + " diameter").c_str(), diameter,
-           "diameter at which contact with the mating gear ends, on both usable flanks [T10.28]; "
-           "absent without a mating gear",
+           "diameter at which contact with the mating gear ends, if contact is limited to the "
+           "usable flanks of both gears [T10.28]; absent without a mating gear",
            [at](const R& r) { return (*r.active.*at).diameter; })
       .unit(Unit::mm)
       .always()
@@ -73,21 +73,21 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
     perhaps("base_pitch_um", "base pitch", "f_pb",
             "±, f_pt cos α_t [T10.31]; null for circular arcs", &T::base_pitch);
     perhaps("sector_pitch_um", "sector pitch over an eighth of the teeth", "F_pk",
-            "for k = ⌊|z|/8⌋ pitches [T10.31]; null for fewer than 16 teeth, and for the edition "
-            "of 2013, whose formula could not be confirmed",
+            "for k = ⌊|z|/8⌋ pitches [T10.31]; null for fewer than 16 teeth, or for the edition of "
+            "2013, whose formula could not be confirmed",
             &T::sector_pitch);
     perhaps("single_flank_composite_um", "single flank composite, total", "F_i′",
             "for the mating gear of the spec, by ISO 1328-1:1995, annex A [T10.32]; null without a "
-            "mating gear, and for the edition of 2013, which requires a design value",
+            "mating gear, or for the edition of 2013, which requires a design value",
             &T::single_flank);
     perhaps("tooth_single_flank_composite_um", "single flank composite, tooth to tooth", "f_i′",
-            "conditions as for the total", &T::tooth_single_flank);
+            "null under the same conditions as the total", &T::tooth_single_flank);
     perhaps("axis_deviation_um", "crossing of the axes", "f_Σβ",
             "for the pair over the span of the bearings, by ISO/TR 10064-3:1996 [T10.33]; null "
             "without `bearing_span_mm`",
             &T::axis_deviation);
     perhaps("axis_inclination_um", "inclination of the axes in their plane", "f_Σδ",
-            "conditions as for the crossing", &T::axis_inclination);
+            "null under the same conditions as the crossing", &T::axis_inclination);
   });
   return kAll;
 }

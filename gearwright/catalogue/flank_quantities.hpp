@@ -1,5 +1,5 @@
-// Data of a flank for a measuring machine: roll lengths, evaluation ranges and tolerances. They are `flank`
-// and `tolerances` in `measure`.
+// Data of a flank for a measuring machine: roll lengths, evaluation ranges and tolerances. They are
+// `flank` and `tolerances` in `measure`.
 #pragma once
 
 #include "gearwright/catalogue/quantity.hpp"

@@ -18,14 +18,16 @@ namespace {
 
 using Range = KeyRange;
 
-// Limits that do not depend on other keys. They are also in gear/gear.cpp, and a test compares them.
+// Limits that do not depend on other keys. They are also in gear/gear.cpp, and a test compares
+// them.
 constexpr double kMaxTeeth = 100'000;
 constexpr double kMinModule = 1e-3, kMaxModule = 1e3;                  // mm
 constexpr double kMinPressure = 1, kMaxPressure = 60, kMaxHelix = 89;  // degrees
 constexpr double kMaxShift = 1e4;                                      // modules
 constexpr double kMinPitch = 0.0254, kMaxPitch = 25400;                // 25.4 mm / m_n
 
-// The normal pressure angle for a transverse pressure angle, both in degrees: tan α_n = tan α_t cos β.
+// The normal pressure angle for a transverse pressure angle, both in degrees: tan α_n = tan α_t cos
+// β.
 double normal_of_transverse(double alpha_t, double cos_beta) {
   return Angle::radians(std::atan(std::tan(Angle::degrees(alpha_t).rad()) * cos_beta)).deg();
 }
@@ -118,9 +120,10 @@ const KeyTable& gear_keys() {
            "`lead_angle_deg` with `hand` can replace it")
            .with_also({"helix", "spiral_angle", "skew_angle"}),
        Key::number("lead_angle_deg", "90° − |β|", Range::above(0, 90, " (spur)"), {}, "",
-                   "lead angle, with `hand`")
+                   "lead angle, given together with `hand`")
            .with_fields({"helix_angle"}),
-       Key::word("hand", {"right", "left"}, {}, "", "hand of the teeth, with `lead_angle_deg`")
+       Key::word("hand", {"right", "left"}, {}, "",
+                 "hand of the teeth, given together with `lead_angle_deg`")
            .with_also({"helix_hand", "helix_direction", "direction"}),
        Key::number(
            "profile_shift", "x", Range::between(-kMaxShift, kMaxShift), &GearInput::profile_shift,
@@ -180,19 +183,19 @@ const KeyTable& gear_keys() {
        Key::part("modifications", modification_keys, {}, "flank modifications"),
        Key::part("material", material_keys, &GearInput::material, "material of the teeth"),
        Key::part("shaft", shaft_keys, &GearInput::shaft,
-                 "shaft and bearings, whose deflection changes the contact under load of `load` "
-                 "and determines "
-                 "K_Hβ of `rate`"),
+                 "shaft and bearings, whose deflection changes the loaded contact of the verb load "
+                 "and determines K_Hβ of the verb rate"),
        Key::part("bore", bore_keys, &GearInput::bore,
                  "bore and keyway of the CAD files; for an internal gear the outside of the rim"),
        Key::part("double_helical", double_helical_keys, &GearInput::double_helical,
                  "two halves of opposite hands on one body"),
        Key::part("measure", measure_keys, &GearInput::measure,
                  "positions and tools of the measurements"),
-       Key::number(
-           "quality", "", KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
-           {&GearInput::tolerance, &ToleranceInput::quality}, "no tolerances",
-           "flank tolerance class (grade) of ISO 1328-1; the same as `quality` of `tolerance`")
+       Key::number("quality", "",
+                   KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
+                   {&GearInput::tolerance, &ToleranceInput::quality}, "no tolerances",
+                   "flank tolerance class (grade) of ISO 1328-1; another place for `quality` of "
+                   "`tolerance`")
            .with_fields({"tolerance.quality"})
            .with_also({"grade", "accuracy_grade"}),
        Key::part("tolerance", tolerance_keys, &GearInput::tolerance,
@@ -325,7 +328,8 @@ const KeyTable& double_helical_keys() {
                    "offset of the teeth at z < 0 relative to the teeth at z > 0, in transverse "
                    "pitches; the mating gear must have the same offset"),
        Key::positive("groove_diameter_mm", "", &D::groove_diameter,
-                     "the root diameter minus half a normal module (for an internal gear plus)",
+                     "the root diameter minus half a normal module, or plus half a normal module "
+                     "for an internal gear",
                      "diameter of the gear within the gap")
            .with_needs({"gap_mm"}),
        Key::positive("hob_diameter_mm", "d_a0", &D::hob_diameter, "no run-out is computed",

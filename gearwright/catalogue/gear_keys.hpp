@@ -1,8 +1,8 @@
 // The keys of [gear1] and [gear2].
 //
-// The table of a gear contains these tables: the dimensions of the finished tooth (basic), circular fillets,
-// a cutter (cut_by) and a bore. Its other tables are in rack_keys.hpp, modification_keys.hpp (flank
-// modifications) and inspection_keys.hpp (measuring).
+// The table of a gear contains these tables: the dimensions of the finished tooth (basic), circular
+// fillets, a cutter (cut_by) and a bore. Its other tables are in rack_keys.hpp,
+// modification_keys.hpp (flank modifications) and inspection_keys.hpp (measuring).
 #pragma once
 
 #include <optional>
@@ -27,7 +27,8 @@ struct BasicInput {
 const KeyTable& gear_keys();
 /// The keys of [gearN.cut_by]: the keys of a gear without the keys of flanks and cutters.
 const KeyTable& cutter_keys();
-/// The keys of a [gearN] that, together with [search], does not describe a complete gear.
+/// The keys of [gearN] in a spec with [search]. They are the values that the search does not
+/// determine.
 const KeyTable& blank_keys();
 const KeyTable& basic_keys();
 const KeyTable& root_fillet_keys();

@@ -27,8 +27,8 @@ void say_halves(Quantities<Halves>& q) {
            [](const H& h) { return h.given.stagger_pitches; })
       .always();
   q.number("groove_diameter_mm", "groove diameter", "",
-           "diameter of the gear within the gap, as given or equal to the root diameter minus "
-           "m_n/2 (for an internal gear plus); null without a gap",
+           "diameter of the gear within the gap, as given, or the root diameter minus m_n/2 (plus "
+           "m_n/2 for an internal gear); null without a gap",
            &H::groove_diameter);
   q.number("hob_run_out_mm", "least gap for the run-out of the hob", "",
            "[T2.43]; null without a hob", &H::hob_run_out);
@@ -63,7 +63,7 @@ bool is_undercut(const Gear& g) {
   return teeth && teeth->undercut_l.value_or(0.0) > 0.0;
 }
 
-// A getter for an angle of the reference geometry, which contains radians.
+// A getter for an angle of the reference geometry, which contains angles in rad.
 auto angle(double Reference::*rad) {
   return [rad](const Reference& r) { return Angle::radians(r.*rad); };
 }
@@ -261,7 +261,7 @@ void say(Quantities<Gear>& q) {
          [](const G& g) { return g.tooth && g.tooth->through_axis; })
       .doors(kJson);
   q.flag("tip_cut_by_rack", "tip cut by the rack",
-         "true if the bottom land of the cutter, not the blank, ends the tooth",
+         "true if the bottom land of the cutter, not the blank, limits the tooth",
          [](const G& g) { return g.tooth && g.tooth->tip_cut_by_rack; })
       .doors(kJson);
   q.under(kRootFillet);
@@ -298,13 +298,13 @@ void say(Quantities<Gear>& q) {
                   "position along the flank of the rack; null without a circular tip fillet",
                   &InvoluteTeeth::point_j_l);
   q.under(kTooth);
-  q.number(
-       "tip_bulge_mm", "tip beyond the involute", "",
-       "projection of the tip along the normal, if the flank of the cutter did not reach the tip",
-       [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->amount) : Value(); })
+  q.number("tip_bulge_mm", "tip beyond the involute", "",
+           "projection of the tip beyond the involute along the flank normal, if the flank of the "
+           "cutter did not reach the tip",
+           [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->amount) : Value(); })
       .when([](const G& g) { return g.tip_bulge.has_value(); });
   q.number("tip_bulge_from_mm", "diameter at which the tip begins to project", "",
-           "diameter of the gear at which the flank of the cutter ended",
+           "diameter on the gear up to which the flank of the cutter reached",
            [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->from_diameter) : Value(); })
       .when([](const G& g) { return g.tip_bulge.has_value(); });
   q.number("neck_thickness_mm", "minimum root thickness (chord)", "",

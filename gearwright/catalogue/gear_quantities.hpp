@@ -23,7 +23,8 @@ const Quantities<Gear>& gear_quantities();
 /// The quantities of a warning, which is a fact about a gear or a pair and not an error.
 const Quantities<Warning>& warning_quantities();
 
-/// The quantities of a gear. For a double-helical gear, `gear` is one half, but the record has the whole face width.
+/// The quantities of a gear. For a double-helical gear, `gear` is one half, but the record has the
+/// whole face width.
 ValueRecord gear_record(const Gear& gear, const std::optional<Halves>& halves);
 
 /// Additional quantities of a double-helical gear.

@@ -13,7 +13,8 @@ using Json = nlohmann::ordered_json;
 
 std::string inch(const std::string& key) { return key_in(UnitSystem::inch, key); }
 
-// Converts the limits in the schema of a length, and removes the description, which is that of the property in mm.
+// Converts the limits in the schema of a length to inches. The description is removed, because it
+// describes the property in mm.
 void convert_limits(Json& schema, const KeyUnit& unit) {
   if (!schema.is_structured()) return;
   if (schema.is_object()) {
@@ -26,7 +27,7 @@ void convert_limits(Json& schema, const KeyUnit& unit) {
   for (Json& inner : schema) convert_limits(inner, unit);
 }
 
-// Replaces a list of required keys by a requirement of either name of each.
+// Replaces a list of required keys. Each key may then be given under either of its two names.
 void accept_either(Json& schema, const Json& keys, const char* plain_name) {
   Json plain = Json::array();
   for (const Json& key : keys) {
@@ -56,7 +57,7 @@ void add_properties(Json& properties) {
   properties = std::move(all);
 }
 
-// Adds the names in inch of words that are keys.
+// Adds the inch names of those permitted words that are names of keys.
 void add_words(Json& words) {
   const Json given = words;
   for (const Json& word : given)
@@ -64,7 +65,7 @@ void add_words(Json& words) {
       words.push_back(inch(word.get<std::string>()));
 }
 
-// A key may need others: { tip_relief_um = ["tip_relief_start_mm"] }.
+// Converts the keys that each key needs: { tip_relief_um = ["tip_relief_start_mm"] }.
 void add_needs(Json& schema, const Json& needs) {
   for (const auto& [key, keys] : needs.items()) {
     Json required = Json::object();
@@ -74,7 +75,7 @@ void add_needs(Json& schema, const Json& needs) {
   }
 }
 
-// A tree in which no key of any table matches `other`, except keys that match `both`.
+// The schema of a tree in which no key of any table matches `other`, unless the key matches `both`.
 Json without_names(const char* other, const char* both, const char* self) {
   const Json again{{"$ref", self}};
   const Json name{{"anyOf", {{{"not", {{"pattern", other}}}}, {{"pattern", both}}}}};

@@ -1,15 +1,17 @@
-// The names of lengths in inch in a JSON Schema that is written for mm. Internal to catalogue/ and job/.
+// Adds the inch names of lengths to a JSON Schema that is written for mm. Internal to catalogue/
+// and job/.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace gearwright {
 
-/// Adds to each property of a length the property with its name and limits in inch. A requirement of such a property
-/// is then satisfied by either name.
+/// Adds to each property of a length the property with its name and limits in inch. If the property
+/// is required, either of the two names is sufficient.
 void add_inch_names(nlohmann::ordered_json& schema);
 
-/// Adds to the schema of specs that all lengths of a spec have the names of its `units`.
+/// Adds a rule to the schema of specs. The names of all lengths of a spec must agree with its
+/// `units`.
 void separate_units(nlohmann::ordered_json& schema);
 
 }  // namespace gearwright

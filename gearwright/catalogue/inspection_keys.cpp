@@ -16,10 +16,11 @@ const KeyTable& measure_keys() {
                      "not contain the reference diameter",
                      "diameter on the usable flank at which the jaws of the calliper touch; the "
                      "tooth thickness is also given at this diameter"),
-       Key::number("span_teeth", "k", KeyRange::between(1, 1e5), &MeasureInput::span_teeth,
-                   "the number of teeth with contacts nearest to the V circle d + 2 x m_n",
-                   "number of teeth between the anvils of a span measurement, for an internal gear "
-                   "number of tooth spaces")
+       Key::number(
+           "span_teeth", "k", KeyRange::between(1, 1e5), &MeasureInput::span_teeth,
+           "the number of teeth for which the contacts are nearest to the V circle d + 2 x m_n",
+           "number of teeth between the anvils of a span measurement, or of tooth spaces for an "
+           "internal gear")
            .with_also({"span", "teeth", "k", "number_of_teeth_spanned"}),
        Key::positive("ball_diameter_mm", "D_M", &MeasureInput::ball_diameter,
                      "the standard size nearest to the size of a ball that touches at the V circle",
@@ -52,10 +53,10 @@ const KeyTable& tolerance_keys() {
                    "determine the allowances")
            .with_list(kLowerAndUpper)
            .with_excludes({"thickness_series"}),
-       Key::number(
-           "over_balls_mm", "", {}, &ToleranceInput::over_balls, "",
-           "least and greatest dimension over balls of `ball_diameter_mm` of `[gearN.measure]`, "
-           "for an internal gear between the balls; these dimensions determine the allowances")
+       Key::number("over_balls_mm", "", {}, &ToleranceInput::over_balls, "",
+                   "least and greatest dimension over balls, or between balls for an internal "
+                   "gear, which determine the allowances; the diameter of the balls is "
+                   "`ball_diameter_mm` of `[gearN.measure]`")
            .with_list(kLowerAndUpper)
            .with_excludes({"thickness_series", "span_mm"}),
        Key::number("tip_diameter_deviations_mm", "A_da", {}, &ToleranceInput::tip_deviations,
@@ -85,7 +86,7 @@ const KeyTable& measured_keys() {
         .kind = KeyKind::any,
         .form =
             "a table of readings by the number of teeth, for example { 3 = 19.751, 4 = 27.131 }",
-        .meaning = "spans by the number k of teeth, for an internal gear of tooth spaces, for "
+        .meaning = "span for each number k of teeth, or of tooth spaces for an internal gear, for "
                    "example `{ 3 = 19.751, 4 = 27.131 }`"},
        Key::positive("span_uncertainty_mm", "", &I::span_uncertainty, "0.02",
                      "uncertainty of each span"),
@@ -97,8 +98,8 @@ const KeyTable& measured_keys() {
                                 "ball_diameter_mm = 5, dimension_mm = 69.426 }}]"},
         .place = &I::balls,
         .tables = {measured_ball_keys},
-        .meaning = "dimensions over two balls, for an internal gear between two balls, for example "
-                   "`[{ ball_diameter_mm = 5, dimension_mm = 69.426 }]`"},
+        .meaning = "dimensions over two balls, or between two balls for an internal gear, for "
+                   "example `[{ ball_diameter_mm = 5, dimension_mm = 69.426 }]`"},
        Key::positive("over_balls_uncertainty_mm", "", &I::balls_uncertainty, "0.02",
                      "uncertainty of each dimension over balls"),
        Key::positive("tip_diameter_mm", "d_a", {&I::tip, &MaybeReading<double>::value}, "",
@@ -136,11 +137,11 @@ const KeyTable& measured_keys() {
 const KeyTable& measured_ball_keys() {
   static const KeyTable table{
       "measured_ball",
-      "One dimension over two balls, for an internal gear between two balls",
+      "One dimension over two balls, or between two balls for an internal gear",
       {Key::positive("ball_diameter_mm", "D_M", &DiameterReading::tool, kRequired,
                      "diameter of the balls"),
        Key::positive("dimension_mm", "M_dK", &DiameterReading::value, kRequired,
-                     "dimension over both balls, for an internal gear between both balls")}};
+                     "dimension over both balls, or between both balls for an internal gear")}};
   return table;
 }
 

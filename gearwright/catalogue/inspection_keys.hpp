@@ -8,7 +8,7 @@
 namespace gearwright {
 
 inline constexpr KeyList kLowerAndUpper{.least = 2, .most = 2, .order = kLowerFirst};
-/// One number, or two if the teeth are made at their mean.
+/// One number, or two limits. The teeth are then computed with the mean of the limits.
 inline constexpr KeyList kOneOrEnds{.most = 2, .single = true, .order = kLowerFirst};
 
 const KeyTable& measure_keys();

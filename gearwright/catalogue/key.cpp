@@ -197,8 +197,9 @@ std::string plain_words(std::string_view meaning) {
 
 std::string word_hint(const std::string& word, const std::vector<std::string>& known,
                       std::string_view meant) {
-  constexpr std::size_t kLettersOff = 3;  // one letter in this many may differ
-  constexpr std::size_t kLeastPart = 3;   // least number of letters of a word inside another word
+  constexpr std::size_t kLettersOff = 3;  // at most a third of the letters may differ
+  constexpr std::size_t kLeastPart = 3;   // least length of a word that is searched inside another
+                                          // word
   const auto small = [](std::string_view text) {
     std::string letters(text.substr(0, 80));
     for (char& c : letters)

@@ -1,7 +1,7 @@
 // The catalogue of inputs. It contains the only description of each key of a spec.
 //
-//   Key        name in the file, symbol, kind, range with its reason, default, keys that it needs or
-//              excludes, one sentence of meaning, and the member of an input struct that it sets
+//   Key        name in the file, symbol, kind, range with its reason, default, keys that it needs
+//              or excludes, one sentence of meaning, and the member of an input struct that it sets
 //   KeyTable   the keys of one table of a spec, and a rule for several of them
 //   KeyPlace   the member, key_place.hpp
 //
@@ -35,10 +35,10 @@ struct KeyRange {
   static KeyRange between(double lo, double hi, std::string reason = "") {
     return {lo, hi, false, false, true, std::move(reason)};
   }
-  static KeyRange inside(double lo, double hi, std::string reason = "") {  ///< without the ends
+  static KeyRange inside(double lo, double hi, std::string reason = "") {  ///< ends excluded
     return {lo, hi, true, true, true, std::move(reason)};
   }
-  static KeyRange above(double lo, double hi, std::string reason = "") {  ///< without the lower end
+  static KeyRange above(double lo, double hi, std::string reason = "") {  ///< lower end excluded
     return {lo, hi, true, false, true, std::move(reason)};
   }
   static KeyRange positive() { return above(0.0, std::numeric_limits<double>::infinity()); }
@@ -82,13 +82,13 @@ struct KeyList {
 struct KeyAlias {
   std::string_view of;
   double (*value)(double given, double cos_beta) = nullptr;  ///< converts to the unit of `of`
-  bool transverse = false;  ///< true for a value in the transverse section, which depends on the
-                            ///< helix angle
+  bool transverse = false;  ///< true for a value in the transverse section, whose conversion
+                            ///< depends on the helix angle
 };
 
 struct KeyTable;
 
-/// The fallback text of a required key.
+/// The text in place of a default if the key is required.
 inline constexpr std::string_view kRequired = "required";
 
 /// One key of a table. Most keys are made by one of the functions below and completed by with_…().
@@ -98,7 +98,8 @@ struct Key {
   std::string_view key;       ///< name in the file, "helix_angle_deg"
   std::string_view symbol{};  ///< symbol of ISO 21771, "β"
   KeyKind kind = KeyKind::number;
-  Words words{};     ///< permitted words; for other kinds, words allowed in addition
+  Words words{};     ///< the permitted words; if the kind is not `word`, words that are also
+                     ///< permitted
   KeyRange range{};  ///< range of each number
   std::optional<KeyList> list{};
   std::string
@@ -113,8 +114,8 @@ struct Key {
   std::string_view fallback{};  ///< the value if the key is absent, as in the file or in words
   bool in_documents = true;     ///< false if the text of the documents already describes the key
   std::string_view meaning;     ///< one sentence, lower case, without the full stop
-  /// The names, in errors, of the members that the key sets. By default this is the name of the key without its
-  /// unit: "helix_angle" for helix_angle_deg.
+  /// The names that errors of the engine use for the members set by this key. By default, this is
+  /// the name of the key without its unit: "helix_angle" for helix_angle_deg.
   std::vector<std::string> fields{};
   Words also{};  ///< other names that users may try: "module", "dp"
   KeyAlias alias{};
@@ -128,12 +129,13 @@ struct Key {
                           std::string_view fallback, std::string_view meaning);
   static Key word(std::string_view key, Words words, KeyPlace place, std::string_view fallback,
                   std::string_view meaning);
-  /// true or false.
+  /// A key for true or false.
   static Key flag(std::string_view key, KeyPlace place, std::string_view fallback,
                   std::string_view meaning);
   static Key text(std::string_view key, KeyPlace place, std::string_view fallback,
                   std::string_view meaning);
-  /// A table within the table, [gear1.bore]. Documents have a heading for it.
+  /// A table inside this table, such as bore in [gear1.bore]. It has its own heading in the
+  /// documents.
   static Key part(std::string_view key, const KeyTable& (*table)(), KeyPlace place,
                   std::string_view meaning);
 
@@ -179,14 +181,15 @@ struct KeyTable {
   std::string_view name;     ///< name in documents and in the schema: "pair", "rack_circular_arc"
   std::string_view meaning;  ///< one sentence
   std::vector<Key> keys;
-  KeyRule rule{};  ///< for the values that were read; "needs" and "excludes" are checked for each
+  KeyRule rule{};  ///< checks the values after reading; "needs" and "excludes" are checked for each
                    ///< key
-  /// The key whose text may replace the table: material = "16MnCr5". It is empty if there is no such key.
+  /// The key whose text may replace the table: material = "16MnCr5". It is empty if there is no
+  /// such key.
   std::string_view shorthand{};
 
   const Key* find(std::string_view key) const;
   std::vector<std::string> names() const;
-  /// The key and its aliases, which are the ways to give one value.
+  /// The key and its aliases. The value can be given by any one of them.
   std::vector<std::string> ways(std::string_view key) const;
 };
 
@@ -199,12 +202,12 @@ std::string form_of(const Key& key);
 /// A meaning as plain text, without backticks and numbers of equations.
 std::string plain_words(std::string_view meaning);
 
-/// The number of letters to insert, delete or exchange.
+/// The least number of letters to insert, delete or replace that turns one word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// A suggestion for an unknown word, with the known words: "did you mean mass? Known are …". A known word
-/// is suggested if at most one letter in three differs, or if one of the words is a part of the other. Case
-/// is ignored. `meant` is the intended word, if it is known.
+/// A suggestion for an unknown word, with the known words: "did you mean mass? Known are …". A
+/// known word is suggested if at most one letter in three differs, or if one of the words is a part
+/// of the other. Case is ignored. `meant` is the intended word, if it is known.
 std::string word_hint(const std::string& word, const std::vector<std::string>& known,
                       std::string_view meant = {});
 

@@ -16,9 +16,9 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kLongest = 80;    // number of bytes of a key that are compared
-constexpr std::size_t kLeastPart = 3;   // letters; shorter parts occur in every name
-constexpr std::size_t kLettersOff = 3;  // one letter in this many may differ
-constexpr std::size_t kSlipOff = 6;     // one letter in this many may differ in a typing error
+constexpr std::size_t kLeastPart = 3;   // least length; shorter parts occur in every name
+constexpr std::size_t kLettersOff = 3;  // at most a third of the letters may differ
+constexpr std::size_t kSlipOff = 6;     // at most a sixth may differ in a typing error
 constexpr double kLikeWords = 0.7;      // least share of words that two names must have in common
 constexpr std::size_t kListed = 24;     // greatest number of keys that a message lists
 
@@ -52,8 +52,8 @@ Word word_of(std::string_view key) { return {folded(key), folded(without_unit(ke
 
 bool is_table(const Key& key) { return key.kind == KeyKind::table && key.words.empty(); }
 
-// Compares a word with the name of a key, its other names and its symbol. The result is 3, 2 or 1 for a match
-// with these, and otherwise 0.
+// Compares a word with a key. The result is 3 if the word is the name of the key, 2 if it is
+// another name, 1 if it is the symbol, and otherwise 0.
 int likeness(const Key& key, const Word& word) {
   const std::string bare = folded(without_unit(key.key));
   if (bare == word.bare || bare == word.whole) return 3;
@@ -123,17 +123,17 @@ bool of_one_kind(std::string_view a, std::string_view b) {
   return a.empty() || b.empty() || kind(a) == kind(b);
 }
 
-// Searches the tables below this table and then all others. An example of the result is "diameter_mm in [gear1.bore]".
+// Searches the tables below this table and then all others. An example of the result is
+// "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
-  // The table is named only if this table has no key of the same name.
+  // The result contains the name of the other table only if `table` has no key with the same name.
   const auto named = [&](const Key& key, const std::string& where) {
     return table.find(key.key) ? std::string(key.key) : fmt::format("{} in [{}]", key.key, where);
   };
   for (const Place& p : tables_below(table, path)) {
     if (p.table == &measured_keys())
-      continue;  // readings have the names of the measured
-                 // quantities
+      continue;  // keys of readings are named like the measured quantities
     if (const Key* found = called(*p.table, word, by_word, false)) return named(*found, p.path);
   }
   if (path.empty()) return std::nullopt;
@@ -151,7 +151,8 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   return std::nullopt;
 }
 
-// The key whose name contains the word, or is contained in the word. The key with the fewest other letters is returned.
+// The key whose name contains the word, or is contained in the word. The key with the fewest other
+// letters is returned.
 const Key* with_part(const KeyTable& table, const Word& word) {
   return cheapest(table, kLongest, [&](const Key& key) {
     const std::string name = folded(without_unit(key.key));
@@ -243,7 +244,7 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
     }
     return nearest(here->key);
   }
-  // In this case the key is a table one level higher in the file.
+  // The key may be a table at the top level of the file.
   for (const Key& table_key : spec_keys().keys)
     if (!path.empty() && is_table(table_key) && table_key.key == key)
       return fmt::format("[{}] is a separate table and not a part of [{}]", key, path);

@@ -1,9 +1,9 @@
 // Finds the key that a user probably meant when the given key is unknown.
 //
-// The given key is compared, in this order, with the names of keys without units, their other names
-// (Key::also) and their symbols ("mn" is m_n, "beta" is β), first in this table and then in the tables
-// below and beside it; with parts of names; and with names that differ by few letters. If no key is
-// similar, the message lists the keys of the table.
+// The given key is first compared with the names of keys without units, with their other names
+// (Key::also) and with their symbols ("mn" is m_n, "beta" is β), in this table and then in the
+// tables below and beside it. It is then compared with parts of names, and finally with names that
+// differ by few letters. If no key is similar, the message lists the keys of the table.
 #pragma once
 
 #include <string>
@@ -13,12 +13,13 @@
 
 namespace gearwright {
 
-/// The text after "unknown key in [gear1]; ", for example "the nearest known one is normal_module_mm".
+/// The text after "unknown key in [gear1]; ", for example "the nearest known one is
+/// normal_module_mm".
 /// `path` is the name of the table, "gear1.rack", or empty for the file itself.
 std::string key_hint(const KeyTable& table, std::string_view path, std::string_view key);
 
-/// A name in the form for comparison, which has only small Latin letters and digits. Greek letters are spelled
-/// out.
+/// A name in the form for comparison, which has only small Latin letters and digits. Greek letters
+/// are spelled out.
 std::string folded(std::string_view name);
 
 }  // namespace gearwright

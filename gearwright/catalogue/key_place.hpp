@@ -1,12 +1,12 @@
-// The destination of the value of a key. It is a member of an input struct, and it is addressed without the
-// type of the struct.
+// The destination of the value of a key. It is a member of an input struct, and a KeyPlace refers
+// to it without the type of the struct.
 //
 //   KeyTarget   an input struct, whose type is checked at every use
 //   KeyPlace    the way in which a value is stored in the struct
 //   KeyRule     relations between the members of the struct
 //
-// The type of a member determines the kind of its key: degrees become an Angle, the index of a word in
-// its list becomes an enumerator, a list becomes a vector or an array of two, and a sub-table
+// The type of a member determines the kind of its key: degrees become an Angle, the index of a word
+// in its list becomes an enumerator, a list becomes a vector or an array of two, and a sub-table
 // becomes a struct.
 #pragma once
 
@@ -48,6 +48,8 @@ class KeyTarget {
       KeyTarget(T& input)  // NOLINT(google-explicit-constructor): a reference of any type
       : input_(&input), type_(&kType<T>) {}
 
+  /// The input struct.
+  ///
   /// Domain  an input of this type (contract)
   template <class T>
   T& as() const {
@@ -73,14 +75,15 @@ class KeyPlace {
   template <class T, class M, class V>
   KeyPlace(M T::*outer, V M::*inner)
       : KeyPlace(within<T>([outer, inner](T& t) -> V& { return t.*outer.*inner; })) {}
-  /// within<T>([](T& t) -> auto& { return t.life[0]; })
+  /// A member that a function returns: within<T>([](T& t) -> auto& { return t.life[0]; })
   template <class T, class F>
   static KeyPlace within(F reach);
-  /// Members that are computed from a value of type V by set(T&, const V&). The function may return a
-  /// sentence that says why the value is impossible.
+  /// Members that are computed from a value of type V by set(T&, const V&). The function may return
+  /// a sentence that says why the value is impossible.
   template <class T, class V, class F>
   static KeyPlace by(F set);
-  /// One number, or two numbers and their mean. mean(T&) is a double, and ends(T&) is an optional array of two.
+  /// One number, or two numbers and their mean. mean(T&) is a double, and ends(T&) is an optional
+  /// array of two.
   template <class T, class M, class E>
   static KeyPlace mean_and_ends(M mean, E ends);
   /// A place for a value that is checked but not stored.
@@ -95,6 +98,8 @@ class KeyPlace {
   /// The struct of a sub-table, or a new element of a list of sub-tables. It is default-constructed
   /// unless it is a plain member. Its member `given` becomes true.
   KeyTarget part(KeyTarget input) const { return part_(input); }
+  /// True if the member of this place has the same value in both structs.
+  ///
   /// Domain  is_member() (contract)
   template <class T>
   bool same(T a, T b) const {
@@ -191,8 +196,8 @@ struct KeyFault {
 /// Returns true if the table that was read contains this key.
 using KeyGiven = std::function<bool(std::string_view)>;
 
-/// The relations between the keys of a table, and members that are computed from several keys. The rule is a
-/// function of the input struct that is called after all keys have been read.
+/// The relations between the keys of a table, and members that are computed from several keys. The
+/// rule is a function of the input struct that is called after all keys have been read.
 class KeyRule {
  public:
   KeyRule() = default;

@@ -52,7 +52,9 @@ TEST(Keys, each_is_said_once_and_knows_its_neighbours) {
 TEST(Keys, a_place_takes_what_the_key_says) {
   for (const KeyTable* table : all_key_tables()) {
     for (const Key& key : table->keys) {
-      if (!key.place || key.place.kind() == KeyKind::any) continue;  // only checked
+      if (!key.place || key.place.kind() == KeyKind::any)
+        continue;  // the key is read elsewhere or
+                   // is only checked
       EXPECT_EQ(key.place.kind(), key.kind) << table->name << "." << key.key;
       EXPECT_TRUE(!key.place.is_angle() || key_unit(key.key) == "deg") << key.key;
       const bool table = key.kind == KeyKind::table;
@@ -74,7 +76,7 @@ KeyValue value_of(const Key& key, const Json& v) {
   }
 }
 
-// If a default is a value, it is the default of the struct.
+// If the default in the catalogue is a value, the struct has the same default.
 template <class T>
 void expect_defaults(const KeyTable& table, std::size_t at_least) {
   std::size_t seen = 0;
@@ -83,7 +85,7 @@ void expect_defaults(const KeyTable& table, std::size_t at_least) {
     if (!key.place.is_member() || key.list || v.is_discarded()) continue;
     T input{}, untouched{};
     key.place.put(input, value_of(key, v));
-    // Members that are empty by default take their default from another place.
+    // The default of a member that is empty by default is computed elsewhere.
     EXPECT_TRUE(key.place.same(untouched, input))
         << table.name << "." << key.key << " = " << key.fallback;
     EXPECT_TRUE(!v.is_number() || key.range.contains(v.get<double>())) << key.key;
@@ -127,7 +129,7 @@ TEST(Keys, the_type_of_a_member_decides_what_a_place_takes) {
 }
 
 TEST(Keys, defaults_are_those_of_the_structs) {
-  // In a gear, only the allowance has a number, and a key that may be a list has no place.
+  // The allowance is checked here, because its key may be a list and has no place.
   EXPECT_EQ(gear_keys().find("thickness_allowance_mm")->fallback, "0");
   EXPECT_EQ(GearInput{}.cylindrical.thickness_allowance, 0.0);
   expect_defaults<BasicInput>(basic_keys(), 1);

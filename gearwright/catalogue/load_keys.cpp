@@ -19,15 +19,14 @@ const KeyTable& load_keys() {
       "load",
       "Teeth under torque: the verb `load`, and for drives the verbs `drive`, `rate` and `run`",
       {Key::number("torque_Nm", "T_1", Range::above(0, kMaxInput), &LoadInput::torques, "",
-                   "torque on gear 1; several torques in a list give the Harris map; for a drive "
-                   "one torque on its "
-                   "input, by default that of the drive")
+                   "torque on gear 1; a list of torques gives the Harris map; for a drive, one "
+                   "torque on its input, by default the torque of the drive")
            .with_list(KeyList{1, kMostTorques, true})
            .with_fields({"torques"})
            .with_also({"torque", "moment", "t1"}),
        Key::number("driver", "", Range::between(1, 2), &LoadInput::driver, "1",
-                   "gear that drives; if gear 2 drives, the sense of rotation is the same and the "
-                   "trailing flanks carry the load"),
+                   "gear that drives; if gear 2 drives, the sense of rotation does not change, and "
+                   "the trailing flanks carry the load"),
        Key::number("positions", "", Range::between(4, kMostLoadPositions), &LoadInput::positions,
                    "64", "positions over one pitch of gear 1"),
        Key::number("rotation1_deg", "", Range::between(-1e6, 1e6), &LoadInput::rotations, "",
@@ -49,16 +48,16 @@ const KeyTable& load_keys() {
                    "the deflection of `[gearN.shaft]`; > 0 towards +z; only for line contact"),
        Key::number("deflection_bow_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_bow,
                    "0",
-                   "additional approach of the flanks that is parabolic along the face; the value "
-                   "is that in the middle of the face"),
+                   "additional approach of the flanks that is parabolic along the face; the key "
+                   "gives its value in the middle of the face"),
        Key::text("floating", &LoadInput::floating, "all bodies are centred",
-                 "only for drives: body that is free to move radially, the sun, the ring or the "
-                 "carrier of a planetary set"),
+                 "only for drives: body that is free to move radially (the sun, the ring or the "
+                 "carrier of a planetary set)"),
        Key::number("pin_error_um", "", Range::between(-1e5, 1e5), &LoadInput::pin_errors, "0",
-                   "only for drives: error of position of the pin of each planet, tangential, > 0 "
+                   "only for drives: tangential position error of the pin of each planet, > 0 "
                    "counter-clockwise; a single number applies to the first planet; if planets "
-                   "mesh with each other, the numbers of one are followed by those of the other, "
-                   "in the order of the bodies")
+                   "mesh with each other, the list contains all numbers of the first planet body, "
+                   "then all numbers of the second")
            .with_list(KeyList{1, 1000, true})
            .with_fields({"pin_errors"}),
        {.key = "probe",

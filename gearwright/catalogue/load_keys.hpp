@@ -1,4 +1,5 @@
-// The keys of [load] and [[load.probe]], which are the torque and the resolution of the computation.
+// The keys of [load] and [[load.probe]], which are the torque and the resolution of the
+// computation.
 #pragma once
 
 #include "gearwright/arrange/load_input.hpp"

@@ -184,7 +184,7 @@ void say_torque(Quantities<T>& q) {
            "greatest principal stress along the fillets over all positions, per gear",
            [](const T& t) { return t.torque->max_root_stress; })
       .per_gear();
-  q.number("least_root_stress_MPa", "least root stress at the same place", "",
+  q.number("least_root_stress_MPa", "lower end of the root stress range", "",
            "least principal stress over all positions at the place of the greatest stress, which "
            "is the lower end of the stress range; the fillet is compressed while neighbouring "
            "teeth carry load",
@@ -212,7 +212,8 @@ void say_torque(Quantities<T>& q) {
          [](const T& t) { return t.torque->face_load_factor; })
       .when(on_lines);
   q.number("shaft_slope_um", "deflection of the shafts, linear along the face", "S",
-           "approach of the flanks by the shafts under the mean load along the face [T12.31], > 0 "
+           "approach of the flanks caused by the shafts under the mean load along the face "
+           "[T12.31], > 0 "
            "towards +z; only with `[gearN.shaft]`",
            [](const T& t) { return t.torque->shafts->slope * kUmPerMm; })
       .digits(2)
@@ -349,9 +350,9 @@ const Quantities<LoadView>& load_quantities() {
         .when([](const LoadView& v) { return v.contact && quietest(*v.contact); });
     q.record<load_quantities>(
          "halves",
-         "results of both halves of a double-helical pair, at z > 0 and at z < 0, each under half "
-         "of the torque; the other numbers are those of the whole gears, for which there are no "
-         "shares and no values along the face",
+         "results of each half of a double-helical pair under half of the torque, first at z > 0, "
+         "then at z < 0; all other numbers describe the whole gears, which have no shares and no "
+         "values along the face",
          [](const LoadView& v) -> const auto& { return v.halves; })
         .list({2})
         .when([](const LoadView& v) { return !v.halves.empty(); })

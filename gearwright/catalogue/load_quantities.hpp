@@ -12,7 +12,7 @@ namespace gearwright {
 
 struct ProbeView {
   const ProbeAnswer* answer;
-  bool wide;  ///< true for the whole face width in plane strain
+  bool wide;  ///< true if the load covers the whole face width, in plane strain
 };
 
 struct LoadPositionView {
@@ -29,8 +29,8 @@ struct LoadTorqueView {
 
 struct LoadView {
   const LoadedContact* contact = nullptr;  ///< null if there are only probes
-  std::vector<LoadStandard> standard{};    ///< for each torque; empty if the standard excludes
-                                           ///< the pair
+  std::vector<LoadStandard> standard{};    ///< values of the standard for each torque; empty if the
+                                           ///< standard excludes the pair
   std::vector<ProbeView> probes{};
   std::vector<LoadView> halves{};  ///< the halves of a double-helical pair, z > 0 and z < 0
 };

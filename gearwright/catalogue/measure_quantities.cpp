@@ -24,7 +24,7 @@ constexpr const char* kChord =
 constexpr const char* kConstant = "Constant chord";
 constexpr const char* kRanges = "Profile and helix on a measuring machine";
 constexpr const char* kTolerances = "Tolerances of the flanks by ISO 1328";
-constexpr const char* kThickness = "Tooth thickness on that cylinder, and base pitch";
+constexpr const char* kThickness = "Tooth thickness on the cylinder of the chord, and base pitch";
 
 Value place_word(ContactPlace place) {
   switch (place) {
@@ -40,7 +40,7 @@ const std::vector<std::string> kPlaces{"usable", "below_flank", "on_tip_rounding
 void say_span(Quantities<Span>& q) {
   using S = Span;
   q.under("");
-  q.whole("teeth", "teeth between the anvils", "k", "for an internal gear number of tooth spaces",
+  q.whole("teeth", "teeth between the anvils", "k", "number of tooth spaces for an internal gear",
           &S::teeth)
       .always();
   q.number("length_mm", "span", "W_k", "exact at any helix angle [T10.2]", &S::length).always();
@@ -63,7 +63,7 @@ const Quantities<Span>& span_quantities() {
   return kAll;
 }
 
-// Adds the position of a ball or pin. It follows the reading.
+// Adds the position of a ball or pin, which follows its dimension.
 template <class V, class Seat>
 void say_seat(Quantities<V>& q, const Seat& seat) {
   q.under("");
@@ -90,12 +90,12 @@ const Quantities<BallMeasure>& ball_quantities() {
              [](const B& b) { return b.seat.ball_diameter; })
         .always();
     q.number("dimension_mm", "dimension over or between two balls", "M_dK",
-             "over the balls, for an internal gear between them; both balls are in one transverse "
-             "plane, in opposite or most nearly opposite tooth spaces [T10.8]",
+             "over the balls, or between them for an internal gear; both balls are in one "
+             "transverse plane, in opposite or most nearly opposite tooth spaces [T10.8]",
              &B::dimension)
         .always();
     q.number("radial_mm", "distance from the axis over one ball", "M_rK",
-             "for an internal gear to the inside of the ball",
+             "for an internal gear, to the inner side of the ball",
              [](const B& b) { return b.seat.radial; })
         .always();
     say_seat<B>(q, [](const B& b) -> const BallSeat& { return b.seat; });
@@ -148,9 +148,10 @@ const Quantities<BallSizes>& size_quantities() {
     q.number("metric_mm", "nearest metric size", "", "size of measuring pins by DIN 3977",
              &S::metric)
         .always();
-    q.word("inch", "nearest inch size",
-           "size of balls in steps of 1/64 in, or 1/32 in from 1/2 in on, or 1/16 in from 1 in on",
-           [](const S& s) { return inch_text(s.inch); })
+    q.word(
+         "inch", "nearest inch size",
+         "size of balls; the steps are 1/64 in up to 1/2 in, 1/32 in up to 1 in, and 1/16 in above",
+         [](const S& s) { return inch_text(s.inch); })
         .always();
     q.number("inch_mm", "nearest inch size in mm", "", "", [](const S& s) {
        return s.inch * kMmPerInch;
@@ -177,7 +178,8 @@ const Quantities<ChordMeasure>& chord_quantities() {
              [](const C& c) { return c.chord.tip_to_chord; })
         .always();
     q.number("caliper_angle_deg", "angle of the calliper to the transverse plane", "",
-             "sign as for β [T5.7]", [](const C& c) { return deg(c.chord.caliper_angle); })
+             "signed in the same way as β [T5.7]",
+             [](const C& c) { return deg(c.chord.caliper_angle); })
         .always()
         .digits(3);
   });
@@ -276,7 +278,7 @@ const Quantities<ReferenceInput<double>>& as_rack_quantities() {
     q.term("normal_pressure_angle_deg", "of the requested rack", [](const R& r) {
        return deg(r.normal_pressure_angle);
      }).always();
-    q.term("helix_angle_deg", "at the reference cylinder of that rack", [](const R& r) {
+    q.term("helix_angle_deg", "at the reference cylinder for the requested rack", [](const R& r) {
        return deg(r.helix_angle);
      }).always();
     q.term("profile_shift", "including the thickness allowance", &R::profile_shift).always();

@@ -1,5 +1,5 @@
-// The quantities that a workshop measures, and the description of a gear by another rack. They are `measure`
-// and `as_rack` in a result.
+// The quantities that a workshop measures, and the description of a gear by another rack. They are
+// `measure` and `as_rack` in a result.
 #pragma once
 
 #include "gearwright/arrange/measured_gear.hpp"

@@ -28,8 +28,8 @@ struct ModificationEntry {
   double amount_of(const FlankModifications& m) const {
     return relief ? (m.*relief).amount : m.*amount;
   }
-  /// True if the drawing gives the reach of the relief. An amount alone needs no reach, because it applies to the
-  /// whole flank.
+  /// True if the drawing gives the reach of the relief. An amount alone needs no reach, because it
+  /// applies to the whole flank.
   bool placed(const FlankModifications& m) const { return !relief || (m.*relief).reach; }
 };
 

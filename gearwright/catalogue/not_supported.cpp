@@ -8,8 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// In a path, `#` is any number. A path that begins with "*." matches a key of any table, and one that begins with "**." a
-// key of any table except the spec itself.
+// In a path, `#` is any number. A path that begins with "*." matches a key of any table. A path
+// that begins with "**." matches a key of any table except the spec itself.
 struct Row {
   std::string_view path;
   std::string_view value;  // value of a known key; empty for an unknown key
@@ -49,16 +49,15 @@ constexpr auto kRows = std::to_array<Row>({
      "helix_angle_deg"},
     {"measured", "", "is not a table of the spec; give the readings of a gear in [gear1.measured]"},
     {"compensate.aim", "\"percentile\"",
-     "is not an aim of [compensate], which works for given errors; [scatter.robust] minimises a "
-     "percentile over the "
-     "tolerances of [scatter], with percentile = 95"},
+     "is not an aim of [compensate], which uses given errors. To minimise a percentile over the "
+     "tolerances of [scatter], give [scatter.robust] with percentile = 95"},
     {"scatter.correlations", "",
      "is not supported; only the bores can be correlated, by [scatter.bearings]"},
     {"*.herringbone", "", kTwoHalves},
     {"gear#.double_helical", "true", kTwoHalves},
     {"stage[#].gears[#].form", "\"rack\"",
-     "is not supported in a stage, whose gears both turn; describe a rack by [[drive.gear]] with "
-     "form = \"rack\""},
+     "is not supported in a stage, because both gears of a stage turn; describe a rack by "
+     "[[drive.gear]] with form = \"rack\""},
     {"**.units", "", kUnits},
     {"*.unit", "", kUnits},
 });

@@ -6,8 +6,8 @@
 
 namespace gearwright {
 
-/// The sentence about an unknown key with this path in the file, "gear2.form", or about a known key with a
-/// value, "gear2.teeth" and "0". It is empty if there is no such sentence.
+/// The sentence about an unknown key with this path in the file, "gear2.form", or about a known key
+/// with a value, "gear2.teeth" and "0". It is empty if there is no such sentence.
 std::string_view not_supported(std::string_view path, std::string_view value = {});
 
 }  // namespace gearwright

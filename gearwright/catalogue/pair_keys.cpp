@@ -30,14 +30,15 @@ const KeyTable& pair_keys() {
                    "lower and upper deviation of the centre distance")
            .with_list(kLowerAndUpper)
            .with_fields({"distance_deviations"}),
-       Key::number("shaft_angle_deg", "Σ",
-                   KeyRange::inside(-180, 180, " (> 0 if the helix angles are mainly right-hand)"),
-                   &PairInput::shaft_angle,
-                   "0 if the helix angles allow parallel axes. Otherwise the angle of the minimum "
-                   "centre distance, with a warning; but an error for internal pairs and if both "
-                   "gears have the same hand and helix angle",
-                   "shaft angle Σ = β_w1 + β_w2, for internal pairs β_w1 − β_w2; two right-hand "
-                   "external gears have Σ > 0, and two left-hand external gears Σ < 0")
+       Key::number(
+           "shaft_angle_deg", "Σ",
+           KeyRange::inside(-180, 180, " (> 0 if the helix angles are mainly right-hand)"),
+           &PairInput::shaft_angle,
+           "0 if the helix angles allow parallel axes, otherwise the angle of the minimum centre "
+           "distance, with a warning. The key is required if the axes of an internal pair cannot "
+           "be parallel, or if both gears have the same hand and helix angle",
+           "shaft angle Σ = β_w1 + β_w2, for internal pairs β_w1 − β_w2; two right-hand "
+           "external gears have Σ > 0, and two left-hand external gears Σ < 0")
            .with_also({"axis_angle", "crossing_angle"}),
        Key::number(
            "backlash_mm", "j_n", no_pressing(),

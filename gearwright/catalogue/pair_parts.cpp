@@ -133,7 +133,8 @@ std::optional<LineView> line_between(const InvolutePair& p) {
                   {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
 }
 
-// The path of the first contact over the common face, and its mirror image for the non-working flanks.
+// The path of the first contact over the common face, and its mirror image for the non-working
+// flanks.
 std::optional<LineView> line_between(const ArcPair& p) {
   if (p.contacts.empty()) return std::nullopt;
   const Vec3 at = p.first_contact().at.point;
@@ -180,7 +181,7 @@ const Quantities<InvolutePair>& path_quantities() {
     };
     point("A", "start of contact, at the tip of gear 2", &Mesh<double>::rho1_A);
     point("B", "one pitch before E", &Mesh<double>::rho1_B);
-    point("C", "pitch point, for crossed axes the pitch point of gear 1", &Mesh<double>::rho1_C);
+    point("C", "pitch point; for crossed axes, the pitch point of gear 1", &Mesh<double>::rho1_C);
     point("D", "one pitch after A", &Mesh<double>::rho1_D);
     point("E", "end of contact, at the tip of gear 1", &Mesh<double>::rho1_E);
   });
@@ -220,14 +221,15 @@ const Quantities<ParallelPair>& needed_face_quantities() {
   using P = ParallelPair;
   using Face = std::optional<double> (*)(const P&);
   static const Quantities<P> kAll("pair.needed face width", [](Quantities<P>& q) {
-    // Adds the face width of the teeth. For double-helical gears, the face width of the whole gear is also added.
+    // Adds the face width of the teeth. For double-helical gears, the face width of the whole gear
+    // is also added.
     const auto add = [&q](const char* key, const char* whole_key, const char* words,
                           const char* meaning, Face face) {
       const auto worth = [face](const P& p) { return face(p).value_or(0.0) > 0.0; };
       q.number(key, words, "b", meaning, face).unit(Unit::mm).shown([worth](const P& p) {
         return worth(p) && !p.gears[0].gap;
       });
-      q.number(whole_key, words, "b", "the same face widths including both halves and the gap",
+      q.number(whole_key, words, "b", "face width including both halves and the gap",
                [face](const P& p) {
                  const auto half = face(p);
                  return half && *half > 0.0 ? std::optional(p.whole_face(*half)) : half;
@@ -312,7 +314,7 @@ const Quantities<InterferenceView>& interference_quantities() {
     q.term("gear", "gear whose root or tip is affected; null if both gears are affected",
            [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
     q.number("amount", "amount", "",
-             "margin in mm, for `trochoid` in rad; negative if the parts interfere", &I::amount)
+             "margin in mm, or in rad for `trochoid`; negative if the parts interfere", &I::amount)
         .when([](const I& i) { return i.amount.has_value(); });
     q.text("message", "sentence for users", &I::message).always();
   });
@@ -339,8 +341,8 @@ const Quantities<Collision>& collision_quantities() {
            "gear with the affected root or the projecting tip; null if both gears are affected",
            [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
     q.number("depth_mm", "depth", "",
-             "depth of an overlap along the common normal in the middle of the play, or for "
-             "contact beyond the flank the remaining distance between the flanks",
+             "depth of an overlap along the common normal in the middle of the play; for contact "
+             "beyond the flank, the remaining distance between the flanks",
              &S::depth)
         .always();
     q.text("arcs", "touching arcs of gear 1 and gear 2, with the names of `outline`",

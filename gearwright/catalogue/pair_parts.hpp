@@ -1,4 +1,4 @@
-// The records inside the record of a pair: places, lines, backlash and contacts of circular arcs.
+// The records inside the record of a pair: points, lines, backlash and contacts of circular arcs.
 // Internal to catalogue/.
 #pragma once
 
@@ -21,8 +21,8 @@ const Quantities<std::array<Value, 2>>& two_gears();
 
 /// Specific sliding ζ of gear 1 and of gear 2, each at A and at E.
 using SlidingAtEnds = std::array<std::array<std::optional<double>, 2>, 2>;
-/// Adds the entry `specific_sliding`: a record for programs, and for users one row at A and one at E. `get`
-/// returns a SlidingAtEnds or nothing.
+/// Adds the entry `specific_sliding`: a record for programs, and for users one row at A and one at
+/// E. `get` returns a SlidingAtEnds or nothing.
 template <class S, class G>
 void add_sliding(Quantities<S>& q, const char* meaning, G get) {
   q.template record<two_gears>("specific_sliding", meaning, [get](const S& s) {
@@ -67,8 +67,9 @@ const Quantities<InvolutePair>& sliding_velocity_quantities();
 const Quantities<Efficiency>& efficiency_quantities();
 const Quantities<InternalMargins>& internal_quantities();
 
-/// The first function gives the helix angle of gear i on its working pitch cylinder. The second gives the
-/// transverse angle there for the normal angle of the rack at the first contact. Both are in rad.
+/// The first function gives the helix angle of gear i on its working pitch cylinder. The second
+/// gives the transverse pressure angle on this cylinder, which follows from the normal angle of the
+/// rack at the first contact. Both angles are in rad.
 double working_helix(const ArcPair& pair, std::size_t i);
 double working_transverse(const ArcPair& pair, std::size_t i);
 

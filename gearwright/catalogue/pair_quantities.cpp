@@ -17,7 +17,7 @@ using V = Pair;
 double deg(double rad) { return Angle::radians(rad).deg(); }
 Value degrees(const std::array<double, 2>& rad) { return std::array{deg(rad[0]), deg(rad[1])}; }
 
-// The pair if it is of this kind, otherwise null.
+// The pair as this kind, or null if it is another kind.
 template <class Kind>
 const Kind* as(const V& v) {
   return v.as<Kind>();
@@ -63,7 +63,8 @@ std::array<double, 2> working_pitch_diameter(const V& v) {
   return v.visit([](const auto& p) { return p.working_pitch_diameter(); });
 }
 
-// v_t = π d_w n/60 in m/s, with d_w in mm and n in 1/min. Gear 2 rotates at n_1/|u|. Source: ISO 6336-1.
+// v_t = π d_w n/60 in m/s, with d_w in mm and n in 1/min. Gear 2 rotates at n_1/|u|. Source: ISO
+// 6336-1.
 std::array<double, 2> pitch_line_velocity(const V& v) {
   const auto d = working_pitch_diameter(v);
   const double turns_1 = v.mounted().speed_rpm.value() / 60.0;
@@ -88,8 +89,8 @@ void say_mounting(Quantities<V>& q) {
       .always();
   of_involutes
       .term("backlash_free_center_distance_mm",
-            "for the teeth as cut, including allowances [T2.20], and for crossed axes at this Σ "
-            "[T4.11]; null if there is no such distance",
+            "for the teeth as cut, including allowances [T2.20], and for crossed axes at the given "
+            "shaft angle [T4.11]; null if there is no such distance",
             &InvolutePair::backlash_free_center_distance)
       .expected();
   of_involutes.number("extended_center_distance_mm", "extended centre distance", "",
@@ -158,9 +159,9 @@ void say_crossed(Quantities<V>& all) {
       .doors(kJson)
       .when(is<InvolutePair>);
   q.number("needed_lead_crowning_um", "minimum lead crowning", "C_β",
-           "only with an internal gear, per gear the lead crowning of this gear alone above which "
-           "the flanks clear each other beside the line of action [T4.36]; null if no crowning of "
-           "this gear alone is sufficient",
+           "only with an internal gear; for each gear, the least lead crowning of this gear alone "
+           "with which the flanks stay clear of each other beside the line of action [T4.36]; null "
+           "if no crowning of this gear alone is sufficient",
            [](const CrossedPair& p) { return needed_crowning_um(p); })
       .per_gear()
       .when([](const V& v) { return v.mounted().crossed_inside(); });
@@ -179,8 +180,8 @@ void say_crossed(Quantities<V>& all) {
                              &CrossedPair::min_distance);
   all.under("Contact ratio of 1 and more, free of backlash");
   q.record<places_quantities>("contact_ratio_range",
-                              "range of positions with AE ≥ p_bn [T4.23]; null if there is no such "
-                              "position, and with an internal gear",
+                              "range of positions with AE ≥ p_bn [T4.23]; null with an internal "
+                              "gear, or if there is no such position",
                               &CrossedPair::contact_ratio_range);
 }
 
@@ -194,14 +195,14 @@ void say_contact(Quantities<V>& q) {
          &V::contact_ratio)
       .always()
       .shown([](const V& v) { return !is<CrossedPair>(v); });
-  // A pair on crossed axes has a single contact ratio. There is no transverse contact ratio to which an overlap ratio
-  // could be added.
+  // A pair on crossed axes has a single contact ratio. There is no transverse contact ratio to
+  // which an overlap ratio could be added.
   of_crossed
       .number("contact_ratio_crossed", "contact ratio", "ε", "AE/p_bn", &CrossedPair::contact_ratio)
       .doors(kPeople);
   of_crossed
       .number("contact_ratio_crossed_true", "effective contact ratio", "",
-              "for the path clipped to the usable flanks and faces",
+              "for the part of the path on the usable flanks and faces",
               &CrossedPair::contact_ratio_true)
       .doors(kPeople);
   q.term("transverse_contact_ratio",
@@ -211,8 +212,8 @@ void say_contact(Quantities<V>& q) {
                  [](const ArcPair&) { return Value(0.0); }))
       .shown(is<InvolutePair>);
   q.term("contact_ratio_true",
-         "for the path clipped to the usable flanks [T2.19], and for crossed axes also to the "
-         "faces; 0 if nothing of the path remains",
+         "for the part of the path on the usable flanks [T2.19] and, for crossed axes, on the "
+         "faces; 0 if no part of the path remains",
          by_kind([](const InvolutePair& p) { return Value(p.contact_ratio_true()); },
                  [](const ArcPair& p) {
                    return p.contacts.empty() ? Value() : Value(p.contact_ratio_true());
@@ -220,7 +221,7 @@ void say_contact(Quantities<V>& q) {
       .shown(is<ParallelPair>);
   q.part(as<ParallelPair>)
       .number("transverse_contact_ratio_true", "effective transverse contact ratio", "",
-              "for the path clipped to the usable flanks",
+              "for the part of the path on the usable flanks",
               [](const ParallelPair& p) { return p.mesh.true_ratio; })
       .doors(kPeople);
   q.term("overlap_ratio", "null on crossed axes",
@@ -230,14 +231,14 @@ void say_contact(Quantities<V>& q) {
   q.under(kFace);
   q.part(as<ArcPair>)
       .number("face_width_for_contact_mm", "minimum face width for continuous contact", "b",
-              "smallest common face width with a contact point at all times, for double-helical "
-              "gears that of one half; only for circular arcs",
+              "smallest common face width with a contact point at all times; for double-helical "
+              "gears, the width of one half; only for circular arcs",
               [](const ArcPair& p) { return p.face_for_contact; })
       .when()
       .shown([](const V& v) { return !double_helical(v); });
   q.part(as<ArcPair>)
       .number("whole_face_width_for_contact_mm", "minimum face width for continuous contact", "b",
-              "the same for double-helical gears, including both halves and the gap",
+              "for double-helical gears, including both halves and the gap",
               [](const ArcPair& p) { return p.whole_face(p.face_for_contact); })
       .when([](const V& v) { return is<ArcPair>(v) && double_helical(v); });
   q.under(kContact);
@@ -311,7 +312,7 @@ void say_clearances(Quantities<V>& q) {
       .expected();
   q.number("fillet_clearance_mm", "clearance of root fillet to mating tip corner", "",
            "per gear, least distance of the fillet from the tip corner of the mating gear [T2.26]; "
-           "null on crossed axes and if no corner reaches the fillet",
+           "null on crossed axes, or if no corner reaches the fillet",
            by_kind([](const ParallelPair& p) { return Value(p.fillet_clearance); },
                    [](const CrossedPair&) { return Value(std::array<std::optional<double>, 2>{}); },
                    [](const ArcPair&) { return Value(); }))
@@ -348,8 +349,8 @@ void say_parallel(Quantities<V>& all) {
   q.record<needed_face_quantities>(
        "needed_face_width_mm",
        "face widths for total contact ratios of 1 and 1.2, and for an overlap ratio of 1 [T6.14]; "
-       "for double-helical gears those of one half and in addition those including both halves and "
-       "the gap; null on crossed axes",
+       "for double-helical gears, the widths of one half and, in addition, the widths including "
+       "both halves and the gap; null on crossed axes",
        [](const ParallelPair& p) { return needed_face_quantities().of(p); })
       .when(is<InvolutePair>);
   all.under(kContact);
@@ -361,11 +362,11 @@ void say_parallel(Quantities<V>& all) {
          "contact ratio after the pitch point, with gear 1 driving; null on crossed axes",
          [](const ParallelPair& p) { return approach_and_recess(p)[1]; })
       .when(is<InvolutePair>);
-  q.number(
-       "axial_force_ratio", "axial force divided by tangential force", "F_z/F_t",
-       "per gear, along +z, if gear 1 drives in its sense of rotation [T6.15]; for double-helical "
-       "gears that of one half, because the forces of the halves balance; null on crossed axes",
-       [](const ParallelPair& p) { return axial_force(p); })
+  q.number("axial_force_ratio", "axial force divided by tangential force", "F_z/F_t",
+           "per gear, along +z, if gear 1 drives in its sense of rotation [T6.15]; for "
+           "double-helical gears, the ratio of one half, because the forces of the halves balance; "
+           "null on crossed axes",
+           [](const ParallelPair& p) { return axial_force(p); })
       .per_gear()
       .when(is<InvolutePair>)
       .shown([](const V& v) { return v.gear(1).spec.helix_angle.rad() != 0.0; });
@@ -392,7 +393,7 @@ void say_friction(Quantities<V>& q) {
       .record<efficiency_quantities>(
           "efficiency",
           "efficiency with friction of the flanks alone [T4.27], if all tooth pairs in contact "
-          "carry equal parts of a constant normal force; null without `friction_coefficient`, and "
+          "carry equal parts of a constant normal force; null without `friction_coefficient`, or "
           "if `contact_ratio_true` is less than 1",
           [](const Efficiency& e) { return efficiency_quantities().of(e); })
       .doors(kJson);

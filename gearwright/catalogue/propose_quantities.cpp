@@ -22,21 +22,21 @@ Value um(const std::optional<double>& mm) { return mm ? Value(*mm * kUmPerMm) : 
 const Quantities<ProposedGear>& gear_of_proposal_quantities() {
   using G = ProposedGear;
   static const Quantities<G> kAll("propose.proposals.gears", [](Quantities<G>& q) {
-    q.number("tip_relief_um", "tip relief", "C_αa", "null if as given", [](const G& g) {
+    q.number("tip_relief_um", "tip relief", "C_αa", "null if unchanged", [](const G& g) {
        return um(g.tip_relief);
      }).digits(0);
     q.number("tip_relief_start_mm", "start of the tip relief", "", "diameter", &G::tip_start)
         .digits(3);
-    q.number("root_relief_um", "root relief", "C_αf", "null if as given", [](const G& g) {
+    q.number("root_relief_um", "root relief", "C_αf", "null if unchanged", [](const G& g) {
        return um(g.root_relief);
      }).digits(0);
     q.number("root_relief_start_mm", "start of the root relief", "", "diameter", &G::root_start)
         .digits(3);
-    q.number("lead_crowning_um", "helix crowning", "C_β", "null if as given", [](const G& g) {
+    q.number("lead_crowning_um", "helix crowning", "C_β", "null if unchanged", [](const G& g) {
        return um(g.lead_crowning);
      }).digits(0);
     q.number("lead_slope_um", "helix slope modification of the loaded flank", "C_Hβ",
-             "null if as given", [](const G& g) { return um(g.lead_slope); })
+             "null if unchanged", [](const G& g) { return um(g.lead_slope); })
         .digits(0);
   });
   return kAll;
@@ -59,16 +59,19 @@ const Quantities<Proposal>& proposal_quantities() {
   using P = Proposal;
   static const Quantities<P> kAll("propose.proposals", [](Quantities<P>& q) {
     q.word("profile", "profile modifications",
-           "those of the spec, or linear reliefs at the tips of both gears, or at tip and root of "
-           "gear 1",
+           "the modifications of the spec, or linear reliefs at the tips of both gears, or at tip "
+           "and root of gear 1",
            [](const P& p) { return profile_words()[static_cast<std::size_t>(p.profile)]; })
         .one_of(profile_words())
         .always();
     q.flag("pitch_deviations", "reliefs with pitch deviations",
-           "true if the reliefs are for load and pitch deviations, false if for the load alone",
+           "true if the reliefs allow for load and pitch deviations, false if they allow for the "
+           "load alone",
            &P::pitch);
     q.flag("lead", "helix modifications",
-           "true with helix crowning and slope of gear 1; false with those of the spec", &P::lead);
+           "true if the proposal has a helix crowning and slope of gear 1, false if it keeps the "
+           "helix modifications of the spec",
+           &P::lead);
     q.record<gear_of_proposal_quantities>(
          "gears", "amounts, per gear",
          [](const P& p) { return Value(gear_of_proposal_quantities().each(p.gears)); })
@@ -77,13 +80,13 @@ const Quantities<Proposal>& proposal_quantities() {
     q.record<load_of_proposal_quantities>("under_load", "one entry for each torque", &P::loads)
         .list({0})
         .always();
-    q.record<loaded_score_quantities>("worst", "the worst of each number over the torques",
+    q.record<loaded_score_quantities>("worst", "worst value of each number over the torques",
                                       &P::worst)
         .always();
     q.record<loaded_score_quantities>(
         "at_helix_limits",
-        "the worst over the torques and both signs of `helix_deviation_um`, which is added to the "
-        "deflection slope; 16 positions; null without tolerances",
+        "worst values over the torques and both signs of `helix_deviation_um`, which is added to "
+        "the deflection slope; 16 positions; null without tolerances",
         &P::at_limits);
     q.add(Type::map, "spec", "spec", "", "the whole spec with these modifications", &P::spec)
         .always();
@@ -129,12 +132,12 @@ const Quantities<ProposeView>& propose_quantities() {
   using V = ProposeView;
   static const Quantities<V> kAll("propose", [](Quantities<V>& q) {
     q.under("Origin of the amounts");
-    q.term("torque_Nm", "the greatest of the torques, for the amounts", [](const V& v) {
+    q.term("torque_Nm", "greatest of the torques; the amounts are computed for it", [](const V& v) {
        return newton_metres(v.torque);
      }).always();
     q.number("tip_deflection_um", "deflection at the tip", "C_i",
-             "least short tip relief with which the tip carries no load, with the helix "
-             "modifications of the spec [T12.27]; null without reliefs",
+             "least short tip relief that keeps the tip free of load, for the helix modifications "
+             "of the spec [T12.27]; null without reliefs",
              [](const V& v) {
                const auto& c = v.short_deflection;
                return c ? Value(std::array{(*c)[0] * kUmPerMm, (*c)[1] * kUmPerMm}) : Value();
@@ -142,22 +145,22 @@ const Quantities<ProposeView>& propose_quantities() {
         .per_gear()
         .digits(2);
     q.number("pitch_deviation_um", "base pitch deviation of both gears", "f_pb",
-             "of their grades, normal to the flank [T12.28]; null without grades",
+             "from their accuracy grades, normal to the flank [T12.28]; null without grades",
              [](const V& v) { return um(v.pitch_deviation); })
         .digits(2);
     q.number("helix_deviation_um", "helix slope deviation of both gears", "f_Hβ",
-             "of their grades, normal to the flank over the common face [T12.32]; null without "
-             "grades",
+             "from their accuracy grades, normal to the flank over the common face [T12.32]; null "
+             "without grades",
              [](const V& v) { return um(v.helix_deviation); })
         .digits(2);
-    q.number(
-         "deflection_slope_um", "linear deflection of the shafts along the face", "S",
-         "of `[load]` and of the shafts of the gears under a uniform load, added [T12.37]; null "
-         "without either",
-         [](const V& v) { return v.deflection ? um(v.deflection->slope) : Value(); })
+    q.number("deflection_slope_um", "linear deflection of the shafts along the face", "S",
+             "sum of the slope in `[load]` and of the slope caused by the shafts of the gears "
+             "under a uniform load [T12.37]; null if both are absent",
+             [](const V& v) { return v.deflection ? um(v.deflection->slope) : Value(); })
         .digits(2);
     q.number("deflection_bow_um", "parabolic deflection of the shafts along the face", "B",
-             "of `[load]` and of the shafts of the gears, likewise",
+             "sum of the bow in `[load]` and of the bow caused by the shafts of the gears under a "
+             "uniform load",
              [](const V& v) { return v.deflection ? um(v.deflection->bow) : Value(); })
         .digits(2);
     q.record<proposal_quantities>("proposals", "the spec as given, then the proposals",

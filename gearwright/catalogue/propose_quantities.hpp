@@ -12,11 +12,11 @@
 
 namespace gearwright {
 
-/// The profile modifications of a proposal: those of the spec, or reliefs of a length at the tips of
-/// both gears, or at the tip and the root of gear 1.
+/// The profile modifications of a proposal. They are the modifications of the spec, or short or
+/// long reliefs at the tips of both gears, or at the tip and the root of gear 1.
 enum class ProposedProfile { as_given, short_tips, long_tips, short_gear1, long_gear1 };
 
-/// The amounts of a gear, mm; none where the proposal leaves those of the spec.
+/// The amounts of a gear in mm. An amount is empty if the proposal keeps the value of the spec.
 struct ProposedGear {
   std::optional<double> tip_relief{}, tip_start{};
   std::optional<double> root_relief{}, root_start{};
@@ -30,34 +30,38 @@ struct ProposedLoad {
 
 struct Proposal {
   ProposedProfile profile = ProposedProfile::as_given;
-  bool pitch = false;  ///< with pitch deviations in the amounts of the reliefs
-  bool lead = false;   ///< with helix crowning and slope
+  bool pitch = false;  ///< true if the reliefs include pitch deviations
+  bool lead = false;   ///< true if there is a helix crowning and slope
   std::array<ProposedGear, 2> gears{};
-  std::vector<ProposedLoad> loads{};       ///< at each torque
-  LoadedScore worst = no_score();          ///< of all torques
-  std::optional<LoadedScore> at_limits{};  ///< at the greatest helix slope deviations, the worst
-  /// Loaded transmission error under the greatest torque, over the rotation of gear 1: °, ″.
+  std::vector<ProposedLoad> loads{};       ///< results for each torque
+  LoadedScore worst = no_score();          ///< worst values over all torques
+  std::optional<LoadedScore> at_limits{};  ///< worst values at both limits of the helix slope
+                                           ///< deviation
+  /// Points of the loaded transmission error under the greatest torque: rotation of gear 1 in °,
+  /// error in ″.
   std::vector<Vec2> transmission_error{};
   Value spec{};  ///< the whole spec with these modifications
 };
 
 struct ProposeView {
-  double torque = 0.0;                                      ///< N mm, on gear 1, of the amounts
+  double torque = 0.0;                                      ///< N mm, torque on gear 1 for which
+                                                            ///< the amounts are computed
   std::optional<std::array<double, 2>> short_deflection{};  ///< C_i  mm
   std::optional<double> pitch_deviation{};     ///< mm, normal to the flank, of both gears together
   std::optional<double> helix_deviation{};     ///< mm, over the common face, of both gears together
-  std::optional<FaceDeflection> deflection{};  ///< of the shafts, or as given
-  std::vector<Proposal> proposals{};           ///< the spec as given first
-  std::size_t recommended = 0;                 ///< index
+  std::optional<FaceDeflection> deflection{};  ///< deflection of the shafts plus the deflection in
+                                               ///< [load]
+  std::vector<Proposal> proposals{};           ///< the first entry is the spec as given
+  std::size_t recommended = 0;                 ///< index in `proposals`
   std::string reason{};
 };
 
 const Quantities<ProposeView>& propose_quantities();
 const Quantities<Proposal>& proposal_quantities();
 
-/// "short tip relief with f_pb, helix crowning"
+/// Example: "short tip relief with f_pb, helix crowning".
 std::string words_of(const Proposal& proposal);
-/// "tip relief 12 µm from 79.123 mm, helix crowning 8 µm"; empty if the gear is as given.
+/// Example: "tip relief 12 µm from 79.123 mm, helix crowning 8 µm". Empty if the gear is unchanged.
 std::string amounts_of(const ProposedGear& gear);
 
 }  // namespace gearwright

@@ -64,8 +64,8 @@ struct Across {
   std::vector<const Member*> members;
 };
 
-// The quantities of all records in their common order. All records have the order of one table, so the place of a
-// quantity that one record lacks is known from the other records.
+// The quantities of all records in their common order. All records have the order of one table, so
+// the place of a quantity that one record lacks is known from the other records.
 std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
   std::vector<Across> all;
   for (std::size_t k = 0; k < records.size(); ++k) {
@@ -111,8 +111,8 @@ class Groups {
   std::vector<TextGroup> take() { return std::move(groups_); }
 
  private:
-  // Adds the quantities of an inner record under the heading of this record. If there is a list of records, they are
-  // added one after the other.
+  // Adds the quantities of an inner record under the heading of this record. If there is a list of
+  // records, they are added one after the other.
   void nest(const Across& a, const std::string& title) {
     std::size_t longest = 1;
     for (const Member* m : a.members)

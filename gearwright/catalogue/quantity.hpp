@@ -4,8 +4,9 @@
 //   Quantity<S>     a quantity with its getter for a subject S: a gear, a pair, a contact
 //   Quantities<S>   all quantities of a subject; of(subject) is the record for all interfaces
 //
-// JSON, the listings in the terminal, the page's tables, CSV, the schema of results and the tables of
-// docs/spec.md are made from the catalogue. A new quantity is one entry in one of the *_quantities.cpp files.
+// JSON, the listings in the terminal, the page's tables, CSV, the schema of results and the tables
+// of docs/spec.md are made from the catalogue. A new quantity is one entry in one of the
+// *_quantities.cpp files.
 #pragma once
 
 #include <array>
@@ -50,21 +51,22 @@ struct QuantityInfo {
   std::string symbol;  ///< "d_a", with indices after the underscore
   Unit unit = Unit::none;
   std::string group{};    ///< heading for users
-  std::string meaning{};  ///< one sentence with the condition of its existence, without full
-                          ///< stop
+  std::string meaning{};  ///< one sentence without full stop, with the condition under which the
+                          ///< value exists
   Type type = Type::number;
   std::vector<int> list{};            ///< lengths of nested lists, 0 for any; empty for one value
   Two two = Two::values;              ///< meaning of a list of two values
   bool always = false;                ///< true if the value is never null
   std::vector<std::string> one_of{};  ///< possible values of a word
   unsigned doors = kAllDoors;
-  std::optional<int> digits{};             ///< decimals for users; by default those of the unit
+  std::optional<int> digits{};             ///< decimals for users; by default the decimals of the
+                                           ///< unit
   std::string nothing{};                   ///< text for users if there is no value
   const QuantityTable& (*of)() = nullptr;  ///< for a record, the table of its quantities
   std::string column{};                    ///< heading in CSV and Parquet; "#" is the gear's number
   bool greater_first = false;              ///< true if greater values are better
-  bool optional_key = false;               ///< true if the key is absent, not null, if the quantity
-                                           ///< does not exist
+  bool optional_key = false;               ///< true if the key is absent when the quantity does not
+                                           ///< exist; otherwise its value is null
 };
 
 /// The quantities that a record may contain, in their order.
@@ -82,7 +84,7 @@ struct Quantity {
   std::function<Value(const S&)> get;
   std::function<bool(const S&)> exists{};  ///< if false, the key is absent; by default always
                                            ///< present
-  std::function<bool(const S&)> worth{};   ///< if false, users see no row; by default always
+  std::function<bool(const S&)> worth{};   ///< if false, users see no row; by default they see it
   std::function<bool(const S&)> asked{};   ///< if true, users see a dash instead of a missing value
   std::function<bool(const S&)> there{};   ///< for an entry of a part: true if the subject has
                                            ///< that part
@@ -137,8 +139,8 @@ Value angles_in(Unit unit, const Range& angles) {
 template <class S>
 class Quantities;
 
-/// The record of a subject or of an optional subject, or the records of a range of subjects. A finished value
-/// is returned unchanged.
+/// The record of a subject or of an optional subject, or the records of a range of subjects. A
+/// finished value is returned unchanged.
 template <class T, class R>
 Value record_value(const Quantities<T>& quantities, const R& found) {
   if constexpr (std::is_same_v<R, T>) {
@@ -164,8 +166,8 @@ std::function<Value(const S&)> getter(Unit unit, G get) {
   }
 }
 
-/// The functions that add an entry of S to `Self`. Each adds one quantity, whose unit is the unit at the end of
-/// its key. `symbol` may be empty.
+/// The functions that add an entry of S to `Self`. Each adds one quantity, whose unit is the unit
+/// at the end of its key. `symbol` may be empty.
 template <class Self, class S>
 class QuantityForms {
  public:
@@ -189,7 +191,7 @@ class QuantityForms {
   auto& text(const char* key, const char* meaning, G get) {
     return self().add(Type::text, key, key, "", meaning, std::move(get)).doors(kJson);
   }
-  /// A quantity that occurs in several tables. Its words and its symbol are those of its term.
+  /// A quantity that occurs in several tables. Its term defines its words and its symbol.
   template <class G>
   auto& term(const char* key, const char* meaning, G get) {
     const Term& t = term_of(key);
@@ -197,8 +199,8 @@ class QuantityForms {
     q.info.always = t.type == Type::flag;
     return q;
   }
-  /// A record of the quantities `of`, or a list of such records. `get` returns a subject, an optional or a
-  /// pointer that may be empty, a range of subjects, or a finished value.
+  /// A record of the quantities `of`, or a list of such records. `get` returns a subject, an
+  /// optional or a pointer that may be empty, a range of subjects, or a finished value.
   template <const auto& (*of)(), class G>
   auto& record(const char* key, const char* meaning, G get) {
     auto& q = self().add(Type::record, key, key, "", meaning,
@@ -227,7 +229,8 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
   Quantities(const Quantities&) = delete;  // the table points into the list
   Quantities& operator=(const Quantities&) = delete;
 
-  /// Sets the headings in the order for users. Other headings are appended in the order of their first use.
+  /// Sets the headings in the order for users. Other headings are appended in the order of their
+  /// first use.
   void groups(std::vector<std::string> titles) { table_.groups = std::move(titles); }
 
   /// Sets the heading of the quantities that follow. At first there is no heading.
@@ -241,7 +244,8 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
     return list_.back();
   }
 
-  /// Adds entries of a part of the subject. `find` returns the part, or null if the subject has no such part.
+  /// Adds entries of a part of the subject. `find` returns the part, or null if the subject has no
+  /// such part.
   template <class P>
   PartQuantities<S, P> part(const P* (*find)(const S&)) {
     return {*this, find};
@@ -277,8 +281,9 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
   const char* group_ = "";
 };
 
-/// Entries for a part that only some subjects have, for example one kind of pair, or a result that may be
-/// absent. Their getters take the part. If the subject does not have the part, the value is null.
+/// Entries for a part that only some subjects have, for example one kind of pair, or a result that
+/// may be absent. Their getters take the part. If the subject does not have the part, the value is
+/// null.
 template <class S, class P>
 class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
  public:
@@ -305,19 +310,21 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
   Find find_;
 };
 
-/// The number of decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), and 5 for degrees
-/// (0.17 µm on a radius of 1 m) and for pure numbers.
+/// The number of decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), and 5 for
+/// degrees (0.17 µm on a radius of 1 m) and for pure numbers.
 int digits_of(const QuantityInfo& info);
 
-/// The system of the values of a quantity in an answer in these units. Modules are in mm in both systems.
+/// The unit system of the values of a quantity in an answer in `units`. Modules are in mm in both
+/// systems.
 UnitSystem system_of(const QuantityInfo& info, UnitSystem units);
 
-/// A value as text for users without its unit, or `none` if there is no value. A list is written "x, y, z",
-/// and two ends are written "lo … hi".
+/// A value as text for users without its unit, or `none` if there is no value. A list is written
+/// "x, y, z", and two ends are written "lo … hi".
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–",
                     UnitSystem units = UnitSystem::mm);
 
-/// A row for users with one quantity and a text for each column. A value that both gears share has one text.
+/// A row for users with one quantity and a text for each column. A value that both gears share has
+/// one text.
 struct TextRow {
   const QuantityInfo* info;
   std::vector<std::string> texts;
@@ -330,9 +337,10 @@ struct TextGroup {
   std::vector<TextRow> rows;
 };
 
-/// The table for users, either of records side by side (two gears) or of one record with values for each gear
-/// (a pair). It contains the quantities of the interface `door` that at least one record shows, under their
-/// headings, in these units. The quantities of inner records are also rows. `table` is the table of the records.
+/// The table for users, either of records side by side (two gears) or of one record with values for
+/// each gear (a pair). It contains the quantities of the interface `door` that at least one record
+/// shows, under their headings, in these units. The quantities of inner records are also rows.
+/// `table` is the table of the records.
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
                                    UnitSystem units, std::string_view none = "–");

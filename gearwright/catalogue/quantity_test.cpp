@@ -2,7 +2,7 @@
 //
 //   (1) a key occurs once in a record, and if it ends with a unit, the unit is the right one
 //   (2) words are a term, which begins with a small letter; words and meaning have no full stop
-//   (3) a value has the declared type and lengths, and a quantity that is always present has a value
+//   (3) a value has the declared type and lengths, and a quantity that is always present has one
 //   (4) all interfaces give the value of the getter: if JSON has null, users see no number
 //   (5) a key that occurs in several tables with the same words and the same symbol is a term
 #include "gearwright/catalogue/quantity.hpp"

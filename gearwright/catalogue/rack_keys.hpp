@@ -1,5 +1,5 @@
-// The keys of [gearN.rack]: the straight rack, the racks F and P, double circular arcs, and any chain of
-// arcs. Lengths are in normal modules.
+// The keys of [gearN.rack]: the straight rack, the racks F and P, double circular arcs, and any
+// chain of arcs. Lengths are in normal modules.
 #pragma once
 
 #include "gearwright/catalogue/key.hpp"

@@ -80,9 +80,9 @@ void say_contact(Quantities<V>& q) {
          "from the tip form circle of the pinion to the tip line of the rack [T2.38]",
          &V::transverse_contact_ratio)
       .always();
-  q.term("contact_ratio_true", "for the path clipped to the usable flanks [T2.39]", [](const V& v) {
-     return v.true_contact_ratio() + v.overlap_ratio;
-   }).always();
+  q.term("contact_ratio_true", "for the part of the path on the usable flanks [T2.39]",
+         [](const V& v) { return v.true_contact_ratio() + v.overlap_ratio; })
+      .always();
   q.term("overlap_ratio", "over the common face", &V::overlap_ratio).always();
   q.term("approach_contact_ratio", "contact ratio before the pitch point, with the pinion driving",
          [](const V& v) { return v.approach / v.base_pitch; })
@@ -136,7 +136,7 @@ const Quantities<RackGeometry>& rack_quantities() {
            [](const R& r) { return r.bar.teeth ? Value(*r.bar.teeth) : Value(); });
     q.term("normal_module_mm", "normal module of the pinion", &R::normal_module).always();
     q.term("helix_angle_deg",
-           "angle of the teeth to the pinion axis; the hand is opposite to that of the pinion",
+           "angle of the teeth to the pinion axis; the hand is opposite to the hand of the pinion",
            &R::helix_angle)
         .always();
     q.term("face_width_mm", "as given, or the face width of the pinion", &R::face_width).always();

@@ -1,4 +1,5 @@
-// The quantities of a rack and of its pair with a pinion. They are in `gears` and `pair` of such a result.
+// The quantities of a rack and of its pair with a pinion. They are `gears` and `pair` in a result
+// for a rack and its pinion.
 #pragma once
 
 #include "gearwright/catalogue/quantity.hpp"

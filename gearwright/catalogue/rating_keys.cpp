@@ -52,14 +52,15 @@ void set_rims(RatingTable& rating, const std::array<double, 2>& rim) {
   rating.rim_thickness = std::min(rim[0], rim[1]);
 }
 
-// If power and torque are both given, they must agree. If only a spectrum is given, its step with the greatest torque
-// is the load.
+// If power and torque are both given, they must agree. If only a spectrum is given, its step with
+// the greatest torque is the load.
 std::optional<KeyFault> complete_load(RatingTable& rating) {
   RatingInput& in = rating.input;
   if (!rating.spectrum.empty()) {
     if (in.life_h)
-      return KeyFault{"life_h",
-                      "cannot be combined with a spectrum, because its steps have their own hours"};
+      return KeyFault{
+          "life_h",
+          "cannot be combined with a spectrum, because each step of a spectrum has its own hours"};
     const LoadBin& worst =
         *std::max_element(rating.spectrum.begin(), rating.spectrum.end(),
                           [](const LoadBin& a, const LoadBin& b) { return a.torque < b.torque; });
@@ -91,8 +92,8 @@ std::optional<KeyFault> complete_rating(RatingTable& rating, const KeyGiven& giv
   }
   if (rating.input.mounting && rating.input.misalignment) {
     return KeyFault{"misalignment_um",
-                    "is used only with the shafts of the gears; for [rating.mounting] give "
-                    "misalignment_um in this table"};
+                    "is used only with the shafts of the gears; with [rating.mounting], give "
+                    "misalignment_um in that table"};
   }
   if (given("plastic") && !plastics)
     return KeyFault{"plastic", "is used only with standard = \"VDI 2736:2014\""};
@@ -167,9 +168,10 @@ const KeyTable& rating_keys() {
        of_both("root_roughness_um", "Rz_F", Range::between(0.01, 1000),
                {&R::input, &RatingInput::root_roughness}, "Y_RrelT = 1", "Rz of the root fillets")
            .with_also({"root_rz"}),
-       Key::not_negative("tip_relief_um", "C_a", {&R::input, &RatingInput::tip_relief},
-                         "the relief after running-in; no relief for grade 6 and coarser grades",
-                         "tip relief, for the dynamic factor of grades 0 to 5"),
+       Key::not_negative(
+           "tip_relief_um", "C_a", {&R::input, &RatingInput::tip_relief},
+           "the tip relief that running-in produces; no relief for grade 6 and coarser grades",
+           "tip relief, for the dynamic factor of grades 0 to 5"),
        of_both("rim_thickness_mm", "s_R", Range::positive(),
                KeyPlace::by<R, std::array<double, 2>>(set_rims), "the rim is thick",
                "thickness of the rim under the teeth, for Y_B and, together with the web, for c'")
@@ -181,7 +183,8 @@ const KeyTable& rating_keys() {
        Key::flag("limited_pitting",
                  KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.limited_pitting; }),
                  "false",
-                 "if true, some pitting is permitted and Z_NT follows the corresponding line"),
+                 "if true, some pitting is permitted and Z_NT follows the corresponding line of "
+                 "the standard"),
        Key::number("life_factor_end", "", Range::between(0.85, 1),
                    KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.at_10_10; }),
                    "0.85",
@@ -189,20 +192,20 @@ const KeyTable& rating_keys() {
                    "manufacture and lubrication"),
        factor("face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
               "from `[rating.mounting]` or the shafts of the gears",
-              "face load factor of the flank, given instead of computed"),
+              "face load factor of the flank, which replaces the computed value"),
        Key::not_negative(
            "misalignment_um", "f_ma", {&R::input, &RatingInput::misalignment}, "√(f_Hβ1² + f_Hβ2²)",
            "mesh misalignment caused by manufacture, used with `[gear1.shaft]` or `[gear2.shaft]`"),
        factor("face_load_factor_root", "K_Fβ", &RatingInput::face_load_factor_root, "K_Hβ^N_F",
-              "face load factor of the root, given instead of computed"),
+              "face load factor of the root, which replaces the computed value"),
        factor("dynamic_factor", "K_v", &RatingInput::dynamic_factor, "computed by formula",
-              "dynamic factor, given instead of computed"),
+              "dynamic factor, which replaces the computed value"),
        factor("transverse_load_factor", "K_Hα", &RatingInput::transverse_load_factor,
               "computed by formula",
-              "transverse load factor of the flank, given instead of computed"),
+              "transverse load factor of the flank, which replaces the computed value"),
        factor("transverse_load_factor_root", "K_Fα", &RatingInput::transverse_load_factor_root,
               "computed by formula",
-              "transverse load factor of the root, given instead of computed"),
+              "transverse load factor of the root, which replaces the computed value"),
        Key::positive("safety_flank_min", "S_Hmin", &R::safety_flank_min,
                      "not required, so that 1 is used", "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),

@@ -142,7 +142,8 @@ Value section(const V& v, double CriticalSection::*member, double scale = 1.0) {
                     std::abs(v.rating.section[1].*member) * scale};
 }
 
-// The strengths of both materials. A strength is null for a plastic whose strength depends on temperature.
+// The strengths of both materials. A strength is null for a plastic whose strength depends on
+// temperature.
 Value strengths(const V& v, double Material::*member) {
   ValueList values;
   for (const Material& m : v.input.materials)
@@ -173,9 +174,11 @@ void say_inputs(Quantities<V>& q) {
     const double power = v.input.torque * speed(v) * 2 * std::numbers::pi / 60.0 / 1000.0;
     return power > 0 ? Value(power) : Value();
   });
-  q.number("torque_Nm", "torque", "T", "stress under the nominal load", [](const V& v) {
-     return std::array{v.input.torque, v.input.torque * ratio(v)};
-   }).per_gear();
+  q.number("torque_Nm", "torque", "T", "torque on each gear under the nominal load",
+           [](const V& v) {
+             return std::array{v.input.torque, v.input.torque * ratio(v)};
+           })
+      .per_gear();
   q.term("speed_rpm", "null if no speed is given", [](const V& v) {
      return speed(v) > 0 ? Value(std::array{speed(v), speed(v) / ratio(v)}) : Value();
    }).per_gear();
@@ -250,7 +253,7 @@ void say_spectrum(Quantities<V>& q) {
            [](const V& v) { return of_spectrum(v, &S::damage_flank); })
       .per_gear()
       .digits(4);
-  q.number("damage_root", "damage of the roots", "U_F", "as for the flanks",
+  q.number("damage_root", "damage of the roots", "U_F", "as `damage_flank`, but for the roots",
            [](const V& v) { return of_spectrum(v, &S::damage_root); })
       .per_gear()
       .digits(4);
@@ -269,7 +272,7 @@ void say_spectrum(Quantities<V>& q) {
            "or with safeties of 1 if these keys are absent; null if there is no such torque",
            &V::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
-           "least face width with the same safeties, up to 40 modules; null if there is no such "
+           "least face width for the same safeties, up to 40 modules; null if there is no such "
            "face width",
            &V::face_holding)
       .digits(2);
@@ -317,7 +320,8 @@ void say_contact(Quantities<V>& q) {
       .when(asked);
 }
 
-// True for VDI 2736. Only plastics have temperatures, so a rating by ISO 6336 does not have these rows and keys.
+// True for VDI 2736. Only plastics have temperatures, so a rating by ISO 6336 does not have these
+// rows and keys.
 bool by_vdi(const V& v) { return v.rating.edition == RatingEdition::vdi_2736; }
 
 void say_temperatures(Quantities<V>& q) {
@@ -333,8 +337,8 @@ void say_temperatures(Quantities<V>& q) {
            of(&ToothTemperatures::flank))
       .per_gear()
       .when(by_vdi);
-  q.number("root_temperature_C", "temperature of the roots", "ϑ_Fu", "as for the flanks",
-           of(&ToothTemperatures::root))
+  q.number("root_temperature_C", "temperature of the roots", "ϑ_Fu",
+           "as `flank_temperature_C`, but for the roots", of(&ToothTemperatures::root))
       .per_gear()
       .when(by_vdi);
 }

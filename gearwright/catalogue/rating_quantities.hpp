@@ -1,7 +1,7 @@
 // The quantities of a strength rating, which are `rating` in a result.
 //
-// Each factor is described once, with its member of the rating. All interfaces use this description for the
-// value, the formula number and the branch.
+// Each factor is described once, with its member of the rating. All interfaces use this description
+// for the value, the formula number and the branch.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@
 
 namespace gearwright {
 
-/// The computed tooth contact under load, over all positions. It is given in addition to the standard.
+/// The computed tooth contact under load, over all positions. It supplements the rating by the
+/// standard.
 struct ToothContact {
   double torque;                      ///< T_1 K_A K_γ K_v  N m, on gear 1
   double pressure;                    ///< p_H  N/mm², greatest pressure
@@ -33,15 +34,16 @@ struct RatingView {
 
 const Quantities<RatingView>& rating_quantities();
 
-/// The clause of the standard for a factor, and the branch that was used. There are two branches, for gear 1
-/// and gear 2, if they differ.
+/// The clause of the standard for a factor, and the branch that was used. There are two branches,
+/// for gear 1 and gear 2, if they differ.
 struct FactorSource {
   std::string key, formula;
   std::vector<std::string> branches;
 };
 std::vector<FactorSource> factor_sources(const Rating& rating);
 
-/// "ISO 6336-1, 6.5.4, (13), (14): subcritical, N ≤ 0.85", or "" for a key that is not a factor.
+/// Example: "ISO 6336-1, 6.5.4, (13), (14): subcritical, N ≤ 0.85". The text is "" for a key that
+/// is not a factor.
 std::string source_text(const Rating& rating, std::string_view key);
 
 }  // namespace gearwright

@@ -55,7 +55,7 @@ const KeyTable& scatter_keys() {
       "Effect of tolerances on the pair; the values of every range are added to the value in the "
       "spec",
       {Key::number("samples", "n", KeyRange::between(1, kMaxScatterSamples), &S::samples, "1024",
-                   "samples of each replicate, a power of two"),
+                   "number of samples of each replicate, a power of two"),
        Key::number("replicates", "R", KeyRange::between(1, 1024), &S::replicates, "8",
                    "number of independent replicates, from which the error of every result is "
                    "estimated; samples times replicates must be at most 524 288"),
@@ -70,21 +70,20 @@ const KeyTable& scatter_keys() {
        Key::number("confidence", "", KeyRange::inside(0, 1), &S::confidence, "0.95",
                    "confidence level of the intervals"),
        Key::flag("indices", &S::indices, "false",
-                 "if true, first and total Sobol indices of each input are computed [T14.10], "
-                 "which multiplies the computing time by (inputs + 2)"),
+                 "if true, first-order and total Sobol indices of each input are computed "
+                 "[T14.10], which multiplies the computing time by (inputs + 2)"),
        Key::flag("worst_case", &S::worst_case, "false",
                  "if true, the greatest peak-to-peak transmission error and the least play within "
-                 "all ranges are searched [T14.15]"),
+                 "all ranges are found by a search [T14.15]"),
        Key::flag("loosening", &S::loosening, "false",
                  "if true, the result contains the factor by which each tolerance can grow until "
                  "the greatest of `percentiles` of the peak-to-peak transmission error has grown "
                  "by 5 %, and the tolerance to tighten first [T14.19]"),
        Key::flag("pattern", &S::pattern, "false",
-                 "if true, the result contains the density of the contact pattern on both flanks "
-                 "for the first 256 / `replicates` "
-                 "samples of each replicate: for each point of the flank, the share of samples in "
-                 "which marking compound of the "
-                 "thickness in [contact] shows contact [T14.27]"),
+                 "if true, the result contains the density of the contact pattern on both flanks, "
+                 "which is the share of samples in which the marking compound of [contact] shows "
+                 "contact at a point of the flank; it is computed from the first 256 / "
+                 "`replicates` samples of each replicate [T14.27]"),
        Key::flag("loaded", &S::loaded, "false",
                  "if true, loaded transmission error, pressure and face load factor are computed "
                  "for the first 256 / `replicates` samples of each replicate, under the torques of "
@@ -146,8 +145,8 @@ const KeyTable& scatter_gear_keys() {
       "scatter_gear",
       "Ranges of the teeth of a gear, each added to the value of the gear",
       {toleranced("thickness_allowance_mm", "E_sn", KeyRange::between(-10, 10),
-                  "normal tooth thickness of an involute gear, which affects the play and the mean "
-                  "of the transmission error [T14.13]"),
+                  "range of the normal tooth thickness of an involute gear, which affects the play "
+                  "and the mean of the transmission error [T14.13]"),
        {.key = "pitch",
         .kind = KeyKind::word,
         .words = {"F_p"},
@@ -193,10 +192,11 @@ const KeyTable& scatter_robust_keys() {
                  "the value in the spec")
            .with_list(KeyList{.most = kCorrectionCount, .noun = "correction"})
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
-       Key::word("aim", {"transmission_error", "loaded_transmission_error"}, &R::aim,
-                 "\"transmission_error\"",
-                 "quantity of each sample, which is the peak-to-peak transmission error of rigid "
-                 "teeth or, under the worst of the torques of `[load]`, of loaded teeth [T14.25]"),
+       Key::word(
+           "aim", {"transmission_error", "loaded_transmission_error"}, &R::aim,
+           "\"transmission_error\"",
+           "quantity that is computed for each sample. It is the peak-to-peak transmission error "
+           "of rigid teeth or, for the worst of the torques of `[load]`, of loaded teeth [T14.25]"),
        Key::number("percentile", "", KeyRange::inside(0, 100), &R::percentile, "95",
                    "percentile to minimise"),
        Key::number(

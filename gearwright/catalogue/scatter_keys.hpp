@@ -1,5 +1,5 @@
-// The keys of [scatter] and its tables, which are the variations from pair to pair and the requested
-// results.
+// The keys of [scatter] and its tables, which are the variations from pair to pair and the
+// requested results.
 #pragma once
 
 #include <array>
@@ -25,15 +25,17 @@ struct ScatterGear {
   std::optional<DistributionSpec> thickness;  ///< deviation of E_sn, mm
   /// A distribution for each of modification_entries(), in µm. It applies to both flanks.
   std::array<std::optional<DistributionSpec>, 7> modifications;
-  bool pitch = false;                               ///< true if the pitches vary by the grade
+  bool pitch = false;                               ///< true if the pitches vary within the
+                                                    ///< tolerances of the grade
   std::optional<std::array<int, 2>> profile_waves;  ///< range of the number of waves, for f_fα
   std::optional<std::array<int, 2>> helix_waves;    ///< range of the number of waves, for f_fβ
 };
 
 /// [scatter.robust]
 struct ScatterRobust {
-  CompensateAim aim = CompensateAim::transmission_error;  ///< may be under load; never the pressure
-  std::vector<std::size_t> corrections;  ///< indices in kCorrections; empty for the usual ones
+  CompensateAim aim = CompensateAim::transmission_error;  ///< the transmission error of rigid or
+                                                          ///< loaded teeth
+  std::vector<std::size_t> corrections;  ///< indices in kCorrections; empty for the default ones
   double percentile = 95.0;
   std::optional<std::array<double, 2>> range;  ///< range of every correction, in its unit
 };

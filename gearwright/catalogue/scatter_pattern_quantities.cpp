@@ -42,10 +42,11 @@ const Quantities<DensityView>& flank_density_quantities() {
 const Quantities<PatternDensity>& density_quantities() {
   using D = PatternDensity;
   static const Quantities<D> kAll("scatter.pattern", [](Quantities<D>& q) {
-    q.number("marking_mm", "thickness of the marking compound", "δ", "that of `[contact]`",
+    q.number("marking_mm", "thickness of the marking compound", "δ", "value in `[contact]`",
              [](const D& d) { return d.marking; })
         .always();
-    q.add(Type::index, "samples", "number of samples", "", "the first of each replicate",
+    q.add(Type::index, "samples", "number of samples", "",
+          "the first samples of each replicate are used",
           [](const D& d) { return static_cast<long long>(d.samples); })
         .always();
     const auto gear = [](std::size_t i) {

@@ -59,9 +59,9 @@ const Quantities<IndexView>& index_quantities() {
           .list({0})
           .always();
     };
-    list("first", "first index", "S", false, false);
+    list("first", "first-order index", "S", false, false);
     list("total", "total index", "S_T", true, false);
-    list("first_error", "standard error of the first index", "", false, true);
+    list("first_error", "standard error of the first-order index", "", false, true);
     list("total_error", "standard error of the total index", "", true, true);
   });
   return kAll;
@@ -96,7 +96,9 @@ const Quantities<WorstView>& worst_quantities() {
     q.number("value", "worst value", "", "in the unit of its key", [](const W& w) {
        return w.entry->shown(w.worst->value);
      }).always();
-    q.add(Type::map, "at", "where", "", "values of the inputs in their units", &W::at).always();
+    q.add(Type::map, "at", "values of the inputs", "",
+          "value of each input at the worst place, in its unit", &W::at)
+        .always();
     q.flag("corner", "corner", "true if every input is at an end of its range",
            [](const W& w) { return w.worst->corner; });
   });
@@ -383,10 +385,10 @@ const Quantities<SpreadView>& spread_quantities() {
          "standard_errors", "computed from the replicates [T14.9]",
          [](const S& s) -> const auto& { return s; })
         .always();
-    q.number("least", "least of all samples", "", "", [](const S& s) {
+    q.number("least", "least value of all samples", "", "", [](const S& s) {
        return s.entry->shown(s.spread->least);
      }).always();
-    q.number("greatest", "greatest of all samples", "", "", [](const S& s) {
+    q.number("greatest", "greatest value of all samples", "", "", [](const S& s) {
        return s.entry->shown(s.spread->greatest);
      }).always();
     q.add(Type::map, "samples", "samples", "",
@@ -422,10 +424,10 @@ const Quantities<Probability>& probability_quantities() {
   using P = Probability;
   static const Quantities<P> kAll("scatter probability", [](Quantities<P>& q) {
     q.number("value", "share of the samples", "", "", &P::value).always();
-    q.add(Type::index, "count", "samples with the event", "", "", [](const P& p) {
+    q.add(Type::index, "count", "number of samples with the event", "", "", [](const P& p) {
        return static_cast<long long>(p.count);
      }).always();
-    q.add(Type::index, "of", "all samples", "", "", [](const P& p) {
+    q.add(Type::index, "of", "number of all samples", "", "", [](const P& p) {
        return static_cast<long long>(p.of);
      }).always();
     q.number("lower", "lower end of the interval", "", "[T14.7]", [](const P& p) {

@@ -1,4 +1,5 @@
-// The quantities that describe the scatter due to tolerances. A result contains them under `scatter`.
+// The quantities that describe the scatter due to tolerances. A result contains them under
+// `scatter`.
 #pragma once
 
 #include <array>
@@ -41,7 +42,8 @@ const std::array<LoadedEntry, 3>& loaded_entries();
 struct SpreadView {
   const SpreadEntry* entry;
   const Spread* spread;
-  /// For each percentile, the nearest sample: its errors as in a spec, and its other changes.
+  /// For each percentile, the sample nearest to it, with its errors as in a spec and its other
+  /// changes.
   ValueList samples;
 };
 
@@ -55,17 +57,18 @@ struct WorstView {
   ValueMap at;  ///< values of the inputs, by name
 };
 
-/// The family under one torque.
+/// The results of the family of pairs under one torque.
 struct LoadedSpreadView {
   const LoadedSpread* loaded;
   std::array<std::optional<SpreadView>, 3> spread;  ///< in the order of loaded_entries()
 };
 
-/// Statistics of the family without or with corrections, from the samples that are used to compare them.
+/// Statistics of the family without or with corrections, from the samples that are used to compare
+/// them.
 struct JudgedView {
   const JudgedFamily* family;
   SpreadView peak_to_peak;
-  std::vector<LoadedSpreadView> loaded;  ///< one for each torque, if under load
+  std::vector<LoadedSpreadView> loaded;  ///< one entry for each torque, if the aim includes load
 };
 
 struct RobustView {

@@ -7,7 +7,7 @@ namespace {
 using D = ScatteredDesign;
 using S = ScatterStudyView;
 
-// Of the numbers of a pair, those by which one design is distinguished from another.
+// The quantities of a pair that distinguish one design from another.
 constexpr ScatterQuantity kShown[] = {ScatterQuantity::peak_to_peak, ScatterQuantity::along_face,
                                       ScatterQuantity::least_play, ScatterQuantity::long_period};
 
@@ -70,9 +70,9 @@ void say_design(Quantities<D>& q) {
       .list({0})
       .when([](const D& d) { return computed(d) && d.scatter->task->load.has_value(); })
       .doors(kJson);
-  q.text("reason", "only in `refused`: why the design has no scatter", [](const D& d) {
-     return d.reason;
-   }).when([](const D& d) { return !computed(d); });
+  q.text("reason", "reason why the scatter of the design was not computed; only in `refused`",
+         [](const D& d) { return d.reason; })
+      .when([](const D& d) { return !computed(d); });
 }
 
 }  // namespace
@@ -90,16 +90,17 @@ const Quantities<ScatterStudyView>& scatter_study_quantities() {
     q.whole("samples", "samples of each replicate", "n", "", &S::samples).always();
     q.whole("replicates", "replicates", "R", "", &S::replicates).always();
     q.add(Type::index, "seed", "seed", "", "", &S::seed).always();
-    q.add(Type::index, "count", "number of designs", "", "with those in `refused`", &S::count)
+    q.add(Type::index, "count", "number of designs", "", "including the designs in `refused`",
+          &S::count)
         .always();
     q.record<scattered_design_quantities>(
          "designs",
-         "designs, the one with the least percentile of the peak-to-peak transmission error first; "
-         "designs that lose contact in more samples than the percentile leaves out come last",
+         "designs in the order of the percentile of their peak-to-peak transmission error, the "
+         "least first; designs that lose contact in more than (100 − p) % of the samples are last",
          [](const S&) { return Value(ValueList()); })
         .list({0})
         .always();
-    q.record<scattered_design_quantities>("refused", "designs without a scatter",
+    q.record<scattered_design_quantities>("refused", "designs whose scatter was not computed",
                                           [](const S&) { return Value(ValueList()); })
         .list({0})
         .always();

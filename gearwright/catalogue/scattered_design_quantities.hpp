@@ -9,18 +9,18 @@
 
 namespace gearwright {
 
-/// A design of a search with its scatter, or with the reason why there is none.
+/// A design of a search with its scatter, or with the reason why the scatter was not computed.
 struct ScatteredDesign {
   std::int64_t number;  ///< its rank in the search
   DesignView design;
   const ScatterView* scatter;  ///< null if it could not be computed
-  std::string reason{};        ///< if it could not
+  std::string reason{};        ///< the reason, if it could not be computed
 };
 const Quantities<ScatteredDesign>& scattered_design_quantities();
 
 /// Designs ranked by a percentile. The rows are read one by one (scattered_design_quantities).
 struct ScatterStudyView {
-  double percent;  ///< of the ranking
+  double percent;  ///< percentile of the ranking
   int samples, replicates;
   long long seed, count;
 };

@@ -158,8 +158,8 @@ std::vector<Key> limit_keys() {
       limit("tip_thickness_min", "s_an", Range::between(0, 1.5), &SearchLimits::tip_thickness,
             "0.2", "least normal tip thickness, in modules"),
       limit("contact_ratio_min", "ε_α", Range::between(0, 10), &SearchLimits::contact_ratio, "1.2",
-            "least transverse contact ratio, both by Eq. 10 and for the path clipped to the usable "
-            "flanks; for crossed axes least AE/p_bn"),
+            "least transverse contact ratio, both by Eq. 10 and for the part of the path on the "
+            "usable flanks; for crossed axes, least AE/p_bn"),
       limit("overlap_ratio_min", "ε_β", Range::between(0, 1000), &SearchLimits::overlap_ratio,
             "none", "least overlap ratio"),
       limit("sliding_max", "|ζ|", Range::between(0, 1000), &SearchLimits::sliding, "none",
@@ -196,7 +196,8 @@ std::vector<Key> design_keys() {
   return {
       Key::word(
           "mounting", {"extended", "tight"}, {},
-          "\"tight\" for internal pairs and for designs that are drawn, otherwise \"extended\"",
+          "\"tight\" for internal pairs and for designs whose drawing is checked, otherwise "
+          "\"extended\"",
           "kind of the centre distance; `\"extended\"` is a = a_d + m_n Σx, and `\"tight\"` is "
           "free of backlash"),
       Key::flag("shorten_tips", &P::shorten_tips, "false",
@@ -223,7 +224,8 @@ std::vector<Key> design_keys() {
                     "step of the face width; face widths within a band are multiples of this step")
           .with_fields({"face_step"}),
       Key::text("thickness_series", {&P::allowances, &SearchAllowances::series},
-                "\"cd25\" for designs that are drawn and mounted with `mounting = \"tight\"`",
+                "\"cd25\" for designs whose drawing is checked and whose mounting is `mounting = "
+                "\"tight\"`",
                 "thickness allowances of both gears by DIN 3967, for example `\"cd25\"`; "
                 "`\"none\"` gives nominal teeth")
           .with_fields({"allowances.series"}),

@@ -1,5 +1,5 @@
-// The quantities of designs found by a search. They are `search.designs[i]`, the columns of CSV and Parquet,
-// and the page's table.
+// The quantities of designs found by a search. They are `search.designs[i]`, the columns of CSV and
+// Parquet, and the page's table.
 #pragma once
 
 #include <functional>
@@ -21,8 +21,8 @@ struct DesignView {
 
 const Quantities<DesignView>& design_quantities();
 
-/// A finished search. Its designs are not included. They are read one by one with design_quantities, because
-/// there may be many.
+/// A finished search. Its designs are not included. They are read one by one with
+/// design_quantities, because there may be many.
 struct SearchView {
   const SearchProblem* problem;
   const SearchAnswer* answer;
@@ -40,7 +40,8 @@ struct SpelledChange {
 };
 SpelledChange spelled_change(const NearestChange& change);
 
-/// An angle in degrees as it was given: −12, without the rounding error of a conversion to radians and back.
+/// An angle in degrees as it was given: −12, without the rounding error of a conversion to radians
+/// and back.
 double tidy_degrees(Angle angle);
 
 }  // namespace gearwright

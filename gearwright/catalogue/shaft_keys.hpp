@@ -1,4 +1,5 @@
-// The keys of [gear1.shaft] and [gear2.shaft]: the bearings, the diameters and the side of the torque.
+// The keys of [gear1.shaft] and [gear2.shaft]: the bearings, the diameters and the side of the
+// torque.
 #pragma once
 
 #include <cstddef>

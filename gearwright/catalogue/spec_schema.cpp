@@ -127,8 +127,8 @@ Json table_schema(const KeyTable& table) {
 
 Json required(std::initializer_list<const char*> keys) { return {{"required", keys}}; }
 
-// The requirement for gears. A search can choose the numbers of teeth, and a drive has its own gears. Every other
-// spec needs at least one complete gear.
+// The requirement for gears. A search can choose the numbers of teeth, and a drive has its own
+// gears. Every other spec needs at least one complete gear.
 Json gears_or_search() {
   const Json whole{{"$ref", "#/$defs/whole_gear"}};
   Json rack = required({"form"});
@@ -152,8 +152,8 @@ Json gears_or_search() {
           {"else", std::move(alone)}};
 }
 
-// Removes the condition that keys of [rating] need a speed and returns it for specs without a drive. A drive takes
-// the speed from its input.
+// Removes the condition that keys of [rating] need a speed and returns it for specs without a
+// drive. A drive takes the speed from its input.
 Json needs_outside_drives(Json& rating) {
   Json needs = std::move(rating["dependentRequired"]);
   rating.erase("dependentRequired");

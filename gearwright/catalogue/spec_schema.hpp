@@ -1,5 +1,5 @@
-// The JSON Schema (draft 2020-12) of specs, made from the key tables. Editors use it to complete TOML, and
-// any validator can check a spec with it.
+// The JSON Schema (draft 2020-12) of specs, made from the key tables. Editors use it to complete
+// TOML, and any validator can check a spec with it.
 //
 // The schema describes single keys and combinations of keys. Only the program can check geometric
 // conditions.

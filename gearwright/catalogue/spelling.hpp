@@ -1,11 +1,11 @@
-// Converts an error of the library for a spec file. The members of structs are replaced by the keys of the
-// file, and the rest of the sentence is unchanged.
+// Converts an error of the library for a spec file. The members of structs are replaced by the keys
+// of the file, and the rest of the sentence is unchanged.
 //
 //   gear1.tip_diameter = 10: must be greater than the root diameter 35 mm
 //   gear1.tip_diameter_mm = 10: must be greater than the root diameter 35 mm
 //
-// Members in a sentence are in backticks. They are searched first next to the member of the error, then in the
-// enclosing tables.
+// Members in a sentence are in backticks. They are searched first next to the member of the error,
+// then in the enclosing tables.
 #pragma once
 
 #include <map>
@@ -27,11 +27,12 @@ struct GivenKeys : std::set<std::string, std::less<>> {
   std::map<std::string, std::string, std::less<>> written{};
 };
 
-/// The error with keys instead of members, in the units of the spec. Other words are unchanged, so a second call has no
-/// effect.
+/// The error with keys instead of members, in the units of the spec. Other words are unchanged, so
+/// a second call has no effect.
 Error spelled(const Error& error, const GivenKeys& given = {});
 
-/// Replaces members by keys in a sentence about `owner`, "gear1". If `owner` is empty, the sentence is about the spec.
+/// Replaces members by keys in a sentence about `owner`, "gear1". If `owner` is empty, the sentence
+/// is about the spec.
 std::string spelled(std::string_view sentence, const GivenKeys& given = {},
                     std::string_view owner = {});
 

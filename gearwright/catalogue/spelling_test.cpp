@@ -1,4 +1,5 @@
-// Members of structs are replaced by keys of a file, once, and other words are unchanged.
+// Keys of a file replace the members of structs, a second replacement changes nothing, and other
+// words are unchanged.
 #include "gearwright/catalogue/spelling.hpp"
 
 #include <gtest/gtest.h>
@@ -95,7 +96,7 @@ TEST(Spelling, sentences_name_the_nearest_table) {
   EXPECT_EQ(spelled(""), "");
 }
 
-// A sentence of the library, for a programmer and for the user of a file.
+// One sentence of the library serves a programmer, with members, and the user of a file, with keys.
 TEST(Spelling, one_sentence_for_both) {
   CylindricalSpec spec = testing::plain_spec({.teeth = 20, .module = 2.0, .face_width = 10.0});
   spec.straight_rack().semi_topping_angle = Angle::degrees(45);

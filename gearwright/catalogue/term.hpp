@@ -33,7 +33,7 @@ enum class Unit {
   kg_per_mm,
   modules,          ///< normal modules; no unit is shown to users
   modules_squared,  ///< area of a region of two profile shifts
-  percent,          ///< a share of 1, shown to users times 100
+  percent,          ///< a share from 0 to 1, shown to users as a percentage
   inch,             ///< this unit and the units below occur in answers to inch specs only
   microinch,
   per_inch,
@@ -57,8 +57,8 @@ std::string_view unit_text(Unit unit);
 std::string_view unit_suffix(Unit unit);
 /// The unit that the suffix of the key names, or Unit::none if there is no such suffix.
 Unit unit_of(std::string_view key);
-/// The number of decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), and 5 for degrees
-/// (0.17 µm on a radius of 1 m) and for pure numbers.
+/// The number of decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), and 5 for
+/// degrees (0.17 µm on a radius of 1 m) and for pure numbers.
 int unit_digits(Unit unit);
 
 struct Term {

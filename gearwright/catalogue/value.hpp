@@ -1,7 +1,7 @@
 // A value of a result, for all interfaces: null, a flag, a number, a word, a list or a record.
 //
-// The getters of the catalogue return values in the unit of the key. JSON, tables, CSV, Python and the
-// browser convert a value to their own types, independently of its origin.
+// The getters of the catalogue return values in the unit of the key. JSON, tables, CSV, Python and
+// the browser convert a value to their own types, independently of its origin.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ class Value {
 
   // NOLINTBEGIN(google-explicit-constructor): a getter returns what it has.
   Value() noexcept;  ///< no value, which is null in JSON
-  // These are defined in value.cpp, where Member is complete. clang requires this for functions that may
-  // destroy the variant.
+  // These are defined in value.cpp, where Member is complete. clang requires this for functions
+  // that may destroy the variant.
   Value(bool flag);
   Value(int whole);
   Value(long whole);
@@ -55,7 +55,8 @@ class Value {
   Value(const Vec3& p);
   Value(const std::vector<double>& numbers);
   // NOLINTEND(google-explicit-constructor)
-  // These are not inline, because inlining them into every getter would double the object code of the catalogue.
+  // These are not inline, because inlining them into every getter would double the object code of
+  // the catalogue.
   Value(const Value& other);
   Value(Value&& other) noexcept;
   Value& operator=(const Value& other);
@@ -67,7 +68,7 @@ class Value {
   const ValueList* list() const { return std::get_if<ValueList>(&variant_); }
   const ValueRecord* record() const { return std::get_if<ValueRecord>(&variant_); }
   const ValueMap* map() const { return std::get_if<ValueMap>(&variant_); }
-  /// The value as a double if it is a double or a whole number. Other types have none.
+  /// The value as a double if it is a double or a whole number, otherwise nothing.
   std::optional<double> number() const {
     if (const auto* x = std::get_if<double>(&variant_)) return *x;
     if (const auto* n = std::get_if<long long>(&variant_)) return static_cast<double>(*n);
@@ -80,7 +81,8 @@ class Value {
 
 /// One quantity of a record: its description and its value.
 struct Member {
-  const QuantityInfo* info;  ///< in the catalogue, which lives as long as the program
+  const QuantityInfo* info;  ///< points into the catalogue, which exists as long as the program
+                             ///< runs
   Value value;
   bool shown = true;  ///< true if users see a row with the value, or with a dash for none
 };

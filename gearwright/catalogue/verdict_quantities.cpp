@@ -14,7 +14,7 @@ Value values_of(const Finding& finding) {
   return values;
 }
 
-// The path of the member that a change sets. The path begins within the gear.
+// The path of the member that a change sets, relative to the gear.
 const char* member_of(Adjustable what) {
   switch (what) {
     case Adjustable::profile_shift: return "profile_shift";
@@ -68,8 +68,8 @@ const Quantities<Finding>& finding_quantities() {
            [](const F& f) { return f.gear ? Value(f.gear) : Value(); });
     q.text("message", "sentence for users", &F::message).always();
     q.text("at",
-           "ends of the tolerances at which the finding occurs; null if the finding occurs at the "
-           "nominal values",
+           "tolerance ends at which the finding occurs; null if the finding occurs at the nominal "
+           "values",
            [](const F& f) { return f.at.empty() ? Value() : Value(f.at); });
     q.text("remedy",
            "change that removes the finding, verified by computation; null if no single change "

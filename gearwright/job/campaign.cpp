@@ -9,7 +9,7 @@ Result<std::optional<ChunkStore>> open_campaign(const Campaign& campaign,
   const bool first = !options.many;
   if (options.folder_is_open && !first && !options.folder_is_open(true))
     return std::optional<ChunkStore>();
-  // Ranks restarted by a scheduler always use --resume, and continue with any existing chunks.
+  // Ranks that a scheduler restarts always use --resume and continue with the existing chunks.
   const OpenAs as = options.many || (options.together && options.resume) ? OpenAs::join
                     : options.resume                                     ? OpenAs::resume
                                                                          : OpenAs::fresh;

@@ -1,5 +1,5 @@
-// The folder of a campaign, a search or a study whose finished chunks stay on disk, opened as its
-// options say. Internal to job/.
+// Opens the folder of a campaign, in which the finished chunks of a search or a study stay on disk.
+// Internal to job/.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@
 
 namespace gearwright {
 
-/// The store; none if the first process could not open the folder. `refused` is a reason why the
-/// folder must not be used.
+/// The store, or nothing if the first process could not open the folder. If `refused` is set, the
+/// folder must not be used, and `refused` is the error.
 ///
 /// Throws    IoError
-/// Errors    `refused`; as ChunkStore::open
+/// Errors    `refused`; the errors of ChunkStore::open
 Result<std::optional<ChunkStore>> open_campaign(const Campaign& campaign,
                                                 const std::vector<std::string>& count_names,
                                                 const CampaignOptions& options,
                                                 const std::optional<Error>& refused);
 
-/// The missing chunks of this process, ascending.
+/// The missing chunks of this process, in ascending order.
 std::vector<std::int64_t> own_chunks(const ChunkStore& store, const CampaignOptions& options);
 
 }  // namespace gearwright

@@ -1,7 +1,7 @@
-// Work in numbered chunks that several processes may share: how they share it, and the queue of one
-// process.
+// The options for work in numbered chunks that several processes may share, and the queue of chunks
+// of one process.
 //
-// The folder of finished chunks is that of job/campaign.hpp.
+// job/campaign.hpp opens the folder of finished chunks.
 #pragma once
 
 #include <algorithm>
@@ -19,24 +19,26 @@ namespace gearwright {
 struct CampaignOptions {
   std::filesystem::path out;  ///< folder of the files; empty if there are none
   bool resume = false;
-  int shard = 1, shards = 1;      ///< this process computes the chunks shard − 1, + shards, …
-  bool many = false;              ///< others may have opened the folder before (shards, ranks)
-  bool together = false;          ///< for ranks: always a campaign, opened by the first rank
-  std::string writer = "search";  ///< name in the journal
-  /// Draws the number of a chunk from a shared queue; if empty, from a queue of this process.
-  /// Called by one thread at a time.
+  int shard = 1, shards = 1;      ///< this process computes every `shards`-th chunk, starting at
+                                  ///< shard − 1
+  bool many = false;              ///< true if shards or ranks may have opened the folder before
+  bool together = false;          ///< true for ranks; the first rank then opens the folder for all
+  std::string writer = "search";  ///< name of this process in the journal
+  /// Draws the number of the next chunk from a shared queue. If it is empty, the process has its
+  /// own queue. It is called by one thread at a time.
   std::function<std::int64_t()> next_chunk;
-  /// The argument is true if the folder could be opened. Returns true to continue. Ranks that join
+  /// Receives true if the folder could be opened, and returns true to continue. Ranks that join
   /// call it before they open the folder.
   std::function<bool(bool opened)> folder_is_open;
-  /// Waits until all processes are done, and returns true if this one makes the files.
+  /// Waits until all processes are done. Returns true if this process makes the files.
   std::function<bool()> finish_together;
 };
 
-/// The chunks of one process, drawn by its threads.
+/// The chunks of one process, from which its threads draw.
 class ChunkQueue {
  public:
-  /// `todo`: ascending numbers of missing chunks, of `all`. `next_chunk` as in CampaignOptions.
+  /// `todo` contains the numbers of the missing chunks in ascending order. `all` is the number of
+  /// all chunks. `next_chunk` is described in CampaignOptions.
   ChunkQueue(std::vector<std::int64_t> todo, std::int64_t all,
              const std::function<std::int64_t()>& next_chunk)
       : todo_(std::move(todo)), all_(all), next_chunk_(next_chunk) {}
@@ -45,7 +47,7 @@ class ChunkQueue {
   std::optional<std::int64_t> next() {
     const std::lock_guard lock(mutex_);
     if (next_chunk_) {
-      // The missing chunks when this process opened the folder.
+      // Chunks that were finished when this process opened the folder are skipped.
       std::int64_t c = next_chunk_();
       while (c < all_ && !std::binary_search(todo_.begin(), todo_.end(), c)) c = next_chunk_();
       return c < all_ ? std::optional(c) : std::nullopt;

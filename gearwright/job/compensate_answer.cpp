@@ -35,7 +35,8 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
           pair.center_distance};
 }
 
-// dTE/dφ1 of tooth pair 0 in the middle of its mesh, after the lead angle of one gear was changed.
+// The slope dTE/dφ1 of tooth pair 0 in the middle of its mesh, after a change of the lead angle of
+// one gear.
 std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
                                    Angle delta_lambda) {
   SetupChange change;
@@ -75,7 +76,8 @@ std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetu
 }
 
 std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup) {
-  // An involute pair touches along lines. `compensate` corrects its lead by slopes instead of a lead angle.
+  // An involute pair touches along lines. `compensate` corrects its lead by helix slope
+  // modifications instead of a lead angle.
   const ArcPair* arcs = job.pair->arcs();
   if (!arcs || setup.gear(1).twist() == 0.0) return std::nullopt;
   const bool gear2_drives = job.spec.contact.driver == 2;
@@ -91,7 +93,7 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
     const auto lo = slope(-kReach);
     const auto hi = slope(kReach);
     if (!lo || !hi || *lo * *hi > 0.0) continue;
-    // If contact is lost in between, the bracket has no root.
+    // If contact is lost within the bracket, no root is found.
     constexpr double kLost = std::numeric_limits<double>::quiet_NaN();
     const auto or_lost = [&](double d) { return slope(d).value_or(kLost); };
     const Root root = find_root(or_lost, -kReach, kReach);
@@ -116,7 +118,8 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
 }
 
 constexpr int kPositions = 24;
-// Under load, a curve takes a hundred times as long, so fewer positions and corners of the range are computed.
+// Under load, a curve of the transmission error takes a hundred times as long to compute, so fewer
+// positions and fewer corners of the range are computed.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
@@ -147,7 +150,8 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
   return list;
 }
 
-// The warning about corrections at the end of the range, or nothing if there are no such corrections.
+// The warning about corrections at the end of the range, or nothing if there are no such
+// corrections.
 std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   std::string list;
   for (const FoundCorrection& c : answer.corrections) {
@@ -197,7 +201,8 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   SolvedJob with = std::move(solved).take();
   const auto contact = answer_contact(with);
   if (!contact) return contact.error();
-  // The warnings about the range of errors, which includes the errors of the spec, and about the load are kept.
+  // Two kinds of warnings are kept: warnings about the range of errors, which includes the errors
+  // of the spec, and warnings about the load.
   for (const Warning& w : job.warnings) {
     if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);
@@ -225,8 +230,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!corrections) return corrections.error();
   CompensateAnswer answer;
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
-  // Contact at every position is checked before the search. If the teeth are too short for this, no correction in a
-  // workshop makes them longer.
+  // Contact at every position is checked before the search. If the teeth are too short for it, no
+  // correction can restore contact.
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);
@@ -253,7 +258,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   answer.setting = arc_setting(job, setup);
   answer.lead = lead_without_slope(job, setup);
   if (answer.setting && answer.setting->angle_nominal) {
-    // Deviation from the rack angle of the drawing that is reached at the end of the flank.
+    // Difference between the rack angle at the end of the flank and the rack angle of the drawing.
     constexpr Angle kProfileEnd = Angle::degrees(10);
     task.profile = {*answer.setting->angle_nominal, kProfileEnd};
   }
@@ -292,7 +297,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     if (std::isnan(l.after.max_pressure))
       job.warnings.push_back(
           {WarningCode::load_unfinished,
-           fmt::format("At {} N m the corrected teeth have a position without result, because no "
+           fmt::format("At {} N m the corrected teeth have a position without a result, because no "
                        "teeth touch there or the forces do not converge.",
                        format_number(newton_metres(l.torque))),
            0});

@@ -1,9 +1,9 @@
 // Corrections that a workshop can make against the errors of a housing: the verb `compensate`.
 //
-// If the teeth have closed forms, these are computed first: the tool setting that restores the contact of
-// circular-arc teeth after a change of centre distance, and the lead of either gear that removes
-// the slope of the transmission error. Then the requested corrections are computed for the whole
-// range.
+// If closed forms exist for the teeth, they are computed first: the tool setting that restores the
+// contact of circular-arc teeth after a change of centre distance, and the lead of either gear that
+// removes the slope of the transmission error. Then the requested corrections are computed for the
+// whole range of errors.
 #pragma once
 
 #include "gearwright/catalogue/compensate_quantities.hpp"

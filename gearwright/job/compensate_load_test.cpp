@@ -84,7 +84,7 @@ TEST(CompensateLoad, FindsWhatADenseScanFinds) {
     for (const LoadedScore& s : scan) least = std::min(least, aimed(s, aim));
     EXPECT_LT(after, 1.02 * least) << aim << " from " << before;
     EXPECT_LT(after, 0.9 * before) << aim;
-    // The reported numbers are those of the corrected spec.
+    // The reported numbers equal the results for the corrected spec.
     const auto again = read_spec_tree(answer->corrected->tables);
     ASSERT_TRUE(again) << again.error().message();
     auto solved = solve(*again, Scope::pair);
@@ -97,7 +97,8 @@ TEST(CompensateLoad, FindsWhatADenseScanFinds) {
   }
 }
 
-// The result holds for few positions and for the worst of several torques.
+// Law: the result is never worse than the spec without corrections, also for few positions and for
+// the worst of several torques.
 TEST(CompensateLoad, IsNeverWorseThanNothing) {
   for (const int curves : {1, 20}) {
     for (const std::string aim : {"loaded_transmission_error", "pressure"}) {

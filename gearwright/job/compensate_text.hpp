@@ -1,4 +1,4 @@
-// The answer of `compensate` in JSON and as a table for people. Internal to job/ and the program.
+// The answer of `compensate` in JSON and as a table for users. Internal to job/ and the program.
 #pragma once
 
 #include <string>

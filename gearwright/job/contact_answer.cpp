@@ -85,18 +85,18 @@ void warn_about(const ContactAnswer& answer, const std::vector<const Gear*>& gea
 void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>& warnings) {
   warnings.push_back(
       {WarningCode::fillet_contact,
-       fmt::format(
-           "Under these errors the tip of gear {} touches the root fillet of gear {} {:.4g} mm "
-           "before the {}flanks touch, at {:.3f}° of gear 1, on a diameter of {:.4f} mm. {}.",
-           3 - touch.gear, touch.gear, touch.early, other ? "non-working " : "",
-           touch.point.rotation1.deg(), touch.point.diameter[touch.gear - 1],
-           other ? "The backlash is reduced by this amount"
-                 : "The transmission error there is not determined by the flanks"),
+       fmt::format("Under these errors, the tip of gear {0} and the root fillet of gear {1} touch "
+                   "{2:.4g} mm before the {3}flanks touch. {6}. The contact is at the rotation "
+                   "{4:.3f}° of gear 1 and on a diameter of {5:.4f} mm.",
+                   3 - touch.gear, touch.gear, touch.early, other ? "non-working " : "",
+                   touch.point.rotation1.deg(), touch.point.diameter[touch.gear - 1],
+                   other ? "The backlash is reduced by this amount"
+                         : "The flanks do not determine the transmission error there"),
        touch.gear});
 }
 
-// Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the outlines of the
-// gears determine whether this happens, [T2.34] and [T4.33].
+// Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the
+// outlines of the gears determine whether this happens, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Progress* progress) {
   const bool gear2_drives = input.driver == 2;
@@ -110,7 +110,8 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
          "cut by a pinion cutter and not for circular fillets."});
     return;
   }
-  // Only one pitch is examined. All pitches are equal, and positions in several pitches might have the same phase.
+  // Only one pitch is examined. All pitches are equal, and positions in several pitches might have
+  // the same phase.
   const auto first_pitch = [&](std::span<const ContactPoint> positions) {
     return input.rotations.empty() ? positions.first(static_cast<std::size_t>(input.positions))
                                    : positions;
@@ -178,11 +179,10 @@ Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
   RackContact found = std::move(contacts).take();
   const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
   if (std::none_of(found.positions.begin(), found.positions.end(), touches))
-    return Error{
-        "errors", "",
-        "no teeth touch, because at no position a flank of the pinion lies opposite a flank "
-        "of the rack; smaller errors, or faces that overlap, would help",
-        FailureKind::nothing_touches};
+    return Error{"errors", "",
+                 "no teeth touch, because no flank of the pinion lies opposite a flank of the rack "
+                 "at any position; smaller errors or an overlap of the faces would help",
+                 FailureKind::nothing_touches};
   ContactAnswer answer{};
   if (input.pattern) answer.pattern = contact_pattern(*found.pair, input.positions, {}, progress);
   answer.min_play = found.min_play;

@@ -12,22 +12,24 @@
 
 namespace gearwright {
 
-/// For a double-helical pair, the results are those of the whole gears. Their halves share the load,
+/// For a double-helical pair, the results describe the whole gears. Their halves share the load,
 /// because one gear floats along its axis (contact/halves.hpp). There is no pattern.
 struct ContactAnswer {
   /// For a double-helical pair, the setup of the half at z > 0; none for a rack.
   std::optional<ContactSetup> setup;
-  ContactResult driving;          ///< working flanks for the requested driver
+  ContactResult driving;          ///< the working flanks for the gear that drives
   ContactResult other;            ///< the non-working flanks, at the same positions
   std::optional<Angle> min_play;  ///< play of gear 2 between its flanks; < 0 if the gears jam
-  /// Peak to peak of the continuous curve of the driving flanks, or nothing if contact is lost.
+  /// The peak-to-peak transmission error of the working flanks over the continuous curve, or
+  /// nothing if contact is lost.
   std::optional<Angle> continuous_span;
   std::optional<ErrorMap> map;
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< if requested in [contact]
   std::vector<ContactAnswer>
       halves{};                       ///< for a double-helical pair, the halves at z > 0 and z < 0
   std::vector<double> float_axial{};  ///< mm, for each position; see WholeContact
-  ContactResult on_halves{};          ///< the positions of both halves, for the verdict
+  ContactResult on_halves{};          ///< the positions of both halves, from which the verdict is
+                                      ///< computed
 
   /// The contact of the working flanks on which the verdict is based.
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }

@@ -19,15 +19,16 @@ namespace gearwright {
 namespace {
 
 // Line contact is narrow across the tooth and long along it, and the cells of the raster have the
-// same proportions. For modules of a few mm, the gap then changes by some hundredths of a µm from node
-// to node and from position to position, so the border of a pattern is almost smooth.
+// same proportions. For modules of a few mm, the gap then changes by some hundredths of a µm from
+// node to node and from position to position, so the border of a pattern is almost smooth.
 constexpr RasterSize kLines{97, 41};
 constexpr RasterSize kPoints{65, 81};
 constexpr RasterSize kSmall{17, 33};
 constexpr RasterSize kGap{65, 129};
 constexpr int kFinePositions = 128;
 constexpr int kSmallPositions = 80;
-constexpr int kMaxPositions = 1024;  // enough for the decimals of the peak to peak in a picture
+constexpr int kMaxPositions = 1024;  // sufficient for the printed decimals of the peak-to-peak
+                                     // transmission error
 
 // "tip relief 15 µm from 64.5 mm, helix crowning 8 µm", or empty if there are no modifications.
 std::string words_of(const FlankModifications& m) {
@@ -75,13 +76,13 @@ std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
   return best;
 }
 
-// True if this error is possible. With the opposite sign, a change of lead may be impossible.
+// True if this error is possible. A change of lead may be possible with one sign only.
 bool can_be(const ContactSetup& setup, std::size_t index, double value) {
   const ErrorEntry& e = error_entries()[index];
   return !e.of_cutter() || !check_cutter_lead(setup.gear(e.gear), e.gear, Angle::degrees(value));
 }
 
-// Errors under which a pattern of the report is computed: one of them, or all.
+// The errors under which a pattern of the report is computed: one error alone, or all errors.
 struct Under {
   std::string name;
   ContactErrors errors;
@@ -96,7 +97,7 @@ std::vector<Under> each_error(const SolvedJob& job, const ContactSetup& setup) {
   for (std::size_t i = 0; i < value.size(); ++i) {
     if (value[i] == 0.0) continue;
     for (const double v : {value[i], -value[i]}) {
-      if (v == value[i] && count == 1) continue;  // the same as all errors together
+      if (v == value[i] && count == 1) continue;  // this error alone equals all errors together
       if (!can_be(setup, i, v)) continue;
       const NamedAmount n = named_error(i, v);
       list.push_back({n.name + " " + words_of(n), with_error(setup, {}, i, v), false});
@@ -127,7 +128,8 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
   parallel_for(list.size() + 1, make);
 }
 
-// The report on one half of a double-helical pair. The setup of the half at z < 0 (`below`) is a mirror image.
+// The report on one half of a double-helical pair. The setup of the half at z < 0 (`below`) is a
+// mirror image.
 ContactReport report_of_half(const SolvedJob& job, const ContactAnswer& half, Angle behind,
                              bool below) {
   const bool gear2_drives = job.spec.contact.driver == 2;
@@ -149,8 +151,8 @@ ContactReport report_of_half(const SolvedJob& job, const ContactAnswer& half, An
   return r;
 }
 
-// The report on the whole gears and their halves. If the spec has other rotations, the contact is computed
-// again at equal positions over one pitch.
+// The report on the whole gears and their halves. If the spec has other rotations, the contact is
+// computed again at equal positions over one pitch.
 Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer& given) {
   SolvedJob again = job;  // a copy, because its warnings have already been reported
   again.spec.contact.map.reset();
@@ -241,8 +243,8 @@ NamedAmount named_error(std::size_t index, double value) {
 
 bool wants_contact(const SolvedJob& job) {
   if (!job.pair && !job.rack) return false;
-  // Circular arcs touch in points, and their ellipse and pattern are the reason for choosing such a
-  // pair, so they are always reported.
+  // Circular arcs touch at points. Their contact ellipse and pattern are the reason for choosing
+  // such a pair, so they are always reported.
   return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty() ||
          (job.pair && job.pair->arcs());
 }
@@ -251,8 +253,8 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   if (!wants_contact(job)) return std::optional<ContactPart>();
   auto made = answer_contact(job, progress);
   if (!made) {
-    // If nothing touches, the rule of the error is sufficient, because it is about the whole pair. Otherwise
-    // the message also names the invalid number.
+    // If nothing touches, the rule of the error is sufficient, because it is about the whole pair.
+    // Otherwise the message also names the invalid number.
     if (!without_contact(made.error())) return made.error();
     const Error why = spelled(made.error(), job.spec.given);
     const bool whole_pair = made.error().kind == FailureKind::nothing_touches;

@@ -51,7 +51,8 @@ std::string kinds_of(const ContactResult& result) {
   return text;
 }
 
-// Explains the column headings and the short words for the kinds of contact, except interior contact.
+// Explains the column headings and the short words for the kinds of contact, except interior
+// contact.
 std::string legend_of(const ContactResult& result) {
   std::vector<TouchKind> explained;
   std::string text;

@@ -1,4 +1,4 @@
-// The answer of `contact` in JSON and as a table for people. Internal to job/ and the program.
+// The answer of `contact` in JSON and as a table for users. Internal to job/ and the program.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace gearwright {
 
 /// The quantities of the result.
 ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer);
-/// The title and {"contact"}.
+/// A record with the title and "contact".
 Json contact_json(const SolvedJob& job, const ContactAnswer& answer);
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);
 

@@ -1,5 +1,5 @@
-// The names of corrections, and the spec with corrections, for the verbs that search for corrections.
-// Internal to job/.
+// The names of corrections, and the spec with corrections, for the verbs that search for
+// corrections. Internal to job/.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace gearwright {
 
-/// The corrections with these indices in kCorrections. If no index is given, these are the usual
+/// The corrections with these indices in kCorrections. If no index is given, these are the default
 /// corrections of the pair.
 ///
 /// Errors    `field` for a correction that is not possible for these teeth
@@ -19,13 +19,13 @@ Result<std::vector<WorkshopCorrection>> corrections_of(const ContactSetup& setup
                                                        const std::vector<std::size_t>& places,
                                                        const std::string& field);
 
-/// The key of a correction in the corrected spec. A slope has the key of the loaded flank, and an amount
-/// has the key for both flanks.
+/// The key of a correction in the corrected spec. A slope has the key of the loaded flank, and an
+/// amount has the key for both flanks.
 std::string spec_key(const ContactSetup& setup, const WorkshopCorrection& correction,
                      bool gear2_drives);
 
-/// True if the value is at the end of the searched range, so that a larger correction might be better.
-/// A crowning of 0 does not count.
+/// True if the value is at the end of the searched range, so that a larger correction might be
+/// better. A crowning of 0 does not count.
 bool at_bound(const Correction& range, double value);
 
 FoundCorrection found_correction(const WorkshopCorrection& correction, double value,

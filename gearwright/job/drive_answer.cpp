@@ -130,11 +130,11 @@ std::string drive_csv(const Drive& drive) {
   return out;
 }
 
-// The K_γ of the rating and of the planets, which are different inputs.
+// A sentence with the K_γ of the rating and the K_γ of the planets under load, which may differ.
 std::string load_factor_sentence(const Drive& drive) {
   const auto computed = mesh_load_factor(drive), rated = rated_mesh_load_factor(drive);
   if (!computed || !rated) return "";
-  return fmt::format("  The rating uses K_γ = {}; the planets under this load have {}.\n",
+  return fmt::format("  The rating uses K_γ = {}; the planets under this load have K_γ = {}.\n",
                      fixed_decimals(*rated, 3), fixed_decimals(*computed, 3));
 }
 

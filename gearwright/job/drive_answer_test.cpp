@@ -1,6 +1,7 @@
-// Interfaces of drives: (1) a spec and the graph to which it expands have the same numbers; (2) the
-// drives of a search have those of the verb drive for their specs; (3) gears of stages and of the
-// graph take the keys of a gear, and impossible values are rejected; (4) rate rates every mesh.
+// Interfaces of drives: (1) a spec and the graph to which it expands have the same numbers; (2) a
+// drive in the result of a search has the numbers that the verb drive computes for its spec; (3)
+// gears of stages and of the graph take the keys of a gear, and impossible values are rejected; (4)
+// the verb rate rates every mesh.
 #include "gearwright/job/drive_answer.hpp"
 
 #include <gtest/gtest.h>
@@ -138,8 +139,8 @@ TEST(DriveAnswerTest, SearchesHaveTheNumbersOfTheirSpecs) {
   }
 }
 
-// A listed drive has backlash by the series of DIN 3967 in every mesh, unless the search has allowances
-// of its own, and the verdict of its spec is green.
+// A listed drive has backlash by the series of DIN 3967 in every mesh, unless the search has
+// allowances of its own, and the verdict of its spec is green.
 TEST(DriveAnswerTest, SearchesGiveTheBacklashOfTheirSeries) {
   for (const std::string kind : {"kind = \"planetary\"\nratio = [4.4, 4.6]\nsun_teeth = [15, 24]\n",
                                  "kind = \"train\"\nratio = [11.9, 12.1]\npinion_teeth = [17, "
@@ -160,8 +161,8 @@ TEST(DriveAnswerTest, SearchesGiveTheBacklashOfTheirSeries) {
       EXPECT_GE(list.size(), 6u);
       return list;
     };
-    // The means of cd25 are −69, −90 and −120 µm up to 50, 125 and 280 mm, and j_n = −(E_sn1 + E_sn2)
-    // at α_wn = α_n. Profile shifts change it by some percent.
+    // The means of cd25 are −69, −90 and −120 µm up to 50, 125 and 280 mm, and j_n = −(E_sn1 +
+    // E_sn2) at α_wn = α_n. Profile shifts change j_n by a few percent.
     for (const double j : backlash("")) {
       EXPECT_GT(j, 0.95 * (0.069 + 0.069));
       EXPECT_LT(j, 1.05 * (0.120 + 0.120));

@@ -44,7 +44,8 @@ class Designer {
 
   Outcome operator()(DriveCandidate candidate) const {
     if (!problem_.face_width) return with_width(std::move(candidate));
-    // The least sufficient width in whole millimetres is found by bisection, because the safeties grow with the width.
+    // The least sufficient width in whole millimetres is found by bisection, because the safeties
+    // grow with the width.
     double low = std::ceil((*problem_.face_width)[0]) - 1.0;
     double high = std::floor(greatest_face_width(problem_, candidate));
     if (high <= low) return DriveFault::safety;
@@ -104,7 +105,8 @@ class Candidates {
         made_(all.size()),
         threads_(threads) {}
 
-  // Computes the candidates with these indices. An error of the spec is the same for all candidates.
+  // Computes the candidates with these indices. An error of the spec is the same for all
+  // candidates.
   std::optional<Error> compute(const std::vector<std::size_t>& which, DriveDesigns& designs) {
     std::vector<std::optional<Outcome>> outcomes(which.size());
     parallel_for(
@@ -137,7 +139,8 @@ class Candidates {
     return which;
   }
 
-  // The candidates on the Pareto front that have not been computed. Candidates that were left out do not count.
+  // The candidates on the Pareto front that have not been computed. Candidates that were left out
+  // do not count.
   std::vector<std::size_t> next_of_front(std::size_t count) const {
     std::vector<std::size_t> places, which;
     std::vector<DriveCandidate> left;

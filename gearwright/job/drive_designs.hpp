@@ -1,6 +1,6 @@
-// The designs of a search for drives. The candidates are computed in their order, in the same way as by the
-// verb drive. They are rated if the search requires safeties, and listed if the verdict is green.
-// Internal to job/.
+// The designs of a search for drives. The candidates are computed in their order, in the same way
+// as by the verb drive. They are rated if the search requires safeties, and listed if the verdict
+// is green. Internal to job/.
 #pragma once
 
 #include <string>
@@ -15,15 +15,16 @@ namespace gearwright {
 /// The numbers of teeth of a candidate, "sun 19, planet 17, ring 56".
 std::string teeth_text(const DriveCandidate& c);
 
-/// A candidate as a spec for the verb drive, from the common keys of the search and the numbers of the candidate.
+/// A candidate as a spec for the verb drive, from the common keys of the search and the numbers of
+/// the candidate.
 Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c);
 
 /// True if the designs of the search are rated.
 bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem);
 
-/// The candidates that the result lists: the `top` best by the first objective and, if there are several
-/// objectives, up to `top` more from the Pareto front. A candidate without a green verdict is
-/// replaced by the next, until kMostComputedDrives have been computed.
+/// The candidates that the result lists: the `top` best by the first objective and, if there are
+/// several objectives, up to `top` more from the Pareto front. A candidate without a green verdict
+/// is replaced by the next, until kMostComputedDrives have been computed.
 ///
 /// Errors    a module, or the load or a material of a rating, is missing or wrong
 Result<DriveDesigns> drive_designs(const JobSpec& spec, const DriveSearchProblem& problem,

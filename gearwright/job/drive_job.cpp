@@ -141,7 +141,8 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
     return absent_input("rating.torque_Nm",
                         "; a rating needs a load. Give torque_Nm on the input of the drive or in "
                         "[rating], or give power_kW with speed_rpm in [rating]");
-  constexpr double kSameTorque = 1e-9;  // relative rounding error of a power and a speed
+  constexpr double kSameTorque = 1e-9;  // relative; a torque from power and speed may differ by
+                                        // rounding
   if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameTorque * std::abs(*own))
     return Error{
         "rating.torque_Nm", format_number(*rated),

@@ -1,4 +1,4 @@
-// A drive that is computed from a spec, its rating, its verdict and its files.
+// The drive of a spec, with its rating, its verdict and its files.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace gearwright {
 struct DriveJob {
   JobSpec spec;
   Drive drive;
-  std::optional<DrivePlaces> places;  ///< none if there is a rack, or an axis cannot be placed
+  std::optional<DrivePlaces> places;  ///< none if there is a rack or if an axis cannot be placed
   std::optional<DriveLayout> layout;  ///< none if the drive has no teeth or they cannot mesh
   std::string why_no_layout;          ///< the reason as a sentence; empty if there is a layout
   Verdict verdict;
@@ -29,7 +29,7 @@ struct DriveJob {
 /// Errors    a spec without a drive; the errors of make_drive(), with the keys of the spec
 Result<DriveJob> solve_drive(const JobSpec& spec);
 
-/// The [errors] of a spec, as those of each mesh. Both must outlive the function.
+/// The [errors] of a spec as the errors of each mesh. `spec` and `drive` must outlive the result.
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 
 /// The load of a rating, which is given in [rating] or by the drive.
@@ -50,17 +50,18 @@ Result<DriveJob> solve_rated_drive(const JobSpec& spec);
 /// Computes the drive under its [load].
 ///
 /// Errors    `load.…` for keys that do not apply to a drive, and for a torque that is missing or
-///           contradictory; as mesh_spec() for a pair under load, with the mesh in the rule; as
-///           loaded_drive()
+///           contradictory; the errors of mesh_spec() for a pair under load, with the mesh in the
+///           rule; the errors of loaded_drive()
 std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
 
-/// The same drive under load if its spec has [load], with the verdict. If `solved` is an error, it is returned.
+/// The same drive under load if its spec has [load], with the verdict. If `solved` is an error, it
+/// is returned.
 Result<DriveJob> with_load(Result<DriveJob> solved, Progress* progress = nullptr);
 
-/// The drive of a spec with all that it contains: its meshes rated if it has [rating], under load
-/// if it has [load], and the verdict.
+/// The drive of a spec with all results that the spec requests: its meshes are rated if it has
+/// [rating], and it is computed under load if it has [load]. The verdict is included.
 ///
-/// Errors    as solve_drive(), rate_drive() and load_drive()
+/// Errors    the errors of solve_drive(), rate_drive() and load_drive()
 Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress = nullptr);
 
 /// The required safeties of [rating]; 1 if they are absent.
@@ -69,8 +70,8 @@ WantedSafety wanted_safety(const JobSpec& spec);
 /// The verdict on the drive, including the safeties if the drive is rated.
 Verdict judge(const DriveJob& job);
 
-/// Every copy of every gear in its place, in the common frame of one file. Copies refer to the first body
-/// with the same shape. Gears on one body have the same colour.
+/// Every copy of every gear in its place, in the common frame of one file. Copies refer to the
+/// first body with the same shape. Gears on one body have the same colour.
 ///
 /// Errors    a drive without a layout; a gear without an outline
 Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
@@ -79,7 +80,8 @@ Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
 std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies);
 
 /// The files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb and
-/// drive.3mf (laid out for printing). A drive with one section also has its outlines, drive.dxf and drive.svg.
+/// drive.3mf (laid out for printing). A drive with one section also has its outlines, drive.dxf and
+/// drive.svg.
 Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 
@@ -87,8 +89,8 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::pa
 Result<RunFiles> write_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                    const FileOptions& options);
 
-/// One file of the whole drive, made in the same way as by make_file(). In a 3MF file the bodies are laid out for
-/// printing.
+/// One file of the whole drive, made in the same way as by make_file(). In a 3MF file the bodies
+/// are laid out for printing.
 Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
                                 const std::filesystem::path& path, const FileOptions& options);
 

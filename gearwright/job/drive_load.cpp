@@ -19,9 +19,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSameTorque = 1e-9;  // relative; a power and a speed may differ by rounding
+constexpr double kSameTorque = 1e-9;  // relative; a torque from power and speed may differ by
+                                      // rounding
 
-// Keys of [load] that describe a single pair.
+// The error if the spec gives keys of [load] that apply to a single pair only.
 std::optional<Error> not_for_drives(const JobSpec& spec) {
   for (const char* key :
        {"driver", "rotation1_deg", "deflection_slope_um", "deflection_bow_um", "probe"})
@@ -33,7 +34,7 @@ std::optional<Error> not_for_drives(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// The torque on the input, N m, of the drive or of [load].
+// The torque on the input in N m, from the drive or from [load].
 Result<double> torque_of(const JobSpec& spec, const Drive& drive) {
   const auto& own = drive.graph.torque_Nm;
   const auto& given = spec.load.torques;
@@ -53,7 +54,7 @@ Result<double> torque_of(const JobSpec& spec, const Drive& drive) {
   return given.empty() ? std::abs(*own) : given.front();
 }
 
-// Errors of the pins in mm; a single number is that of the first pin.
+// The position errors of the pins in mm. A single number applies to the first pin.
 std::vector<double> pins_of(const LoadInput& input, const Drive& drive) {
   std::vector<double> pins;
   for (const double error : input.pin_errors) pins.push_back(error * kMmPerUm);
@@ -61,7 +62,7 @@ std::vector<double> pins_of(const LoadInput& input, const Drive& drive) {
   return pins;
 }
 
-// True if a mesh under load before this one has the gear too.
+// True if the gear also belongs to an earlier mesh under load.
 bool has_earlier_mesh(const Drive& drive, std::size_t gear, std::size_t mesh) {
   for (std::size_t m = 0; m < mesh; ++m) {
     const auto& [a, b] = drive.graph.meshes[m].gears;
@@ -70,7 +71,7 @@ bool has_earlier_mesh(const Drive& drive, std::size_t gear, std::size_t mesh) {
   return false;
 }
 
-// Notes the gears of a mesh that are held without a bore.
+// Adds a finding for each gear of a mesh that is held but has no bore.
 void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
                const std::vector<Warning>& warnings) {
   for (const Warning& w : warnings) {
@@ -84,7 +85,7 @@ void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
   }
 }
 
-// The mesh as a pair under load, by the spec that --take prints.
+// The mesh as a pair under load, from the spec that --take prints.
 Result<LoadRequest> request_of(DriveJob& job, const Json& expanded, std::size_t mesh,
                                const LoadInput& load) {
   Json tables = mesh_spec(job, expanded, mesh).tables;

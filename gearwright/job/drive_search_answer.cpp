@@ -56,7 +56,7 @@ std::string advice(const FoundDrives& f) {
          "change coaxial_teeth. The verb drive shows why a given set has no green verdict.";
 }
 
-// A row of words or numbers. Only the values that this search has are included.
+// A row of words or numbers. It has a cell for each value that this search computes.
 std::string design_row(const FoundDrives& f, const std::string& rank, const auto& cell) {
   const bool rated = f.rated;
   std::string row = fmt::format("{:>4}  {:<42} {:>2}", rank, cell("teeth"), cell("N"));
@@ -117,9 +117,10 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
   if (designs.computed > 0)
     text += fmt::format("{} sets were computed with their teeth, and {} of them can be used\n",
                         designs.computed, designs.list.size());
-  constexpr const char* kFaults[] = {"teeth that cannot be made or mounted",
-                                     "planets that are too close with their profile shifts",
-                                     "the safeties", "the verdict"};
+  constexpr const char* kFaults[] = {
+      "teeth that cannot be made or mounted",
+      "planets that are too close to each other with their profile shifts", "the safeties",
+      "the verdict"};
   for (std::size_t i = 0; i < std::size(kFaults); ++i)
     if (designs.left_out[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);

@@ -69,11 +69,11 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// The value with nine decimals, as on a drawing, which removes the last digits of a conversion.
+// The value with nine decimals, as on a drawing. This removes the rounding error of a conversion.
 double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 
-// The profile shift with nine decimals if this is exact. A shift that was computed from a centre distance keeps
-// all digits.
+// The profile shift with nine decimals if this is exact. A shift that was computed from a centre
+// distance keeps all digits.
 double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(x) : x; }
 
 // The tip diameter, rounded so that the tooth is never longer than computed.

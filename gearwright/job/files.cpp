@@ -55,7 +55,7 @@ std::string without_modifications(const std::vector<ToothedBody>& bodies) {
   return note;
 }
 
-// The same note for a drawing, which shows the section of the teeth as cut.
+// The note about flank modifications for a drawing, which shows the section of the teeth as cut.
 std::string drawn_as_cut(const std::vector<ToothedBody>& bodies) {
   for (const ToothedBody& body : bodies)
     if (body.modified || !body.unmodified.empty()) return "; without flank modifications";
@@ -126,8 +126,9 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                  std::move(drawing.text)};
 }
 
-// The error if the spec requests results that are not available for these gears. A rack and its pinion have only
-// geometry, contact, a report and files. Double-helical gears have everything except corrections and scatter.
+// The error if the spec requests results that are not available for these gears. A rack and its
+// pinion have only geometry, contact, a report and files. Double-helical gears have everything
+// except corrections and scatter.
 std::optional<Error> beyond(const SolvedJob& job) {
   const bool halves = job.halves[0] && job.pair;
   if (!job.rack && !halves) return std::nullopt;
@@ -146,13 +147,13 @@ std::optional<Error> beyond(const SolvedJob& job) {
     return Error{table, "",
                  "needs two gears, but gear 2 is a rack; if this table is left out, run writes the "
                  "report and the files of the rack and its pinion. A gear 2 with teeth = 1000 can "
-                 "replace the rack, and its results differ by the order of 1/teeth"};
+                 "replace the rack; the results then differ by about 1/teeth"};
   }
   return std::nullopt;
 }
 
-// The corrections, or nothing if the spec has no [compensate]. If nothing touches, there are no corrections
-// either, and the contact analysis or this function adds a warning.
+// The corrections, or nothing if the spec has no [compensate]. If nothing touches, there are no
+// corrections either, and the contact analysis or this function adds a warning.
 Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
   auto answer = answer_compensate(job, progress);
@@ -176,7 +177,8 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   return std::optional<CompensateView>();
 }
 
-// The scatter, or nothing if the spec has no [scatter]. If there is no contact, the contact analysis warns.
+// The scatter, or nothing if the spec has no [scatter]. If there is no contact, the contact
+// analysis warns.
 Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.scatter.given) return std::optional<ScatterAnswer>();
   auto answer = answer_scatter(job, progress);
@@ -293,8 +295,8 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   auto made = make(bodies);
   const auto modified = [](const ToothedBody& body) { return body.modified != nullptr; };
   if (made || std::none_of(bodies.begin(), bodies.end(), modified)) return made;
-  // Modified teeth have more faces, which may be too many for a file. In this case the file has the teeth
-  // as cut.
+  // Modified teeth have more faces, which may be too many for a file. In this case the file has the
+  // teeth as cut.
   std::vector<ToothedBody> as_cut = bodies;
   for (ToothedBody& body : as_cut) {
     if (!body.modified) continue;
@@ -367,7 +369,8 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   const auto scatter = scatter_part(job, options.progress);
   if (!scatter) return scatter.error();
   std::optional<ScatterView> scatter_shown;
-  std::optional<PatternDensity> density;  // a figure of the report, also if results do not have it
+  std::optional<PatternDensity> density;  // for a figure of the report, even if the results do not
+                                          // contain it
   if (*scatter) {
     scatter_shown = scatter_view(job, **scatter);
     if (!scatter_shown->density && options.wants("report"))

@@ -23,7 +23,8 @@ struct ReportFile;  // report/report.hpp
 
 using OnFile = std::function<void(std::string_view what)>;
 
-/// The tolerances that a user may choose, in mm. A finer tolerance would make files that no program can read.
+/// The tolerances that a user may choose, in mm. A finer tolerance would make files that no program
+/// can read.
 struct ToleranceRange {
   double least, greatest;
 };
@@ -33,15 +34,16 @@ struct FileOptions {
   OnFile on_file;                ///< called before each file; may be empty
   Progress* progress = nullptr;  ///< reports the progress of contact and corrections
   StepSchema step_schema = StepSchema::ap242;
-  double mesh_tolerance_mm = 0.005;     ///< of STL, GLB, 3MF
-  double drawing_tolerance_mm = 0.001;  ///< of DXF with arcs
+  double mesh_tolerance_mm = 0.005;     ///< tolerance for STL, GLB and 3MF
+  double drawing_tolerance_mm = 0.001;  ///< tolerance for DXF with arcs
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
   std::vector<std::string> only{};      ///< for `run`: words of kRunParts; everything if empty
 
   bool wants(std::string_view part) const;
 };
 
-/// Parts of `run`: the result, the report, the drawing (PDF, A4), and kinds of files by their endings.
+/// Parts of `run`: the result, the report, the drawing (PDF, A4), and kinds of files by their
+/// endings.
 inline constexpr std::array<std::string_view, 9> kRunParts{
     "result", "report", "drawing", "step", "stl", "glb", "3mf", "dxf", "svg"};
 
@@ -55,7 +57,7 @@ struct JobFile {
 
 enum class FileKind { step, stl, glb, threemf, dxf, svg };
 
-/// The ending of the names of files of this kind, ".step" and so on.
+/// The extension of file names of this kind, ".step" and so on.
 std::string_view ending(FileKind kind);
 
 /// One gear as a body, in its own frame or in the housing.
@@ -64,8 +66,8 @@ std::string_view ending(FileKind kind);
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
-/// The two halves of a gear's body. Gear 2 is turned in the opposite direction, unless it is internal,
-/// so that the halves of the mating gears have the same stagger.
+/// The two halves of a gear's body. Gear 2 is turned in the opposite direction, unless it is
+/// internal, so that the halves of the mating gears have the same stagger.
 ///
 /// Errors    `double_helical.gap` if the halves are staggered but have no gap
 Result<TwoHelices> two_helices_of(const Gear& half, const Halves& halves, int which);
@@ -75,7 +77,8 @@ Result<TwoHelices> two_helices_of(const Gear& half, const Halves& halves, int wh
 Error of_body(Error error, const std::string& name);
 
 /// Makes one file with these bodies, in memory, so that all errors occur before anything is
-/// written. If the file cannot contain modified flanks, it has the teeth as cut, and its note gives the reason.
+/// written. If the file cannot contain modified flanks, it has the teeth as cut, and its note gives
+/// the reason.
 ///
 /// Errors    a bore that does not fit; a file that is too large to be useful
 Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
@@ -101,10 +104,10 @@ struct RunFiles {
 Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
                                  const FileOptions& options);
 
-/// Writes the files of `run` into `folder`: result.json, report.html, drawing.pdf, gear1.*,
-/// gear2.* and pair.*, as far as they apply, or only the parts in `only`. A gear without an outline has
-/// no files, and the job gets a warning.
-/// Files of an earlier run that this run does not write are removed (run_folder.hpp).
+/// Writes the files of `run` into `folder`: result.json, report.html, drawing.pdf, gear1.*, gear2.*
+/// and pair.*, as far as they apply, or only the parts in `only`. A gear without an outline has no
+/// files, and the job gets a warning. Files of an earlier run that this run does not write are
+/// removed (run_folder.hpp).
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

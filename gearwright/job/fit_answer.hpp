@@ -1,7 +1,8 @@
-// The verb fit computes the numbers that are absent in a spec and returns the gears with these numbers.
+// The verb fit computes the numbers that are absent in a spec and returns the gears with these
+// numbers.
 //
-// An absent key means an unknown number here, not the default of the key. Every branch of the solution is
-// returned as a spec for the other verbs. Internal to job/ and the program.
+// An absent key means an unknown number here, not the default of the key. Every branch of the
+// solution is returned as a spec for the other verbs. Internal to job/ and the program.
 #pragma once
 
 #include <string>
@@ -17,8 +18,8 @@ namespace gearwright {
 struct FitAnswer {
   Fit fit;
   std::vector<Json> specs;  ///< for each branch, the spec as read with the computed numbers
-  /// For each branch, the reason why the verb pair rejects it, if it does. A conjugate line of action
-  /// does not guarantee a possible tooth.
+  /// For each branch, the reason why the verb pair rejects it, if it does. A conjugate line of
+  /// action does not guarantee that the teeth are possible.
   std::vector<std::optional<Error>> refused{};
   std::optional<double> transverse_contact_ratio = std::nullopt;  ///< of a design with few teeth
 };
@@ -32,7 +33,7 @@ FitView fit_view(const FitAnswer& answer);
 /// {"fit": {"branches", "reason", "nearest"}}
 Json fit_json(const FitAnswer& answer);
 
-/// A table for people.
+/// A table for users.
 std::string fit_listing(const FitAnswer& answer, UnitSystem units);
 
 }  // namespace gearwright

@@ -53,7 +53,7 @@ std::string module_text(const IdentifiedGear& g) {
                                         : fmt::format("{:g}", g.normal_module);
 }
 
-// What the readings leave open about a candidate.
+// The facts about a candidate that the readings do not determine.
 std::vector<std::string> open_facts(const IdentifyProblem& problem, const IdentifiedGear& g) {
   std::vector<std::string> facts;
   if (g.helix_angle.rad() != 0.0 && !problem.helix_angle && !problem.lead.value &&
@@ -63,7 +63,7 @@ std::vector<std::string> open_facts(const IdentifyProblem& problem, const Identi
   if (problem.teeth > 0 && std::abs(apart) > g.shift_uncertainty) {
     const double allowance = 2 * g.normal_module * std::tan(g.normal_pressure_angle.rad()) * apart;
     facts.push_back(
-        fmt::format("If its tip is neither worn nor shortened, x = {:.4f} and the thickness "
+        fmt::format("If the tip is neither worn nor shortened, x = {:.4f} and the thickness "
                     "allowance is {:.3f} mm.",
                     *g.shift_of_tip, allowance));
   }
@@ -125,11 +125,10 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
     text += (i == 1 ? "\n" : "") + sentence_in(units, answer.notes.front()[i]) + "\n";
   if (const auto& n = found.next) {
     const std::string unit = unit_of(n->reading);
-    text += sentence_in(
-        units, fmt::format("\nTo decide between the candidates 1 and {}, measure the {}, which is "
-                           "{:.3f}{} or {:.3f}{}.\n",
-                           n->rival + 1, tool_text(n->reading, n->tool), n->expect[0], unit,
-                           n->expect[1], unit));
+    text += sentence_in(units, fmt::format("\nTo decide between candidates 1 and {}, measure the "
+                                           "{}, which is {:.3f}{} or {:.3f}{}.\n",
+                                           n->rival + 1, tool_text(n->reading, n->tool),
+                                           n->expect[0], unit, n->expect[1], unit));
   }
   return text + "\nThe option --take NUMBER > gear.toml writes the spec of a candidate.\n";
 }

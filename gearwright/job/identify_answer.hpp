@@ -15,7 +15,8 @@ struct IdentifyAnswer {
   int gear;  ///< 1 or 2, the gear with the readings
   Identification found;
   std::vector<Json> specs;  ///< for each candidate, the spec as read with that gear
-  /// For each candidate: its number and likelihood, then facts that the readings leave open.
+  /// For each candidate, its number and likelihood, followed by facts that the readings do not
+  /// determine.
   std::vector<std::vector<std::string>> notes;
 };
 
@@ -25,7 +26,7 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec);
 /// {"identify": {"candidates", "contradiction", "next_measurement", "reason"}}
 Json identify_json(const IdentifyAnswer& answer);
 
-/// A table for people.
+/// A table for users.
 std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units);
 
 }  // namespace gearwright

@@ -8,8 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// True if the values differ by more than rounding. Numbers that do not depend on the tolerance may still
-// differ by rounding.
+// True if the values differ by more than rounding errors, which also occur in numbers that do not
+// depend on the tolerance.
 bool differ(double a, double b) {
   constexpr double kRounding = 1e-13;
   return std::abs(a - b) > kRounding * std::max(std::abs(a), std::abs(b));

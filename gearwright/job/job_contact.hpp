@@ -20,18 +20,19 @@ Result<ContactSetup> setup_of(const SolvedJob& job);
 ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::size_t index,
                          double value);
 
-/// True if, under the errors of the spec, the halves of a double-helical pair are mirror images at all rotations.
+/// True if, under the errors of the spec, the halves of a double-helical pair are mirror images at
+/// all rotations.
 bool alike_halves(const SolvedJob& job);
 
 /// A number whose influence is computed, with its key in results and its unit in rad or mm.
 struct NamedInfluence {
   std::string key;    ///< "crossing_per_deg", "gear1_lead_crowning_per_um"
-  double unit = 1.0;  ///< rad or mm per unit of the key
+  double unit = 1.0;  ///< one unit of the key, in rad or mm
   Influence influence;
 };
 
-/// Influences of every error, and of every modification that has its place on the drawing; without those
-/// of a rack.
+/// The influences of every error, and of every modification whose position on the flank is given.
+/// The influences of the modifications of a rack are not included.
 std::vector<NamedInfluence> influences_of(const SolvedJob& job);
 
 }  // namespace gearwright

@@ -1,7 +1,7 @@
 // The verdict on the gears, the pair and other results of a job.
 //
-// It is made like judge() for arranged gears (arrange/judge.hpp), but with the keys of the file. The load
-// is that of the job itself, at the mean of its tolerances.
+// The verdict is computed in the same way as by judge() for arranged gears (arrange/judge.hpp), but
+// with the keys of the file. Results under load are computed once, at the mean of the tolerances.
 #pragma once
 
 #include <string>

@@ -9,8 +9,8 @@
 
 namespace gearwright {
 
-/// One diagram for each gear if both flanks are equal, otherwise one for each flank. A modification that does
-/// not fit its flank is omitted, because the verb contact reports it.
+/// One diagram for each gear if both flanks are equal, otherwise one for each flank. A modification
+/// that does not fit its flank is omitted, because the verb contact reports it.
 std::vector<KDiagram> k_diagrams(const SolvedJob& job);
 
 }  // namespace gearwright

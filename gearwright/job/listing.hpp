@@ -17,8 +17,9 @@ std::string pair_listing(const Pair& pair, UnitSystem units);
 std::string pair_interval_listing(const SolvedJob& job);
 /// The pair and its range within the tolerances. The listing is empty without a pair.
 std::string pair_listing(const SolvedJob& job);
-/// Lists records side by side, in these units, under the headings `columns`. Without `columns` there is one record, which may
-/// have two values for each quantity. `note` returns the text at the end of a quantity's line.
+/// Lists records side by side, in these units, under the headings `columns`. Without `columns`
+/// there is one record, which may have two values for each quantity. `note` returns the text at the
+/// end of a quantity's line.
 std::string quantity_listing(UnitSystem units, const QuantityTable& table,
                              const std::vector<ValueRecord>& records,
                              const std::vector<std::string>& columns,
@@ -28,7 +29,7 @@ std::string quantity_listing(UnitSystem units, const QuantityTable& table,
 /// Domain    the gear has tolerances
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
                              const ValueRecord& lower, const ValueRecord& upper);
-/// "gear 1", "gear 2"
+/// The column headings "gear 1" and "gear 2".
 std::vector<std::string> gear_columns(std::size_t count);
 std::string warning_listing(const std::vector<Warning>& warnings);
 std::string file_listing(const std::vector<JobFile>& files);

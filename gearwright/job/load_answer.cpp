@@ -21,7 +21,8 @@ Result<LoadTask> load_task(SolvedJob& job) {
 LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer) {
   LoadView view;
   if (answer.contact) view.contact = &*answer.contact;
-  // Each half carries half of the torque, so the values of one half are those of the whole gears.
+  // Each half carries half of the torque, so the values of the standard for one half apply to the
+  // whole gears.
   if (answer.contact)
     view.standard = load_standard(job, answer.halves.empty() ? answer : answer.halves.front());
   for (const LoadAnalysis& half : answer.halves) view.halves.push_back(load_view(job, half));

@@ -7,7 +7,8 @@
 
 namespace gearwright {
 
-/// Errors    `load` if there is neither a torque nor a probe; `gear2` if it is missing; the errors of loaded()
+/// Errors    `load` if there is neither a torque nor a probe; `gear2` if it is missing; the errors
+///           of loaded()
 Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress = nullptr);
 
 /// Errors    the errors of answer_load; `load` if there is no torque

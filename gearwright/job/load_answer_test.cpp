@@ -57,8 +57,8 @@ accuracy = "draft"
 )";
 }
 
-// Its teeth end in a line at 17.667 mm. The teeth of the other gear end 0.027 mm below their
-// points, with a land of 0.04 mm.
+// The pointed teeth of gear 1 end in a line at the diameter 17.667 mm. The teeth of the blunt gear
+// end at 17.64 mm, which leaves a tip land of 0.04 mm.
 TEST(LoadAnswer, APointedToothBearsAsOneThatEndsALittleLower) {
   SolvedJob pointed = loaded_job(pointed_spur(""));
   ASSERT_TRUE(pointed.gears[0].pointed());
@@ -97,8 +97,8 @@ TEST(LoadAnswer, PointedTeethOfCrossedGearsBear) {
   }
 }
 
-// At the ends of its faces, gear 2 touches with corners. Finer tables give 16″ peak to peak. The
-// result was once 103″, because some positions did not converge.
+// Gear 2 touches with the corners at the ends of its face. Finer tables give a peak-to-peak
+// transmission error of 16″. The result was once 103″, because some positions did not converge.
 TEST(LoadAnswer, CornersThatBearComeToAnEnd) {
   SolvedJob job = loaded_job(crossed_draft(
       "teeth = 24, normal_module_mm = 2.5, helix_angle_deg = 35.06, face_width_mm = 12.47, "
@@ -143,7 +143,7 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   for (const char* key : {"transmission_error_arcsec", "approach_um", "max_pressure_MPa", "kind"})
     EXPECT_TRUE(position[key].is_null() || !std::isfinite(position[key].get<double>())) << key;
   EXPECT_NE(load_listing(job, answer).find("unfinished"), std::string::npos);
-  // If no position is left, there is no result.
+  // If no position has a result, there is an error.
   for (LoadedPosition& p : t.positions)
     p = LoadedPosition{.rotation1 = p.rotation1, .unfinished = true};
   const auto error = judge_load(task, *answer.contact, job.warnings);

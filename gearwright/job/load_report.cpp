@@ -8,7 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// The result over equal positions of one pitch. If the spec has other rotations, it is computed again.
+// The result over equal positions of one pitch. If the spec has other rotations, it is computed
+// again.
 Result<LoadAnalysis> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answer,
                                   Progress* progress) {
   if (job.spec.load.rotations.empty()) return answer;

@@ -8,15 +8,15 @@
 
 namespace gearwright {
 
-/// The report points into the job. Its positions are always those of one pitch, even if the result has
-/// other rotations.
+/// The report contains pointers into the job. Its positions always cover one pitch, even if the
+/// result has other rotations.
 struct LoadPart {
   LoadAnalysis answer;
   std::optional<LoadScene> report;  ///< none if only probes were requested
 };
 
-/// The load part, or nothing if [load] requests neither torques nor probes. For gears that loaded contact
-/// does not support, there is no part either, and the job gets a warning.
+/// The load part, or nothing if [load] requests neither torques nor probes. For gears that loaded
+/// contact does not support, there is no part either, and the job gets a warning.
 ///
 /// Errors    the errors of answer_load that are about a wrong number of the spec
 Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress = nullptr);

@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// The title and {"load"}.
+/// A record with the title and "load".
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 

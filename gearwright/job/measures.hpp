@@ -1,4 +1,5 @@
-// The verb measure, and the description of a gear by another rack. Internal to job/ and the program.
+// The verb measure, and the description of a gear by another rack. Internal to job/ and the
+// program.
 #pragma once
 
 #include <optional>
@@ -12,9 +13,9 @@
 
 namespace gearwright {
 
-/// The measurements of each gear with the tools of [gearN.measure], or otherwise with the usual tools.
-/// If a gear does not have a measurement that was not requested, the measurement is absent and the job
-/// gets a warning: `no_chord`, `no_span`, `no_balls`, `no_pins`. A contact off the usable flank also
+/// The measurements of each gear with the tools of [gearN.measure], or otherwise with the usual
+/// tools. If a measurement that was not requested is impossible, it is absent, and the job gets a
+/// warning: `no_chord`, `no_span`, `no_balls`, `no_pins`. A contact off the usable flank also
 /// produces a warning.
 ///
 /// Errors    `gearN.measure.…`: a requested measurement that is impossible
@@ -27,7 +28,8 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job);
 /// two records or none. Without tolerances the list is empty.
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
-/// job_record with `measure` added to each of `gears`, and the ranges of the measurements within tolerances.
+/// job_record with `measure` added to each of `gears`, and the ranges of the measurements within
+/// tolerances.
 Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
 std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures>& measures);
@@ -41,7 +43,7 @@ struct RackQuestion {
 /// Reads "3,20", ",17.5" or "3,". Other texts give no rack.
 std::optional<RackQuestion> parse_rack_question(const std::string& text);
 
-/// Describes the gear, with its teeth as cut, by that rack.
+/// The data of the gear, with its teeth as cut, for the rack of the question.
 ///
 /// Errors    `--as-rack` if no such rack describes this gear. The message gives the module for the
 ///           angle, or the greatest angle

@@ -42,14 +42,14 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   return table;
 }
 
-// The load of a mesh in the rating of a drive, and the use of its flanks.
+// The load of a mesh in the rating of a drive, and how often its flanks engage.
 struct RatedLoad {
   RatingInput input;
   std::array<FlankUse, 2> use;
 };
 
-// The table [rating] for one mesh. Its load is that of one copy of the mesh. Its life and bending are those of
-// the gear that engages more often.
+// The table [rating] for one mesh. Its load is the load of one copy of the mesh. Its life and its
+// reversed bending apply to the gear with the more severe use.
 Json rating_table(const Json& of_drive, const RatedLoad& load) {
   Json table = of_drive;
   for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"})
@@ -116,10 +116,10 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
       spec["rating"] = rating_table(expanded["rating"], rated);
       if (rated.use[0].engagements != rated.use[1].engagements ||
           rated.use[0].both != rated.use[1].both)
-        notes.push_back(fmt::format(
-            "The flanks of the gears engage {} and {} times per turn; life_h and reversed of "
-            "[rating] are those of the gear with the more severe use.",
-            rated.use[0].engagements, rated.use[1].engagements));
+        notes.push_back(
+            fmt::format("The flanks of the gears engage {} and {} times per turn; life_h and "
+                        "reversed in [rating] apply to the gear with the more severe use.",
+                        rated.use[0].engagements, rated.use[1].engagements));
       if (expanded["rating"].contains("spectrum"))
         notes.push_back(
             "The spectrum of [rating] is left out, because it applies to the whole drive.");

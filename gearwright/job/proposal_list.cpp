@@ -36,13 +36,13 @@ const char* words_of(ReliefLength length) {
   return length == ReliefLength::long_relief ? "long" : "short";
 }
 
-// The reason why a pair has no reliefs of a length.
+// The reason why a pair has no reliefs of this length.
 std::string why_none(const SolvedJob& job, ReliefLength length) {
   const double ratio = job.pair->involute()->mesh.true_ratio;
   return ratio > 1.0
              ? fmt::format(
                    "There are no {} reliefs, because at a transverse contact ratio of {:.3f} no "
-                   "tooth pair carries alone.",
+                   "tooth pair ever carries the whole load.",
                    words_of(length), ratio)
              : fmt::format(
                    "There are no {} reliefs, because the flanks touch over {:.3f} base pitches and "
@@ -132,7 +132,8 @@ ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
   if (lead.any()) {
     for (const ReliefProposal& r : reliefs) list.proposals.push_back(tips_of(r, 0.0));
     add({});
-    list.remarks.clear();  // the following ones are the same, or about what is left to carry
+    list.remarks.clear();  // the next search repeats them or replaces them by remarks about the
+                           // load that remains
     reliefs = find_reliefs(job, task, compliance, &lead, list.remarks);
   }
   for (const ReliefProposal& r : reliefs) add(tips_of(r, 0.0));

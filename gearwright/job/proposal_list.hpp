@@ -11,8 +11,9 @@
 
 namespace gearwright {
 
-/// Deviations of both gears together, mm, normal to the flank; none without grades. Those of the two
-/// gears are independent, so their squares are added.
+/// The deviations of both gears together in mm, normal to the flank. They are empty without grades.
+/// The deviations of the two gears are independent, so the result is the root of the sum of their
+/// squares.
 ///
 /// Formula   [T12.28], [T12.32]
 struct GradeDeviations {
@@ -28,8 +29,9 @@ struct ProposalList {
   std::vector<std::string> remarks;  ///< sentences about reliefs that are missing or small
 };
 
-/// Reliefs for the load alone and, with a pitch deviation, for both. Helix modifications are added to
-/// all of them but two, which show what they change.
+/// Proposes reliefs for the load alone and, if there is a pitch deviation, for the load and the
+/// pitch deviation. Helix modifications are added to all proposals except two, which show the
+/// effect of reliefs without them.
 ///
 /// Domain    involute gears on parallel axes (contract)
 ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,

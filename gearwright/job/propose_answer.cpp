@@ -21,7 +21,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kLimitPositions = 16;  // at the limits of the helix slopes
+constexpr int kLimitPositions = 16;  // per pitch, at the limits of the helix slopes
 
 std::optional<Error> not_made_for(const SolvedJob& job) {
   if (auto error = one_helix_error(job)) return error;
@@ -46,10 +46,10 @@ std::optional<Error> not_made_for(const SolvedJob& job) {
   return std::nullopt;
 }
 
-// A torque of [rating] if [load] has none.
+// Copies the torque of [rating] if [load] has no torque.
 void complete_torque(JobSpec& spec, Json& tree) {
   if (!spec.load.torques.empty() || !(spec.rating.input.torque > 0.0)) return;
-  constexpr double kSteps = 1e3;  // of 1 N m: a torque from power and speed has endless digits
+  constexpr double kSteps = 1e3;  // steps per N m; a torque from power and speed has many digits
   const double torque = std::max(1.0, std::round(spec.rating.input.torque * kSteps)) / kSteps;
   spec.load.torques = {torque};
   spec.load.given = true;
@@ -62,15 +62,15 @@ LoadedScore worst_of(const std::vector<LoadedScore>& scores) {
   return worst;
 }
 
-// The scores for each torque; without numbers if a position has no result.
+// The scores for each torque. They contain no numbers if a position has no result.
 std::vector<LoadedScore> scores_of(const LoadedContact& contact) {
   auto scores = loaded_scores(contact);
   if (scores.empty()) scores.assign(contact.torques.size(), no_score());
   return scores;
 }
 
-// The effects of the modifications of a task, as `load` computes them. Limits of the result are
-// added to `warnings`.
+// The effects of the modifications of a task, as `load` computes them. Warnings about the result
+// are added to `warnings`.
 std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
                                   const PairCompliance& compliance,
                                   const std::optional<double>& helix_deviation,
@@ -102,7 +102,7 @@ std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
   return std::nullopt;
 }
 
-// The load of a spec, without root stress.
+// The load task of a spec, without root stress.
 Result<LoadTask> quick_task(SolvedJob& job) {
   auto made = load_task(job);
   if (!made) return made.error();
@@ -121,12 +121,12 @@ std::string arrow(double from, double to, int decimals) {
   return fmt::format("{} → {}", fixed_decimals(from, decimals), fixed_decimals(to, decimals));
 }
 
-// The score that decides about the pressure: with tolerances, that at their limits.
+// The score that determines the pressure. With tolerances, it is the score at their limits.
 const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limits : p.worst; }
 
 int edge_rank(const Proposal& p) { return p.worst.edge_carries ? 2 : pressed(p).edge_carries; }
 
-// The quietest proposal without a loaded edge; none if every one has a loaded edge.
+// The quietest proposal without a loaded edge, or nothing if every proposal has a loaded edge.
 std::optional<std::size_t> quietest_without_edge(const std::vector<Proposal>& list) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -142,25 +142,27 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
   const Proposal& p = list[best];
   std::string edges;
   if (given.worst.edge_carries && !p.worst.edge_carries)
-    edges = "no edge of a tooth carries load, and ";
+    edges = "No edge of a tooth carries load in this proposal. ";
   if (p.at_limits && edge_rank(given) > 0 && edge_rank(p) == 0)
-    edges = "no edge of a tooth carries load, not even at the limits of the helix slopes, and ";
+    edges =
+        "No edge of a tooth carries load in this proposal, not even at the limits of the helix "
+        "slopes. ";
   const bool scored =
       std::isfinite(given.worst.peak_to_peak.rad()) && std::isfinite(pressed(given).max_pressure);
   std::string text =
       best == 0 ? std::string(
-                      "No proposal with at most the transmission error of the spec as given is "
-                      "better than it.")
+                      "No proposal without a greater transmission error is better than the spec as "
+                      "given.")
       : !scored
           ? fmt::format(
-                "The spec as given has no result under this load. Among the proposals, {}the "
-                "sum of transmission error and pressure is the least.",
+                "The spec as given has no result under this load. {}Among the proposals, this one "
+                "has the least sum of transmission error and pressure.",
                 edges)
           : fmt::format(
-                "Among the proposals with at most the transmission error of the spec as given, "
-                "{}the sum of transmission error ({}″) and pressure ({} N/mm²{}), each relative to "
-                "the spec as given, is the least; a proposal with more changes must be better by 1 "
-                "%.",
+                "{}Among the proposals with at most the transmission error of the spec as given, "
+                "this one has the least sum of transmission error ({}″) and pressure ({} N/mm²{}), "
+                "each relative to the spec as given. A proposal with more changes must be better "
+                "by 1 %.",
                 edges, arrow(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
                 arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
                 p.at_limits ? " at the limits of the helix slopes" : "");
@@ -168,7 +170,7 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
   if (const auto other = quietest_without_edge(list))
     text += fmt::format(
         " An edge of a tooth carries load, so the pressure is a lower bound. Of the proposals "
-        "without a loaded edge, {} has the least transmission error, {}″.",
+        "without a loaded edge, proposal {} has the least transmission error, {}″.",
         *other + 1, fixed_decimals(list[*other].worst.peak_to_peak.arcsec(), 2));
   return text;
 }
@@ -182,7 +184,7 @@ std::string origin(const ProposeAnswer& a, std::size_t i) {
 
 std::size_t recommended(const std::vector<Proposal>& list) {
   GW_EXPECTS(!list.empty());
-  constexpr double kWorth = 0.99;  // a proposal with more changes must be better by a hundredth
+  constexpr double kWorth = 0.99;  // a proposal with more changes must be better by 1 %
   const Proposal& given = list.front();
   const auto relative = [](double x, double to) { return std::isfinite(to) ? x / to : 1.0; };
   const auto merit = [&](const Proposal& p) {
@@ -215,7 +217,7 @@ std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progre
   if (!job.pair || job.spec.load.torques.empty() || !job.spec.load.rotations.empty() ||
       not_made_for(job) || !grade_deviations(job).pitch)
     return std::nullopt;
-  SolvedJob own = job;  // a copy, because `run` has the warnings of the spec as given
+  SolvedJob own = job;  // a copy, because `run` already reports the warnings of the spec as given
   auto made = answer_propose(own, progress);
   return made ? std::optional(std::move(made).take()) : std::nullopt;
 }
@@ -272,7 +274,8 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
       error = own.error();  // teeth that cannot have these modifications
     }
     if (error) {
-      left_out.push_back(fmt::format("There is no {}: {}.", words_of(p), error->message()));
+      left_out.push_back(
+          fmt::format("The proposal \"{}\" is left out: {}.", words_of(p), error->message()));
       continue;
     }
     a.proposals.push_back(std::move(p));

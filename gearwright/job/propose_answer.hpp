@@ -1,9 +1,9 @@
 // Flank modifications for a pair under load, with their effects: the verb `propose`.
 //
-// The amounts follow from the greatest torque, the grades of the gears and the deflection of their
-// shafts. Each proposal is a spec, and its effects are those that `load` computes for this spec. The
-// tables of the teeth are computed once. Internal to job/ and the programs.
-//                           theory: docs/theory/12-loaded-contact.md, [T12.27] to [T12.33]
+// The amounts are computed from the greatest torque, the grades of the gears and the deflection of
+// their shafts. Each proposal is a spec, and its effects are the results of `load` for this spec.
+// The compliance of the teeth is computed only once. Internal to job/ and the programs.
+//                            theory: docs/theory/12-loaded-contact.md, [T12.27] to [T12.33]
 #pragma once
 
 #include <optional>
@@ -18,29 +18,29 @@
 namespace gearwright {
 
 struct ProposeAnswer : ProposeView {
-  std::vector<Json> specs;  ///< of the proposals, the spec as given first
+  std::vector<Json> specs;  ///< one for each proposal; the first one is the spec as given
   /// Sentences about each of the specs, as in Answer.
   std::vector<std::vector<std::string>> notes;
-  Verdict verdict;  ///< of the recommended proposal, whose warnings the job then has
+  Verdict verdict;  ///< on the recommended proposal, whose warnings replace the job's
 };
 
-/// Errors    `load.torques` missing, without a torque of [rating]; teeth with point contact;
-///           double-helical gears; as answer_load
+/// Errors    `load.torques` if neither [load] nor [rating] gives a torque; teeth with point
+///           contact; double-helical gears; the errors of answer_load
 Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress = nullptr);
 
 /// The index of the recommended proposal; 0 is the spec as given.
 ///
 /// Formula   [T12.33]
 /// Domain    at least one proposal (contract)
-/// Law       its transmission error is at most that of the first one
+/// Law       its transmission error is at most that of the first proposal
 std::size_t recommended(const std::vector<Proposal>& proposals);
 
-/// {"propose"}, under its title.
+/// A record with the title and "propose".
 Json propose_json(const SolvedJob& job, const ProposeAnswer& answer);
 std::string propose_listing(const SolvedJob& job, const ProposeAnswer& answer);
 
-/// The proposals in the report of `run`; none without a torque in [load] and grades, for gears without
-/// proposals, and if there is no result.
+/// The proposals in the report of `run`. There are none without a torque in [load], without grades,
+/// for gears that `propose` does not support, or if the computation fails.
 std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -1,5 +1,5 @@
-// Laws of the proposals: their effects are those of `load` for their specs, and none is recommended
-// that has more transmission error than the spec as given.
+// Laws of the proposals: (1) their effects are the results of `load` for their specs; (2) a
+// recommended proposal never has more transmission error than the spec as given.
 #include "gearwright/job/propose_answer.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ Error propose_error(const std::string& text) {
   return answer ? Error{} : answer.error();
 }
 
-// The verb `load` for the spec of a proposal.
+// The result of the verb `load` for the spec of a proposal.
 LoadedContact load_of_spec(const Json& tree) {
   const auto spec = read_spec_tree(tree);
   EXPECT_TRUE(spec) << spec.error().message();
@@ -122,12 +122,12 @@ TEST(Propose, RecommendsByEdgesThenBySum) {
   EXPECT_EQ(recommended({with_score(10, 900, true), with_score(5, 400, true), with_score(9, 900)}),
             2u);
   EXPECT_EQ(recommended({with_score(10, 900), with_score(5, 400, true)}), 0u);
-  // An improvement below a hundredth is not worth another modification.
+  // An improvement of less than 1 % is not worth another modification.
   EXPECT_EQ(recommended({with_score(10, 900), with_score(5, 900), with_score(4.95, 900)}), 1u);
   Proposal lost;
   EXPECT_EQ(recommended({lost, with_score(5, 900)}), 1u);
   EXPECT_EQ(recommended({with_score(10, 900), lost}), 0u);
-  // With tolerances, the pressure and the edges at their limits decide.
+  // With tolerances, the pressure and the loaded edges at the limits of the tolerances decide.
   Proposal crowned = with_score(10, 950);
   crowned.at_limits = crowned.worst;
   Proposal plain = with_score(10, 900);
@@ -154,15 +154,16 @@ TEST(Propose, EqualGearsGetEqualReliefs) {
     EXPECT_EQ(*one.tip_start, *two.tip_start);
     EXPECT_GT(*one.tip_relief, 0.004);
   }
-  // Long reliefs are twice as long, and make this pair much quieter.
+  // Long reliefs are twice as long as short reliefs, and they make this pair much quieter.
   EXPECT_LT(*a.proposals[2].gears[0].tip_start, *a.proposals[1].gears[0].tip_start);
   EXPECT_LT(a.proposals[2].worst.peak_to_peak.rad(), 0.5 * a.proposals[0].worst.peak_to_peak.rad());
   EXPECT_TRUE(a.proposals[0].worst.edge_carries);
   EXPECT_FALSE(a.proposals[a.recommended].worst.edge_carries);
 }
 
-// ISO 1328-1:2013: f_pt = (0.001 d + 0.4 m_n + 5) √2^(A − 5) µm, to 0.5 µm below 10 µm, else to 1 µm. So it is 9 µm for
-// 25 teeth of class 6, and 13 µm for 60 teeth of class 7. [T12.28]
+// ISO 1328-1:2013: f_pt = (0.001 d + 0.4 m_n + 5) √2^(A − 5) µm, rounded to 0.5 µm below 10 µm and
+// otherwise to 1 µm. It is 9 µm for 25 teeth of class 6, and 13 µm for 60 teeth of class 7.
+// [T12.28]
 TEST(Propose, AmountsAreDeflectionAndPitchDeviationOfTheirGear) {
   const ProposeAnswer a =
       propose_for(spur_spec("quality = 6\n", "quality = 7\n", 60) + "torque_Nm = 72\n");
@@ -206,8 +207,8 @@ TEST(Propose, SlopeCancelsTheDeflection) {
   }
 }
 
-// The slope of the proposal makes the load on shafts that bend as even as a slope can, for both hands and
-// both drivers; the opposite slope makes it worse. The spec as given is unchanged.
+// If shafts bend, the proposed slope makes the load as even as a slope can make it, for both hands
+// and both drivers. The opposite slope makes the load less even. The spec as given is unchanged.
 TEST(Propose, SlopeCancelsTheDeflectionOfTheShafts) {
   for (const char* helix : {"15", "-15", "0"})
     for (const char* driver : {"driver = 1\n", "driver = 2\n"}) {

@@ -27,8 +27,9 @@ std::string effects(const ProposeAnswer& a) {
   const bool limits = a.proposals.front().at_limits.has_value();
   const std::size_t torques = a.proposals.front().loads.size();
   std::string out = fmt::format(
-      "\nEffects{}{}\n", torques > 1 ? ", the worst of the torques" : "",
-      limits ? "; on the right with the helix slope deviations in the less favourable sense" : "");
+      "\nEffects{}{}\n", torques > 1 ? ", worst values over the torques" : "",
+      limits ? "; on the right, with the helix slope deviations in the less favourable direction"
+             : "");
   const std::string heads =
       fmt::format("{:>10}{:>11}{:>8}{:>6}", "TE p-p", "pressure", "K_Hβ", "edge");
   out += fmt::format("     {:<52}{}{}\n", "", heads, limits ? "   " + heads : "");

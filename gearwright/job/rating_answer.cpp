@@ -27,7 +27,7 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
     job.warnings.push_back(
         {WarningCode::rating_crowning,
          "K_Hβ is computed without the crowning, helix slope and end relief of this gear. Give "
-         "`rating.face_load_factor`, for example the face load factor of `load`.",
+         "`rating.face_load_factor`, for example the value that `load` computes.",
          which});
   }
   for (const Warning& limit : rating.limits) job.warnings.push_back(limit);

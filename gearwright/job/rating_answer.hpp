@@ -1,5 +1,5 @@
-// The verb `rate` computes a rating from a spec with [rating] and materials, and values that would improve
-// the rating.
+// The verb `rate` computes a rating from a spec with [rating] and materials, and values that would
+// improve the rating.
 #pragma once
 
 #include "gearwright/base/progress.hpp"
@@ -15,8 +15,9 @@ struct RatingAnswer : RatingView {
 
 /// Rates the pair. If a limit of the standard is exceeded, the job gets a warning.
 ///
-/// Errors    `rating` if the spec has none; `gearN.material…` if a limit is unknown; the errors of rated_pair
-///           and rate; the errors of answer_load if `rating.tooth_contact` is set
+/// Errors    `rating` if the spec has none; `gearN.material…` if a strength of the material is
+///           unknown; the errors of rated_pair and rate; the errors of answer_load if
+///           `rating.tooth_contact` is set
 Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -11,11 +11,11 @@ namespace gearwright {
 Json warnings_json(const std::vector<Warning>& warnings);
 /// A record that begins with `title`, if the spec has one.
 Json titled_record(const JobSpec& spec);
-/// The same record with one result under its key.
+/// The record of titled_record() with one result under its key.
 Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& result);
 /// A record with `drawing` (if given), `gears` and `pair` (if there is one).
 Json job_record(const SolvedJob& job);
-/// The same record with `warnings` and `verdict` added.
+/// The record of job_record() with `warnings` and `verdict` added.
 Json job_json(const SolvedJob& job, const Verdict& verdict);
 /// `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty (contract)
 Json outline_json(const Outline& outline, int n);

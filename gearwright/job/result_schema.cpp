@@ -127,7 +127,7 @@ Json search_schema(Schema& schema) {
                          schema.reference(drive_search_quantities().table()), stopped}}};
 }
 
-// A finished study of designs, or the state of one that other shards continue.
+// The schema of a finished study of designs, or of the state of a study that other shards continue.
 Json study_schema(Schema& schema) {
   const Json unfinished{{"type", "object"},
                         {"properties",

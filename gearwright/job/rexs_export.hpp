@@ -1,6 +1,6 @@
 // A pair or a drive as a REXS file: gears, flanks, tools, shafts, stages and the load.
 //
-// The version is 1.7. Version 2.0 keeps its names with few exceptions. Internal to job/ and the
+// The version is 1.7. Version 2.0 uses the same names with few exceptions. Internal to job/ and the
 // program.
 #pragma once
 
@@ -12,8 +12,8 @@
 namespace gearwright {
 
 /// Laws      (1) reading the file gives a pair with the same numbers within 1e-9
-/// Errors    `gearN` for a single gear, a rack, crossed axes, gears that are not cut by straight racks or
-///           pinion cutters, and double-helical gears
+/// Errors    `gearN` for a single gear, a rack, crossed axes, gears that are not cut by straight
+///           racks or pinion cutters, and double-helical gears
 Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& path);
 
 /// Errors    a drive without geometry or with a rack; the errors above for its gears

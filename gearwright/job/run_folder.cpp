@@ -62,8 +62,8 @@ void write_run(const fs::path& folder, const std::vector<JobFile>& files) {
                         f.path.filename().string());
   }
   write_files(files);
-  // The old list remains valid until the new list is written. If the program stops before that, the next run
-  // removes the files in the old list.
+  // The old list remains valid until the new list is written. If the program stops before that, the
+  // next run removes the files in the old list.
   for (const Listed& was : former) {
     const bool again = std::any_of(files.begin(), files.end(),
                                    [&](const JobFile& f) { return f.path.filename() == was.name; });

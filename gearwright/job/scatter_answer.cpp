@@ -24,9 +24,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kFewSamples = 256;       // of all replicates, under load and for patterns
+constexpr int kFewSamples = 256;       // of all replicates, for loaded teeth and for patterns
 constexpr int kLoadedPositions = 16;   // per pitch, if [load] has none
-constexpr int kDensityPositions = 16;  // per pitch, between which the gap is a parabola
+constexpr int kDensityPositions = 16;  // per pitch; a parabola interpolates the gap between them
 
 // Adds the tolerances of an accuracy grade that the spec does not give individually.
 class Grades {
@@ -133,7 +133,8 @@ class Grades {
   double helix_total_ = 0.0;  // F_β of the worse gear  mm
 };
 
-// Positions per pitch, if [contact] gives no number. The peak to peak needs no more.
+// Positions per pitch, if [contact] gives no number. They are sufficient for the peak-to-peak
+// transmission error.
 constexpr int kPositions = 32;
 
 Distribution distribution_of(const DistributionSpec& spec) {
@@ -142,7 +143,7 @@ Distribution distribution_of(const DistributionSpec& spec) {
   return std::move(made).take();
 }
 
-// Adds the two bearing bores of a shaft, which differ by their end of the shaft.
+// Adds the two bearing bores of a shaft, one at each end.
 void add_bearings(const ScatterBearings& b, std::vector<ScatterTolerance>& all) {
   for (const bool far_end : {false, true}) {
     all.push_back({far_end ? "bearings.bore_b" : "bearings.bore_a", 1.0,
@@ -203,7 +204,7 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
   return all;
 }
 
-// The groups of the spec, then a group for each input that is in none of them, in the order of the
+// The groups of the spec, followed by a group for each input without a group, in the order of the
 // inputs.
 Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
                                               const std::vector<ScatterTolerance>& tolerances) {
@@ -264,14 +265,16 @@ Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& i
   return task;
 }
 
-// Returns the number of samples of each replicate, a power of two, at most `most` for all replicates but at least one.
+// Returns the number of samples of each replicate, a power of two, at most `most` for all
+// replicates but at least one.
 int few_samples(const ScatterTask& task, int most) {
   int samples = 1;
   while (2 * samples <= std::min(task.samples, most / task.replicates)) samples *= 2;
   return samples;
 }
 
-// The family of loaded teeth for the first samples of each replicate. All samples share the compliance.
+// The family of loaded teeth for the first samples of each replicate. All samples share the
+// compliance.
 Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   // The samples under load must use the same flanks as the samples without load.
   const int driver = job.spec.load.driver;
@@ -290,7 +293,7 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   request.progress = task.progress;
   auto compliance = load.compliance();
   if (!compliance) return compliance.error();
-  // A sample that loses contact has no numbers, but the teeth as drawn must have them.
+  // A sample that loses contact may have no results, but the teeth as drawn must have results.
   if (auto error = judge_load(load, load.contact(*compliance), job.warnings)) return *error;
   request.progress = nullptr;
   return LoadedFamily{std::move(compliance).take(), request, few_samples(task, kFewSamples)};

@@ -24,19 +24,20 @@ struct ScatterAnswer {
   std::optional<RobustAnswer> robust;
 };
 
-/// The setup and the task of [scatter], before the load, the scatter and the corrections are computed.
+/// The setup and the task of [scatter], before the load, the scatter and the corrections are
+/// computed.
 ///
 /// Errors    the errors of answer_scatter()
 Result<ScatterAnswer> prepared_scatter(SolvedJob& job);
 
-/// Errors    `scatter.…` for a range or a correction that is impossible for the teeth, or for a group
-///           with an unknown input; the errors of scatter_of() and ContactSetup::of
+/// Errors    `scatter.…` for a range or a correction that is impossible for the teeth, or for a
+///           group with an unknown input; the errors of scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr, int threads = 0);
 
-/// The density of patterns for the first samples of each replicate, at most as many in all; 0 for
-/// the usual number.
+/// The request for a density of patterns from the first samples of each replicate. `most` limits
+/// the number of samples of all replicates, and 0 selects the default limit.
 DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, int most = 0);
-/// This density, for the figures of an answer that has none.
+/// Computes this density for the figures if the answer does not contain it.
 PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer,
                           Progress* progress = nullptr, int most = 0);
 
@@ -49,7 +50,8 @@ Json scatter_json(const SolvedJob& job, const ScatterAnswer& answer);
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& answer);
 /// A row for each sample, with its inputs and then its results.
 std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& answer);
-/// The column names for the coordinates x of a sample: "errors.crossing_deg", "bearings.bore_a.x_mm".
+/// The column names for the coordinates x of a sample: "errors.crossing_deg",
+/// "bearings.bore_a.x_mm".
 std::vector<std::string> scatter_columns(const ScatterTask& task);
 
 }  // namespace gearwright

@@ -204,7 +204,7 @@ TEST(ScatterAnswer, NoWidthIsTheAnswerOfContact) {
     EXPECT_GE(scatter["peak_to_peak_arcsec"]["mean"], contact["peak_to_peak_arcsec"]);
     EXPECT_EQ(scatter["worst"]["peak_to_peak_arcsec"]["value"],
               scatter["peak_to_peak_arcsec"]["mean"]);
-    // The sample as a spec has the errors of the pair.
+    // The sample contains the errors of the pair in the form of a spec.
     EXPECT_EQ(scatter["mean_arcsec"]["samples"][0]["errors"]["crossing_deg"], 0.05);
   }
 }
@@ -264,7 +264,8 @@ TEST(ScatterAnswer, TablesHaveARowForEachSample) {
   EXPECT_EQ(scatter_answered(tree), scatter_answered(tree));
 }
 
-// The raster is in the result only with the key, and the shares are those of at most 256 samples.
+// The raster is in the result only with the key, and the shares are computed from at most 256
+// samples.
 TEST(ScatterAnswer, PatternsAreCountedOnRequest) {
   const std::string family =
       R"({"samples": 256, "replicates": 4, "errors": {"crossing_deg": [-0.02, 0.02]})";
@@ -285,7 +286,8 @@ TEST(ScatterAnswer, PatternsAreCountedOnRequest) {
         least = std::min(least, share.get<double>());
       }
     }
-    // 3 µm of compound against 8 µm of crowning: never at the ends of the face, always somewhere.
+    // With 3 µm of marking compound and 8 µm of crowning, the pattern never reaches the ends of the
+    // face but always covers some points.
     EXPECT_EQ(most, 1.0);
     EXPECT_EQ(least, 0.0);
   }

@@ -1,5 +1,5 @@
-// [scatter.robust] under load: the answer and the corrected spec, and the optimum of `compensate` if
-// nothing varies.
+// [scatter.robust] under load: the answer and the corrected spec, and the optimum of `compensate`
+// if nothing varies.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -55,7 +55,8 @@ TEST(ScatterRobust, UnderLoadNeedsATorque) {
   EXPECT_NE(error["rule"].get<std::string>().find("loaded_transmission_error"), std::string::npos);
 }
 
-// Both searches have the same positions and the same only member.
+// Both searches use the same positions, and the family has the errors of the spec as its only
+// member.
 TEST(ScatterRobust, WithoutWidthItIsTheOptimumOfCompensate) {
   Json spec = loaded_spec(R"({"samples": 1, "replicates": 1, "errors": {"crossing_deg": [0, 0]},
     "robust": {"aim": "loaded_transmission_error",

@@ -31,7 +31,7 @@ Error refused_list(const fs::path& path, std::string rule) {
   return {"--designs", native_text(path), std::move(rule)};
 }
 
-// Results of [scatter] that belong to one pair and that rows do not show.
+// Results of [scatter] that are computed for a single pair and are not part of the rows.
 constexpr const char* kOfOnePair[] = {"indices", "worst_case", "loosening", "robust", "pattern"};
 
 // The spec of a design as `search --take` prints it.
@@ -42,7 +42,8 @@ Json spec_of(const JobSpec& spec, const Search& search, const DesignRow& row) {
   return tree;
 }
 
-// True if a failure of prepared_scatter() concerns all designs, because it is about [scatter] as given.
+// True if a failure of prepared_scatter() concerns all designs, because it is about [scatter] as
+// given.
 bool of_all_designs(const Error& error) {
   return error.kind != FailureKind::no_flank &&
          (error.field.starts_with("scatter.") || error.field.ends_with("tolerance.quality"));
@@ -86,7 +87,7 @@ std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
     const auto design = studied_design(spec, search, listed, options);
     if (!design) return design.error();
     auto solved = solve(design->pair, Scope::pair);
-    if (!solved) continue;  // a failure of this design
+    if (!solved) continue;  // the failure concerns this design only
     SolvedJob job = std::move(solved).take();
     const auto prepared = prepared_scatter(job);
     if (prepared) return std::nullopt;

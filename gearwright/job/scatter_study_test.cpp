@@ -1,5 +1,5 @@
-// Designs ranked by their scatter: each row is the answer of scatter for the spec of the design, the
-// order is that of the percentile, and lists of other files are rejected.
+// Designs ranked by their scatter: each row is the answer of scatter for the spec of the design,
+// the rows are in the order of the percentile, and lists of other files are rejected.
 #include "gearwright/job/scatter_study.hpp"
 #include "gearwright/job/testing/answered.hpp"
 
@@ -61,7 +61,7 @@ TEST(ScatterStudy, IsRankedByTheGreatestPercentile) {
                              [&](const Json& a, const Json& b) { return of(a) < of(b); }));
 }
 
-// A family that loses contact more often than the percentile leaves out has no such percentile.
+// If a family loses contact in more than (100 − p) % of its samples, its percentile p has no value.
 TEST(ScatterStudy, LostContactComesLast) {
   const auto row = [](int design, double arcsec, double lost) {
     return Json{{"design", design},
@@ -75,7 +75,7 @@ TEST(ScatterStudy, LostContactComesLast) {
             run);
   std::vector<int> order;
   for (const Json& r : run.designs) order.push_back(r["design"]);
-  EXPECT_EQ(order, (std::vector{3, 4, 6, 1, 2}));  // 5 % are exactly what the percentile leaves out
+  EXPECT_EQ(order, (std::vector{3, 4, 6, 1, 2}));  // exactly 5 % of the samples may lose contact
   ASSERT_EQ(run.refused.size(), 1u);
 }
 
@@ -89,7 +89,7 @@ TEST(ScatterStudy, ASpecThatIsWrongForAllDesignsIsAnError) {
   const auto group = run_study(read_spec_tree(tree).value(), {});
   ASSERT_FALSE(group);
   EXPECT_EQ(group.error().field, "scatter.groups.a");
-  // The error comes before a folder is made.
+  // The error occurs before a folder is created.
   const testing::ScratchFolder scratch;
   StudyOptions options;
   options.out = scratch.path() / "study";
@@ -100,7 +100,7 @@ TEST(ScatterStudy, ASpecThatIsWrongForAllDesignsIsAnError) {
   EXPECT_FALSE(std::filesystem::exists(options.out));
 }
 
-// A study is not continued with another measured flank in a file of the same name.
+// A study is not continued if the file of a topography has the same name but other contents.
 TEST(ScatterStudy, TheContentsOfATopographyBelongToTheStudy) {
   const testing::ScratchFolder scratch;
   const auto measured = [&](int um) {

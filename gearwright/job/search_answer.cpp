@@ -25,7 +25,8 @@ constexpr std::string_view kRatingUnused =
     "[rating] has no effect on this search. Give safety_flank_min and safety_root_min in [search] "
     "to rate its designs.";
 
-// Boundaries of regions, whose curves have 25 points, are omitted if there are more designs than this.
+// Boundaries of regions, whose curves have 25 points, are omitted if there are more designs than
+// this.
 constexpr std::size_t kMaxBoundaries = 10'000;
 
 Value edges_of(const Search& search, const DesignRow& row) {
@@ -42,7 +43,7 @@ Value edges_of(const Search& search, const DesignRow& row) {
   return edges;
 }
 
-// A value from the table of a gear. If gear 2 does not have the value, it is that of gear 1.
+// A value from the table of a gear. If gear 2 does not give the value, it is the value of gear 1.
 Json of_gear(const Json& tree, int which, const char* key) {
   for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
     if (tree.contains(table) && tree[table].contains(key)) return tree[table][key];
@@ -55,7 +56,7 @@ Json rack_of(const Json& tree, int rack, int which) {
   return of_gear(tree, which, "rack");
 }
 
-// A sentence about the safest design: "The safest of them has S_H = 0.93 and S_F = 1.21: module 2, 20:60".
+// Example: "The safest rejected design (module 2, 20:60) has S_H = 0.930 and S_F = 1.210".
 std::string safest_line(const DesignRow& row) {
   return fmt::format(
       "The safest rejected design (module {2:g}, {3}:{4}) has S_H = {0:.3f} and S_F = {1:.3f}",
@@ -82,8 +83,8 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   return lines;
 }
 
-// The columns of a search for drawings: face width and overlap ratio, backlash at both ends, the smaller
-// safety of the two gears, and mass.
+// The columns of a search that checks drawings: face width and overlap ratio, backlash at both
+// ends, the smaller safety of the two gears, and mass.
 std::string drawing_heads(const SearchProblem& p, UnitSystem units) {
   const auto head = [&](const char* what) {
     return fmt::format("{} {}", what, unit_text(units, Unit::mm));
@@ -110,7 +111,7 @@ std::string drawing_cells(const SearchProblem& problem, const DesignRow& row, Un
          (problem.weighs() ? fmt::format(" {:>9.3f}", row.mass) : "");
 }
 
-// The face width in words: "the least that holds of 10 … 120 mm", "10 modules".
+// The face width in words: "the least sufficient width from 10 to 120 mm", "10 modules".
 std::string face_words(const SearchProblem& p) {
   std::string words;
   const auto add = [&](const std::optional<std::array<double, 2>>& band, const char* unit) {
@@ -127,7 +128,7 @@ std::string face_words(const SearchProblem& p) {
   return words.empty() ? fmt::format("{:g} modules", kFaceModules) : words;
 }
 
-// The tables of a pair that a search does not use; its designs have them.
+// The tables of a pair that a search does not use. The specs of its designs contain them.
 constexpr const char* kPairTables[] = {"errors", "contact", "load", "compensate", "scatter"};
 
 // A pitch without the rounding error of the module that was computed from it: 3 for 25.4/(25.4/3).
@@ -220,7 +221,7 @@ std::vector<std::string> rejected_lines(const SearchCounts& counts) {
       "interference",
       "safety against pitting at the profile shifts of the design",
       "safety against root breakage at the profile shifts of the design",
-      "verdict on the drawn pair at all ends of its tolerances"};
+      "verdict on the drawing of the pair at all tolerance ends"};
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < counts.rejected.size(); ++i)
     if (counts.rejected[i] > 0)

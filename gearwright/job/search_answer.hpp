@@ -15,31 +15,35 @@ inline constexpr std::size_t kListedDesigns = 20;
 /// One design as JSON with the keys of search.designs[i].
 Json design_row_json(const Search& search, const DesignRow& row, bool with_edges = true);
 
-/// The whole result as JSON text in these units, for mm with one design per line, because the array may be long.
+/// The whole result as JSON text in these units, for mm with one design per line, because the array
+/// may be long.
 std::string search_json_text(const Search& search, const SearchRun& run,
                              UnitSystem units = UnitSystem::mm);
 
 /// The result of a run that has not finished or was stopped.
 Json unfinished_json(const SearchRun& run);
 
-/// Lists the counts and the best designs in these units. If there are none, it lists changes that would help.
+/// Lists the counts and the best designs in these units. If there are none, it lists changes that
+/// would help.
 std::string search_listing(const Search& search, const SearchRun& run, UnitSystem units,
                            std::size_t most = kListedDesigns);
 
-/// The conditions that all designs satisfy: "every design runs without interference, form clearance ≥
-/// 0.02 modules, …"
+/// The conditions that all designs satisfy:
+/// "every design runs without interference, form clearance ≥ 0.02 modules, …"
 std::string margin_line(const SearchLimits& limits);
 
-/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H ≥ 1.1"; empty if the designs
-/// are not rated.
+/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H ≥ 1.1"; empty if the
+/// designs are not rated.
 std::string rating_line(const SearchProblem& problem);
-/// Describes the drawings of designs and their default limits. The text is empty if designs are not drawn.
+/// Describes the drawings of designs and their default limits. The text is empty if no drawings are
+/// checked.
 std::string drawing_line(const SearchProblem& problem);
 
-/// One line for each change, such as "through contact_ratio_min = 1.17 instead of 1.2".
+/// One line for each change, such as "search.contact_ratio_min = 1.17 instead of 1.2".
 std::vector<std::string> change_lines(const SearchRun& run);
 
-/// One line for each limit that rejected candidates, "the limit …: 2698", in the order of the limits.
+/// One line for each limit that rejected candidates, "tip clearance: 2698", in the order of the
+/// limits.
 std::vector<std::string> rejected_lines(const SearchCounts& counts);
 
 /// The search as an HTML page.

@@ -1,4 +1,5 @@
-// A search that saves its finished chunks in a folder, so that it can be stopped, resumed and shared.
+// A search that saves its finished chunks in a folder, so that it can be stopped, resumed and
+// shared.
 //
 // Internal to job/. A build without the store uses search_campaign_without.cpp.
 #pragma once
@@ -12,11 +13,12 @@ namespace gearwright {
 /// The reason why this build cannot save a search in a folder, or nothing if it can.
 std::optional<Error> refuse_folder();
 
-/// The reason why this search must not write files into the folder, which contains the finished search of
-/// another spec. Nothing is returned if there is no such search.
+/// The reason why this search must not write files into the folder, which contains the finished
+/// search of another spec. Nothing is returned if there is no such search.
 std::optional<Error> refuse_other_search(const std::filesystem::path& folder, const JobSpec& spec);
 
-/// Runs the missing chunks of the search in options.out. If no chunk is missing, the files are made.
+/// Runs the missing chunks of the search in options.out. If no chunk is missing, the files are
+/// made.
 ///
 /// Throws    IoError
 /// Errors    an existing campaign, or a finished search of another spec; --resume without a

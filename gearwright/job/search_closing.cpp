@@ -32,7 +32,8 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
     return true;
   }
   SearchProgress progress{.stage = SearchProgress::Stage::changes};
-  // Fewer questions are allowed if designs are drawn, because checking a drawing takes milliseconds.
+  // Fewer candidates are evaluated if drawings are checked, because checking a drawing takes
+  // milliseconds.
   constexpr std::int64_t kMaxDrawn = 300;
   const std::int64_t most = search.problem().draw ? kMaxDrawn : kMaxChangeQuestions;
   auto found = nearest_changes(

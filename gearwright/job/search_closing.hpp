@@ -1,5 +1,5 @@
-// The work after all trials of a search: finding changes that would help if nothing is feasible, and
-// computing the regions of the listed designs.
+// The work after all trials of a search: finding changes that would help if nothing is feasible,
+// and computing the regions of the listed designs.
 //
 // Internal to job/ and apps. Both functions return false if the options request a stop.
 #pragma once

@@ -13,11 +13,11 @@ namespace gearwright {
 
 namespace {
 
-// More only if --top requests it, because users read this file.
+// The file contains more designs only if --top requests them, because users read it.
 constexpr std::size_t kCsvDesigns = 1000;
 
-// Writes both tables in one pass over the designs. The second table exists only if there is a grid of profile
-// shifts.
+// Writes both tables in one pass over the designs. The second table exists only if there is a grid
+// of profile shifts.
 void write_tables(const std::filesystem::path& designs, const std::filesystem::path& points,
                   const JobSpec& spec, const Search& search, const FindSource& source) {
   std::string limits;

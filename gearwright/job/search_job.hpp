@@ -2,8 +2,8 @@
 //
 //   trials   0 … N − 1, divided into chunks of equal size      campaign   many chunks and a folder
 //
-// The result does not depend on the number of threads, shards or ranks, because chunks are independent
-// and the files are made from them in order.
+// The result does not depend on the number of threads, shards or ranks, because chunks are
+// independent and the files are made from them in order.
 #pragma once
 
 #include <atomic>
@@ -38,12 +38,13 @@ struct SearchProgress {
 struct SearchOptions : CampaignOptions {
   bool yes_large = false;
   std::optional<std::size_t> top;      ///< designs to keep; by default kDefaultDesigns
-  std::optional<std::int64_t> chunk;   ///< trials of a chunk; by default by the search's size
+  std::optional<std::int64_t> chunk;   ///< trials of a chunk; by default it follows from the size
+                                       ///< of the search
   std::optional<std::size_t> regions;  ///< listed designs with regions; by default all
-  int threads = 0;                     ///< with 0, as many as the machine has
+  int threads = 0;                     ///< 0 uses all threads of the machine
   /// Called many times a second, by one thread at a time.
   std::function<void(const SearchProgress&)> progress;
-  /// If set to true, the search ends at once and discards the chunks in work.
+  /// If set to true, the search ends at once and discards unfinished chunks.
   const std::atomic<bool>* stop = nullptr;
 };
 
@@ -71,24 +72,24 @@ struct SearchRun {
 /// A run that has not started. It records the parts of the spec that this search does not read.
 SearchRun begun(const JobSpec& spec, const Search& search);
 
-/// Greatest number of chunks of a search, which a folder and its list can hold.
+/// Greatest number of chunks of a search that a folder and its list can hold.
 inline constexpr std::int64_t kMaxChunks = 1'000'000;
 
 /// Runs the search of the spec.
 ///
 /// Throws    IoError
 /// Errors    --yes-large for a large search or grid, with its duration or number of points; no
-///           tooth numbers with the ratio; more chunks than kMaxChunks; --out with an existing
-///           campaign, or with a finished search of another spec; --resume without a campaign or
-///           for another spec; --shard or --resume without --out
+///           numbers of teeth that give the ratio; more chunks than kMaxChunks; --out with an
+///           existing campaign, or with a finished search of another spec; --resume without a
+///           campaign or for another spec; --shard or --resume without --out
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
 
 /// The number of trials in a chunk, for a search with this number of trials.
 std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials);
 
-/// All inputs that determine the result, as lines "key = value". `more` are further tables of the
-/// spec, without which a search is complete.
+/// All inputs that determine the result, as lines "key = value". `more` names further tables of the
+/// spec that a search does not need.
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk,
                                const std::vector<std::string>& more = {});
 

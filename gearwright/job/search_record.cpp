@@ -74,8 +74,8 @@ void each_number_of_point(Point& p, const F& f) {
 constexpr std::size_t kNumbers = 19 + 2 * 12 + 3;
 constexpr std::size_t kPointNumbers = 14;
 
-// Passes numbers to the compressor one by one, so that the uncompressed bytes of a million points are never in
-// memory at once.
+// Passes numbers to the compressor one by one, so that the uncompressed bytes of a million points
+// are never in memory at once.
 class Packer {
  public:
   Packer()

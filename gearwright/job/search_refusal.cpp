@@ -29,9 +29,9 @@ RegionDetail detail_of(const SearchProblem& problem, bool files) {
 
 namespace {
 
-// The speed of one thread in trials per second, measured for half a second at places that are spread over
-// the search. Tables of a helix are made before the measurement, because the search makes them only once.
-// The measurement ends after its time even if trials are slow.
+// The speed of one thread in trials per second, measured for half a second at places that are
+// spread over the search. Tables of a helix are made before the measurement, because the search
+// makes them only once. The measurement ends after its time even if trials are slow.
 double measured_rate(const Search& search, std::int64_t trials, const std::atomic<bool>* stop) {
   using Clock = std::chrono::steady_clock;
   constexpr double kSeconds = 0.5;
@@ -65,9 +65,10 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.0f} years", seconds / 31557600);
 }
 
-// Rejects a grid of profile shifts with too many points. The number of points follows from the sum of the areas of
-// the regions. It is estimated from a thousand trials that pass the filter, or from all if there are fewer. An error
-// of a few percent does not matter, because the limit is only for the size of the files.
+// Rejects a grid of profile shifts with too many points. The number of points follows from the sum
+// of the areas of the regions. It is estimated from a thousand trials that pass the filter, or from
+// all if there are fewer. An error of a few percent does not matter, because the limit is only for
+// the size of the files.
 std::optional<Error> refuse_many_points(const Search& search, const SearchOptions& options) {
   if (!search.problem().shift_step || options.yes_large) return std::nullopt;
   const double step = *search.problem().shift_step;

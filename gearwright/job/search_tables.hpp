@@ -1,5 +1,5 @@
-// The columns of the tables of a search, CSV and Parquet, from the catalogue. Each quantity with a column
-// name has one column, and a quantity of both gears has two. Internal to job/.
+// The columns of the tables of a search, CSV and Parquet, from the catalogue. Each quantity with a
+// column name has one column, and a quantity of both gears has two. Internal to job/.
 #pragma once
 
 #include <algorithm>
@@ -84,7 +84,8 @@ class ParquetTable {
   ParquetWriter writer_;
 };
 
-/// The columns of designs. Safeties, masses and face widths are included if the search computes them.
+/// The columns of designs. Safeties, masses and face widths are included if the search computes
+/// them.
 const TableColumns<DesignView>& design_columns(const SearchProblem& problem);
 const TableColumns<ShiftPoint>& point_columns();
 

@@ -1,5 +1,5 @@
-// Computes chunks of a search with all threads of this process. Each chunk is passed on as soon as it is
-// finished.
+// Computes chunks of a search with all threads of this process. Each chunk is passed on as soon as
+// it is finished.
 //
 // Internal to job/.
 #pragma once
@@ -16,11 +16,12 @@ namespace gearwright {
 
 class SearchWorkers {
  public:
-  /// Receives the number of a chunk, its designs, and the numbers of trials that each limit rejected.
-  /// Several threads call it at once.
+  /// Receives the number of a chunk, its designs, and the numbers of trials that each limit
+  /// rejected. Several threads call it at once.
   using Done = std::function<void(std::int64_t, ChunkFinds, const SearchCounts&)>;
 
-  /// `todo` contains the numbers of the chunks in ascending order. Each has `chunk` trials. `search` and
+  /// `todo` contains the numbers of the chunks in ascending order. Each has `chunk` trials.
+  /// `search` and
   /// `options` must outlive this object.
   SearchWorkers(const Search& search, std::int64_t chunk, std::vector<std::int64_t> todo,
                 const SearchOptions& options);

@@ -12,7 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// A note about the values that gear 2 takes from gear 1 and that are not among its numbers: material and quality.
+// A note about the values that gear 2 takes from gear 1 and that are not among its numbers:
+// material and quality.
 std::optional<Warning> note_inherited(const JobSpec& spec) {
   std::string text;
   for (const std::string& key : spec.inherited) {
@@ -24,8 +25,7 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
   }
   if (text.empty()) return std::nullopt;
   return Warning{WarningCode::inherited,
-                 fmt::format("These values are absent and therefore those of gear 1: {}.", text),
-                 2};
+                 fmt::format("Gear 2 takes these absent values from gear 1: {}.", text), 2};
 }
 
 // Notes about fits of the drawing that apply to no gear of the spec.
@@ -70,7 +70,8 @@ std::optional<Error> find_halves(SolvedJob& job) {
                "opposite hands"};
 }
 
-// Solves the gears and the pair. For double-helical gears, these are the gears and the pair of one half.
+// Solves the gears and the pair. For double-helical gears, these are the gears and the pair of one
+// half.
 Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
     return absent_input("gear1.normal_module",
@@ -133,11 +134,10 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
   if (spec.rack && scope != Scope::gears) {
-    return Error{
-        "gear2.form", "rack",
-        "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, contact, "
-        "outline, export and run compute a rack and its pinion. A gear 2 with teeth = "
-        "1000 can replace the rack, and its results differ by the order of 1/teeth"};
+    return Error{"gear2.form", "rack",
+                 "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, "
+                 "contact, outline, export and run compute a rack and its pinion. A gear 2 with "
+                 "teeth = 1000 can replace the rack; the results then differ by about 1/teeth"};
   }
   return solve_gears(spec, scope);
 }

@@ -11,7 +11,8 @@ namespace gearwright {
 /// A spec with its gears and its pair. Warnings name the keys of the file.
 struct SolvedJob : Arranged {
   JobSpec spec;  ///< as read; computed values are in `completed`
-  /// The halves of double-helical gears. In this case `gears` and `pair` are those of the half at z > 0.
+  /// The halves of double-helical gears. In this case, `gears` and `pair` describe only the half at
+  /// z > 0.
   std::array<std::optional<Halves>, 2> halves{};
   /// The pinion with its rack if gear 2 is a rack. In this case `gears` contains only the pinion.
   std::optional<RackPair> rack{};
@@ -20,9 +21,9 @@ struct SolvedJob : Arranged {
   int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
 };
 
-/// Errors    keys with their table, "gear2.profile_shift"; the errors of arrange(), halve() and halves_of();
-///           `pair.shaft_angle` for double-helical gears on crossed axes; `gear2.form` for a rack, if
-///           the scope is more than the gears
+/// Errors    keys with their table, "gear2.profile_shift"; the errors of arrange(), halve() and
+///           halves_of(); `pair.shaft_angle` for double-helical gears on crossed axes; `gear2.form`
+///           for a rack, if the scope is more than the gears
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 
 /// Like solve(), but gear 2 may also be a rack.
@@ -30,11 +31,13 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 /// Errors    the errors of solve() and mount_rack()
 Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope);
 
-/// The error for a result that needs single-helical gears, or nothing if the gears are single-helical.
+/// The error for a result that needs single-helical gears, or nothing if the gears are
+/// single-helical.
 std::optional<Error> one_helix_error(const SolvedJob& job);
 
-/// "search", "identify" or "fit" if solve() rejects the spec because this verb must first compute its unknown
-/// numbers. The text is empty for other errors. The error may already contain keys of the file.
+/// "search", "identify" or "fit" if solve() rejects the spec because this verb must first compute
+/// its unknown numbers. The text is empty for other errors. The error may already contain keys of
+/// the file.
 std::string_view finder_of(const JobSpec& spec, const Error& error);
 
 }  // namespace gearwright

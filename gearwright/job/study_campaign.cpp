@@ -14,9 +14,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::int64_t kMostChunks = 4096;  // a design each, if there are not more
+constexpr std::int64_t kMostChunks = 4096;  // each has one design if there are not more designs
+                                            // than this
 
-// The contents of the files that the modifications name, because the spec has their names only.
+// The checksums of the files that the modifications name, because the spec contains only their
+// names.
 std::string files_fingerprint(const JobSpec& spec, const std::filesystem::path& folder) {
   std::string lines;
   for (const char* gear : {"gear1", "gear2"}) {

@@ -1,4 +1,4 @@
-// The version without the store keeps no folder of a study.
+// The version without the store cannot save a study in a folder.
 #include <nlohmann/json.hpp>
 
 #include "gearwright/job/search_campaign.hpp"

@@ -1,5 +1,5 @@
-// The result of a study as JSON, CSV, a table for a terminal and a page. All but the JSON walk one
-// table of columns.
+// The result of a study as JSON, CSV, a table for a terminal and a page. All outputs except JSON
+// use the same table of columns.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,14 +18,14 @@ namespace gearwright {
 
 namespace {
 
-// A column: its head in CSV, its head for users with the width of a terminal, and the place of its
-// value in a row. A % in the place is the number of the percentile.
+// A column, with its heading in CSV, its heading and width in a terminal, and the path of its value
+// in a row. A % in the path stands for the number of the percentile.
 struct StudyColumn {
   const char* csv;
-  const char* head;  ///< empty: not for users
+  const char* head;  ///< empty if users do not see the column
   int width;
   const char* place;
-  int digits;  ///< < 0: as many as needed
+  int digits;  ///< decimals; if negative, as many as needed
   double factor;
   const char* unit;
   const char* meaning;
@@ -57,14 +57,14 @@ constexpr StudyColumn kColumns[] = {
      "share of the samples in which the gears jam"},
     {"jam_upper", "", 0, "/probability/jam/upper", -1, 1, "", ""},
     {"contact_lost", "lost", 8, "/probability/contact_lost/value", 1, 100, "%",
-     "share of the samples that lose contact; these are not in the percentile"},
+     "share of the samples that lose contact; the percentile does not include these samples"},
     {"contact_lost_upper", "", 0, "/probability/contact_lost/upper", -1, 1, "", ""}};
 
 std::string percent_words(const JobSpec& spec) {
   return format_number(spec.scatter.percentiles[ranking_percentile(spec)]) + " %";
 }
 
-// The value of a column in a row; null if the row has none.
+// The value of a column in a row, or null if the row has no value.
 Json cell(const JobSpec& spec, const StudyColumn& column, const Json& row) {
   std::string place = column.place;
   if (place.ends_with('%'))
@@ -103,15 +103,15 @@ std::string lost_words(const JobSpec& spec, const StudyRun& run) {
                      100.0 - spec.scatter.percentiles[ranking_percentile(spec)]);
 }
 
-// What the best design lacks, although it comes first.
+// A sentence if the gears of the best design jam in some samples, otherwise an empty text.
 std::string jam_words(const StudyRun& run) {
   if (run.designs.empty()) return "";
   const Json& best = run.designs[0];
   const double jam = best["probability"]["jam"]["value"].get<double>();
   if (jam == 0.0) return "";
   return fmt::format(
-      "The gears of design {} jam in {:.3g} % of the samples; thinner teeth, thickness_series or "
-      "backlash_mm in [search], avoid that.",
+      "The gears of design {} jam in {:.3g} % of the samples. To avoid this, give thinner teeth by "
+      "thickness_series or backlash_mm in [search].",
       best["design"].get<std::int64_t>(), 100 * jam);
 }
 
@@ -170,7 +170,7 @@ std::string study_listing(const JobSpec& spec, const StudyRun& run, std::size_t 
   for (const std::string& line : {lost_words(spec, run), jam_words(run)})
     if (!line.empty()) text += line + "\n";
   if (!run.refused.empty())
-    text += fmt::format("\nDesigns without a scatter: {}\n", run.refused.size());
+    text += fmt::format("\nDesigns whose scatter was not computed: {}\n", run.refused.size());
   for (std::size_t i = 0; i < run.refused.size() && i < most; ++i)
     text += fmt::format("  {}: {}\n", design_words(run.refused[i]),
                         run.refused[i]["reason"].get<std::string>());

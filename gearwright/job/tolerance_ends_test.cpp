@@ -65,7 +65,7 @@ TEST(ToleranceEnds, of_the_centre_distance_go_with_the_backlash) {
   // Thin teeth and a great centre distance have the most backlash.
   EXPECT_DOUBLE_EQ(a[0].get<double>(), 72.015);
   EXPECT_DOUBLE_EQ(a[1].get<double>(), 71.985);
-  // Profile shifts that were computed from the centre distance remain those of the drawing.
+  // Profile shifts that were computed from the centre distance keep the values of the drawing.
   spec["gear2"].erase("profile_shift");
   const Json free = answer("pair", spec);
   EXPECT_FALSE(free["gears"][1]["interval"].contains("profile_shift"));

@@ -1,5 +1,5 @@
-// Converts a value of the catalogue to JSON, with the keys for JSON, and back. Internal to job/ and the
-// program.
+// Converts a value of the catalogue to JSON, with the keys for JSON, and back. Internal to job/ and
+// the program.
 #pragma once
 
 #include "gearwright/catalogue/value.hpp"

@@ -1,9 +1,9 @@
 // The table of the verbs, which all interfaces use.
 //
-// Each row of the table is a verb with its name, its meaning, an example, the properties of its result
-// and its function. The command line with its help, completion and manual page, batch, case files,
-// Python and the page read this table. A new verb needs one row and one function. Internal to job/ and
-// the programs.
+// Each row of the table is a verb with its name, its meaning, an example, the properties of its
+// result and its function. The command line with its help, completion and manual page, batch, case
+// files, Python and the page read this table. A new verb needs one row and one function. Internal
+// to job/ and the programs.
 #pragma once
 
 #include <functional>
@@ -26,8 +26,10 @@ struct Answer {
   Json record;                     ///< every quantity, with the keys of the catalogue
   std::vector<Warning> warnings;   ///< about the gears and the results
   std::optional<Verdict> verdict;  ///< none if the verb judges no gears
-  std::vector<Json> specs;  ///< proposals: branches, candidates, corrections; the meshes of a drive
-  /// For each of the specs, sentences on its origin and then on facts that the user should know; or empty.
+  std::vector<Json> specs;  ///< specs that the verb proposes (branches, candidates, corrections),
+                            ///< or the meshes of a drive
+  /// For each of the specs, sentences about its origin, followed by facts that the user should
+  /// know. The list may be empty.
   std::vector<std::vector<std::string>> notes;
   Json expanded;                         ///< for a drive, the spec with its graph; otherwise null
   std::string why_none;                  ///< the reason if a verb that proposes specs has none
@@ -40,7 +42,8 @@ struct Answer {
 /// The answer with its specs and notes in the units of the spec.
 Answer in_units_of(const JobSpec& spec, Answer answer);
 
-/// The record, followed by `warnings` and `verdict` if the verb judges gears, in the units of the answer.
+/// The record, followed by `warnings` and `verdict` if the verb judges gears, in the units of the
+/// answer.
 Json answer_json(const Answer& answer);
 /// The listing, warnings and verdict.
 std::string answer_text(const Answer& answer);
@@ -52,7 +55,8 @@ struct Verb {
   SpecUse use;       ///< the spec must contain all inputs for this use
   bool csv, strict;  ///< csv: the result has a table; strict: it has a verdict
   bool lasts;        ///< true if the verb may take seconds, so its progress is shown
-  /// The option --take: there is none; a flag for a single proposed spec; or the number of one of several.
+  /// The option --take: no option, a flag for a single proposed spec, or a number that selects one
+  /// of several specs.
   enum class Take { none, flag, number } take;
   const char* take_meaning;
   Result<Answer> (*solve)(const JobSpec& spec, Progress* progress);
@@ -70,8 +74,8 @@ const Verb* find_verb(std::string_view name);
 /// "gear, pair, …"
 std::string verb_names();
 
-/// The JSON of a verb's result. If the name is empty, the verb is `pair` for two gears and `gear` for
-/// one.
+/// The JSON of a verb's result. If the name is empty, the verb is `pair` for two gears and `gear`
+/// for one.
 ///
 /// Domain    the verb exists (contract)
 Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Progress* progress = nullptr);

@@ -22,7 +22,8 @@ struct Tolerance {
   double absolute = 0.0;
 };
 
-// The tolerance of a value in "tolerance": {"values": {path: absolute}}, or otherwise the tolerance of the case.
+// The tolerance of a value in "tolerance": {"values": {path: absolute}}, or otherwise the tolerance
+// of the case.
 Tolerance tolerance_of(const Json& c, const std::string& path) {
   Tolerance tolerance;
   if (!c.contains("tolerance")) return tolerance;

@@ -50,14 +50,15 @@ std::string number(const QuantityInfo& info, double value, UnitSystem units) {
   return with_minus(text) + (info.unit == Unit::deg ? "°" : "");
 }
 
-// Whether the sign of a helix angle or lead is written. A drawing gives the hand instead of the sign.
+// Whether the sign of a helix angle or lead is written. A drawing gives the hand instead of the
+// sign.
 enum class Sign { kept, dropped };
 
 /// A record, and the same record at the lower and at the upper end of its tolerances.
 struct Records {
   ValueRecord nominal;
   UnitSystem units;
-  std::vector<ValueRecord> ends{};  ///< two, or none
+  std::vector<ValueRecord> ends{};  ///< values at both tolerance ends; empty without tolerances
 
   std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const {
     const Member* const m = find(nominal, path);

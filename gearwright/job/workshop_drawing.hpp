@@ -14,7 +14,8 @@ namespace gearwright {
 
 enum class SheetFormat { pdf, svg, dxf };
 
-/// The format for the extension of a file name, in upper or lower case. Other extensions have no format.
+/// The format for the extension of a file name, in upper or lower case. Other extensions have no
+/// format.
 std::optional<SheetFormat> sheet_format(const std::filesystem::path& path);
 
 struct WorkshopSheets {

@@ -26,7 +26,7 @@ std::vector<int> all_gears(const SolvedJob& job) {
 }
 
 bool meet(const SheetBox& a, const SheetBox& b) {
-  constexpr double kTouch = 0.01;  // mm, because an index touches its letter
+  constexpr double kTouch = 0.01;  // mm, because an index may touch its letter
   return a.lo.x() < b.hi.x() - kTouch && b.lo.x() < a.hi.x() - kTouch &&
          a.lo.y() < b.hi.y() - kTouch && b.lo.y() < a.hi.y() - kTouch;
 }
@@ -200,7 +200,8 @@ TEST(WorkshopDrawing, has_the_limits_of_the_tip_diameter) {
   expect_clear(pinion + tip + "\"js10\"", "tip with a fit");
 }
 
-// Without [gear1.bore] the rim is 2.5 modules thick: d_f = 62.5, so its outside is 62.5 + 5.
+// Without [gear1.bore], the rim is 2.5 modules thick. With d_f = 62.5 mm, its outside diameter is
+// 62.5 mm + 5 mm.
 TEST(WorkshopDrawing, has_the_outside_of_every_rim) {
   const std::string ring = "teeth = -60\nnormal_module_mm = 1\nface_width_mm = 20\n";
   EXPECT_TRUE(contains(gear(ring), "Ø67.5"));

@@ -16,7 +16,8 @@ namespace gearwright {
 
 namespace {
 
-// The arguments are the name of a gear in the graph, the key of its material and the table of the material.
+// The arguments are the name of a gear in the graph, the key of its material and the table of the
+// material.
 using MaterialVisit =
     std::function<void(const std::string& gear, const std::string& key, const Json& material)>;
 
@@ -30,7 +31,7 @@ void visit_material(const Json& owner, const std::string& path,
   for (const std::string& gear : gears) visit(gear, key, node);
 }
 
-// Visits the one material of all members, or the materials of the members that have their own.
+// Visits the common material of all members, or the materials of the members that have their own.
 void visit_set(const Json& set, const std::string& path, const std::string& prefix,
                const MaterialVisit& visit) {
   if (!set.is_object() || !set.contains("material")) return;
@@ -85,7 +86,7 @@ void visit_materials(const Json& tree, const MaterialVisit& visit) {
     }
 }
 
-// The table that contains the load of the drive, or null if it is not a table.
+// The table that contains the load of the drive, or null if there is no such table.
 const Json* input_table(const Json& tree) {
   const auto table = [](const Json& owner, const char* key) -> const Json* {
     const auto it = owner.find(key);

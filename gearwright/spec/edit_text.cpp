@@ -1,4 +1,5 @@
-// The asserts of toml++ are switched off, because they do not handle broken input (see spec_text.cpp).
+// The asserts of toml++ are switched off, because they do not handle broken input (see
+// spec_text.cpp).
 #ifndef NDEBUG
 #define NDEBUG
 #endif
@@ -30,8 +31,8 @@ std::vector<std::string> parts_of(std::string_view path) {
   return parts;
 }
 
-// Sets the value at the path in the tree and makes missing tables. Null removes the value. The result is false if a
-// part of the path is not a table.
+// Sets the value at the path in the tree and makes missing tables. Null removes the value. The
+// result is false if a part of the path is not a table.
 bool set_in(Json& tree, const std::vector<std::string>& parts, const Json& value) {
   Json* node = &tree;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
@@ -111,7 +112,8 @@ class Editor {
     std::size_t from = offset(key->source().begin);
     std::size_t to = range(node->source()).second;
     if (table->is_inline() && depth > 0) {
-      // Removes one comma as well: the next comma, or the previous comma if the element is the last.
+      // Removes one comma as well: the next comma, or the previous comma if the element is the
+      // last.
       const std::size_t next = text_.find_first_not_of(" \t", to);
       if (next != std::string::npos && text_[next] == ',') {
         to = text_.find_first_not_of(" \t", next + 1);
@@ -220,7 +222,8 @@ class Editor {
   std::vector<std::size_t> lines_;  // beginning of each line
 };
 
-// The path and the table of a material that is only a name, material = "16MnCr5", if `parts` lead into it.
+// If the path `parts` leads into a material that is only a name, material = "16MnCr5", the result
+// is the path of the material and its table.
 std::optional<std::pair<std::string, Json>> named_material_of(
     const Json& tree, const std::vector<std::string>& parts) {
   const Json* node = &tree;
@@ -269,7 +272,8 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
     editor.set(parts, toml_value(wished));
   }
   std::string text = std::move(editor).text();
-  // In rare forms, such as a table in dotted parts, the whole text is written anew, without the comments.
+  // Some rare forms, such as a table with a dotted name, cannot be edited in place. The whole text
+  // is then written anew, without the comments.
   const bool none = text.find_first_not_of(" \t\r\n") == std::string::npos;
   const auto after = none ? Result<Json>(Json::object()) : parse_spec(text, SpecFormat::toml);
   if (!after || !same(*after, wanted)) return toml_text(wanted);

@@ -11,8 +11,8 @@
 
 namespace gearwright {
 
-/// `path` has the form that errors use, "gear1.rack.dedendum". `value` is JSON text. Null removes the
-/// key, and its line if the key has a line of its own.
+/// `path` has the form that errors use, "gear1.rack.dedendum". `value` is JSON text. Null removes
+/// the key, and its line if the key has a line of its own.
 ///
 /// An absent key is added at the end of its table. An absent table is added at the end of the text.
 /// Keys of an inline table { … } are set inside the braces.

@@ -58,7 +58,7 @@ TEST(EditText, a_material_that_is_only_a_name_becomes_a_table) {
   EXPECT_EQ(named["gear1"]["material"], (Json{{"name", "42CrMo4"}}));
   const auto rough = read_json(edited("gear1.material.poisson_ratio", "0.29", text));
   EXPECT_EQ(rough["gear1"]["material"], (Json{{"name", "16MnCr5"}, {"poisson_ratio", 0.29}}));
-  EXPECT_EQ(edited("gear1.material.kind", "null", text), text);  // it has no such key
+  EXPECT_EQ(edited("gear1.material.kind", "null", text), text);  // the material has no such key
 }
 
 TEST(EditText, an_absent_key_stands_at_the_end_of_its_table) {

@@ -124,7 +124,8 @@ void hand_on_halves(const Json& from, Json& to) {
   put(to, "double_helical", own);
 }
 
-// A rack with straight flanks or with double arcs cuts both gears of a pair. The racks F and P cut one gear each.
+// A rack with straight flanks or with double arcs cuts both gears of a pair. The racks F and P cut
+// one gear each.
 bool cuts_both(const Json& rack) {
   if (rack.is_string()) return true;
   if (!rack.is_object()) return false;
@@ -153,7 +154,7 @@ Json with_named_materials(const Json& tree) {
   Json::object_t whole;
   for (const auto& [key, node] : tree.items()) {
     if (key == "drawing") {
-      whole.emplace_back(key, node);  // its `material` is a text for users
+      whole.emplace_back(key, node);  // the key `material` of [drawing] is a text for users
     } else if (key == "material" && node.is_object()) {
       Json::object_t table;  // in a planetary set, each member may have its own material
       for (const auto& [member, value] : node.items())

@@ -1,6 +1,7 @@
-// Values that gear 2 takes from gear 1 if its table omits them: module, pressure angle, rack, face width, gap and
-// stagger of a double-helical gear, material, quality and helix angle. The hand of the helix is opposite, or the same
-// for an internal gear. A material that is only a name becomes a table.
+// Values that gear 2 takes from gear 1 if its table omits them: module, pressure angle, rack, face
+// width, gap and stagger of a double-helical gear, material, quality and helix angle. The hand of
+// the helix is opposite, or the same for an internal gear. A material that is only a name becomes a
+// table.
 //
 // Internal to spec/ and the programs.
 #pragma once
@@ -15,21 +16,22 @@ namespace gearwright {
 
 struct Inherited {
   Json tree;                 ///< the spec with the keys of gear 2 written out
-  bool helix_angle = false;  ///< gear 2 takes the helix of gear 1, which counts as not given
+  bool helix_angle = false;  ///< true if gear 2 takes the helix of gear 1, which counts as not
+                             ///< given
   std::vector<std::string> noted{};  ///< copied keys that are no dimensions: material, quality
 };
 
-/// True if the table is that of a rack, form = "rack".
+/// True if the table describes a rack, form = "rack".
 bool is_rack(const Json& gear);
 
-/// The spec with every material that is only a name, material = "16MnCr5", replaced by a table [material]
-/// with this name.
+/// The spec with every material that is only a name, material = "16MnCr5", replaced by a table
+/// [material] with this name.
 Json with_named_materials(const Json& tree);
 
-/// Copies values from gear 1 to gear 2 of a mounted pair, if both have teeth. A gear that is cut by a
-/// gear or given by its base cylinder takes no shape. The helix is not copied if the axes cross at a
-/// given angle. A rack of arcs that cuts only one gear is not copied. An unknown gear takes nothing
-/// if its mating gear has no module.
+/// Copies values from gear 1 to gear 2 of a mounted pair, if both have teeth. A gear that is cut by
+/// another gear or given by its base cylinder takes no dimensions of the teeth. The helix is not
+/// copied if the axes cross at a given angle. A rack of arcs that cuts only one gear is not copied.
+/// An unknown gear takes nothing if its mating gear has no module.
 Inherited inherit(const Json& tree);
 
 }  // namespace gearwright

@@ -1,8 +1,8 @@
 // Trees of specs and results. Members keep the order in which they were written.
 //
-// This header only declares the tree, because nlohmann/json.hpp adds a second to each compilation, and
-// reading or writing text adds two more. Headers include this file. Sources that look into a tree
-// include nlohmann/json.hpp. Text is read and written by the functions below.
+// This header only declares the tree, because nlohmann/json.hpp adds a second to each compilation,
+// and reading or writing text adds two more. Headers include this file. Sources that look into a
+// tree include nlohmann/json.hpp. Text is read and written by the functions below.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -20,8 +20,8 @@ int json_depth(std::string_view text);
 /// Throws  nlohmann::json::parse_error
 Json parse_json(std::string_view text);
 
-/// The text of a tree on one line, or with `indent` spaces per level. Bytes that are not valid UTF-8
-/// become U+FFFD.
+/// The text of a tree on one line, or with `indent` spaces per level. Bytes that are not valid
+/// UTF-8 become U+FFFD.
 std::string json_text(const Json& tree, int indent = -1);
 
 }  // namespace gearwright

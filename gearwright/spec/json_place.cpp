@@ -66,7 +66,8 @@ TextPlace place_at(std::string_view text, std::size_t at) {
   return place;
 }
 
-// Moves to the value of the member at the beginning of `path`. The result is false if there is no such member.
+// Moves to the value of the member at the beginning of `path`. The result is false if there is no
+// such member.
 bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
   walk.step();  // skips the brace
   while (walk.here() == '"') {

@@ -10,8 +10,9 @@
 
 namespace gearwright {
 
-/// The position of the key. If the key does not exist, it is the position of the last table or element of the path
-/// that exists, or none if the first part does not exist.
+/// The position of the key. If the key does not exist, the result is the position of the last table
+/// or element of the path that exists. There is no result if the first part of the path does not
+/// exist.
 std::optional<TextPlace> json_place(std::string_view text, std::string_view path);
 
 }  // namespace gearwright

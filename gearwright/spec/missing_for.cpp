@@ -33,7 +33,8 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
   const int halves = spec.has(1) && spec.gear(1).double_helical ? 2 : 1;
   add(missing, missing_for_rating(spec.rating, materials, tables, halves));
   std::erase_if(missing, [&](const Error& e) {
-    // If other data of a gear are missing, its material was not read. A material that is given is not missing.
+    // If other data of a gear are missing, its material was not read. A given material must not be
+    // reported as missing.
     const bool of_material = e.field == tables[0] || e.field == tables[1];
     return of_material && spec.given.contains(e.field);
   });
@@ -90,14 +91,16 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
       missing.push_back(spelled(material.error()));
     }
   }
-  // The inputs of VDI 2736 depend on the materials, so they are listed only if the materials are known.
+  // The inputs of VDI 2736 depend on the materials, so they are listed only if the materials are
+  // known.
   if (known || input.edition != RatingEdition::vdi_2736)
     for (const Error& error : missing_inputs(input, halves)) missing.push_back(spelled(error));
   return missing;
 }
 
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
-  // If gear 2 is a rack, only the geometry is computed. The other verbs reject the rack with the reason.
+  // If gear 2 is a rack, only the geometry is computed. The other verbs reject the rack with the
+  // reason.
   if (spec.rack) return {};
   std::vector<Error> missing;
   if (spec.search || spec.given.contains("search") || spec.measured[0] || spec.measured[1] ||
@@ -110,8 +113,8 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   const bool propose_torque = torque || spec.rating.torque || spec.rating.power;
   if (use == SpecUse::propose && !propose_torque)
     missing.push_back(absent_input("load.torque_Nm",
-                                   ": enter a torque on gear 1, in N m, torque_Nm = 100 for "
-                                   "example, or power_kW and speed_rpm of [rating]"));
+                                   ": enter a torque on gear 1 in N m, for example torque_Nm = "
+                                   "100, or give power_kW and speed_rpm in [rating]"));
   const bool under_torque =
       (use == SpecUse::load && !probes_alone) ||
       ((use == SpecUse::compensate || (use == SpecUse::run && spec.compensate.given && two)) &&
@@ -127,7 +130,7 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   if (use == SpecUse::scatter && !any_tolerance(spec))
     missing.push_back(
         absent_input("scatter.errors",
-                     "; the verb scatter needs a range of at least one number. Give, for example, "
+                     "; the verb scatter needs a range for at least one number. Give, for example, "
                      "[scatter.errors] with crossing_deg = [-0.02, 0.02], or [scatter.bearings] "
                      "with span_mm and radius_mm, or [scatter.gear1] with thickness_allowance_mm = "
                      "[-0.02, 0.02] or modifications, or a grade (quality = 6)"));

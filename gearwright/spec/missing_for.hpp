@@ -1,4 +1,5 @@
-// The inputs that a spec lacks for a computation. They are found before the computation and reported together.
+// The inputs that a spec lacks for a computation. They are found before the computation and
+// reported together.
 #pragma once
 
 #include <array>
@@ -24,10 +25,10 @@ enum class SpecUse {
   run,         ///< every computation for which the spec has a table
 };
 
-/// All inputs that a spec lacks, by their keys in a file and each with an example: a second gear, a
-/// torque and, for a rating, its load, the materials of the gears and the inputs of its factors. A
-/// wrong material is included. The list is empty for a search and for an unknown gear, which have
-/// verbs of their own.
+/// All inputs that a spec lacks, by their keys in a file and each with an example. They include a
+/// second gear, a torque and, for a rating, its load, the materials of the gears and the inputs of
+/// its factors. A wrong material is also reported. The list is empty for a search and for an
+/// unknown gear, because these have their own verbs.
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
 
 /// The missing inputs as one error, or nothing if no input is missing.
@@ -39,8 +40,9 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
                                       const std::array<MaterialInput, 2>& materials,
                                       const std::array<std::string, 2>& tables, int halves = 1);
 
-/// The table that contains the material of a gear: the gear's own table, that of gear 1, or
-/// [rating.material]. If the spec has none of these, it is the table in which a material would be given.
+/// The table that contains the material of a gear: the gear's own table, the table of gear 1, or
+/// [rating.material]. If the spec has none of these, it is the table in which a material would be
+/// given.
 std::string material_table(const JobSpec& spec, int which);
 
 }  // namespace gearwright

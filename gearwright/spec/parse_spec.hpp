@@ -1,4 +1,4 @@
-// The tree of tables of a spec, which is made from the text and contains the data.
+// The tree of tables into which the text of a spec is parsed.
 //
 // Internal to spec/, job/ and the programs, because public headers do not contain trees.
 #pragma once
@@ -18,8 +18,8 @@ struct SpecTree {
   Json tables;
 };
 
-/// The tree of a spec, with members in the order of the text. The nesting is limited, and every key of a
-/// table must occur once, in JSON as well.
+/// The tree of a spec, with members in the order of the text. The nesting is limited, and every key
+/// of a table must occur once, in JSON as well.
 ///
 /// Errors    the syntax error, with line and column
 Result<Json> parse_spec(std::string_view text, SpecFormat format);
@@ -29,7 +29,7 @@ std::optional<Error> check_tree(const Json& tree);
 
 /// The spec of a tree, equal to the result of read_spec for its text.
 ///
-/// Errors    like read_spec, except errors of syntax; like check_tree
+/// Errors    the errors of read_spec, except errors of syntax, and the errors of check_tree
 Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& folder = {},
                                SpecUse use = SpecUse::geometry);
 

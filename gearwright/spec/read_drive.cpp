@@ -29,8 +29,8 @@ double number_of(const TableReader& t, const std::string& key, const Json& value
   return value.get<double>();
 }
 
-// Reads one number, or a table of numbers by name. `set` receives the index of the name among the known
-// names, and the number.
+// Reads one number, or a table of numbers by name. `set` receives the index of the name among the
+// known names, and the number.
 void read_named(TableReader& t, const std::string& key, std::optional<double>& all,
                 const std::vector<std::string>& known,
                 const std::function<void(std::size_t, double)>& set) {
@@ -95,7 +95,7 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   set.fixed = read_names(t, "fixed");
   set.inputs = read_names(t, "input").value_or(std::vector<std::string>());
   read_input_loads(t, set.speeds_rpm, set.torque_Nm);
-  t.table("material");  // spec/drive_tree.cpp
+  t.table("material");  // read by spec/drive_tree.cpp
   t.finish();
   return set;
 }

@@ -16,15 +16,15 @@ namespace gearwright {
 /// True if the spec has one of the three tables.
 bool is_drive(const Json& tree);
 
-/// The graph of the drive, to which a short form is expanded, with the stages of a train.
+/// The graph of the drive and, for a train, its stages. A short form is expanded to a graph.
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 
-/// The materials of the gears that have their own material, by the names of the gears. The map is empty
-/// for a table that does not describe a drive.
+/// The materials of the gears that have their own material, by the names of the gears. The map is
+/// empty if the tree has no table of a drive.
 std::map<std::string, MaterialInput> drive_materials(const Json& tree);
 
-/// Sets an absent speed of [rating] to the speed of the first input, because a life and a power need a
-/// speed.
+/// Sets an absent speed of [rating] to the speed of the first input, because a life and a power
+/// need a speed.
 void lend_speed(Json& tree);
 
 /// Reads a planetary set from a table with the keys of [planetary].
@@ -35,8 +35,8 @@ PlanetarySpec read_set(const Json& node, const std::string& path);
 /// Domain    read_drive accepts the spec (contract)
 Json expanded_spec(const Json& tree, const DriveInput& drive);
 
-/// Replaces the names in an error of a drive's graph by the keys of the file. For example, `drive.fixed` of a set
-/// becomes planetary.fixed.
+/// Replaces the names in an error of a drive's graph by the keys of the file. For example,
+/// `drive.fixed` of a set becomes planetary.fixed.
 Error of_drive_table(Error error, const Json& tree);
 
 }  // namespace gearwright

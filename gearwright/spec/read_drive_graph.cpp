@@ -148,8 +148,8 @@ void read_graph_meshes(TableReader& t, DriveGraph& graph) {
   check_names(graph.meshes, t.name("mesh"));
 }
 
-// Reads the speed and the force of an input that is a rack. The graph has them for a body that turns
-// once per pitch.
+// Reads the speed and the force of an input that is a rack. The graph stores them as the speed and
+// the torque of a body that turns once per pitch.
 void read_rack_loads(TableReader& t, DriveGraph& graph) {
   t.refuse("speed_rpm",
            "applies to a body that turns, and the input is a rack; give speed_m_per_s");

@@ -33,7 +33,7 @@ std::optional<double> read_helix(TableReader& t) {
   }
   const auto value = beta ? beta : of_lead;
   if (hand && value && *value != 0.0 && (*value > 0.0) != (*hand == "right")) {
-    t.fail("hand", "contradicts the sign of helix_angle_deg (> 0 is a right hand)");
+    t.fail("hand", "contradicts the sign of helix_angle_deg (> 0 means right hand)");
   }
   return value;
 }
@@ -57,7 +57,8 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
                               gear.name("thickness_allowance_mm")));
 }
 
-// Computes module, helix angle and profile shift for a given rack from the dimensions of the finished gear in [basic].
+// Computes module, helix angle and profile shift for a given rack from the dimensions of the
+// finished gear in [basic].
 void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
                 std::optional<double> alpha) {
   const Json* node = gear.table("basic");
@@ -107,7 +108,7 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   const ReferenceInput<double> rack = as_rack(base, alpha_n);
   const auto agrees = [&](const char* key, const std::optional<double>& given, double value) {
     if (!given || std::abs(*given - value) <= kSameInput * std::max(1.0, std::abs(value))) return;
-    gear.fail(key, fmt::format("contradicts [{}], which makes it {}; leave one of them out",
+    gear.fail(key, fmt::format("contradicts [{}], which gives the value {}; leave one of them out",
                                gear.name("basic"), format_number(value, *given)));
   };
   agrees(gear.has("lead_angle_deg") ? "lead_angle_deg" : "helix_angle_deg",
@@ -141,7 +142,8 @@ void refuse_involute_keys(TableReader& gear) {
               why + "; the positions of the arc centres determine the depth of the cutter");
 }
 
-// The table that the word `kind` selects among the possible tables of a key. Without `kind` it is the first table.
+// The table that the word `kind` selects among the possible tables of a key. Without `kind` it is
+// the first table.
 const KeyTable& kind_of_table(const Key& key, const Json& node, const std::string& path) {
   const auto it = node.find("kind");
   if (it == node.end()) return key.tables.front()();
@@ -156,7 +158,8 @@ const KeyTable& kind_of_table(const Key& key, const Json& node, const std::strin
                         : "must be a text in quotes");
 }
 
-// The table of a cutter with the numbers that it omits. They are taken from the gear or from its mating gear.
+// The table of a cutter with the numbers that it omits. They are taken from the gear or from its
+// mating gear.
 Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   Json whole = cutter;
   for (const char* key_of_both : {"normal_module_mm", "normal_pressure_angle_deg"}) {
@@ -206,7 +209,7 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   }
   if (keys.find("modifications")) g.modifications = read_modifications(t, folder);
   check_tolerance(t, g);
-  t.table("measured");  // spec/read_measured.cpp
+  t.table("measured");  // read by spec/read_measured.cpp
   if (t.has("teeth")) {
     read_basic(t, g, module, alpha);
   } else {
@@ -249,8 +252,8 @@ std::optional<double> rack_angle(TableReader& gear, std::optional<double> given)
   if (!agma) return given;
   const double own = agma->normal_pressure_angle.deg();
   if (given && std::abs(*given - own) > kSameInput * own)
-    gear.fail("rack", fmt::format("has a pressure angle of {:g}°, but the gear is given one of "
-                                  "{:.6g}°; leave out the pressure angle",
+    gear.fail("rack", fmt::format("has a pressure angle of {:g}°, but the gear has a pressure "
+                                  "angle of {:.6g}°; leave out the pressure angle",
                                   own, *given));
   return own;
 }

@@ -22,20 +22,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// If the distance of two lines of a grid, relative to the range, is smaller than this, they are the same line measured
-// twice. A spline between them would turn noise into a slope.
+// Two lines of a grid count as one line that was measured twice if their distance, relative to the
+// range, is smaller than this. A spline between them would turn noise into a slope.
 constexpr double kMinStep = 1e-4;
 
 constexpr std::array<std::size_t, 2> kFlanks{0, 1};  // right, left
 
-// The key that applies to a flank: the key with the prefix of the flank, or the key for both flanks.
+// The key that applies to a flank: the key with the prefix of the flank, or the key for both
+// flanks.
 std::string key_of(const TableReader& t, std::size_t flank, const std::string& key) {
   const std::string own = std::string(kFlankSides[flank]) + key;
   return t.given(own) ? own : key;
 }
 
-// Rejects a key that applies to no flank and would otherwise be ignored without a message. `amount` is the
-// key of the relief to which it belongs, or empty if there is none.
+// Rejects a key that applies to no flank and would otherwise be ignored without a message. `amount`
+// is the key of the relief to which it belongs, or empty if there is none.
 void check_used(TableReader& t, const std::string& key, const std::string& amount = "") {
   const std::string right = std::string(kFlankSides[0]) + key;
   const std::string left = std::string(kFlankSides[1]) + key;
@@ -215,8 +216,8 @@ Result<Topography> topography_from_csv(std::string_view csv) {
   Topography t{lines_of(rows, &Row::diameter), lines_of(rows, &Row::z), {}};
   if (auto error = check_lines("diameters", t.diameters)) return *error;
   if (auto error = check_lines("heights z", t.heights)) return *error;
-  // The rows are sorted and unique. The first row that differs from the next point of the grid shows that
-  // this point is missing.
+  // The rows are sorted and unique. The first row that differs from the next point of the grid
+  // shows that this point is missing.
   const std::size_t columns = t.heights.size();
   for (std::size_t k = 0; k < t.diameters.size() * columns; ++k) {
     const double d = t.diameters[k / columns];

@@ -16,16 +16,16 @@ namespace gearwright {
 
 constexpr std::size_t kMaxTopography = 4 << 20;  ///< in bytes, enough for 200 000 points
 
-/// The modifications of the right and the left flank, without removal if the gear has no such table.
-/// Conditions on the finished gear are checked by make_removal_field.
+/// The modifications of the right and the left flank. They remove nothing if the gear has no such
+/// table. make_removal_field checks the conditions on the finished gear.
 ///
 /// Throws    IoError if the file of a topography exists and cannot be read
 std::array<FlankModifications, 2> read_modifications(TableReader& gear,
                                                      const std::filesystem::path& folder);
 
-/// Reads a topography from CSV with the columns diameter_mm, z_mm and removed_um. The rows may have any order,
-/// and every diameter must occur once with every z. A first line with these names, empty lines and comments after #
-/// are allowed.
+/// Reads a topography from CSV with the columns diameter_mm, z_mm and removed_um. The rows may have
+/// any order, and every diameter must occur once with every z. A first line with these names, empty
+/// lines and comments after # are allowed.
 ///
 /// Errors    line and reason, without a key
 Result<Topography> topography_from_csv(std::string_view csv);

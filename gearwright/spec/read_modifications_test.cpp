@@ -81,7 +81,7 @@ TEST(ReadModifications, one_flank_alone_or_otherwise) {
   EXPECT_EQ(left.lead_crowning, 0.0);
   EXPECT_TRUE(spec->given.contains("gear1.modifications.left_tip_relief_um"));
   // The start is given for both flanks and the amount for one flank, so the other flank has no
-  // border there.
+  // relief.
   const auto one = spec_with("tip_relief_start_mm = 46.5\nleft_tip_relief_um = 10\n");
   EXPECT_FALSE(flanks(one)[0].tip_relief.reach);
   EXPECT_TRUE(flanks(one)[1].tip_relief.reach);

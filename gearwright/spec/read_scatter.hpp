@@ -1,4 +1,5 @@
-// Reads [scatter]: the groups of inputs and the toleranced numbers, each a list of two numbers or a table.
+// Reads [scatter]: the groups of inputs and the toleranced numbers, each a list of two numbers or a
+// table.
 //
 // Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once

@@ -26,7 +26,8 @@ const std::vector<double>& iso54_modules(int series) {
 
 namespace {
 
-// Diametral pitches in general use, 1/in.   Source: Shigley, Mechanical Engineering Design, tooth sizes
+// Diametral pitches in general use, 1/in.   Source: Shigley, Mechanical Engineering Design, tooth
+// sizes
 constexpr std::array kCoarsePitches{2.0, 2.25, 2.5, 3.0, 4.0, 6.0, 8.0, 10.0, 12.0, 16.0};
 constexpr std::array kFinePitches{20.0, 24.0, 32.0,  40.0,  48.0, 64.0,
                                   80.0, 96.0, 120.0, 150.0, 200.0};
@@ -86,7 +87,8 @@ std::vector<double> read_modules(TableReader& t) {
 void check_teeth(TableReader& t, SearchProblem& p) {
   if (p.ratio[0] < 0.0 && p.ratio[1] >= 0.0)
     t.fail("ratio",
-           "must not contain 0; it is positive for external pairs and negative for internal pairs");
+           "must not contain 0; the ratio is positive for external pairs and negative for internal "
+           "pairs");
   if (p.ratio[0] >= 0.0 && p.ratio[1] < 1.0)
     t.fail("ratio",
            "must contain values of 1 or more, because the ratio is z2/z1 and gear 2 has "
@@ -199,8 +201,8 @@ Blank read_blank(const Json* node, const std::string& path) {
   b.alpha_deg = t.number("normal_pressure_angle_deg");
   b.helix_deg = t.number("helix_angle_deg");
   b.face_mm = t.number("face_width_mm");
-  t.table("material");       // for a rated search: read_search_rating
-  t.table("modifications");  // of the designs: spec.cpp
+  t.table("material");       // for a rated search; read by read_search_rating
+  t.table("modifications");  // for the designs; read by spec.cpp
   if (const Json* rack = t.any("rack");
       rack && rack->is_object() && rack->contains("kind") && (*rack)["kind"] != "straight") {
     t.fail("rack.kind",
@@ -281,7 +283,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   if (blanks[1].alpha_deg && *blanks[1].alpha_deg != alpha) {
     throw SpecError{
         {"gear2.normal_pressure_angle_deg", fmt::format("{}", *blanks[1].alpha_deg),
-         fmt::format("both gears of a search need the same pressure angle, and that of gear1 is {}",
+         fmt::format("both gears of a search need the same pressure angle, and gear1 has {}",
                      alpha)}};
   }
   p.normal_pressure_angle = Angle::degrees(alpha);
@@ -301,7 +303,8 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   if (one(p.face_width) && one(p.face_modules))
     t.fail("face_width_modules", "contradicts face_width_mm; leave one of them out");
   const auto mounting = t.word("mounting");
-  // At the extended centre distance, an internal pair has negative backlash, so its default is tight.
+  // At the extended centre distance, an internal pair has negative backlash, so its default is
+  // tight.
   const bool tight = mounting ? *mounting == "tight" : p.ratio[1] < 0.0;
   p.mounting = tight ? Mounting::tight : Mounting::extended;
   read_limits(t, p);

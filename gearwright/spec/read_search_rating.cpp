@@ -15,8 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The materials in the tables of the gears, with or without teeth. If gear 2 has no material, it takes the
-// material of gear 1.
+// The materials in the tables of the gears, with or without teeth. If gear 2 has no material, it
+// takes the material of gear 1.
 std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable& rating) {
   std::array<MaterialInput, 2> materials;
   bool before = false;
@@ -50,11 +50,13 @@ constexpr const char* kNeedsRating =
 
 constexpr const char* kNoAllowances = "none";
 
-// Usual face widths, in reference diameters of the pinion. The shaft of a wider pinion bends and twists too
-// much, so its whole face does not carry. Narrower gears are rare in reducers.
+// Usual face widths, in reference diameters of the pinion. The shaft of a wider pinion bends and
+// twists too much, so that only a part of its face carries load. Narrower gears are rare in
+// reducers.
 constexpr std::array kUsualFace{0.2, 1.0};
 
-// Only the names are checked here, for a diameter and a centre distance that every table contains.
+// This check needs only the names, so it uses a diameter and a centre distance that every table
+// contains.
 constexpr double kAnyDiameter = 100.0;
 
 void check_names(const TableReader& t, const SearchAllowances& allowances) {
@@ -84,8 +86,9 @@ void check_faces(const TableReader& t, const SearchProblem& p) {
            "rated");
   if (!p.limits.safety_flank && !p.limits.safety_root && !p.limits.overlap_ratio)
     t.fail(key,
-           "is a band, within which each design has the least sufficient width; also give "
-           "safety_flank_min, safety_root_min or overlap_ratio_min, or give a single width");
+           "is a band, in which each design takes the least sufficient width; also give "
+           "safety_flank_min, safety_root_min or overlap_ratio_min, or replace the band by a "
+           "single width");
 }
 
 }  // namespace
@@ -97,7 +100,7 @@ bool wants_rating(const SearchProblem& problem, const RatingTable& rating) {
 
 void read_search_rating(const Json& tree, JobSpec& spec) {
   const RatingTable& rating = spec.rating;
-  // If gear 2 takes a material from gear 1, the table of gear 1 is named.
+  // If gear 2 takes its material from gear 1, the error names the table of gear 1.
   const std::array<std::string, 2> tables{material_table(spec, 1), material_table(spec, 2)};
   const auto check = [&](const std::array<MaterialInput, 2>& given) {
     const std::vector<Error> missing = missing_for_rating(rating, given, tables);

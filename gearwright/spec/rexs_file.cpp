@@ -44,7 +44,7 @@ RexsComponent component_of(const Tree& element) {
   RexsComponent c{attribute_of(element, "id"), attribute_of(element, "type"),
                   attribute_of(element, "name")};
   for (const auto& [tag, a] : element) {
-    // The values of an array are in elements of their own.
+    // The values of an array are in separate elements.
     if (tag != "attribute" || a.count("array") + a.count("matrix") > 0 || a.data().empty())
       continue;
     c.attributes[attribute_of(a, "id")] = a.data();

@@ -49,8 +49,8 @@ struct RexsModel {
 
 /// The model of a file, without its arrays and tables of values.
 ///
-/// Errors    text that is not XML, with its line; a root element other than `model`; a version other
-///           than 1.x and 2.0; deep nesting
+/// Errors    text that is not XML, with its line; a root element other than `model`; a version
+///           other than 1.x and 2.0; deep nesting
 Result<RexsModel> read_rexs(std::string_view xml);
 
 /// The model as the text of a file. Reading the text gives the same doubles.

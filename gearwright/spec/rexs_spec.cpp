@@ -66,7 +66,8 @@ class Reader {
     return std::nullopt;
   }
 
-  // The first component with one of these types that shares a relation of one of these types with `id`.
+  // The first component with one of these types that shares a relation of one of these types with
+  // `id`.
   const Component* related(std::string_view id, std::initializer_list<std::string_view> relations,
                            std::initializer_list<std::string_view> types) const {
     for (const RexsRelation& r : model_.relations) {
@@ -150,9 +151,10 @@ class Reader {
           table["cut_by"] = {{"teeth", std::lround(*tool->number("number_of_teeth"))}};
           if (!rack.empty()) table["cut_by"]["rack"] = rack;
           if (table.erase("thickness_allowance_mm") + table.erase("thickness_series") > 0)
-            note(fmt::format(
-                "The thickness of gear {} is not read, because it follows from its cutter.",
-                named(gear)));
+            note(
+                fmt::format("The thickness of gear {} is not read, because its cutter determines "
+                            "the thickness.",
+                            named(gear)));
         }
       }
     }
@@ -163,8 +165,8 @@ class Reader {
     return table;
   }
 
-  // The thickness allowance, computed from the generating profile shift. In a drive, which has no tolerances, it is the
-  // mean allowance of the series.
+  // The thickness allowance, computed from the generating profile shift. In a drive, which has no
+  // tolerances, it is the mean allowance of the series.
   std::optional<double> allowance_of(const Component& gear,
                                      const std::optional<std::string>& series,
                                      bool of_drive) const {
@@ -224,8 +226,8 @@ class Reader {
     return nullptr;
   }
 
-  // The chain of stages along their common shafts. It starts at the shaft with the given torque, or at the
-  // first stage if there is none.
+  // The chain of stages along their common shafts. It starts at the shaft with the given torque, or
+  // at the first stage if there is none.
   Result<Json> train() {
     const auto next_on = [&](const Component* shaft, const std::set<const Component*>& used) {
       Stage* found = nullptr;
@@ -312,8 +314,8 @@ class Reader {
            {"face_width_mm", "profile_shift", "thickness_allowance_mm", "tip_diameter_mm"})
         if (table.contains(key)) set[key][name] = table[key];
       if (table.contains("rack"))
-        note(
-            fmt::format("The tool of the {} is not read. Its basic rack is that of ISO 53.", name));
+        note(fmt::format("The tool of the {} is not read. The basic rack of ISO 53 replaces it.",
+                         name));
     }
     for (const Stage& s : stages_)
       if (auto a = distance_of(s)) set["center_distance_mm"] = *a;

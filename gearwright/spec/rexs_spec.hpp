@@ -1,5 +1,5 @@
-// Converts a REXS model to a spec: one cylindrical stage to a pair, a chain of stages to [[stage]] tables, and a
-// planetary stage to [planetary]. Internal to spec/ and job/.
+// Converts a REXS model to a spec: one cylindrical stage to a pair, a chain of stages to [[stage]]
+// tables, and a planetary stage to [planetary]. Internal to spec/ and job/.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -20,7 +20,8 @@ struct RexsSpec {
 ///           set; a stage without two gears, a gear without teeth
 Result<RexsSpec> spec_of_rexs(const RexsModel& model);
 
-/// The spec as TOML. Comments at its beginning name the version of the file and the parts that were not read.
+/// The spec as TOML. Comments at its beginning name the version of the file and the parts that were
+/// not read.
 Result<std::string> spec_text_of_rexs(std::string_view xml);
 
 }  // namespace gearwright

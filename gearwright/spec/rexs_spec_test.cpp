@@ -1,5 +1,5 @@
-// Laws: (1) the text of a model reads back to the model   (2) a chain of stages is in the order of its
-// shafts, and a planetary stage has the teeth of its members   (3) broken input is an error.
+// Laws: (1) the text of a model reads back to the model   (2) a chain of stages is in the order of
+// its shafts, and a planetary stage has the teeth of its members   (3) broken input is an error.
 #include "gearwright/spec/rexs_spec.hpp"
 
 #include <gtest/gtest.h>

@@ -83,11 +83,13 @@ class Lacks {
       if (known == all_.end()) {
         all_.push_back(error);
       } else {
-        *known = error;  // the inputs of a verb are described in more detail than those of a table
+        *known = error;  // the inputs of a verb are described in more detail than the inputs of a
+                         // table
       }
     }
   }
-  /// Omits the second input if the first is also missing, because the second follows from the first.
+  /// Omits the second input if the first is also missing, because the second follows from the
+  /// first.
   void shared(const std::string& first, const std::string& second) {
     if (!has(all_, first)) return;
     std::erase_if(all_, [&](const Error& e) { return e.field == second; });
@@ -159,7 +161,7 @@ void refuse_planets(const Json& tree) {
                        "[[stage]] and [drive]"}};
 }
 
-// Reads a rack as gear 2. In this case [pair] may contain only the keys of the rack's position.
+// Reads a rack as gear 2. [pair] may then contain only the centre distance and the speed.
 RackBar read_rack_bar(const Json& rack, const Json& tree) {
   TableReader t(rack_bar_keys(), rack, "gear2");
   RackBar bar;
@@ -192,7 +194,7 @@ void refuse_halves(const Json* gear, const std::string& path, const Json& tree) 
 
 // The designs of a search take the modifications of a gear without teeth.
 void check_modifications(const Json* gear, const char* name, const std::filesystem::path& folder) {
-  if (!gear || gear->contains("teeth")) return;  // read_gear() reads those of a complete gear
+  if (!gear || gear->contains("teeth")) return;  // read_gear() reads a complete gear
   TableReader t(blank_keys(), *gear, name);
   read_modifications(t, folder);
 }
@@ -213,8 +215,8 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
   const Json* search = t.table("search");
-  // In a spec with [search], a table of a gear without teeth contains only the data that the search does not
-  // choose. The mating gear of an unknown gear may have no data except its number of teeth.
+  // In a spec with [search], a table of a gear without teeth contains only the data that the search
+  // does not choose. The mating gear of an unknown gear needs only its number of teeth.
   const auto is_gear = [&](const Json* gear) {
     const Json* other = gear == gear_1 ? gear_2 : gear_1;
     return gear && (!search || gear->contains("teeth")) && !is_unknown_gear(*gear) &&
@@ -223,7 +225,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   };
   spec.measured = {read_measured(tree, 1), read_measured(tree, 2)};
   const bool unknown = spec.measured[0] || spec.measured[1];
-  for (const char* table : {"planetary", "stage", "drive"}) t.any(table);  // spec/read_drive.cpp
+  for (const char* table : {"planetary", "stage", "drive"}) t.any(table);  // in spec/read_drive.cpp
   if (is_drive(tree)) {
     for (const char* table : {"gear1", "gear2", "pair", "search"})
       t.refuse(table,
@@ -243,7 +245,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   refuse_halves(gear_2, "gear2", tree);
   lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
   lacks.shared("gear2.teeth",
-               "gear2.normal_module_mm");  // with teeth, gear 2 takes the module of gear 1
+               "gear2.normal_module_mm");  // if gear 2 has teeth, it takes the module of gear 1
   if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;
   const bool drives = search && is_drive_search(*search);
   if (drives) {

@@ -1,8 +1,8 @@
 // The spec file: a gear or a pair as on a drawing, in TOML or JSON.
 //
-// Lengths are in mm, or in inch if the spec gives units = "inch", and angles in degrees, as given in the key. A
-// spec that was read is in mm. Absent keys are also absent in the structs.
-// job/solved_job.hpp computes the values that follow from the spec.
+// Lengths are in mm, or in inch if the spec gives units = "inch". Angles are in degrees. The name
+// of a key contains its unit. After reading, all lengths are in mm. Absent keys are also absent in
+// the structs. job/solved_job.hpp computes the values that follow from the spec.
 #pragma once
 
 #include <array>
@@ -28,9 +28,9 @@ struct DriveInput;       // drive/drive.hpp
 struct SpecTree;         // spec/parse_spec.hpp
 
 struct JobSpec : SpecTables {
-  std::string text;  ///< the spec as read, for the report; JSON for a tree
-  /// The spec as a tree of tables, with the values that gear 2 takes from gear 1. It is null if the spec
-  /// was not read.
+  std::string text;  ///< the text of the spec, for the report; JSON text if it was read from a tree
+  /// The spec as a tree of tables, with the values that gear 2 takes from gear 1. It is null if the
+  /// spec was not read.
   std::shared_ptr<const SpecTree> tree;
   GivenKeys given;                          ///< the paths of the keys in the text
   std::shared_ptr<const DriveInput> drive;  ///< null if the spec has no drive
@@ -44,8 +44,8 @@ struct JobSpec : SpecTables {
 };
 
 /// Reads a spec from text. File names are relative to `folder`, or to the working directory if
-/// `folder` is empty. All missing inputs, both those of every spec and those
-/// that `use` needs, are reported as one error.
+/// `folder` is empty. All missing inputs are reported as one error. They are the inputs that every
+/// spec needs and those that `use` needs.
 ///
 /// Throws    IoError if a named file exists and cannot be read
 /// Errors    the key with its table ("gear1.normal_module_mm") as the field, its value, and the
@@ -57,7 +57,8 @@ Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
 
 Result<JobSpec> read_spec(const SpecText& text, SpecUse use = SpecUse::geometry);
 
-/// The error of a spec in inch for a feature whose results are in mm only; nothing for a spec in mm.
+/// The error of a spec in inch for a feature whose results are in mm only; nothing for a spec in
+/// mm.
 std::optional<Error> only_in_mm(const JobSpec& spec, std::string_view feature);
 
 /// Reads the text of the file with read_spec_text(), then the spec.

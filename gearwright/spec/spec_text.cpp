@@ -1,6 +1,6 @@
-// For some broken input ("[" and a newline), toml++ 3.3 fails an assert instead of returning a parse
-// error. Without asserts the same code returns a parse error, so this file is compiled without asserts
-// in every build.
+// For some broken input ("[" and a newline), toml++ 3.3 fails an assert instead of returning a
+// parse error. Without asserts the same code returns a parse error, so this file is compiled
+// without asserts in every build.
 #ifndef NDEBUG
 #define NDEBUG
 #endif
@@ -130,8 +130,8 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   std::vector<Open> open_;
 };
 
-// The first line with too many dots outside quotes. The TOML parser recurses for each part of a dotted
-// name, so their number is limited before parsing.
+// The first line with too many dots outside quotes. The TOML parser recurses for each part of a
+// dotted name, so the number of parts is limited before parsing.
 std::optional<int> deep_line(std::string_view text) {
   int line = 1;
   int dots = 0;
@@ -174,7 +174,7 @@ TextPlace place_of(const toml::source_region& source) {
   return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-// The longest key of the table that is at the beginning of `path`.
+// The longest key of the table with which `path` begins.
 const toml::key* first_key(const toml::table& table, std::string_view path) {
   const toml::key* longest = nullptr;
   for (const auto& [key, value] : table) {
@@ -282,7 +282,8 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
     return syntax_error(
         fmt::format("{} has more than {} bytes, the limit for a spec", name, kMaxSpec));
   }
-  // Editors on Windows offer UTF-16 as "Unicode"; such a file begins with the byte order mark U+FEFF.
+  // Editors on Windows offer UTF-16 as "Unicode"; such a file begins with the byte order mark
+  // U+FEFF.
   if (read.text.starts_with("\xFF\xFE") || read.text.starts_with("\xFE\xFF"))
     return syntax_error(name + " is UTF-16 text; save it as UTF-8");
   const bool in_folder = !pipe && std::filesystem::is_regular_file(path, error);

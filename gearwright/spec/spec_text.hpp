@@ -22,11 +22,12 @@ struct SpecText {
 };
 
 /// Reads a file; "-" is standard input. The format is JSON if the name ends in .json. Text from a
-/// pipe or a device is JSON if it begins with a brace, which cannot begin a TOML text. A file with the
-/// ending .rexs is converted to TOML.
+/// pipe or a device is JSON if it begins with a brace, which cannot begin a TOML text. A file with
+/// the ending .rexs is converted to TOML.
 ///
 /// Throws    IoError if the file cannot be read
-/// Errors    a REXS file that cannot become a spec (spec_of_rexs); more than kMaxSpec bytes, which are not read
+/// Errors    a REXS file that cannot be converted to a spec (spec_of_rexs); more than kMaxSpec
+///           bytes, which are not read
 Result<SpecText> read_spec_text(const std::filesystem::path& path);
 
 /// A position counted from 1, with columns in characters.
@@ -34,9 +35,9 @@ struct TextPlace {
   int line = 1, column = 1;
 };
 
-/// The position of a key, "gear1.rack.arcs[2].radius", or of its table if the key is absent. There is no
-/// position if the table is absent too. An empty key gives the position of a syntax error of TOML. Otherwise
-/// read_spec must be able to parse the text.
+/// The position of a key, "gear1.rack.arcs[2].radius", or of its table if the key is absent. There
+/// is no position if the table is absent too. An empty key gives the position of a syntax error of
+/// TOML. For any other key, read_spec must be able to parse the text.
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key);
 
 }  // namespace gearwright

@@ -1,8 +1,8 @@
 // Reads one table of a spec with the catalogue. Values within their ranges are stored in the places
 // of their keys, and sub-tables and lists of tables in their structs. An error names the key.
 //
-// The reader violates a contract if it reads a key that is not in the catalogue, or if it leaves a key
-// of the catalogue unread. This ensures that catalogue and reader agree.
+// The reader violates a contract if it reads a key that is not in the catalogue, or if it leaves a
+// key of the catalogue unread. This ensures that catalogue and reader agree.
 //
 // Internal to spec/. The functions throw SpecError, which read_spec converts to a Result.
 #pragma once
@@ -29,8 +29,8 @@ class TableReader {
   /// `path` is the dotted name of the table. It is empty for the file itself.
   TableReader(const KeyTable& keys, const Json& node, std::string path);
 
-  /// Reads every key that has a place, plain values first and then tables. Absent keys leave the members
-  /// unchanged.
+  /// Reads every key that has a place, plain values first and then tables. Absent keys leave the
+  /// members unchanged.
   void read(KeyTarget input);
   /// Reads one key, which must have a place.
   void read(const Key& key, KeyTarget input);
@@ -42,28 +42,32 @@ class TableReader {
   std::optional<bool> boolean(const std::string& key);
   std::optional<std::string> word(const std::string& key);
   std::optional<std::string> text(const std::string& key);
-  /// The list of finite numbers of a key. Their number is checked, but not their range.
+  /// The list of finite numbers of a key. The length of the list is checked, but not the range of
+  /// the numbers.
   std::optional<std::vector<double>> raw_numbers(const std::string& key);
-  /// The same list with more checks: the range of the numbers, their order, and whole numbers if required.
+  /// The list of raw_numbers() with more checks: the range of the numbers, their order, and whole
+  /// numbers if required.
   std::optional<std::vector<double>> numbers(const std::string& key);
   const Json* table(const std::string& key);  ///< a sub-table, or null
   const Json* any(const std::string& key);    ///< a value of any type, or null
-  /// The value in the unit of `key`, from the key or its aliases. If several are given, they must agree.
+  /// The value in the unit of `key`, from the key or its aliases. If several are given, they must
+  /// agree.
   /// `what` names the quantity, for example "module".
   std::optional<double> one_of(const std::string& key, const std::string& what, double cos_beta);
 
   /// Checks one number against the key's range.
   void check(const std::string& key, double value) const;
-  /// Fails if a required key is absent. If the key is misspelled, the error names the misspelled key.
+  /// Fails if a required key is absent. If the key is misspelled, the error names the misspelled
+  /// key.
   void require_all() const;
   /// Records that the key and its aliases are missing, so that finish() fails.
   void lacks_one_of(const std::string& key, const std::string& what);
   /// Rejects a key that is not allowed here, with the reason.
   void refuse(const std::string& key, const std::string& why);
-  /// Fails because of an unknown key, with the nearest known key; because of a missing key that is
-  /// required always or by another key; or because of two keys that exclude each other.
+  /// Fails if a key is unknown, if a key is missing that is required always or by another key, or
+  /// if two keys exclude each other. The error for an unknown key names the nearest known key.
   void finish() const;
-  void refuse_unknown() const;  ///< makes only the first of these checks
+  void refuse_unknown() const;  ///< checks only for an unknown key
 
   const KeyTable& keys() const { return keys_; }
   const std::string& name() const { return path_; }  ///< name of the table

@@ -19,9 +19,9 @@ bool bare(const std::string& key) {
   });
 }
 
-// JSON's escapes are also valid in TOML, except for the surrogate pairs of characters beyond U+FFFF.
-// Therefore only control characters are escaped, and all other characters are written directly. DEL
-// is also escaped, because TOML does not allow it.
+// JSON's escapes are also valid in TOML, except for the surrogate pairs of characters beyond
+// U+FFFF. Therefore only control characters are escaped, and all other characters are written
+// directly. DEL is also escaped, because TOML does not allow it.
 std::string quoted(const std::string& text) {
   std::string out;
   for (const char c : Json(text).dump(-1, ' ', false, Json::error_handler_t::replace))
@@ -36,7 +36,8 @@ std::string value_text(const Json& v) {
     const double x = v.get<double>();
     GW_EXPECTS(std::isfinite(x));
     const std::string text = fmt::format("{}", x);
-    // A point is added to a float without a point or exponent, because TOML would read it as an integer.
+    // A point is added to a float without a point or exponent, because TOML would read it as an
+    // integer.
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
   }
   if (v.is_string()) return quoted(v.get<std::string>());
@@ -60,7 +61,8 @@ bool tables(const Json& v) {
          std::all_of(v.begin(), v.end(), [](const Json& item) { return item.is_object(); });
 }
 
-// Plain values are written first, because a value after the heading of a table would belong to that table.
+// Plain values are written first, because a value after the heading of a table would belong to that
+// table.
 void write_table(const Json& table, const std::string& path, std::string& out) {
   for (const auto& [key, value] : table.items()) {
     if (!value.is_object() && !tables(value))
@@ -89,7 +91,7 @@ std::string toml_text(const Json& tree) {
 }
 
 std::string toml_comment(const std::vector<std::string>& sentences) {
-  constexpr std::size_t kWidth = 78;  // width of a terminal without the sign and a blank
+  constexpr std::size_t kWidth = 78;  // 80 columns of a terminal, minus "# "
   std::string text, line;
   for (const std::string& sentence : sentences) {
     for (std::size_t at = 0; at < sentence.size();) {

@@ -12,8 +12,8 @@ namespace gearwright {
 /// A value on one line. A table is written in braces.
 std::string toml_value(const Json& value);
 
-/// The tree as TOML text. Reading the text gives the same doubles. Plain values precede tables, and each table
-/// of a list has a heading [[name]].
+/// The tree as TOML text. Reading the text gives the same doubles. Plain values precede tables, and
+/// each table of a list has a heading [[name]].
 ///
 /// Domain    an object of numbers, strings, booleans, arrays and objects (contract)
 std::string toml_text(const Json& tree);

@@ -69,7 +69,8 @@ std::vector<Finding> margin_findings(const Pair& pair) {
       judge(findings, kTip, which, pair.mounted().tip_clearance[i], m);
     const InvolutePair* p = pair.involute();
     if (p == nullptr) continue;
-    // Beyond an undercut there is no flank. The warnings `undercut` and `contact_lost` report this.
+    // The form clearance of an undercut gear is not judged, because the warnings `undercut` and
+    // `contact_lost_to_undercut` already report the undercut.
     if (!p->gears[i].undercut) judge(findings, kForm, which, p->form_clearance[i], m);
     if (const ParallelPair* parallel = pair.parallel())
       judge(findings, kFillet, which, parallel->fillet_clearance[i], m);
@@ -104,8 +105,8 @@ std::vector<Finding> contact_findings(const ContactResult& contact,
          {{"share", share, false}}});
   }
   if (points > 0) {
-    // If the faces have different widths, the contact is relatively closer to an end of the
-    // narrower one.
+    // The face on which the contact is nearer to an end counts. This is the narrower face if the
+    // widths differ.
     const double place = (std::abs(places[1]) > std::abs(places[0]) ? places[1] : places[0]) /
                          static_cast<double>(points);
     if (std::abs(place) > kCentralPlace && edges < touching) {

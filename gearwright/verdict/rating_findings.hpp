@@ -10,8 +10,9 @@
 
 namespace gearwright::detail {
 
-/// Changes that the rating confirms as sufficient: "6 mm more face width, or 17CrNiMo6 would be
-/// sufficient."
+/// A sentence with the changes that raise all safety factors to their required values: "6 mm more
+/// face width, or 17CrNiMo6 would be sufficient." If no single change is sufficient, the sentence
+/// states the greatest permissible torque.
 std::string rating_remedy(const JudgedRating& rating);
 
 /// One finding for each safety factor below its requirement: red if it is below 1, otherwise amber.

@@ -14,8 +14,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// The severity of a state. Two states are compared first by their red findings, then by their amber
-// ones.
+// The numbers of red and amber findings. The comparison counts the amber findings only if the
+// numbers of red findings are equal.
 struct Score {
   int red = 0, amber = 0;
   auto operator<=>(const Score&) const = default;
@@ -53,8 +53,8 @@ class Trials {
 
   /// The score after a change, if the change removes the finding and makes no other finding worse.
   std::optional<Score> score(const Finding& finding, const SpecChange& change, TryDepth depth) {
-    // The computation without tolerances and contact is the cheapest and rejects most changes, so
-    // it is done first.
+    // The computation without tolerances and contact is done first, because it is the cheapest and
+    // rejects most changes.
     if (depth != TryDepth::as_drawn && !score(finding, change, TryDepth::as_drawn))
       return std::nullopt;
     const std::optional<ChangedState>& state = of(change, depth);
@@ -134,7 +134,7 @@ std::optional<Found> least_change(Trials& trials, const Finding& finding, const 
 void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt) {
   const std::vector<Finding> before = findings;
   Trials trials(before, attempt);
-  std::string strength;  // one remedy for all safeties
+  std::string strength;  // the remedy shared by all findings about safety factors
   for (Finding& finding : findings) {
     const bool safety =
         finding.code == WarningCode::root_safety || finding.code == WarningCode::flank_safety;
@@ -154,7 +154,7 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
     for (const Lever& lever : levers(*cure, finding, judged)) {
       const auto found = least_change(trials, finding, lever, depth);
       if (found && (!best || found->score < best->score)) best = found;
-      // For a finding of a contact analysis, the search stops at the first change that helps,
+      // For a finding of a contact analysis, the search stops at the first change that removes it,
       // because each trial takes milliseconds.
       if (best && (best->score == Score{} || cure->needs_contact)) break;
     }

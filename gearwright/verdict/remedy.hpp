@@ -3,8 +3,7 @@
 // For each finding code, a table lists the numbers of the spec that can help and the direction in
 // which to change them. For each of these numbers, the smallest change is computed that removes the
 // finding and neither adds nor worsens another one. If several changes succeed, the one with the
-// fewest remaining findings is used. The
-// removes has no remedy with a number.
+// fewest remaining findings is used. If no change succeeds, the remedy contains no number.
 #pragma once
 
 #include <optional>
@@ -17,7 +16,7 @@
 namespace gearwright::detail {
 
 /// Fills `remedy` of all findings. `change` is filled only for the findings of the worst level,
-/// because findings of a lower level are treated later.
+/// because the user removes these first.
 void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt);
 
 }  // namespace gearwright::detail

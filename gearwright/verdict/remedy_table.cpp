@@ -76,7 +76,7 @@ const std::vector<Cure>& cures() {
       {C::contact_lost_to_undercut, "undercut removes no part of the path of contact on gear {}",
        kGearGrows},
       {C::undercut, "gear {} is not undercut", kGearGrows},
-      {C::no_tip_clearance, "the tip of gear {} has a clearance", kOwnTipShorter},
+      {C::no_tip_clearance, "the tip of gear {} has clearance", kOwnTipShorter},
       {C::tip_margin, "the tip clearance of gear {} is large enough", kOwnTipShorter},
       {C::form_margin, "the form clearance of gear {} is large enough", kReachLess},
       {C::fillet_margin, "the clearance to the fillet of gear {} is large enough", kReachLess},
@@ -86,7 +86,7 @@ const std::vector<Cure>& cures() {
        "the tip of gear {} lies outside its base circle",
        {{A::tip_diameter, W::own, -1}}},
       {C::saddle_gap,
-       "the flanks clear each other beside the line of action",
+       "the flanks stay clear of each other beside the line of action",
        {{A::lead_crowning, W::first, +1}, {A::lead_crowning, W::second, +1}}},
       {C::nearly_parallel, "the axes are parallel", {{A::helix_angle, W::second, +1}}},
       {C::face_width,
@@ -96,7 +96,7 @@ const std::vector<Cure>& cures() {
       {C::contact_below_form, "contact stays on the usable flank of gear {}", kReachLess, true},
       {C::fillet_contact, "the tips stay clear of the root fillets", kReachLess, true},
       {C::edge_contact,
-       "no edge touches",
+       "no edge is in contact",
        {{A::lead_crowning, W::first, +1}, {A::tip_diameter, W::first, -1}},
        true},
       {C::contact_place,
@@ -120,8 +120,8 @@ int gear_of(Whose whose, int own) {
   return 0;
 }
 
-// The smallest profile shift without undercut. Undercut depends on the position of the cutter,
-// which also includes the thickness allowance, so the effect of the allowance is subtracted.
+// The smallest profile shift without undercut. The profile shift and the thickness allowance
+// together set the position of the cutter, so the effect of the allowance is subtracted.
 std::optional<double> shift_without_undercut(const Gear& gear) {
   const InvoluteTeeth* involute = gear.involute();
   if (!gear.undercut || involute == nullptr || !involute->undercut_free_profile_shift)
@@ -264,7 +264,7 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
   } else if (cure.then == kBacklash && finding.at.empty()) {
     then = fmt::format(kBacklash, trial.backlash);
   } else if (cure.then == kBacklash) {
-    then = "the backlash is positive at every end of the tolerances";
+    then = "the backlash is positive at every tolerance end";
   } else {
     then = fmt::format(fmt::runtime(cure.then), finding.gear);
   }
@@ -272,8 +272,8 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
   const ParallelPair* p = judged.pair ? judged.pair->parallel() : nullptr;
   if (judged.shifts_follow && p && change.what == A::center_distance) {
     because = fmt::format(
-        "The centre distance {:.6g} mm requires a sum of profile shifts of {:.4f}; the reference "
-        "centre distance is {:.6g} mm. ",
+        "The centre distance of {:.6g} mm requires profile shifts with a sum of {:.4f}. The "
+        "reference centre distance is {:.6g} mm. ",
         p->center_distance, p->gears[0].spec.profile_shift + p->gears[1].spec.profile_shift,
         p->reference_center_distance);
   }

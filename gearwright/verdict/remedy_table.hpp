@@ -27,8 +27,8 @@ struct Means {
 
 struct Cure {
   WarningCode code;
-  const char* then;  ///< example: "gear {} is not undercut"; {} stands for a gear, a contact ratio
-                     ///< or a backlash
+  const char* then;  ///< example: "gear {} is not undercut"; {} stands for a gear number, a contact
+                     ///< ratio or a backlash
   std::vector<Means> means{};
   bool needs_contact = false;  ///< true if the finding comes from a contact analysis
 };

@@ -30,8 +30,8 @@ double recommended_backlash(double center_distance, double normal_module) {
 
 namespace {
 
-// The distinct reasons of the findings of one level, in the order of the findings. The list starts
-// at finding number `first`.
+// The distinct reasons of the findings of one level, in the order of the findings. Findings before
+// index `first` are skipped.
 std::vector<std::string> reasons(const std::vector<Finding>& findings, Level level,
                                  std::size_t first = 0) {
   std::vector<std::string> list;
@@ -83,7 +83,7 @@ std::string running(const InvolutePair& p, const std::string& contact) {
       "{} {}{}.{}", contact,
       backlash_words(p.mesh.backlash.normal, p.center_distance, p.gears[0].spec.normal_module),
       !nothing_strikes     ? ""
-      : p.crossed_inside() ? " and no interference of tips"
+      : p.crossed_inside() ? " and no tip interference"
                            : " and no interference",
       uncut_ring(&p.gears[1]) ? kNoCutter : "");
 }
@@ -117,7 +117,7 @@ std::string gears_alone(const Judged& judged) {
   return fmt::format("{} can be cut as specified.", who);
 }
 
-// The sentence about how the gears run. It is used only if no finding is red.
+// The sentence about the operation of the gears. It is used only if no finding is red.
 std::string standing(const Judged& judged) {
   if (!judged.pair) return gears_alone(judged);
   const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); }) +

@@ -89,16 +89,16 @@ struct Verdict {
                                         ///< contains data for them: pair, contact, load, rating
 };
 
-/// Margins in normal modules. A clearance below its margin produces a finding. In good pairs too,
-/// the tip corner passes close to the fillet after it has left the flank. A 20:40 pair without
-/// profile shift has a clearance of only 0.0009 modules there, and few pairs exceed 0.01, so a
-/// margin as large as 0.01 would flag almost every pair.
+/// Margins in normal modules. A clearance below its margin produces a finding. Even in a good pair,
+/// the tip corner passes close to the fillet after it has left the mating flank. A 20:40 pair
+/// without profile shift has a clearance of only 0.0009 modules there, and few pairs exceed 0.01. A
+/// margin of 0.01 would therefore flag almost every pair.
 constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
 /// Greatest distance of the pattern from the middle of a face, relative to half its width, at which
 /// the pattern still counts as central.
 constexpr double kCentralPlace = 0.7;
 
-/// A rating together with its inputs. The inputs are needed to rate the remedies.
+/// A rating with its inputs, which are needed to rate the remedies.
 struct JudgedRating {
   const RatedPair* pair = nullptr;
   const RatingInput* input = nullptr;
@@ -108,17 +108,17 @@ struct JudgedRating {
 
 /// The data to be judged. All pointers must stay valid during the call.
 struct Judged {
-  std::vector<const Gear*> gears;  ///< one or two gears; if `pair` is set, its gears
+  std::vector<const Gear*> gears;  ///< one or two gears; the gears of `pair`, if it is set
   const Pair* pair = nullptr;      ///< null if the gears are not mounted
-  const RackPair* rack = nullptr;  ///< the rack, if gear 2 is one
+  const RackPair* rack = nullptr;  ///< the pinion and its rack, if gear 2 is a rack
   const std::vector<Warning>* warnings = nullptr;  ///< warnings from all results
   const ContactResult* contact = nullptr;          ///< contact of the working flanks; null if not
                                                    ///< computed
   bool errors = false;                             ///< true if `contact` was computed under errors
-  bool shifts_follow = false;  ///< true if a profile shift that is not given follows from a given
-                               ///< centre distance
-  /// True if a profile shift that is not given would follow from a centre distance, but none is
-  /// given.
+  bool shifts_follow = false;  ///< true if the centre distance is given and a missing profile shift
+                               ///< is computed from it
+  /// True if the spec gives neither the centre distance nor all profile shifts. A given centre
+  /// distance would then determine the missing profile shift.
   bool distance_sets_shifts = false;
   bool tolerances = false;               ///< true if findings are also computed at the tolerance
                                          ///< ends

@@ -57,7 +57,8 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
       << too_narrow;
 
   EXPECT_FALSE(face_width_needed(helical_pair()));
-  EXPECT_FALSE(face_width_needed(undercut_pair()));  // a spur pair is not helped by any width
+  EXPECT_FALSE(face_width_needed(undercut_pair()));  // no face width makes the contact of a spur
+                                                     // pair continuous
 }
 
 TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
@@ -68,8 +69,8 @@ TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
     ADD_FAILURE() << "no warning " << to_string(code);
     return Severity::note;
   };
-  // Gear 1 is undercut and loses contact there. The tip of the internal gear extends below the base
-  // circle of the pinion and causes interference.
+  // Gear 1 is undercut, which removes part of its path of contact. The tip of the internal gear
+  // extends below the base circle of the pinion and causes interference.
   EXPECT_EQ(severity(undercut_pair(), WarningCode::contact_lost_to_undercut), Severity::caution);
   const ParallelPair internal =
       sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.1), 41.8);
@@ -173,7 +174,7 @@ TEST(Verdict, edges_and_places_under_errors) {
     p.height[0] = -0.8 * involutes.gears[0].spec.face_width / 2;
   }
   EXPECT_TRUE(finds(judged_with(none), WarningCode::contact_place, Level::amber));
-  // The same position, relative to the narrower face of gear 2.
+  // The contact is near the end of the face of gear 2 only.
   for (ContactPoint& p : contact.positions) {
     p.height[0] = -0.6 * involutes.gears[0].spec.face_width / 2;
     p.height[1] = 0.8 * involutes.gears[1].spec.face_width / 2;

@@ -99,14 +99,14 @@ class Inherited(Asked):
         both = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + STEEL.format(2, "16MnCr5") + RATING)
         one = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + RATING)
         self.assertEqual(one["rating"], both["rating"])
-        self.assertEqual(self.notes(one, "inherited"), [(2, "These values are absent and therefore those of gear 1: material 16MnCr5.")])
+        self.assertEqual(self.notes(one, "inherited"), [(2, "Gear 2 takes these absent values from gear 1: material 16MnCr5.")])
         self.assertEqual(self.notes(both, "inherited"), [])
         # The accuracy grade may be in three tables: that of the gear, its tolerances, or [rating].
         rating = RATING.replace("quality = 6\n", "")
         for words in ("quality = 6", "[gear1.tolerance]\nquality = 6"):
             given = self.answer("rate", TWO.format(words, "") + STEEL.format(1, "16MnCr5") + rating)
             self.assertEqual(given["rating"], both["rating"])
-            self.assertEqual(self.notes(given, "inherited"), [(2, "These values are absent and therefore those of gear 1: material 16MnCr5, quality 6.")])
+            self.assertEqual(self.notes(given, "inherited"), [(2, "Gear 2 takes these absent values from gear 1: material 16MnCr5, quality 6.")])
         mixed = self.answer("rate", TWO.format("quality = 6", "quality = 8") + STEEL.format(1, "16MnCr5") + rating)
         as_list = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + rating + "quality = [6, 8]\n")
         self.assertEqual(mixed["rating"], as_list["rating"])

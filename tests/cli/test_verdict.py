@@ -66,7 +66,7 @@ class VerdictTest(unittest.TestCase):
     def test_a_remedy_has_the_numbers_of_the_pair(self):
         near = "[gear1]\nteeth = 12\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[pair]\ncenter_distance_mm = 50.5\n"
         said = Run("pair", near, "--json").json["verdict"]
-        self.assertIn("requires a sum of profile shifts of -0.65", said["headline"])
+        self.assertIn("requires profile shifts with a sum of -0.65", said["headline"])
         self.assertIn("reference centre distance is 52 mm", said["headline"])
         # The remedy contains the greatest tip diameter, in hundredths of a millimetre, without a finding.
         long = GREEN.replace("teeth = 41", "teeth = 41\ntip_diameter_mm = 88")

@@ -173,7 +173,7 @@ class ScatterDesigns(unittest.TestCase):
         for row in found["refused"]:
             self.assertIn("tip_relief", row["reason"])
         listing = study(folder(long)).out
-        self.assertIn(f"Designs without a scatter: {len(found['refused'])}", listing)
+        self.assertIn(f"Designs whose scatter was not computed: {len(found['refused'])}", listing)
 
     def no(self, where, status, key, *words, args=()):
         r = study(where, "--json", *args)

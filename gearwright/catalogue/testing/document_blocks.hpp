@@ -1,5 +1,5 @@
-// Blocks of documents that are made from the catalogue: compared with what stands there, written
-// anew when GW_WRITE_DOCS is set.
+// Blocks of documents that are generated from the catalogue. A test compares each block with the
+// document, or writes it if GW_WRITE_DOCS is set.
 //
 //   <!-- keys: pair -->
 //   | key | …
@@ -19,14 +19,14 @@
 
 namespace gearwright {
 
-/// A text as the cell of a table.
+/// The text of a table cell.
 inline std::string cell(std::string_view text) {
   std::string out;
   for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);
   return out;
 }
 
-/// A file below the source folder; empty where there is none.
+/// A file below the source folder. The text is empty if the file does not exist.
 inline std::string document(const std::string& path) {
   std::ifstream file(testing::source_file(path));
   std::ostringstream text;
@@ -40,7 +40,7 @@ inline void write_document(const std::string& path, const std::string& text) {
 
 inline bool documents_are_written() { return std::getenv("GW_WRITE_DOCS") != nullptr; }
 
-/// The whole file is made.
+/// Expects the file to equal `made`, or writes it.
 inline void expect_document(const std::string& path, const std::string& made) {
   if (documents_are_written()) write_document(path, made);
   EXPECT_EQ(document(path), made) << path
@@ -60,7 +60,7 @@ inline std::vector<std::string> blocks_of(const std::string& path, const std::st
   return names;
 }
 
-/// The block <!-- kind: name --> holds `made`, lines that end in a line feed.
+/// Expects the block <!-- kind: name --> to equal `made`, whose lines end with a line feed.
 inline void expect_block(const std::string& path, const std::string& kind, const std::string& name,
                          const std::string& made) {
   std::string text = document(path);
