@@ -32,7 +32,7 @@ std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& 
   }
   return fmt::format(
       "at no position does a flank of gear 1 lie opposite a flank of gear 2 (centre distance "
-      "{:.6g} mm, tip radii {:.6g} and {:.6g} mm). Smaller errors, or faces that overlap, would "
+      "{:.6g} mm, tip radii {:.6g} mm and {:.6g} mm). Smaller errors, or faces that overlap, would "
       "help",
       a, r1, r2);
 }

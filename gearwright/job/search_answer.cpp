@@ -118,7 +118,7 @@ std::string face_words(const SearchProblem& p) {
     if (!words.empty()) words += " and ";
     words += (*band)[0] == (*band)[1]
                  ? fmt::format("{:g}{}", (*band)[0], unit)
-                 : fmt::format("the least sufficient width from {:g} to {:g}{}", (*band)[0],
+                 : fmt::format("the least sufficient width from {0:g}{2} to {1:g}{2}", (*band)[0],
                                (*band)[1], unit);
   };
   add(p.face_width, " mm");
@@ -257,7 +257,7 @@ std::string drawing_line(const SearchProblem& problem) {
   std::string text = fmt::format(
       "drawn and checked as by the verb run: mounting {}, {}",
       problem.mounting == Mounting::tight ? "tight" : "extended",
-      a.backlash ? fmt::format("backlash {:g} … {:g} mm", (*a.backlash)[0], (*a.backlash)[1])
+      a.backlash ? fmt::format("backlash {:g} mm … {:g} mm", (*a.backlash)[0], (*a.backlash)[1])
       : a.series.empty() ? std::string("nominal teeth")
                          : "thickness series " + a.series);
   if (a.distance_tolerance) text += ", centre distance " + *a.distance_tolerance;

@@ -164,7 +164,7 @@ std::string search_verdict(const SearchReport& report) {
   if (report.answer.designs.empty()) return text;
   const DesignRow& best = report.answer.designs.front();
   text += fmt::format(
-      " The best design by {} has module {:.10g} mm, {}:{} teeth, {}\u00a0=\u00a0{}, "
+      " The best design by {} has module {:.10g}\u00a0mm, {}:{} teeth, {}\u00a0=\u00a0{}, "
       "{}\u00a0=\u00a0{}",
       words_of(report.search.problem().objectives.front()).name, best.trial.module, best.trial.z1,
       best.trial.z2, symbol_html("x_1"), fixed(best.shift[0], 4), symbol_html("x_2"),
