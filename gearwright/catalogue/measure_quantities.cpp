@@ -152,7 +152,7 @@ const Quantities<BallSizes>& size_quantities() {
            "size of balls in steps of 1/64 in, or 1/32 in from 1/2 in on, or 1/16 in from 1 in on",
            [](const S& s) { return inch_text(s.inch); })
         .always();
-    q.number("inch_mm", "nearest inch size in mm", "", "", [](const S& s) {
+    q.number("inch_mm", "diameter of the nearest inch size", "", "", [](const S& s) {
        return s.inch * kMmPerInch;
      }).always();
   });

@@ -130,7 +130,7 @@ std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
   auto made = make_gear(spec);
   if (!made) {
     faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} cannot be made: {}.",
-                                                        gear.name, made.error().message())});
+                                                        gear.name, made.error().quoted())});
     return std::nullopt;
   }
   auto cut = made->internal() ? cut_by_default(*made) : std::nullopt;

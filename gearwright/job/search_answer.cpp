@@ -72,7 +72,7 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   if (problem.draw) lines.push_back("Designs are " + drawing_line(problem) + ".");
   if (run.answer.counts.feasible > 0) return lines;
   if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
-  for (const std::string& line : change_lines(run))
+  for (const std::string& line : change_lines(run, UnitSystem::mm))
     lines.push_back("One change that would make designs feasible: " + line + ".");
   if (!run.changes_left_out.empty()) {
     lines.push_back(run.changes_left_out + ".");
@@ -268,10 +268,10 @@ std::string drawing_line(const SearchProblem& problem) {
   return text;
 }
 
-std::vector<std::string> change_lines(const SearchRun& run) {
+std::vector<std::string> change_lines(const SearchRun& run, UnitSystem units) {
   std::vector<std::string> lines;
   for (const NearestChange& c : run.changes) {
-    const SpelledChange spelled = spelled_change(c);
+    const SpelledChange spelled = spelled_change(c, units);
     lines.push_back(fmt::format("{} = {} instead of {}", spelled.key, spelled.to, spelled.from));
   }
   return lines;
@@ -297,8 +297,7 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
     if (run.safest) text += safest_line(*run.safest) + "\n";
     if (!run.changes.empty()) {
       text += "\nNo design is feasible. Each of these changes alone would make designs feasible:\n";
-      for (const std::string& line : change_lines(run))
-        text += "  " + sentence_in(units, line) + "\n";
+      for (const std::string& line : change_lines(run, units)) text += "  " + line + "\n";
       if (!run.changes_left_out.empty()) text += "Note: " + run.changes_left_out + ".\n";
     } else {
       text += run.changes_left_out.empty()
