@@ -65,14 +65,17 @@ std::string safest_line(const DesignRow& row) {
 }
 
 // Sentences that the page shows beside the counts.
-std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run) {
+std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run,
+                                    UnitSystem units) {
   std::vector<std::string> lines;
-  if (problem.rating) lines.push_back("Designs are " + rating_line(problem) + ".");
+  if (problem.rating)
+    lines.push_back(sentence_in(units, "Designs are " + rating_line(problem) + "."));
   if (problem.rating_unused) lines.emplace_back(kRatingUnused);
-  if (problem.draw) lines.push_back("Designs are " + drawing_line(problem) + ".");
+  if (problem.draw)
+    lines.push_back(sentence_in(units, "Designs are " + drawing_line(problem) + "."));
   if (run.answer.counts.feasible > 0) return lines;
   if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
-  for (const std::string& line : change_lines(run, UnitSystem::mm))
+  for (const std::string& line : change_lines(run, units))
     lines.push_back("One change that would make designs feasible: " + line + ".");
   if (!run.changes_left_out.empty()) {
     lines.push_back(run.changes_left_out + ".");
@@ -390,8 +393,9 @@ std::string search_page(const JobSpec& spec, const Search& search, const SearchR
                         .spec_text = spec.text,
                         .search = search,
                         .answer = run.answer,
-                        .reasons = reasons_of(search.problem(), run),
-                        .version = kVersion});
+                        .reasons = reasons_of(search.problem(), run, spec.units()),
+                        .version = kVersion,
+                        .units = spec.units()});
 }
 
 }  // namespace gearwright

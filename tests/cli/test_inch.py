@@ -232,10 +232,24 @@ class Printed(unittest.TestCase):
         self.assertEqual(again.json["pair"]["center_distance_in"], branch["spec"]["pair"]["center_distance_in"])
         self.assertEqual(branch["spec"]["units"], "inch")
 
+    def test_the_files_of_a_search(self):
+        spec = tomllib.loads((SOURCE / "examples/gearbox_search.toml").read_text())
+        mm = Run("search", json.dumps(spec), "--out", "found", name="case.json")
+        other = Run("search", json.dumps({"units": "inch"} | inch.spec_in_inch(spec)), "--out", "found", name="case.json")
+        self.assertEqual((mm.status, other.status), (0, 0), other.err)
+        answers = [json.loads((run.folder / "found/search.json").read_text()) for run in (mm, other)]
+        self.assertEqual(inch.differences(*answers), [])
+        best = [(run.folder / "found/best.csv").read_text() for run in (mm, other)]
+        self.assertEqual(*best)  # the tables are in mm
+        report = (other.folder / "found/report.html").read_text()
+        self.assertIn("Lengths are in inch, angles", report)
+        distance = answers[1]["search"]["designs"][0]["center_distance_in"]
+        self.assertIn(f"centre distance {distance:.5f} in", report)
+
     def test_what_is_in_mm_only_says_so(self):
-        search = json.dumps({"units": "inch"} | inch.spec_in_inch(
-            tomllib.loads((SOURCE / "examples/gearbox_search.toml").read_text())))
-        run = Run("search", search, "--out", "found", name="case.json")
+        search = {"units": "inch"} | inch.spec_in_inch(tomllib.loads((SOURCE / "examples/gearbox_search.toml").read_text()))
+        search["scatter"] = {"errors": {"axial_in": [-0.001, 0.001]}}
+        run = Run("scatter", json.dumps(search), "--out", "found", name="case.json")
         self.assertEqual(run.status, 1)
         self.assertIn("give the spec in mm", run.err)
 
