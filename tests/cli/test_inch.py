@@ -186,8 +186,9 @@ class Words(unittest.TestCase):
         self.assertTrue(Run("outline", PAIR, "--csv", "--gear", "1").out.startswith("arc,x_in,y_in"))
 
     def test_pins_of_a_gear_given_by_its_diametral_pitch(self):
-        pins = [g["measure"]["over_pins"]["pin_diameter_in"] for g in Run("measure", PAIR, "--json").json["gears"]]
-        self.assertEqual(pins, [0.1728, 0.1728])
+        measures = [g["measure"] for g in Run("measure", PAIR, "--json").json["gears"]]
+        self.assertEqual([m["over_pins"]["pin_diameter_in"] for m in measures], [0.1728, 0.1728])
+        self.assertEqual([m["over_balls"]["ball_diameter_in"] for m in measures], [0.1728, 0.1728])
         ring = Run("measure", 'units = "inch"\n[gear1]\nteeth = -60\nnormal_diametral_pitch_per_in = 8\n', "--json").json
         self.assertEqual(ring["gears"][0]["measure"]["over_pins"]["pin_diameter_in"], 0.21)
         by_module = Run("measure", PAIR.replace("normal_diametral_pitch_per_in = 10", "normal_module_mm = 2.54"), "--json")
