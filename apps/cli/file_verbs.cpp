@@ -88,8 +88,8 @@ int end_run(const Options& o, UnitSystem units, const RunFiles& made, const std:
     j["files"] = files_json(made.files);
     print_json(in_units(units, j));
   } else {
-    print(listing + sentence_in(units, warning_listing(warnings) + file_listing(made.files) +
-                                           verdict_listing(made.verdict)));
+    print(listing + warning_listing(warnings, units) + file_listing(made.files, units) +
+          verdict_listing(made.verdict, units));
   }
   return status(o, made.verdict);
 }
@@ -112,7 +112,7 @@ int end_export(const Options& o, UnitSystem units, const std::vector<JobFile>& f
     print_json(
         in_units(units, {{"files", files_json(files)}, {"warnings", warnings_json(warnings)}}));
   } else {
-    print(sentence_in(units, warning_listing(warnings) + file_listing(files)));
+    print(warning_listing(warnings, units) + file_listing(files, units));
   }
   return 0;
 }

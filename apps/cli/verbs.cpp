@@ -121,8 +121,8 @@ int gear_as_rack(const Options& o) {
     for (std::size_t i = 0; i < racks.size(); ++i) j["gears"][i]["as_rack"] = rack_json(racks[i]);
     print_json(in_units(units, j));
   } else {
-    print(gear_listing(*job) + rack_listing(racks, units) +
-          sentence_in(units, warning_listing(job->warnings) + verdict_listing(verdict)));
+    print(gear_listing(*job) + rack_listing(racks, units) + warning_listing(job->warnings, units) +
+          verdict_listing(verdict, units));
   }
   return status(o, verdict);
 }

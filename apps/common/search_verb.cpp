@@ -201,9 +201,6 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
     return search_drives_verb(c, *spec, *text);
   }
   if (!spec->search) return speaks ? fail(no_search(), c.json, &*text) : 1;
-  if (c.out)
-    if (const auto error = only_in_mm(*spec, "search with --out, whose files are in mm"))
-      return speaks ? fail(*error, c.json, &*text) : 1;
   const Search search(*spec->search);
   options.yes_large = c.yes_large;
   options.top = c.top;

@@ -247,7 +247,8 @@ void bind_search(py::module_& m) {
           "front", [](const Found& f) { return py::tuple(py::cast(f.run.answer.pareto)); },
           "Ranks of the Pareto-optimal designs")
       .def_property_readonly(
-          "changes", [](const Found& f) { return py::tuple(py::cast(change_lines(f.run))); },
+          "changes",
+          [](const Found& f) { return py::tuple(py::cast(change_lines(f.run, f.spec.units()))); },
           "Changes of a single number that would make designs feasible; empty if a design is "
           "feasible")
       .def(

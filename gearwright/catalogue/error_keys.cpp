@@ -81,7 +81,7 @@ const KeyTable& error_keys() {
                                   "angle itself is pair.shaft_angle_deg");
       } else if (e.unit() == "um") {
         range = KeyRange::between(-kMaxSlope, kMaxSlope,
-                                  " micrometres; the helix angle itself is a key of the gear");
+                                  " µm; the helix angle itself is a key of the gear");
       }
       t.keys.push_back(Key::number(e.key, e.symbol, range,
                                    KeyPlace::within<ErrorsInput>([i](auto& errors) -> auto& {

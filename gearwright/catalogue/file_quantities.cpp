@@ -27,13 +27,16 @@ const Quantities<ArcView>& outline_quantities() {
         .always()
         .one_of({"root_land", "root_fillet", "flank", "tip_fillet", "tip_land"});
     q.number("points", "points", "",
-             "[x, y] in mm on the side y > 0; the centre line of the tooth is the x axis",
+             "[x, y] in `unit` on the side y > 0; the centre line of the tooth is the x axis",
              [](const A& a) {
                const auto points = sample(*a.arc, a.points);
                return Value(ValueList(points.begin(), points.end()));
              })
         .list({0, 2})
         .always();
+    q.text("unit", "unit of the points, as at the end of keys", [](const A&) {
+       return Value("mm");
+     }).always();
   });
   return kAll;
 }

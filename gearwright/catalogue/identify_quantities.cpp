@@ -77,6 +77,16 @@ void say_candidate(Quantities<G>& q) {
       .always();
 }
 
+// The units of a reading and of its tool.
+template <class R>
+void add_units(Quantities<R>& q) {
+  q.text("unit", "unit of the reading, as at the end of keys", [](const R& r) {
+     return Value(r.reading == "helix_angle" ? "deg" : "mm");
+   }).always();
+  q.text("tool_unit", "unit of the diameter of the balls; null for other readings",
+         [](const R& r) { return r.reading == "over_balls" ? Value("mm") : Value(); });
+}
+
 const Quantities<Contradiction>& contradiction_quantities() {
   using C = Contradiction;
   static const Quantities<C> kAll("identify.contradiction", [](Quantities<C>& q) {
@@ -86,9 +96,10 @@ const Quantities<Contradiction>& contradiction_quantities() {
         .one_of({"span", "over_balls", "lead", "helix_angle"});
     q.term("tool", "number of teeth of a span or diameter of the balls; null for other readings",
            [](const C& c) { return c.tool > 0.0 ? Value(c.tool) : Value(); });
-    q.number("value", "value as read", "", "mm or degrees", &C::value).always();
-    q.number("expected", "value predicted by the other readings", "", "mm or degrees", &C::expected)
+    q.number("value", "value as read", "", "in `unit`", &C::value).always();
+    q.number("expected", "value predicted by the other readings", "", "in `unit`", &C::expected)
         .always();
+    add_units(q);
   });
   return kAll;
 }
@@ -102,10 +113,11 @@ const Quantities<NextMeasurement>& next_quantities() {
     q.term("tool",
            "number of teeth of a span or diameter of the balls; null for other measurements",
            [](const N& n) { return n.tool > 0.0 ? Value(n.tool) : Value(); });
-    q.number("expect", "value expected for the first and for the other candidate", "",
-             "mm or degrees", &N::expect)
+    q.number("expect", "value expected for the first and for the other candidate", "", "in `unit`",
+             &N::expect)
         .list({2})
         .always();
+    add_units(q);
     q.whole("rival", "the other candidate", "",
             "position of the other candidate in the list, from 0", &N::rival)
         .always();

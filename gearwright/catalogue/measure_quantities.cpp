@@ -153,7 +153,7 @@ const Quantities<BallSizes>& size_quantities() {
          "size of balls; the steps are 1/64 in up to 1/2 in, 1/32 in up to 1 in, and 1/16 in above",
          [](const S& s) { return inch_text(s.inch); })
         .always();
-    q.number("inch_mm", "nearest inch size in mm", "", "", [](const S& s) {
+    q.number("inch_mm", "diameter of the nearest inch size", "", "", [](const S& s) {
        return s.inch * kMmPerInch;
      }).always();
   });

@@ -54,12 +54,30 @@ Value sliding_at_A_C_E(const InvolutePair& p, double (*part)(double across, doub
 
 }  // namespace
 
-const Quantities<std::array<Value, 2>>& two_gears() {
+namespace {
+
+Quantities<std::array<Value, 2>> two_gears_in(Unit unit, const char* name) {
   using A = std::array<Value, 2>;
-  static const Quantities<A> kAll("two gears", [](Quantities<A>& q) {
-    q.number("gear1", "gear 1", "", "of gear 1", [](const A& a) { return a[0]; }).list({2});
-    q.number("gear2", "gear 2", "", "of gear 2", [](const A& a) { return a[1]; }).list({2});
-  });
+  return {name, [unit](Quantities<A>& q) {
+            for (const std::size_t i : {0, 1}) {
+              const std::string gear = std::to_string(i + 1);
+              q.number(("gear" + gear).c_str(), ("gear " + gear).c_str(), "",
+                       ("of gear " + gear).c_str(), [i](const A& a) { return a[i]; })
+                  .list({2})
+                  .unit(unit);
+            }
+          }};
+}
+
+}  // namespace
+
+const Quantities<std::array<Value, 2>>& two_gears() {
+  static const auto kAll = two_gears_in(Unit::none, "two gears");
+  return kAll;
+}
+
+const Quantities<std::array<Value, 2>>& two_gears_mm() {
+  static const auto kAll = two_gears_in(Unit::mm, "two gears, lengths");
   return kAll;
 }
 
@@ -121,6 +139,9 @@ const Quantities<LineView>& line_quantities() {
         .unit(Unit::mm)
         .list({2, 3})
         .doors(kJson);
+    q.text("unit", "unit of the points, as at the end of keys", [](const L&) {
+       return Value("mm");
+     }).always();
   });
   return kAll;
 }
@@ -313,8 +334,11 @@ const Quantities<InterferenceView>& interference_quantities() {
      }).always();
     q.term("gear", "gear whose root or tip is affected; null if both gears are affected",
            [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
-    q.number("amount", "amount", "",
-             "margin in mm, or in rad for `trochoid`; negative if the parts interfere", &I::amount)
+    q.number("amount", "amount", "", "margin in `unit`; negative if the parts interfere",
+             &I::amount)
+        .when([](const I& i) { return i.amount.has_value(); });
+    q.text("unit", "unit of the amount, as at the end of keys, which is an angle for `trochoid`",
+           [](const I& i) { return Value(i.code == WarningCode::trochoid ? "rad" : "mm"); })
         .when([](const I& i) { return i.amount.has_value(); });
     q.text("message", "sentence for users", &I::message).always();
   });

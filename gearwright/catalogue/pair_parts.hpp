@@ -16,8 +16,9 @@ constexpr const char* kClearances = "Clearances";
 constexpr const char* kFace = "Face width";
 constexpr const char* kMargins = "Internal pair: margins against interference";
 
-/// A record with `gear1` and `gear2`, each a list of two numbers.
+/// A record with `gear1` and `gear2`, each a list of two numbers or of two lengths.
 const Quantities<std::array<Value, 2>>& two_gears();
+const Quantities<std::array<Value, 2>>& two_gears_mm();
 
 /// Specific sliding ζ of gear 1 and of gear 2, each at A and at E.
 using SlidingAtEnds = std::array<std::array<std::optional<double>, 2>, 2>;

@@ -43,11 +43,6 @@ auto by_kind(Of... of) {
   return [get = Overloaded{of...}](const V& v) { return v.visit(get); };
 }
 
-// A record with one value for each gear.
-Value each_gear(const Value& gear_1, const Value& gear_2) {
-  return two_gears().of({gear_1, gear_2});
-}
-
 bool flanks_meet(const V& v) {
   const InvolutePair* p = v.involute();
   return p && p->flanks_meet();
@@ -150,12 +145,13 @@ void say_crossed(Quantities<V>& all) {
            [](const CrossedPair& p) { return p.face_widths.both_flanks; })
       .per_gear()
       .shown(flanks_meet);
-  q.record<two_gears>("face_interval_mm",
-                      "[at A, at E], axial position at which the leading flanks touch, from the "
-                      "middle of the face [T4.20]",
-                      [](const CrossedPair& p) {
-                        return each_gear(p.face_widths.interval[0], p.face_widths.interval[1]);
-                      })
+  q.record<two_gears_mm>(
+       "face_interval_mm",
+       "[at A, at E], axial position at which the leading flanks touch, from the "
+       "middle of the face [T4.20]",
+       [](const CrossedPair& p) {
+         return two_gears_mm().of({p.face_widths.interval[0], p.face_widths.interval[1]});
+       })
       .doors(kJson)
       .when(is<InvolutePair>);
   q.number("needed_lead_crowning_um", "minimum lead crowning", "C_β",

@@ -98,7 +98,7 @@ std::vector<Key> trial_keys() {
       {.key = "diametral_pitches_per_in",
        .symbol = "P_nd",
        .words = {"coarse", "fine", "coarse+fine"},
-       .range = Range::between(kMmPerInch / 1e3, kMmPerInch / 1e-3, " per inch"),
+       .range = Range::between(kMmPerInch / 1e3, kMmPerInch * 1e3, " per inch"),
        .list = kNumbers,
        .form = "\"coarse\", \"fine\", \"coarse+fine\", a number or a list of numbers in 1/in",
        .excludes = {"modules_mm"},

@@ -4,7 +4,7 @@
 
 namespace gearwright {
 
-SpelledChange spelled_change(const NearestChange& change) {
+SpelledChange spelled_change(const NearestChange& change, UnitSystem units) {
   const bool of_search = !change.field.starts_with("rating.") && !change.field.starts_with("gear");
   SpelledChange spelled{spelled_member((of_search ? "search." : "") + change.field), change.from,
                         change.to};
@@ -12,6 +12,10 @@ SpelledChange spelled_change(const NearestChange& change) {
     spelled = {"search.interference", "\"exclude\"", "\"flag\""};
   if (change.field.ends_with("material.name"))
     spelled = {spelled.key, "\"" + change.from + "\"", "\"" + change.to + "\""};
+  if (const KeyUnit* unit = metric_unit(spelled.key)) {
+    spelled = {key_in(units, spelled.key), numbers_in(units, spelled.from, *unit),
+               numbers_in(units, spelled.to, *unit)};
+  }
   return spelled;
 }
 

@@ -38,7 +38,7 @@ const Quantities<ShiftPoint>& point_quantities();
 struct SpelledChange {
   std::string key, from, to;
 };
-SpelledChange spelled_change(const NearestChange& change);
+SpelledChange spelled_change(const NearestChange& change, UnitSystem units = UnitSystem::mm);
 
 /// An angle in degrees as it was given: −12, without the rounding error of a conversion to radians
 /// and back.

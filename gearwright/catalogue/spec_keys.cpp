@@ -1,6 +1,7 @@
 #include "gearwright/catalogue/spec_keys.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/drive_search_keys.hpp"
@@ -81,6 +82,23 @@ std::vector<const KeyTable*> all_key_tables() {
     }
   }
   return list;
+}
+
+bool is_spec_key(std::string_view path) {
+  const auto last = [](std::string_view p) {
+    p = p.substr(p.rfind('.') + 1);  // npos + 1 is 0
+    return p.substr(0, p.find('['));
+  };
+  static const std::set<std::string_view> all = [&] {
+    std::set<std::string_view> names;
+    for (const KeyTable* table : all_key_tables())
+      for (const Key& key : table->keys) {
+        names.insert(key.key);
+        for (const std::string_view word : key.words) names.insert(last(word));
+      }
+    return names;
+  }();
+  return all.contains(last(path));
 }
 
 }  // namespace gearwright

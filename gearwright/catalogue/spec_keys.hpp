@@ -35,4 +35,7 @@ const KeyTable& spec_keys();
 /// Every table that can be reached from spec_keys(), each once. The first is spec_keys() itself.
 std::vector<const KeyTable*> all_key_tables();
 
+/// True if the last key of the path is in a table, or if it ends a word of a key as in "gear1.lead_crowning_um".
+bool is_spec_key(std::string_view path);
+
 }  // namespace gearwright

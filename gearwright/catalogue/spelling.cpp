@@ -132,8 +132,20 @@ Error with_keys(const Error& error, const GivenKeys& given) {
   return {s->path, "", "this value gives " + made.message(), error.kind};
 }
 
-// The error in the units of the spec. A value that the spec gives is shown as it is written.
+}  // namespace
+
+std::string spelled_member(std::string_view member, const GivenKeys& given) {
+  const auto s = spelling_of(member, given);
+  return key_in(given.units, s ? s->path : std::string(member));
+}
+
+std::string spelled(std::string_view sentence, const GivenKeys& given, std::string_view owner) {
+  return sentence_in(given.units, in_keys(sentence, given, owner));
+}
+
 Error in_units_of(const GivenKeys& given, const Error& error) {
+  // The file of a topography is in mm in both systems.
+  if (given.units == UnitSystem::mm || error.field.ends_with("topography")) return error;
   const KeyUnit* unit = metric_unit(error.field);
   Error made{key_in(given.units, error.field), error.value,
              sentence_in(given.units, error.rule, unit), error.kind};
@@ -148,20 +160,8 @@ Error in_units_of(const GivenKeys& given, const Error& error) {
   return made;
 }
 
-}  // namespace
-
-std::string spelled_member(std::string_view member, const GivenKeys& given) {
-  const auto s = spelling_of(member, given);
-  return key_in(given.units, s ? s->path : std::string(member));
-}
-
-std::string spelled(std::string_view sentence, const GivenKeys& given, std::string_view owner) {
-  return sentence_in(given.units, in_keys(sentence, given, owner));
-}
-
 Error spelled(const Error& error, const GivenKeys& given) {
-  const Error worded = with_keys(error, given);
-  return given.units == UnitSystem::mm ? worded : in_units_of(given, worded);
+  return in_units_of(given, with_keys(error, given));
 }
 
 }  // namespace gearwright

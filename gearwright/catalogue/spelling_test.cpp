@@ -58,10 +58,11 @@ TEST(Spelling, every_key_is_found_by_its_member) {
 TEST(Spelling, the_key_that_was_given_counts) {
   const GivenKeys pitch{"gear1", "gear1.normal_diametral_pitch_per_in"};
   EXPECT_EQ(
-      spelled({"gear1.normal_module", "0.0008", "must lie between 0.001 and 1000 mm"}, pitch)
+      spelled({"gear1.normal_module", "0.0008", "must lie between 0.001\u00a0mm and 1000\u00a0mm"},
+              pitch)
           .message(),
       "gear1.normal_diametral_pitch_per_in: this value gives normal_module_mm = 0.0008: must lie "
-      "between 0.001 and 1000 mm");
+      "between 0.001\u00a0mm and 1000\u00a0mm");
   const Error flank{"gear1.modifications.left.tip_relief.amount", "900", "is too much"};
   EXPECT_EQ(spelled(flank, {"gear1.modifications.left_tip_relief_um"}).message(),
             "gear1.modifications.left_tip_relief_um = 900: is too much");

@@ -41,7 +41,7 @@ constexpr std::array kUnitRows{UnitRow{Unit::none, "", "", 5},
                                UnitRow{Unit::percent, "%", "", 3},
                                UnitRow{Unit::inch, "in", "_in", 5},
                                UnitRow{Unit::microinch, "µin", "_uin", 2},
-                               UnitRow{Unit::per_inch, "1/in", "", 5},
+                               UnitRow{Unit::per_inch, "1/in", "_per_in", 5},
                                UnitRow{Unit::inch_per_rad, "in/rad", "_in_per_rad", 5}};
 
 const UnitRow& row(Unit unit) {

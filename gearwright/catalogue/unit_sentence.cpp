@@ -1,4 +1,8 @@
 // Sentences in inch. The sentences of the program are written in mm. The numbers and keys in them are converted here.
+// Every length in a sentence has its unit, also in a list: "1 mm, 2 mm and 5 mm". A module stays in mm, and so a no-break
+// space separates its number from its unit.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +11,7 @@
 #include <utility>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/catalogue/unit_system.hpp"
 
 namespace gearwright {
@@ -89,19 +94,6 @@ bool limit_follows(std::string_view before) {
   return ends_with_any(before, {"between ", "than ", "least ", "most ", "usually "});
 }
 
-// The unit that a number shares with the next number: "between 3 and 4 mm", "3 … 4 mm".
-const Symbol* shared_symbol(std::string_view before, std::string_view after) {
-  const bool listed = limit_follows(before) || before.ends_with("allowances ");
-  for (const std::string_view join : {" … ", " × ", " to ", " and ", " or ", ", "}) {
-    if (!after.starts_with(join) || (join.size() < 5 && join != " to " && !listed) ||
-        (join == " and " && !listed))
-      continue;
-    const std::string_view rest = after.substr(join.size());
-    if (const auto next = number_at(rest)) return symbol_at(rest.substr(next->text.size()));
-  }
-  return nullptr;
-}
-
 class SentenceInInch {
  public:
   SentenceInInch(std::string_view sentence, const KeyUnit* of) : text_(sentence), of_(of) {}
@@ -127,18 +119,15 @@ class SentenceInInch {
   void take(const NumberText& number) {
     const std::string_view before = text_.substr(0, at_);
     const std::string_view after = rest().substr(number.text.size());
-    const Symbol* const own = symbol_at(after);
-    const Symbol* const symbol = own ? own : shared_symbol(before, after);
-    const bool module = ends_with_any(before, {"module ", "module of "});
+    const Symbol* const symbol = symbol_at(after);
     const bool limit =
         of_ && !symbol &&
         (limit_follows(before) || (limits_ && ends_with_any(before, {"and ", "to "})));
     const bool bare = after.empty() || starts_with_any(after, {",", ";", ".", ":", ")", " and ",
                                                                " to ", " or ", " ("});
     at_ += number.text.size();
-    if (symbol && !module) {
+    if (symbol) {
       out_ += number_in(number, *metric_unit(symbol->key));
-      if (!own) return;
       out_ += symbol->inch;
       at_ += symbol->metric.size();
     } else if (limit && bare) {
@@ -158,8 +147,7 @@ class SentenceInInch {
     };
     while (end < rest().size() && (of_word(rest()[end]) || joins(end))) ++end;
     const std::string_view word = rest().substr(0, end);
-    const KeyUnit* const unit =
-        word.find('_') == std::string_view::npos ? nullptr : metric_unit(word);
+    const KeyUnit* const unit = is_spec_key(word) ? metric_unit(word) : nullptr;
     out_ += unit ? key_in(UnitSystem::inch, word) : std::string(word);
     at_ += end;
     if (!unit || !rest().starts_with(" = ")) return;
@@ -167,12 +155,6 @@ class SentenceInInch {
     if (!value || symbol_at(rest().substr(3 + value->text.size()))) return;
     out_ += " = " + number_in(*value, *unit);
     at_ += 3 + value->text.size();
-    constexpr std::string_view kInstead = " instead of ";
-    if (!rest().starts_with(kInstead)) return;
-    const auto other = number_at(rest().substr(kInstead.size()));
-    if (!other) return;
-    out_ += std::string(kInstead) + number_in(*other, *unit);
-    at_ += kInstead.size() + other->text.size();
   }
 
   std::string_view text_;
@@ -183,6 +165,18 @@ class SentenceInInch {
 };
 
 }  // namespace
+
+std::string numbers_in(UnitSystem units, std::string_view text, const KeyUnit& unit) {
+  std::string made;
+  while (!text.empty() && units != UnitSystem::mm) {
+    const auto number = number_at(text);
+    const std::size_t size = number ? number->text.size() : 1;
+    made +=
+        number ? fmt::format("{}", unit.to_inch(number->value)) : std::string(text.substr(0, size));
+    text.remove_prefix(size);
+  }
+  return made.append(text);
+}
 
 std::string sentence_in(UnitSystem units, std::string_view sentence, const KeyUnit* of) {
   return units == UnitSystem::mm ? std::string(sentence) : SentenceInInch(sentence, of).converted();

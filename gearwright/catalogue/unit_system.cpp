@@ -23,33 +23,64 @@ constexpr std::array kKeyUnits{KeyUnit{"_mm_per_rad", "_in_per_rad", kMm, false}
                                KeyUnit{"_mm", "_in", kMm, false},
                                KeyUnit{"_um", "_uin", kUm, false}};
 
-// Keys that have the same name in both systems.
-constexpr std::array<std::string_view, 6> kInBoth{"module_mm",
-                                                  "normal_module_mm",
-                                                  "transverse_module_mm",
-                                                  "modules_mm",
-                                                  "normal_diametral_pitch_per_in",
-                                                  "diametral_pitches_per_in"};
+// Keys that have the same name in both systems, and the names that they do not have.
+constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
+                                                   "module_in",
+                                                   "normal_module_mm",
+                                                   "normal_module_in",
+                                                   "transverse_module_mm",
+                                                   "transverse_module_in",
+                                                   "modules_mm",
+                                                   "modules_in",
+                                                   "normal_diametral_pitch_per_in",
+                                                   "normal_diametral_pitch_per_mm",
+                                                   "diametral_pitches_per_in",
+                                                   "diametral_pitches_per_mm"};
 
-std::string_view last_key(std::string_view path) {
-  if (path.ends_with(']')) path = path.substr(0, path.rfind('['));
-  return path.substr(path.rfind('.') + 1);  // npos + 1 is 0
+// Numbers of a toleranced length, { range = [-1, 1], cpk = 1.33 }, that are not lengths.
+constexpr std::array<std::string_view, 2> kPureNumbers{"cpk", "shape"};
+
+template <class List>
+bool is_one_of(const List& list, std::string_view word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-const KeyUnit* unit_with(std::string_view path, std::string_view KeyUnit::*ending) {
-  const std::string_view key = last_key(path);
+// The unit at the end of one key, without its index.
+const KeyUnit* unit_at_end(std::string_view key, std::string_view KeyUnit::*ending) {
   const bool force = key.find("_N_") != std::string_view::npos || key.ends_with("_per_N");
-  if (force || std::find(kInBoth.begin(), kInBoth.end(), key) != kInBoth.end()) return nullptr;
+  if (force || is_one_of(kInBoth, key)) return nullptr;
   const auto it = std::find_if(kKeyUnits.begin(), kKeyUnits.end(),
                                [&](const KeyUnit& u) { return key.ends_with(u.*ending); });
   return it == kKeyUnits.end() ? nullptr : &*it;
 }
 
-std::string renamed(std::string_view path, std::string_view from, std::string_view to) {
-  const std::size_t end =
-      path.ends_with(']') ? path.rfind('[') : path.size();  // an index follows the key
-  return std::string(path.substr(0, end - from.size())) + std::string(to) +
-         std::string(path.substr(end));
+std::string_view without_index(std::string_view key) { return key.substr(0, key.find('[')); }
+
+const KeyUnit* unit_with(std::string_view path, std::string_view KeyUnit::*ending) {
+  for (;;) {
+    const std::size_t dot = path.rfind('.');
+    const std::string_view key = without_index(path.substr(dot + 1));  // npos + 1 is 0
+    const KeyUnit* const unit = unit_at_end(key, ending);
+    if (unit || dot == std::string_view::npos || !is_in_unit_of_table(key)) return unit;
+    path = path.substr(0, dot);
+  }
+}
+
+// The path with the other ending of every key that has a unit.
+std::string renamed(std::string_view path, std::string_view KeyUnit::*from,
+                    std::string_view KeyUnit::*to) {
+  std::string made;
+  for (;;) {
+    const std::string_view part = path.substr(0, path.find('.'));
+    const std::string_view key = without_index(part);
+    const KeyUnit* const unit = unit_at_end(key, from);
+    made += unit ? key.substr(0, key.size() - (unit->*from).size()) : key;
+    if (unit) made += unit->*to;
+    made += part.substr(key.size());
+    if (part.size() == path.size()) return made;
+    made += '.';
+    path.remove_prefix(part.size() + 1);
+  }
 }
 
 double rounded(double x, int digits) {
@@ -123,14 +154,17 @@ double KeyUnit::to_inch(double metric_value) const {
 const KeyUnit* metric_unit(std::string_view key) { return unit_with(key, &KeyUnit::metric); }
 const KeyUnit* inch_unit(std::string_view key) { return unit_with(key, &KeyUnit::inch); }
 
+bool is_in_unit_of_table(std::string_view key) {
+  return unit_of(key) == Unit::none && !is_one_of(kPureNumbers, key);
+}
+
 std::string key_in(UnitSystem units, std::string_view key) {
-  const KeyUnit* unit = units == UnitSystem::mm ? nullptr : metric_unit(key);
-  return unit ? renamed(key, unit->metric, unit->inch) : std::string(key);
+  return units == UnitSystem::mm ? std::string(key)
+                                 : renamed(key, &KeyUnit::metric, &KeyUnit::inch);
 }
 
 std::string metric_key(std::string_view key) {
-  const KeyUnit* unit = inch_unit(key);
-  return unit ? renamed(key, unit->inch, unit->metric) : std::string(key);
+  return renamed(key, &KeyUnit::inch, &KeyUnit::metric);
 }
 
 }  // namespace gearwright

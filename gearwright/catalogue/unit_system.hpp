@@ -45,11 +45,14 @@ struct KeyUnit {
   double to_metric(double inch_value) const;
 };
 
-/// The unit of a key or of a path of keys, "gear1.face_width_mm", if it is a length of the catalogue and therefore
-/// depends on the system. Null for other keys.
+/// The unit of a key or of a path of keys, "gear1.face_width_mm" or "gear1.measured.span_mm.3", if it is a length of the
+/// catalogue and therefore depends on the system. Null for other keys.
 const KeyUnit* metric_unit(std::string_view key);
 /// The unit of a key in an inch spec, "gear1.face_width_in". Null for keys whose unit does not depend on the system.
 const KeyUnit* inch_unit(std::string_view key);
+
+/// True if the numbers of this key have the unit of the key of their table, as `3` in span_mm = { 3 = 19.751 }.
+bool is_in_unit_of_table(std::string_view key);
 
 /// The name of a key or a path of the catalogue in this system: "face_width_in" for "face_width_mm".
 std::string key_in(UnitSystem units, std::string_view key);
@@ -60,5 +63,8 @@ std::string metric_key(std::string_view key);
 /// converted. If `of` is the unit of the key that the sentence is about, numbers without a unit behind "between",
 /// "than", "least" and similar words are converted too. A second call changes nothing.
 std::string sentence_in(UnitSystem units, std::string_view sentence, const KeyUnit* of = nullptr);
+
+/// A text of numbers in this unit, "[99, 101]", in the unit that replaces it.
+std::string numbers_in(UnitSystem units, std::string_view text, const KeyUnit& unit);
 
 }  // namespace gearwright

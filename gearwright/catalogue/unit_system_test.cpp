@@ -22,6 +22,16 @@ TEST(UnitSystem, NamesOfKeys) {
     EXPECT_EQ(metric_key(same), same);
   }
   EXPECT_EQ(metric_key("gear1.face_width_in"), "gear1.face_width_mm");
+  EXPECT_EQ(in("planetary.face_width_mm.sun"), "planetary.face_width_in.sun");
+  EXPECT_EQ(in("gear1.measured.over_balls_mm[2].dimension_mm"),
+            "gear1.measured.over_balls_in[2].dimension_in");
+  for (const char* none : {"normal_module_in", "modules_in", "normal_diametral_pitch_per_mm"}) {
+    EXPECT_EQ(inch_unit(none), nullptr) << none;
+    EXPECT_EQ(metric_unit(none), nullptr) << none;
+  }
+  EXPECT_EQ(metric_unit("gear1.measured.span_mm.3"), metric_unit("span_mm"));
+  EXPECT_EQ(metric_unit("scatter.errors.axial_mm.range[1]"), metric_unit("axial_mm"));
+  EXPECT_EQ(metric_unit("scatter.errors.axial_mm.cpk"), nullptr);
   EXPECT_EQ(key_in(UnitSystem::mm, "face_width_mm"), "face_width_mm");
 }
 
@@ -46,12 +56,14 @@ TEST(UnitSystem, Sentences) {
             "a backlash of 0.003937 in and no interference");
   EXPECT_EQ(in("0.012 µm, less than 0.0001 modules (0.17 µm)."),
             "0.4724 µin, less than 0.0001 modules (6.693 µin).");
-  EXPECT_EQ(in("at the thickness allowances -0.1 and -0.2 mm of gear 1"),
-            "at the thickness allowances -0.003937 and -0.007874 in of gear 1");
+  EXPECT_EQ(in("between -0.1 mm and -0.2 mm of gear 1"),
+            "between -0.003937 in and -0.007874 in of gear 1");
   EXPECT_EQ(in("b ≥ 3.52 mm, below 100 N/mm, 1200 N/mm², 80 mm²"),
             "b ≥ 0.1386 in, below 100 N/mm, 1200 N/mm², 80 mm²");
-  EXPECT_EQ(in("give gear1.bore.diameter_mm = 20, and a module of 2 mm"),
-            "give gear1.bore.diameter_in = 0.7874, and a module of 2 mm");
+  EXPECT_EQ(in("give gear1.bore.diameter_mm = 20, and a module of 2\u00a0mm"),
+            "give gear1.bore.diameter_in = 0.7874, and a module of 2\u00a0mm");
+  EXPECT_EQ(in("the gear plate_2_mm, the file out_mm/gear.step"),
+            "the gear plate_2_mm, the file out_mm/gear.step");
   EXPECT_EQ(in("lies ±0.05 mm away"), "lies ±0.001969 in away");
   const std::string once = in("face_width_mm is not given; 20 mm (10 modules) is used.");
   EXPECT_EQ(once, "face_width_in is not given; 0.7874 in (10 modules) is used.");

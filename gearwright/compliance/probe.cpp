@@ -84,7 +84,7 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const Elast
   const auto [d_lo, d_hi] = std::minmax(root, tip);
   if (!(probe.diameter >= d_lo && probe.diameter <= d_hi)) {
     return refused("diameter", probe.diameter, {d_lo, d_hi},
-                   "must lie on the flank, between {} and {} mm");
+                   "must lie on the flank, between {} mm and {} mm");
   }
   const double s = length_at_radius(mesh, probe.diameter / 2 / m);
   const double c = bump_width(s, hi);
@@ -104,12 +104,12 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const Elast
   const std::array<double, 2>& part = *probe.loaded;
   if (!(on_face(part[0]) && on_face(part[1]) && part[0] < part[1])) {
     return refused("z", on_face(part[0]) ? part[1] : part[0], {-half_face * m, half_face * m},
-                   "must be two positions on the face in rising order, between {} and {} mm");
+                   "must be two positions on the face in rising order, between {} mm and {} mm");
   }
   for (const double z : probe.read)
     if (!on_face(z))
       return refused("read_z", z, {-half_face * m, half_face * m},
-                     "must lie on the face, between {} and {} mm");
+                     "must lie on the face, between {} mm and {} mm");
   const auto [from, to] = std::pair((*probe.loaded)[0] / m, (*probe.loaded)[1] / m);
   auto section = make_tooth_section(gear, twist, body, accuracy, s);
   if (!section) return section.error();

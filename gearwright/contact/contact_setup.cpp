@@ -32,7 +32,8 @@ std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& 
   }
   return fmt::format(
       "no flank of gear 1 lies opposite a flank of gear 2 at any position (centre distance "
-      "{:.6g} mm, tip radii {:.6g} and {:.6g} mm); smaller errors or faces that overlap would help",
+      "{:.6g} mm, tip radii {:.6g} mm and {:.6g} mm); smaller errors or faces that overlap would "
+      "help",
       a, r1, r2);
 }
 

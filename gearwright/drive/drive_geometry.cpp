@@ -131,7 +131,7 @@ std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
   auto made = make_gear(spec);
   if (!made) {
     faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} cannot be made: {}.",
-                                                        gear.name, made.error().message())});
+                                                        gear.name, made.error().quoted())});
     return std::nullopt;
   }
   auto cut = made->internal() ? cut_by_default(*made) : std::nullopt;
@@ -307,7 +307,7 @@ std::optional<std::vector<RiderPlace>> rider_places(
       if (!(std::abs(cosine) <= 1.0)) {
         fault = {Fault::Kind::not_coaxial,
                  fmt::format("{} and {} have no possible place on {}, because no triangle has the "
-                             "sides {:.4f}, {:.4f} and {:.4f} mm.",
+                             "sides {:.4f} mm, {:.4f} mm and {:.4f} mm.",
                              graph.bodies[body].name, graph.bodies[group.riders[j]].name,
                              graph.bodies[group.carrier].name, *a, r, *between)};
         return std::nullopt;

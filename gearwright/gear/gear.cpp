@@ -54,7 +54,8 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
   }
   const double m = spec.normal_module;
   if (!within(m, kMinModule, kMaxModule)) {
-    return refused("normal_module", m, {kMinModule, kMaxModule}, "must lie between {} and {} mm");
+    return refused("normal_module", m, {kMinModule, kMaxModule},
+                   "must lie between {}\u00a0mm and {}\u00a0mm");
   }
   const double alpha = spec.normal_pressure_angle.deg();
   if (!within(alpha, kMinPressure, kMaxPressure)) {
@@ -73,11 +74,11 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
   const double allowance = kMaxAllowance * m;
   if (!within(spec.thickness_allowance, -allowance, allowance)) {
     return refused("thickness_allowance", spec.thickness_allowance, {-allowance, allowance},
-                   "must lie between {} and {} mm (10 modules)");
+                   "must lie between {} mm and {} mm (10 modules)");
   }
   if (!within(spec.face_width, kMinFace * m, kMaxFace * m)) {
     return refused("face_width", spec.face_width, {kMinFace * m, kMaxFace * m},
-                   "must lie between {} and {} mm");
+                   "must lie between {} mm and {} mm");
   }
   const double d = m / std::cos(spec.helix_angle.rad()) * std::abs(spec.teeth);
   if (spec.tip_diameter && !(*spec.tip_diameter > 0.0 && *spec.tip_diameter <= kMaxTip * d)) {
@@ -183,7 +184,7 @@ Result<Gear> make_involute_gear(const CylindricalSpec& spec, const StraightRack&
     if (!(gear.tip_diameter > 0.0 && gear.tip_diameter < gear.root_diameter)) {
       return refused(
           "tip_diameter", gear.tip_diameter, {0.0, gear.root_diameter},
-          "must be greater than {} and less than the root diameter of the internal gear, {} mm");
+          "must be greater than {} mm and less than the root diameter of the internal gear, {} mm");
     }
     for (const auto* fillet :
          {spec.root_fillet ? "root_fillet" : nullptr, spec.tip_fillet ? "tip_fillet" : nullptr}) {

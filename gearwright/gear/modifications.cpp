@@ -47,7 +47,7 @@ double length(double rho, double r0) { return std::sqrt(std::max(0.0, (rho - r0)
 
 // Amounts in messages are in µm.
 constexpr const char* kTenth =
-    "must lie between {} and {} µm, because at most a tenth of the depth of the usable flank is "
+    "must lie between {} µm and {} µm, because at most a tenth of the depth of the usable flank is "
     "allowed";
 
 std::optional<Error> check_amount(std::string field, double amount, double greatest) {
@@ -90,10 +90,11 @@ std::optional<Error> check_profile_relief(const std::string& name, const Relief&
   const auto [lo, hi] = std::minmax({2 * rho_far, nearest});
   const double slack = kSameDiameter * rho_far;
   if (!(*relief.reach >= lo - slack && *relief.reach <= hi + slack)) {
-    return refused(reach_of(name), *relief.reach, {lo, hi},
-                   fmt::format("must lie on the usable flank, between the diameters {{}} and {{}} "
-                               "mm, and not at the relieved end of the flank, {} mm",
-                               format_number(2 * rho_end, *relief.reach)));
+    return refused(
+        reach_of(name), *relief.reach, {lo, hi},
+        fmt::format("must lie on the usable flank, between the diameters {{}} mm and {{}} "
+                    "mm, and not at the relieved end of the flank, {} mm",
+                    format_number(2 * rho_end, *relief.reach)));
   }
   return check_steepness(name, relief, std::abs(rho_end - *relief.reach / 2));
 }
@@ -123,7 +124,7 @@ std::optional<Error> check_topography(const FlankModifications& m, const FlankEx
     return error;
   };
   const auto range = [](double lo, double hi, double value) {
-    return fmt::format("the grid must cover the usable flank from {} to {} mm",
+    return fmt::format("the grid must cover the usable flank from {} mm to {} mm",
                        format_number(lo, value), format_number(hi, value));
   };
   const double first = t.diameters.front(), last = t.diameters.back();

@@ -192,7 +192,7 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
                      {from ? from->end : flank.base_radius(),
                       to ? to->end : flank.base_radius() * std::hypot(1.0, roll_of_point(flank))},
                      "no circle that touches both flanks ends the tooth at this radius; the radius "
-                     "must lie between {} and {} mm");
+                     "must lie between {} mm and {} mm");
     }
   }
   GW_ENSURES(false);

@@ -49,7 +49,7 @@ std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   const auto lo = ball_touching_at(gear, flank.root_end);
   const auto hi = ball_touching_at(gear, flank.tip_end);
   if (!lo || !hi) return "no ball touches these flanks";
-  return fmt::format("balls of {} to {} mm touch on the usable flank",
+  return fmt::format("balls of {} mm to {} mm touch on the usable flank",
                      format_number(std::min(*lo, *hi)), format_number(std::max(*lo, *hi)));
 }
 

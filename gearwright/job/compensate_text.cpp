@@ -53,7 +53,8 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   };
   if (a.scenarios.size() > 1)
     for (const Scenario& s : a.scenarios)
-      out += fmt::format("    {:<43}{:>16}{:>15}\n", s.errors, arcsec(s.before), arcsec(s.after));
+      out += fmt::format("    {:<43}{:>16}{:>15}\n", sentence_in(units, s.errors), arcsec(s.before),
+                         arcsec(s.after));
   return out;
 }
 

@@ -56,8 +56,9 @@ void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
 void add_row(UnitSystem units, const QuantityInfo& info, const std::string& path,
              const Value& first, const Value& second, std::string& out) {
   const UnitSystem own = system_of(info, units);
-  out += row({path, cell(info.words), cell(info.symbol), std::string(unit_text(own, info.unit)),
-              csv_cell(first, own, info.unit), csv_cell(second, own, info.unit)});
+  out += row({path, cell(key_in(units, info.words)), cell(info.symbol),
+              std::string(unit_text(own, info.unit)), csv_cell(first, own, info.unit),
+              csv_cell(second, own, info.unit)});
 }
 
 // Adds a quantity of one or two records. Plain values of two records, or two values of one record, are side by
@@ -216,7 +217,7 @@ std::string rating_csv(const SolvedJob& job, const RatingAnswer& answer) {
                 std::string(unit_text(units, info.unit)),
                 csv_cell(two ? two->front() : m.value, units, info.unit),
                 two ? csv_cell(two->back(), units, info.unit) : "",
-                known ? cell(source->formula) : "", cell(branches)});
+                known ? cell(source->formula) : "", cell(sentence_in(units, branches))});
   }
   return out;
 }

@@ -126,10 +126,11 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
     p.known = known;
   } else if (!same(c1.normal_module, c2.normal_module) ||
              !same(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad())) {
-    return refused("gear2.normal_module", c2.normal_module, {c1.normal_module},
-                   fmt::format("both gears need the same module ({{}} mm) and pressure angle ({}°) "
-                               "if helix angles or profile shifts are to be computed",
-                               format_number(c1.normal_pressure_angle.deg())));
+    return refused(
+        "gear2.normal_module", c2.normal_module, {c1.normal_module},
+        fmt::format("both gears need the same module ({{}}\u00a0mm) and pressure angle ({}°) "
+                    "if helix angles or profile shifts are to be computed",
+                    format_number(c1.normal_pressure_angle.deg())));
   }
   if (p.teeth[0] < 0) {
     return refused("gear1.teeth", p.teeth[0],

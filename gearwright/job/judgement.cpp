@@ -79,8 +79,8 @@ std::string verdict_listing(std::string_view level, std::string_view headline) {
   return text + "\n";
 }
 
-std::string verdict_listing(const Verdict& verdict) {
-  std::string text = verdict.headline;
+std::string verdict_listing(const Verdict& verdict, UnitSystem units) {
+  std::string text = sentence_in(units, verdict.headline);
   if (!verdict.not_judged.empty())
     text += fmt::format(" Parts that are not judged: {}.", fmt::join(verdict.not_judged, ", "));
   return verdict_listing(to_string(verdict.level), text);

@@ -25,6 +25,6 @@ Verdict judge(const SolvedJob& job, const JudgedParts& parts = {});
 
 /// The verdict as the last lines of a listing, for a terminal of 80 columns.
 std::string verdict_listing(std::string_view level, std::string_view headline);
-std::string verdict_listing(const Verdict& verdict);
+std::string verdict_listing(const Verdict& verdict, UnitSystem units);
 
 }  // namespace gearwright

@@ -157,22 +157,24 @@ std::string pair_interval_listing(const SolvedJob& job) {
          quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {});
 }
 
-std::string warning_listing(const std::vector<Warning>& warnings) {
+std::string warning_listing(const std::vector<Warning>& warnings, UnitSystem units) {
   std::string out;
   for (const Warning& w : warnings) {
-    out += fmt::format("{}{}: {}{}\n", out.empty() ? "\n" : "",
-                       severity_of(w) == Severity::note ? "note" : "warning",
-                       w.gear ? fmt::format("gear {}: ", w.gear) : "", w.message);
+    out +=
+        fmt::format("{}{}: {}{}\n", out.empty() ? "\n" : "",
+                    severity_of(w) == Severity::note ? "note" : "warning",
+                    w.gear ? fmt::format("gear {}: ", w.gear) : "", sentence_in(units, w.message));
   }
   return out;
 }
 
-std::string file_listing(const std::vector<JobFile>& files) {
+std::string file_listing(const std::vector<JobFile>& files, UnitSystem units) {
   std::string out = "\n";
   for (const JobFile& f : files) {
     std::string note = f.note;
     if (f.deviation_mm) note += fmt::format(", within {:.2g} µm", *f.deviation_mm * kUmPerMm);
-    out += "  " + pad(printable(native_text(f.path)), 44) + "  " + pad(f.what, 14) + note + "\n";
+    out += "  " + pad(printable(native_text(f.path)), 44) + "  " + pad(f.what, 14) +
+           sentence_in(units, note) + "\n";
   }
   return out;
 }

@@ -31,8 +31,8 @@ std::string interval_listing(const SolvedJob& job, std::size_t gear, const Quant
                              const ValueRecord& lower, const ValueRecord& upper);
 /// The column headings "gear 1" and "gear 2".
 std::vector<std::string> gear_columns(std::size_t count);
-std::string warning_listing(const std::vector<Warning>& warnings);
-std::string file_listing(const std::vector<JobFile>& files);
+std::string warning_listing(const std::vector<Warning>& warnings, UnitSystem units);
+std::string file_listing(const std::vector<JobFile>& files, UnitSystem units);
 /// One line per arc with its ends, then a line for every point with name, x and y.
 std::string outline_listing(const Outline& outline, int n, UnitSystem units);
 

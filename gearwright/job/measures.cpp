@@ -33,11 +33,11 @@ Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, in
   return measure(arranged, request, warnings);
 }
 
-// The tools of a gear. If an inch spec gives the diametral pitch P and no tool, the pins are those
-// of North American practice, 1.728/P for an external and 1.68/P for an internal gear (ANSI/AGMA
-// 2002-B88, the sizes of Van Keuren), if they touch the usable flanks.
+// The tools of a gear. If an inch spec gives the diametral pitch P and no tool, the balls and pins
+// are those of North American practice, 1.728/P for an external and 1.68/P for an internal gear
+// (ANSI/AGMA 2002-B88, the sizes of Van Keuren), if they touch the usable flanks.
 MeasureInput tools_of(const SolvedJob& job, int which) {
-  constexpr double kExternalPin = 1.728, kInternalPin = 1.68;  // modules
+  constexpr double kExternal = 1.728, kInternal = 1.68;  // modules
   MeasureInput tools = job.spec.gear(which).measure;
   const auto pitch_given = [&](int gear) {
     return job.spec.given.contains(gear_field(gear, "normal_diametral_pitch_per_in"));
@@ -45,10 +45,9 @@ MeasureInput tools_of(const SolvedJob& job, int which) {
   const bool pitch = job.spec.units() == UnitSystem::inch && (pitch_given(1) || pitch_given(which));
   if (!pitch || tools.pin_diameter || tools.ball_diameter) return tools;
   const Gear& gear = job.gears[static_cast<std::size_t>(which - 1)];
-  if (gear.internal() && gear.spec.helix_angle.rad() != 0.0) return tools;  // no straight pin fits
-  const double pin = (gear.internal() ? kInternalPin : kExternalPin) * gear.spec.normal_module;
-  const auto seat = ball_in_space(gear, pin);
-  if (seat && seat->usable()) tools.pin_diameter = pin;
+  const double size = (gear.internal() ? kInternal : kExternal) * gear.spec.normal_module;
+  const auto seat = ball_in_space(gear, size);
+  if (seat && seat->usable()) tools.ball_diameter = size;
   return tools;
 }
 

@@ -63,7 +63,7 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
     if (!(m > m_cos)) {
       return bad(format_number(m, m_cos) + ",",
                  fmt::format("no rack of this module describes the gear; the module must be "
-                             "greater than m_n cos α_n = {} mm",
+                             "greater than m_n cos α_n = {}\u00a0mm",
                              format_number(m_cos, m)));
     }
     const double of_module = std::acos(m_cos / m);
@@ -71,7 +71,7 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
     if (m > m_max) {
       return bad(format_number(m, m_max) + ",",
                  fmt::format("at this base pitch the pressure angle would be {}°; at most {}° is "
-                             "allowed, which requires a module of at most {} mm",
+                             "allowed, which requires a module of at most {}\u00a0mm",
                              format_number(deg(of_module), kMaxRackAngle), kMaxRackAngle,
                              format_number(m_max, m)));
     }

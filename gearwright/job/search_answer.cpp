@@ -66,14 +66,17 @@ std::string safest_line(const DesignRow& row) {
 }
 
 // Sentences that the page shows beside the counts.
-std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run) {
+std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run,
+                                    UnitSystem units) {
   std::vector<std::string> lines;
-  if (problem.rating) lines.push_back("Designs are " + rating_line(problem) + ".");
+  if (problem.rating)
+    lines.push_back(sentence_in(units, "Designs are " + rating_line(problem) + "."));
   if (problem.rating_unused) lines.emplace_back(kRatingUnused);
-  if (problem.draw) lines.push_back("Designs are " + drawing_line(problem) + ".");
+  if (problem.draw)
+    lines.push_back(sentence_in(units, "Designs are " + drawing_line(problem) + "."));
   if (run.answer.counts.feasible > 0) return lines;
   if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
-  for (const std::string& line : change_lines(run))
+  for (const std::string& line : change_lines(run, units))
     lines.push_back("One change that would make designs feasible: " + line + ".");
   if (!run.changes_left_out.empty()) {
     lines.push_back(run.changes_left_out + ".");
@@ -119,7 +122,7 @@ std::string face_words(const SearchProblem& p) {
     if (!words.empty()) words += " and ";
     words += (*band)[0] == (*band)[1]
                  ? fmt::format("{:g}{}", (*band)[0], unit)
-                 : fmt::format("the least sufficient width from {:g} to {:g}{}", (*band)[0],
+                 : fmt::format("the least sufficient width from {0:g}{2} to {1:g}{2}", (*band)[0],
                                (*band)[1], unit);
   };
   add(p.face_width, " mm");
@@ -258,7 +261,7 @@ std::string drawing_line(const SearchProblem& problem) {
   std::string text = fmt::format(
       "drawn and checked as by the verb run: mounting {}, {}",
       problem.mounting == Mounting::tight ? "tight" : "extended",
-      a.backlash ? fmt::format("backlash {:g} … {:g} mm", (*a.backlash)[0], (*a.backlash)[1])
+      a.backlash ? fmt::format("backlash {:g} mm … {:g} mm", (*a.backlash)[0], (*a.backlash)[1])
       : a.series.empty() ? std::string("nominal teeth")
                          : "thickness series " + a.series);
   if (a.distance_tolerance) text += ", centre distance " + *a.distance_tolerance;
@@ -269,10 +272,10 @@ std::string drawing_line(const SearchProblem& problem) {
   return text;
 }
 
-std::vector<std::string> change_lines(const SearchRun& run) {
+std::vector<std::string> change_lines(const SearchRun& run, UnitSystem units) {
   std::vector<std::string> lines;
   for (const NearestChange& c : run.changes) {
-    const SpelledChange spelled = spelled_change(c);
+    const SpelledChange spelled = spelled_change(c, units);
     lines.push_back(fmt::format("{} = {} instead of {}", spelled.key, spelled.to, spelled.from));
   }
   return lines;
@@ -298,8 +301,7 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
     if (run.safest) text += safest_line(*run.safest) + "\n";
     if (!run.changes.empty()) {
       text += "\nNo design is feasible. Each of these changes alone would make designs feasible:\n";
-      for (const std::string& line : change_lines(run))
-        text += "  " + sentence_in(units, line) + "\n";
+      for (const std::string& line : change_lines(run, units)) text += "  " + line + "\n";
       if (!run.changes_left_out.empty()) text += "Note: " + run.changes_left_out + ".\n";
     } else {
       text += run.changes_left_out.empty()
@@ -392,8 +394,9 @@ std::string search_page(const JobSpec& spec, const Search& search, const SearchR
                         .spec_text = spec.text,
                         .search = search,
                         .answer = run.answer,
-                        .reasons = reasons_of(search.problem(), run),
-                        .version = kVersion});
+                        .reasons = reasons_of(search.problem(), run, spec.units()),
+                        .version = kVersion,
+                        .units = spec.units()});
 }
 
 }  // namespace gearwright

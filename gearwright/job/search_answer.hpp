@@ -40,7 +40,7 @@ std::string rating_line(const SearchProblem& problem);
 std::string drawing_line(const SearchProblem& problem);
 
 /// One line for each change, such as "search.contact_ratio_min = 1.17 instead of 1.2".
-std::vector<std::string> change_lines(const SearchRun& run);
+std::vector<std::string> change_lines(const SearchRun& run, UnitSystem units);
 
 /// One line for each limit that rejected candidates, "tip clearance: 2698", in the order of the
 /// limits.

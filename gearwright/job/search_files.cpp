@@ -87,7 +87,7 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
     write_file(files.back(), text);
   };
   write("best.csv", csv_text(search.problem(), run.answer, top.value_or(kCsvDesigns)));
-  write("search.json", search_json_text(search, run));
+  write("search.json", search_json_text(search, run, spec.units()));
   write("report.html", search_page(spec, search, run));
   return files;
 }

@@ -196,8 +196,9 @@ std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
   const auto& quantities = rating_quantities();
   return title_listing(job.spec, "\n") +
          quantity_listing(job.spec.units(), quantities.table(), {quantities.of(answer)},
-                          gear_columns(2),
-                          [&](const QuantityInfo& s) { return source_text(answer.rating, s.key); });
+                          gear_columns(2), [&](const QuantityInfo& s) {
+                            return sentence_in(job.spec.units(), source_text(answer.rating, s.key));
+                          });
 }
 
 Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
@@ -313,9 +314,8 @@ Json answer_json(const Answer& answer) {
 }
 
 std::string answer_text(const Answer& answer) {
-  return answer.listing() +
-         sentence_in(answer.units, warning_listing(answer.warnings) +
-                                       (answer.verdict ? verdict_listing(*answer.verdict) : ""));
+  return answer.listing() + warning_listing(answer.warnings, answer.units) +
+         (answer.verdict ? verdict_listing(*answer.verdict, answer.units) : "");
 }
 
 Result<Answer> Verb::run(const JobSpec& spec, Progress* progress) const {

@@ -50,9 +50,9 @@ std::optional<Error> check_gears(const std::array<Gear, 2>& gears) {
                    "helix; usual angles are 10° to 35°");
   }
   if (!(std::abs(s_2.normal_module / s_1.normal_module - 1.0) <= kNearModule)) {
-    return refused(
-        gear_field(2, "normal_module"), s_2.normal_module, {s_1.normal_module},
-        "must equal the module of gear 1, {} mm, because racks of different pitch do not mesh");
+    return refused(gear_field(2, "normal_module"), s_2.normal_module, {s_1.normal_module},
+                   "must equal the module of gear 1, {}\u00a0mm, because racks of different pitch "
+                   "do not mesh");
   }
   if (!(std::abs((s_1.helix_angle + s_2.helix_angle).rad()) <= kNearHelix.rad())) {
     return refused(gear_field(2, "helix_angle"), s_2.helix_angle.deg(), {-s_1.helix_angle.deg()},
@@ -138,10 +138,11 @@ std::optional<Error> find_contacts(ArcPair& pair) {
           const double free = pair.reference_center_distance + c.b - v.b;
           reason = refused(
               "pair.center_distance", pair.center_distance, {free - (c.radius - v.radius), free},
-              fmt::format("the arcs have no common normal at this centre distance; with radii of "
-                          "{:.6g} and {:.6g} mm and centres at {:.6g} and {:.6g} mm from the pitch "
-                          "plane, the centre distance must lie between {{}} mm and {{}} mm",
-                          v.radius, c.radius, v.b, c.b));
+              fmt::format(
+                  "the arcs have no common normal at this centre distance; with radii of "
+                  "{:.6g} mm and {:.6g} mm and centres at {:.6g} mm and {:.6g} mm from the pitch "
+                  "plane, the centre distance must lie between {{}} mm and {{}} mm",
+                  v.radius, c.radius, v.b, c.b));
           continue;
         }
         ArcMeshInput nominal = in;
@@ -241,7 +242,8 @@ void warn_about_pair(ArcPair& pair) {
   const CylindricalSpec &s_1 = pair.gears[0].spec, &s_2 = pair.gears[1].spec;
   if (pair.contacts.empty()) {
     warn(pair, WarningCode::unequal_lead,
-         fmt::format("The gears do not have matching leads (modules {} and {} mm, helix angles {}° "
+         fmt::format("The gears do not have matching leads (modules {}\u00a0mm and {}\u00a0mm, "
+                     "helix angles {}° "
                      "and {}°). They have no contact point that moves along the teeth, and results "
                      "that depend on it are omitted.",
                      s_1.normal_module, s_2.normal_module, s_1.helix_angle.deg(),

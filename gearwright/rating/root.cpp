@@ -226,7 +226,7 @@ Factor root_size_factor(const Material& material, double normal_module) {
   constexpr const char* formula = "ISO 6336-3, clause 15";
   using K = MaterialKind;
   const double m = normal_module;
-  if (m <= 5.0) return {1.0, formula, "m_n ≤ 5 mm"};
+  if (m <= 5.0) return {1.0, formula, "m_n ≤ 5\u00a0mm"};
   switch (material.kind) {
     case K::cast:
     case K::nodular_ferritic: return {1.075 - 0.015 * std::min(m, 25.0), formula, "cast iron"};

@@ -7,6 +7,7 @@
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/page_parts.hpp"
+#include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/search_figures.hpp"
 #include "gearwright/report/search_table.hpp"
 #include "gearwright/report/search_words.hpp"
@@ -20,7 +21,7 @@ std::string band(const std::array<double, 2>& limits) {
                                 : fmt::format("{:.6g} … {:.6g}", limits[0], limits[1]);
 }
 
-std::string kind_of(const SearchProblem& problem) {
+std::string kind_of(const SearchProblem& problem, UnitSystem units) {
   const bool helical = [&] {
     for (const Angle beta : problem.helix)
       if (beta != Angle()) return true;
@@ -34,8 +35,12 @@ std::string kind_of(const SearchProblem& problem) {
                         problem.internal() ? ", internal" : "");
   }
   kind += ": ratio " + band(problem.ratio);
-  if (problem.center_distance)
-    kind += ", centre distance " + band(*problem.center_distance) + " mm";
+  if (problem.center_distance) {
+    const auto [least, most] = *problem.center_distance;
+    kind += fmt::format(", centre distance {} {}",
+                        band({value_in(units, Unit::mm, least), value_in(units, Unit::mm, most)}),
+                        unit_text(units, Unit::mm));
+  }
   return kind;
 }
 
@@ -99,13 +104,15 @@ std::string table_section(const SearchReport& report) {
                         counted(static_cast<std::int64_t>(shown)), counted(answer.counts.feasible)),
       escaped(order_in_words(problem)),
       interferes ? "" : " None of these designs has interference.",
-      design_table(problem, answer, report.rows), design_table_key(problem, answer, report.rows));
+      design_table(problem, answer, report.rows, report.units),
+      design_table_key(problem, answer, report.rows, report.units));
 }
 
 std::string picture_section(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
   const DesignRow& best = report.answer.designs.front();
   return "<section>\n<h2>The best design and the other designs</h2>\n" + picture_hint() +
+         hint_of_units(report.units) +
          side_by_side(shift_region_figure(report.search.graph(best.trial), best) +
                       pareto_figure(problem, report.answer)) +
          "</section>\n";
@@ -145,12 +152,12 @@ std::string foot(const SearchReport& report) {
   const std::string version = report.version.empty() ? "" : " " + escaped(report.version);
   return fmt::format(
       "<footer>\n<p>Gearwright{}. The geometry is the nominal geometry of gears cut by racks. "
-      "Symbols and terms are those of ISO 21771. Lengths are in mm, angles in degrees, profile "
+      "Symbols and terms are those of ISO 21771. Lengths are in {}, angles in degrees, profile "
       "shifts and regions in normal modules; “{}” means that there is no such value.</p>\n<p>Every "
       "combination of module and numbers of teeth is tried. The profile shifts of a combination "
       "are not sampled, because their region within the limits is computed exactly. Manufacturing "
       "deviations, load and strength are not considered.</p>\n</footer>\n",
-      version, kNoValue);
+      version, to_string(report.units), kNoValue);
 }
 
 }  // namespace
@@ -164,13 +171,14 @@ std::string search_verdict(const SearchReport& report) {
   if (report.answer.designs.empty()) return text;
   const DesignRow& best = report.answer.designs.front();
   text += fmt::format(
-      " The best design by {} has module {:.10g} mm, {}:{} teeth, {}\u00a0=\u00a0{}, "
+      " The best design by {} has module {:.10g}\u00a0mm, {}:{} teeth, {}\u00a0=\u00a0{}, "
       "{}\u00a0=\u00a0{}",
       words_of(report.search.problem().objectives.front()).name, best.trial.module, best.trial.z1,
       best.trial.z2, symbol_html("x_1"), fixed(best.shift[0], 4), symbol_html("x_2"),
       fixed(best.shift[1], 4));
-  text += fmt::format(", centre distance {} mm, contact ratio {}.",
-                      fixed(best.center_distance, kLengthDigits), fixed(best.contact_ratio, 3));
+  text += fmt::format(", centre distance {} {}, contact ratio {}.",
+                      text_in(report.units, Unit::mm, best.center_distance, kLengthDigits),
+                      unit_text(report.units, Unit::mm), fixed(best.contact_ratio, 3));
   return text;
 }
 
@@ -192,7 +200,7 @@ std::string search_report(const SearchReport& report) {
   page += fmt::format(
       "<body>\n<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p "
       "class=\"verdict\">{}</p>\n</header>\n<main>\n",
-      escaped(kind_of(problem)), escaped(title), search_verdict(report));
+      escaped(kind_of(problem, report.units)), escaped(title), search_verdict(report));
   page += with_contents(search_sections(report) + spec_section(report.spec_text)) + "</main>\n" +
           foot(report);
   return page + page_end(sort_script());

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/design/search.hpp"
 
 namespace gearwright {
@@ -17,10 +18,11 @@ struct SearchReport {
   std::string spec_text;  ///< the spec, verbatim; omitted if empty
   const Search& search;
   const SearchAnswer& answer;
-  std::vector<std::string> reasons;  ///< plain text: warnings, and if no design is feasible, the
-                                     ///< reasons and changes that would help
-  std::size_t rows = 200;            ///< number of designs in the table
-  std::string version;               ///< version of the program
+  std::vector<std::string> reasons;   ///< plain text: warnings, and if no design is feasible, the
+                                      ///< reasons and changes that would help
+  std::size_t rows = 200;             ///< number of designs in the table
+  std::string version;                ///< version of the program
+  UnitSystem units = UnitSystem::mm;  ///< of the lengths; the axes of pictures are in mm
 };
 
 inline constexpr std::size_t kRegionPictures = 20;  ///< number of the best designs that have a
@@ -39,7 +41,7 @@ std::string search_sections(const SearchReport& report);
 ///             (2) the page loads nothing
 ///             (3) title, spec and reasons may contain any text
 ///             (4) without scripts, the page contains the table and all pictures
-/// Units     mm, degrees; shifts and regions in normal modules; missing values are “–”
+/// Units     those of the spec, degrees; shifts and regions in normal modules; missing values are “–”
 std::string search_report(const SearchReport& report);
 
 }  // namespace gearwright

@@ -65,7 +65,7 @@ const Member* find(const ValueRecord& record, const QuantityInfo* info) {
   return it == record.end() ? nullptr : &*it;
 }
 
-TableCell cell_of(const Column& column, const ValueRecord& record) {
+TableCell cell_of(const Column& column, const ValueRecord& record, UnitSystem units) {
   const Member* member = find(record, column.info);
   if (!member) return {std::string(kNoValue), std::nullopt};
   const Value& v = column.gear ? (*member->value.list())[*column.gear] : member->value;
@@ -75,7 +75,7 @@ TableCell cell_of(const Column& column, const ValueRecord& record) {
     return {balanced ? "balanced" : "middle", balanced ? 1.0 : 0.0};
   }
   if (column.info->key == "module_mm") return {fmt::format("{:.10g}", *v.number()), v.number()};
-  return {text_of(*column.info, v), v.number()};
+  return {text_of(*column.info, v, kNoValue, units), v.number()};
 }
 
 // The columns of the table. A column without a value for any design is omitted.
@@ -121,9 +121,9 @@ std::string words_of(const Column& c) {
   return c.meaning.empty() ? words : fmt::format("{}: {}", words, c.meaning);
 }
 
-TableColumn heading(const Column& c) {
-  return {symbol_of(c), std::string(unit_text(c.info->unit)), words_of(c),
-          c.info->greater_first ? "descending" : "ascending"};
+TableColumn heading(const Column& c, UnitSystem units) {
+  return {symbol_of(c), std::string(unit_text(system_of(*c.info, units), c.info->unit)),
+          words_of(c), c.info->greater_first ? "descending" : "ascending"};
 }
 
 TableColumn front_heading() {
@@ -166,8 +166,8 @@ std::string column_key(const std::vector<TableColumn>& columns) {
          "</dl></details>\n";
 }
 
-std::string design_table(const SearchProblem& problem, const SearchAnswer& answer,
-                         std::size_t rows) {
+std::string design_table(const SearchProblem& problem, const SearchAnswer& answer, std::size_t rows,
+                         UnitSystem units) {
   const std::vector<ValueRecord> records = records_of(problem, answer, rows);
   const std::vector<Column> columns = columns_of(records);
   std::vector<bool> front(answer.designs.size(), false);
@@ -175,25 +175,26 @@ std::string design_table(const SearchProblem& problem, const SearchAnswer& answe
   const bool fronts = problem.objectives.size() > 1;
   std::vector<TableColumn> heads;
   if (fronts) heads.push_back(front_heading());
-  for (const Column& c : columns) heads.push_back(heading(c));
+  for (const Column& c : columns) heads.push_back(heading(c, units));
   std::vector<TableRow> table;
   for (std::size_t i = 0; i < records.size(); ++i) {
     TableRow& row = table.emplace_back();
     row.attributes = fmt::format(" id=\"design-{}\"{}", i + 1, front[i] ? " class=\"front\"" : "");
     if (fronts) row.cells.push_back(mark(front[i], "●"));
-    for (const Column& c : columns) row.cells.push_back(cell_of(c, records[i]));
+    for (const Column& c : columns) row.cells.push_back(cell_of(c, records[i], units));
   }
   return sortable_table(heads, table);
 }
 
 std::string design_table_key(const SearchProblem& problem, const SearchAnswer& answer,
-                             std::size_t rows) {
+                             std::size_t rows, UnitSystem units) {
   std::vector<TableColumn> heads;
   if (problem.objectives.size() > 1) {
     heads.push_back(front_heading());
     heads.back().meaning = "● " + heads.back().meaning;
   }
-  for (const Column& c : columns_of(records_of(problem, answer, rows))) heads.push_back(heading(c));
+  for (const Column& c : columns_of(records_of(problem, answer, rows)))
+    heads.push_back(heading(c, units));
   return column_key(heads);
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/design/search.hpp"
 
 namespace gearwright {
@@ -34,12 +35,12 @@ std::string column_key(const std::vector<TableColumn>& columns);
 /// A table of the first `rows` designs. Its rows have the ids "design-1", "design-2" and so on.
 /// Columns that have no meaning for this search are omitted, such as the helix angle of spur gears
 /// or the front of a single objective.
-std::string design_table(const SearchProblem& problem, const SearchAnswer& answer,
-                         std::size_t rows);
+std::string design_table(const SearchProblem& problem, const SearchAnswer& answer, std::size_t rows,
+                         UnitSystem units);
 
 /// The meaning of the columns, in a folded section.
 std::string design_table_key(const SearchProblem& problem, const SearchAnswer& answer,
-                             std::size_t rows);
+                             std::size_t rows, UnitSystem units);
 
 /// The script report/page/sort_script.js, which turns the column headings into buttons that sort
 /// the table. Without the script the table is static.

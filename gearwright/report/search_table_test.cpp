@@ -37,7 +37,7 @@ std::vector<Cell> cells(const std::string& table, int n) {
 }
 
 std::string table_of(const SearchSample& sample, std::size_t rows = 200) {
-  return design_table(sample.search->problem(), *sample.answer, rows);
+  return design_table(sample.search->problem(), *sample.answer, rows, UnitSystem::mm);
 }
 
 TEST(SearchTable, ARowIsItsDesign) {
@@ -86,7 +86,7 @@ TEST(SearchTable, ColumnsThatSayNothingAreLeftOut) {
 
 TEST(SearchTable, InterferenceComesFirstAndOnlyWhereSomethingInterferes) {
   const std::string flagged = design_table_key(testing::spur_search().search->problem(),
-                                               *testing::spur_search().answer, 200);
+                                               *testing::spur_search().answer, 200, UnitSystem::mm);
   EXPECT_LT(flagged.find("<dt>interference</dt>"), flagged.find("normal module"));
   const SearchSample clean = testing::pareto_search();
   EXPECT_EQ(table_of(clean).find("interference"), std::string::npos);
@@ -95,7 +95,8 @@ TEST(SearchTable, InterferenceComesFirstAndOnlyWhereSomethingInterferes) {
 // The text of the page contains no keys of result files and no equation numbers.
 TEST(SearchTable, TheKeySpeaksToReadersOfThePage) {
   for (const SearchSample& sample : testing::all_searches()) {
-    const std::string key = design_table_key(sample.search->problem(), *sample.answer, 200);
+    const std::string key =
+        design_table_key(sample.search->problem(), *sample.answer, 200, UnitSystem::mm);
     for (const char* word : {"`", "[z1", "[x1", "Eq. ", "eq11", "lo_hi"})
       EXPECT_EQ(key.find(word), key.npos) << word << " in " << key;
   }
@@ -119,7 +120,8 @@ TEST(SearchTable, EveryRowHasACellForEveryHeadingAndEveryHeadingWords) {
     const auto n = static_cast<int>(std::min<std::size_t>(200, sample.answer->designs.size()));
     for (int i = 1; i <= n; ++i) EXPECT_EQ(cells(table, i).size(), headings);
     EXPECT_EQ(count_of(table, "<tr id="), static_cast<std::size_t>(n));
-    const std::string key = design_table_key(sample.search->problem(), *sample.answer, 200);
+    const std::string key =
+        design_table_key(sample.search->problem(), *sample.answer, 200, UnitSystem::mm);
     EXPECT_EQ(count_of(key, "<dt>"), headings - 1);  // the rank column has no explanation
     EXPECT_EQ(count_of(table, "aria-sort=\"ascending\""), 1u);
   }

@@ -82,14 +82,14 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   if (module) {
     if (!(*module > m_cos_alpha)) {
       gear.fail("normal_module_mm", fmt::format("is too small for this base pitch; the module must "
-                                                "be greater than m_n cos α_n = {} mm",
+                                                "be greater than m_n cos α_n = {}\u00a0mm",
                                                 format_number(m_cos_alpha, *module)));
     }
     const double of_module = std::acos(m_cos_alpha / *module);
     if (alpha && std::abs(of_module - alpha_n) > kSameInput) {
       gear.fail("normal_module_mm",
                 fmt::format("contradicts normal_pressure_angle_deg on this base cylinder, because "
-                            "the module at {}° is {} mm",
+                            "the module at {}° is {}\u00a0mm",
                             format_number(*alpha),
                             format_number(m_cos_alpha / std::cos(alpha_n), *module)));
     }

@@ -28,9 +28,11 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
       t.fail("span_mm", "\"" + printable(key, 20) +
                             "\" is not a number of teeth; write each reading after its number of "
                             "teeth, for example { 3 = 19.751 }");
-    if (!value.is_number() || !(value.get<double>() > 0.0) || value.get<double>() > kMaxInput)
-      t.fail("span_mm", "the span over " + key + " teeth must be a length in mm");
-    p.spans.push_back({k, value.get<double>()});
+    const KeyRange range = KeyRange::above(0.0, kMaxInput);
+    const double span = value.is_number() ? value.get<double>() : 0.0;
+    if (!range.contains(span))
+      t.fail("span_mm", "the span over " + key + " teeth " + range.sentence(span));
+    p.spans.push_back({k, span});
   }
   std::sort(p.spans.begin(), p.spans.end(),
             [](const SpanReading& a, const SpanReading& b) { return a.teeth < b.teeth; });

@@ -76,7 +76,7 @@ std::vector<double> read_modules(TableReader& t) {
   std::sort(modules.begin(), modules.end());
   if (!(modules.front() > 0.0))
     t.fail("modules_mm",
-           fmt::format("contains {}, but a module must be greater than 0 mm", modules.front()));
+           fmt::format("contains {}, but a module must be greater than 0", modules.front()));
   t.check("modules_mm", modules.front());
   t.check("modules_mm", modules.back());
   const auto twice = std::adjacent_find(modules.begin(), modules.end());

@@ -289,7 +289,7 @@ Result<JobSpec> read_parsed(const Json& tree, std::string text, const std::files
     spec.text = std::move(text);
     return spec;
   } catch (const SpecError& e) {
-    return given.units == UnitSystem::mm ? e.error : spelled(e.error, given);
+    return in_units_of(given, e.error);
   }
 }
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "gearwright/catalogue/key_hint.hpp"
+#include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
@@ -17,19 +17,26 @@ namespace {
 
 constexpr const char* kUnitsKey = "units";
 
-// The keys of a toleranced number, whose values are in the unit of the key of the table: axial_in = { range = [-1, 1] }.
-constexpr std::array<std::string_view, 2> kInUnitOfTable{"range", "offset"};
-
 // Keys of numbers whose units depend on other keys.
 constexpr std::array<std::string_view, 1> kMixed{"scatter.robust.range"};
 
 // The members of a record that are sentences.
-constexpr std::array<std::string_view, 5> kSentences{"message", "headline", "remedy", "reason",
-                                                     "note"};
+constexpr std::array<std::string_view, 7> kSentences{"message", "headline", "remedy", "reason",
+                                                     "note",    "errors",   "branch"};
 
 template <class List>
 bool is_one_of(const List& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+// The units of the paths whose last key is in the catalogue. Other words with the ending of a length are names that the
+// user chose.
+const KeyUnit* declared_metric(std::string_view path) {
+  return is_spec_key(path) ? metric_unit(path) : nullptr;
+}
+
+const KeyUnit* declared_inch(std::string_view path) {
+  return is_spec_key(metric_key(path)) ? inch_unit(path) : nullptr;
 }
 
 [[noreturn]] void fail_at(const std::string& path, const Json& value, std::string why) {
@@ -40,9 +47,12 @@ bool is_one_of(const List& list, std::string_view word) {
 struct UnitMember {
   std::string_view member, named_by;
 };
-constexpr std::array kUnitMembers{UnitMember{"value", "unit"}, UnitMember{"x_range", "x"},
-                                  UnitMember{"x_values", "x"}, UnitMember{"y_range", "y"},
-                                  UnitMember{"y_values", "y"}};
+constexpr std::array kUnitMembers{
+    UnitMember{"points", "unit"},   UnitMember{"amount", "unit"},   UnitMember{"leading", "unit"},
+    UnitMember{"trailing", "unit"}, UnitMember{"value", "unit"},    UnitMember{"expected", "unit"},
+    UnitMember{"expect", "unit"},   UnitMember{"x_range", "x"},     UnitMember{"x_values", "x"},
+    UnitMember{"y_range", "y"},     UnitMember{"y_values", "y"},    UnitMember{"from", "key"},
+    UnitMember{"to", "key"},        UnitMember{"tool", "tool_unit"}};
 
 const KeyUnit* named_unit(const Json& table, std::string_view key,
                           const KeyUnit* (*const unit)(std::string_view)) {
@@ -62,60 +72,62 @@ class SpecInMm {
  public:
   explicit SpecInMm(GivenKeys& given) : given_(given) {}
 
-  // `path` is the path in the catalogue, and `written` the path in the file.
+  // `path` is the path in the catalogue, and `written` the path in the file. `unit` is that of the key of the table.
   Json table(const Json& from, const std::string& path, const std::string& written,
              const KeyUnit* unit) {
     Json::object_t to;
     for (const auto& [key, value] : from.items()) {
-      const std::string here = path.empty() ? key : path + "." + key;
       const std::string file = written.empty() ? key : written + "." + key;
-      if (metric_unit(key)) refuse_mm(file, key, value);
+      if (declared_metric(key)) refuse_mm(file, key, value);
       if (is_one_of(kMixed, file))
-        fail_at(
-            file, value,
-            "is not supported in a spec with units = \"inch\", because it applies to corrections "
-            "in "
-            "different units; leave it out, or give a spec in mm");
-      const std::string name = metric_key(key);
-      const KeyUnit* const own = inch_unit(key);
-      const KeyUnit* const inner = own ? own
-                                   : unit && is_one_of(kInUnitOfTable, key)
-                                       ? unit
-                                       : named_unit(from, key, inch_unit);
-      const std::string in_mm = own ? metric_key(here) : here;
-      if (own && !value.is_object()) given_.written[in_mm] = shown(value);
-      if (value.is_string() && names_unit(key)) {
-        to.emplace_back(key, metric_key("_" + value.get<std::string>()).substr(1));
-        continue;
-      }
-      to.emplace_back(name, convert(value, in_mm, file, inner, value.is_object() ? own : nullptr));
+        fail_at(file, value,
+                "is not supported in a spec with units = \"inch\", because it applies to "
+                "corrections in different units; leave it out, or give a spec in mm");
+      const KeyUnit* const own = declared_inch(key);
+      const KeyUnit* const named = named_unit(from, key, inch_unit);
+      const KeyUnit* const inner = own                        ? own
+                                   : named                    ? named
+                                   : is_in_unit_of_table(key) ? unit
+                                                              : nullptr;
+      const std::string name = own ? metric_key(key) : key;
+      const std::string in_mm = path.empty() ? name : path + "." + name;
+      if (inner) given_.written[in_mm] = shown(value);
+      to.emplace_back(name, value.is_string() && names_unit(key)
+                                ? Json(metric_word(value.get<std::string>(), file))
+                                : convert(value, in_mm, file, inner));
     }
     return to;
   }
 
  private:
   Json convert(const Json& value, const std::string& path, const std::string& written,
-               const KeyUnit* unit, const KeyUnit* of_table) {
-    if (value.is_object()) return table(value, path, written, of_table);
+               const KeyUnit* unit) {
+    if (value.is_object()) return table(value, path, written, unit);
     if (value.is_array()) {
       Json list = Json::array();
       std::size_t number = 0;
       for (const Json& item : value) {
         const std::string index = fmt::format("[{}]", ++number);
         list.push_back(item.is_string()
-                           ? Json(metric_key(item.get<std::string>()))
-                           : convert(item, path + index, written + index, unit, nullptr));
+                           ? Json(metric_word(item.get<std::string>(), written + index))
+                           : convert(item, path + index, written + index, unit));
       }
       return list;
     }
     return unit && value.is_number() ? Json(unit->to_metric(value.get<double>())) : value;
   }
 
+  // A word that may be a key.
+  static std::string metric_word(const std::string& word, const std::string& written) {
+    if (declared_metric(word)) refuse_mm(written, word, word);
+    return declared_inch(word) ? metric_key(word) : word;
+  }
+
   [[noreturn]] static void refuse_mm(const std::string& path, const std::string& key,
                                      const Json& value) {
-    const KeyUnit& unit = *metric_unit(key);
     const std::string in_inch =
-        value.is_number() ? fmt::format(" = {}", unit.to_inch(value.get<double>())) : "";
+        value.is_number() ? fmt::format(" = {}", metric_unit(key)->to_inch(value.get<double>()))
+                          : "";
     fail_at(path, value,
             fmt::format("is not allowed in a spec with units = \"inch\"; give {}{}",
                         key_in(UnitSystem::inch, key), in_inch));
@@ -123,14 +135,6 @@ class SpecInMm {
 
   GivenKeys& given_;
 };
-
-// A path of keys, which is a word or several words joined by points.
-bool is_path(std::string_view text) {
-  return metric_unit(text) &&
-         text.find_first_not_of(
-             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.[]") ==
-             std::string_view::npos;
-}
 
 // A spec with two gears, a pair, a drive or a search. A branch of a result that only names one of these tables has
 // other types of values.
@@ -141,40 +145,60 @@ bool is_spec(const std::string& key, const Json& value) {
                    value.contains("planetary") || value.contains("stage"));
 }
 
+// A sentence, or several in a list.
+Json sentences_in_inch(const Json& value) {
+  if (value.is_string()) return sentence_in(UnitSystem::inch, value.get<std::string>());
+  Json list = Json::array();
+  for (const Json& sentence : value) list.push_back(sentences_in_inch(sentence));
+  return list;
+}
+
+// A record, a spec with names of the user among its keys, or a table whose keys are all such names.
+enum class Tree { record, spec, by_name };
+
+// The tables of a record by names of the user.
+constexpr std::array<std::string_view, 2> kByName{"bodies", "meshes"};
+
 // `unit` is that of the nearest key with a unit, and `per` that of a table of values per length.
-Json in_inch(const Json& value, const KeyUnit* unit, const KeyUnit* per) {
+Json in_inch(Tree tree, const Json& value, const KeyUnit* unit, const KeyUnit* per) {
   if (value.is_number() && (unit || per)) {
     double x = value.get<double>();
     for (const KeyUnit* u : {unit, per})
       if (u) x = u->to_inch(x);
     return x;
   }
-  if (value.is_string() && is_path(value.get_ref<const std::string&>()))
+  if (value.is_string() && declared_metric(value.get_ref<const std::string&>()))
     return key_in(UnitSystem::inch, value.get_ref<const std::string&>());
   if (value.is_array()) {
     Json list = Json::array();
-    for (const Json& item : value) list.push_back(in_inch(item, unit, per));
+    for (const Json& item : value) list.push_back(in_inch(tree, item, unit, per));
     return list;
   }
   if (!value.is_object()) return value;
   Json::object_t to;
   for (const auto& [key, item] : value.items()) {
-    const KeyUnit* const own = metric_unit(key);
-    const bool table_per = own && own->inverse && item.is_object();
+    const bool chosen = tree == Tree::by_name || (tree == Tree::spec && !is_spec_key(key));
+    const Tree inner = tree == Tree::spec                            ? tree
+                       : is_one_of(kByName, key) && item.is_object() ? Tree::by_name
+                                                                     : Tree::record;
+    const KeyUnit* const own = chosen ? nullptr : metric_unit(key);
     const KeyUnit* const named = named_unit(value, key, metric_unit);
-    const bool other_unit = !own && unit_of(key) != Unit::none;
-    Json made = item.is_string() && is_one_of(kSentences, key)
-                    ? Json(sentence_in(UnitSystem::inch, item.get<std::string>()))
-                    : in_inch(item,
-                              table_per || other_unit ? nullptr
-                              : own                   ? own
-                              : named                 ? named
-                                                      : unit,
-                              table_per ? own : per);
-    if (item.is_string() && names_unit(key))
+    const bool table_per = own && own->inverse && item.is_object();
+    const KeyUnit* const of_table = chosen || is_in_unit_of_table(key) ? unit : nullptr;
+    const KeyUnit* const below = table_per ? nullptr : own ? own : named ? named : of_table;
+    Json made;
+    if (is_spec(key, item))
+      made = spec_in(UnitSystem::inch, item);
+    else if (item.is_string() && names_unit(key))
       made = key_in(UnitSystem::inch, "_" + item.get<std::string>()).substr(1);
-    if (is_spec(key, item)) made = spec_in(UnitSystem::inch, item);
-    to.emplace_back(key_in(UnitSystem::inch, key), std::move(made));
+    else if (is_one_of(kSentences, key) &&
+             (item.is_string() || (item.is_array() && !item.empty() && item[0].is_string())))
+      made = sentences_in_inch(item);
+    else if (item.is_string() && named)
+      made = numbers_in(UnitSystem::inch, item.get<std::string>(), *named);
+    else
+      made = in_inch(inner, item, below, table_per ? own : per);
+    to.emplace_back(own ? key_in(UnitSystem::inch, key) : key, std::move(made));
   }
   return to;
 }
@@ -194,13 +218,13 @@ Json in_catalogue_units(const Json& spec, GivenKeys& given) {
 }
 
 Json in_units(UnitSystem units, const Json& record) {
-  return units == UnitSystem::mm ? record : in_inch(record, nullptr, nullptr);
+  return units == UnitSystem::mm ? record : in_inch(Tree::record, record, nullptr, nullptr);
 }
 
 Json spec_in(UnitSystem units, const Json& spec) {
   if (units == UnitSystem::mm || spec.is_null() || spec.contains(kUnitsKey)) return spec;
   Json::object_t whole{{kUnitsKey, to_string(units)}};
-  const Json made = in_units(units, spec);
+  const Json made = in_inch(Tree::spec, spec, nullptr, nullptr);
   for (const auto& [key, value] : made.items()) whole.emplace_back(key, value);
   return whole;
 }

@@ -61,8 +61,8 @@ Result<DoubleArcRack> gbt12759_rack(double m) {
   }
   return Error{
       "rack", "GBT12759",
-      fmt::format("the numbers of the standard for a normal module of {} mm are not available "
-                  "(modules of 1.5 to 3, over 3 to 6, over 10 to 16 and over 32 to 50 mm are "
+      fmt::format("the numbers of the standard for a normal module of {}\u00a0mm are not available "
+                  "(modules of 1.5 to 3, over 3 to 6, over 10 to 16 and over 32 to 50\u00a0mm are "
                   "available); give the numbers in a rack of the kind double_circular_arc",
                   format_number(m))};
 }

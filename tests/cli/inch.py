@@ -1,12 +1,17 @@
 """Specs and answers in inch, made from those in mm by renaming and dividing. It shares no code with the program."""
+import csv
+import itertools
 import re
 
 MM, UM = 25.4, 0.0254  # mm per inch, µm per microinch
 # Ending in mm, ending in inch, and the factor to inch. The first ending that matches counts.
 UNITS = [("_mm_per_rad", "_in_per_rad", 1 / MM), ("_mm_per_turn", "_in_per_turn", 1 / MM), ("_per_mm", "_per_in", MM),
          ("_per_um", "_per_uin", UM), ("_mm", "_in", 1 / MM), ("_um", "_uin", 1 / UM)]
+CSV_UNITS = {"mm": ("in", 1 / MM), "µm": ("µin", 1 / UM), "1/mm": ("1/in", MM), "mm/rad": ("in/rad", 1 / MM)}
+PURE = {"cpk", "shape"}  # numbers of a toleranced length that are not lengths
 SAME = {"module_mm", "normal_module_mm", "transverse_module_mm", "modules_mm"}
-NAMED = {"x_range": "x", "x_values": "x", "y_range": "y", "y_values": "y", "value": "unit"}
+NAMED = {"x_range": "x", "x_values": "x", "y_range": "y", "y_values": "y", "value": "unit", "expected": "unit",
+         "expect": "unit", "tool": "tool_unit", "points": "unit", "amount": "unit", "leading": "unit", "trailing": "unit"}
 PATH = re.compile(r"[A-Za-z0-9_.]+")
 
 
@@ -21,8 +26,8 @@ def unit(key):
 def scaled(value, factor):
     if isinstance(value, list):
         return [scaled(v, factor) for v in value]
-    if isinstance(value, dict):  # a toleranced number
-        return {k: scaled(v, factor) if k in ("range", "offset") else v for k, v in value.items()}
+    if isinstance(value, dict):  # a toleranced number, or numbers by member
+        return {k: v if k in PURE else scaled(v, factor) for k, v in value.items()}
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         return value
     return value * factor if factor > 1 else value / round(1 / factor, 4)
@@ -77,6 +82,8 @@ def numbers(answer, path=(), factor=1.0, per=1.0, inch=False):
                 inner = 1.0
             elif not inch and key in NAMED and isinstance(answer.get(NAMED[key]), str):
                 inner = (unit("_" + answer[NAMED[key]]) or ("", 1.0))[1]
+            elif key in PURE:
+                inner = 1.0
             found |= numbers(value, (*path, name), inner, outer, inch)
     elif isinstance(answer, list):
         for i, value in enumerate(answer):
@@ -93,3 +100,19 @@ def differences(mm, inch, tolerance=1e-12):
     far = [(p, a[p], b[p]) for p in a.keys() & b.keys()
            if abs(a[p] - b[p]) > tolerance * max(abs(a[p]), abs(b[p]), 1e-3)]
     return far + [(p, a.get(p), b.get(p)) for p in a.keys() ^ b.keys()]
+
+
+def csv_differences(mm, inch, tolerance=1e-12):
+    """Rows of the CSV of quantities (key, quantity, symbol, unit, values) that differ between both systems."""
+    far = []
+    for a, b in itertools.zip_longest(csv.reader(mm.splitlines()[1:]), csv.reader(inch.splitlines()[1:]), fillvalue=[""] * 6):
+        name = ".".join(unit(part)[0] if unit(part) else part for part in a[0].split("."))
+        module = a[0].rsplit(".", 1)[-1] in SAME
+        text, factor = (a[3], 1.0) if module else CSV_UNITS.get(a[3], (a[3], 1.0))
+        words = unit(a[1])[0] if unit(a[1]) else a[1]  # a record has no words but its key
+        same = name == b[0] and words == b[1] and text == b[3] and all(
+            x == y or (x and y and abs(float(x) * factor - float(y)) <= tolerance * max(abs(float(y)), 1e-3))
+            for x, y in zip(a[4:6], b[4:6]))
+        if not same:
+            far.append((a[:6], b[:6]))
+    return far

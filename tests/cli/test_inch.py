@@ -26,7 +26,7 @@ profile_shift = 0.1
 backlash_in = 0.004
 """
 VERBS = ("gear", "pair", "measure", "rate", "identify", "fit", "drive", "contact", "outline", "search")
-LENGTH_IN_MM = re.compile(r"\d (mm|µm)(?![²/\w])|_mm\b|_um\b")
+LENGTH_IN_MM = re.compile(r"\d (mm|µm)(?![²/\w])|(?<!module)_mm\b|_um\b")
 
 
 class Law(unittest.TestCase):
@@ -46,6 +46,63 @@ class Law(unittest.TestCase):
         self.assertGreater(compared, 50_000)
 
 
+    def same(self, text, *verbs):
+        """Solves the spec in both systems and returns both JSON answers of the last verb."""
+        spec = tomllib.loads(text)
+        in_inch = {"units": "inch"} | inch.spec_in_inch(spec)
+        for verb in verbs:
+            mm, other = (Run(verb, json.dumps(s), "--json", name="case.json") for s in (spec, in_inch))
+            self.assertEqual((mm.status, other.status), (0, 0), mm.err + other.err)
+            self.assertEqual(inch.differences(mm.json, other.json), [], verb)
+        return mm.json, other.json
+
+    def test_numbers_by_member_and_by_number_of_teeth(self):
+        members = ("[planetary]\nsun = 20\nplanet = 25\nring = 70\nplanets = 3\nnormal_module_mm = 2\n"
+                   "face_width_mm = {sun = 20, planet = 18, ring = 19}\n"
+                   "thickness_allowance_mm = {sun = -0.05, planet = -0.04, ring = -0.06}\ntorque_Nm = 20\n")
+        self.same(members + "tip_diameter_mm = {sun = 43.8}\n", "drive")
+        found, _ = self.same(members + "center_distance_mm = {sun_planet = 45.5}\n", "drive")
+        self.assertAlmostEqual(found["drive"]["center_distance_mm"], 45.5)
+        readings = ("[gear1]\nteeth = 23\n[gear1.measured]\nspan_mm = {3 = 19.751, 4 = 27.131}\ntip_diameter_mm = 66.71\n"
+                    "over_balls_mm = [{ball_diameter_mm = 5, dimension_mm = 69.426}]\nlead_mm = 585\n")
+        self.same(readings, "identify")
+
+    def test_readings_that_contradict_each_other(self):
+        readings = ("[gear1]\nteeth = 23\n[gear1.measured]\ntip_diameter_mm = 66.71\nlead_mm = 585\nover_balls_mm = ["
+                    "{ball_diameter_mm = 5, dimension_mm = 69.426}, {ball_diameter_mm = 4.5, dimension_mm = 68.9}, "
+                    "{ball_diameter_mm = 5.5, dimension_mm = 70.783}]\n")
+        _, found = self.same(readings, "identify")
+        contradiction = found["identify"]["contradiction"]
+        self.assertEqual((contradiction["unit"], contradiction["tool_unit"]), ("in", "in"))
+        self.assertLess(contradiction["value"], 3)
+
+    def test_tables_for_spreadsheets(self):
+        for name in ("crossed_pair", "crossed_ring_pair", "ring_pair", "rated_pair", "circular_arc_drive", "steering_rack"):
+            spec = tomllib.loads((SOURCE / f"examples/{name}.toml").read_text())
+            in_inch = json.dumps({"units": "inch"} | inch.spec_in_inch(spec))
+            for verb in ("gear", "pair", "rate") if name == "rated_pair" else ("gear", "pair"):
+                mm = Run(verb, json.dumps(spec), "--csv", name="case.json")
+                other = Run(verb, in_inch, "--csv", name="case.json")
+                self.assertEqual((mm.status, other.status), (0, 0), other.err)
+                self.assertEqual(inch.csv_differences(mm.out, other.out), [], f"{name} {verb}")
+
+    def test_the_changes_that_a_search_needs(self):
+        text = ("[search]\nmodules_mm = [2]\nratio = [1.9, 2.1]\npinion_teeth = [20, 24]\ncenter_distance_mm = 50\n"
+                "face_width_mm = 20\n")
+        mm, other = self.same(text, "search")
+        changes = zip(mm["search"]["changes"], other["search"]["changes"], strict=True)
+        lengths = [(a, b) for a, b in changes if a["key"].endswith("_mm") and a["key"] != "search.modules_mm"]
+        self.assertTrue(lengths, mm["search"]["changes"])
+        for a, b in lengths:
+            self.assertEqual(b["key"], a["key"][:-2] + "in")
+            for end in ("from", "to"):
+                ends = [value if isinstance(value, list) else [value] for value in map(json.loads, (a[end], b[end]))]
+                for in_mm, in_inch in zip(*ends, strict=True):
+                    self.assertAlmostEqual(25.4 * in_inch, in_mm, delta=1e-9)
+        run = Run("search", json.dumps({"units": "inch"} | inch.spec_in_inch(tomllib.loads(text))), name="case.json")
+        self.assertIn(f"{lengths[0][1]['key']} = {lengths[0][1]['to']} instead of {lengths[0][1]['from']}", run.out)
+
+
 class Words(unittest.TestCase):
     def test_errors_are_in_inch(self):
         for old, new, *words in (
@@ -55,12 +112,16 @@ class Words(unittest.TestCase):
                 ("[pair]", "[contact]\nmarking_in = 1\n[pair]", "contact.marking_in = 1: ", "at most 0.03937",
                  "usually 0.0001181 to 0.0003937"),
                 ("[pair]", "[pair]\ncenter_distance_in = 1", "pair.center_distance_in = 1:"),
+                ("[pair]", "[pair]\nbacklash = 2", "pair.backlash = 2: unknown key", "backlash_in"),
+                ("teeth = 17", "teeth = 17\nnormal_module_in = 0.1", "gear1.normal_module_in = 0.1: unknown key"),
+                ("[pair]", "[compensate]\ncorrections = [\"gear1.lead_crowning_um\"]\n[pair]",
+                 "compensate.corrections[1] = \"gear1.lead_crowning_um\": is not allowed", "give gear1.lead_crowning_uin"),
                 ('"inch"', '"cm"', 'units = "cm": must be one of "mm", "inch"')):
             run = Run("pair", PAIR.replace(old, new))
             self.assertEqual(run.status, 1, new)
             for text in words:
                 self.assertIn(text, run.err)
-            if "cm" not in new:
+            if "cm" not in new and "_um" not in new:
                 self.assertNotRegex(run.err, LENGTH_IN_MM)
 
     def test_units_are_never_mixed_silently(self):
@@ -71,6 +132,38 @@ class Words(unittest.TestCase):
         self.assertEqual(run.status, 1)
         self.assertIn('needs units = "inch" at the top', run.err)
 
+    def test_names_that_the_user_chose_are_kept(self):
+        spec = PAIR.replace("[pair]", '[scatter.groups]\ncase_in = ["errors.crossing_deg"]\n[drawing]\nnumber = "plate_20_mm"\n'
+                            "[pair]").replace('"inch"', '"inch"\ntitle = "bush 20 mm, ring_mm"')
+        self.assertEqual(Run("pair", spec, "--json").json["title"], "bush 20 mm, ring_mm")
+        self.assertIn("bush 20 mm, ring_mm", Run("pair", spec).out)
+        drive = ('units = "inch"\n[drive]\ninput = "a_in"\noutput = "wheel"\n[[drive.body]]\nname = "a_in"\n[[drive.body]]\n'
+                 'name = "wheel"\n[[drive.gear]]\nname = "p_in"\nbody = "a_in"\nteeth = 20\nnormal_module_mm = 2\n'
+                 'face_width_in = 1\n[[drive.gear]]\nname = "q_mm"\nbody = "wheel"\nteeth = 40\nnormal_module_mm = 2\n'
+                 'face_width_in = 1\n[[drive.mesh]]\ngears = ["p_in", "q_mm"]\n')
+        run = Run("drive", drive, "--json")
+        self.assertEqual(run.status, 0, run.err)
+        self.assertEqual(sorted(run.json["drive"]["bodies"]), ["a_in", "wheel"])
+
+    def test_a_corrected_spec_keeps_the_numbers_that_are_not_lengths(self):
+        text = (SOURCE / "examples/misaligned_pair.toml").read_text().replace(
+            "[compensate.range]", "[compensate.range]\ncenter_distance_mm = [-0.05, 0.05]") + (
+            '\n[scatter.errors]\naxial_mm = {range = [-0.1, 0.1], distribution = "normal", cpk = 1.25}\n')
+        spec = {"units": "inch"} | inch.spec_in_inch(tomllib.loads(text))
+        run = Run("compensate", json.dumps(spec), "--take", name="case.json")
+        self.assertEqual(run.status, 0, run.err)
+        taken = tomllib.loads(run.out) if not run.out.startswith("{") else json.loads(run.out)
+        self.assertEqual(taken["scatter"]["errors"]["axial_in"]["cpk"], 1.25)
+        self.assertAlmostEqual(taken["scatter"]["errors"]["axial_in"]["range"][1], 0.1 / 25.4)
+        run = Run("compensate", json.dumps(spec), name="case.json")
+        self.assertIn("center_distance_in = -0.001969", run.out)
+        self.assertNotRegex(" ".join(run.out.split()), LENGTH_IN_MM)
+
+    def test_a_tip_below_the_root_of_a_drive(self):
+        run = Run("drive", 'units = "inch"\n[planetary]\nsun = 20\nplanet = 25\nring = 70\nplanets = 3\n'
+                           "normal_module_mm = 2\ntip_diameter_in = {sun = 1}\n")
+        self.assertIn("tip_diameter_in = 1: must be greater than the root diameter 1.378 in", " ".join(run.out.split()))
+
     def test_no_listing_mixes_units(self):
         for verb in ("gear", "pair", "measure", "contact"):
             text = Run(verb, PAIR).out
@@ -78,6 +171,13 @@ class Words(unittest.TestCase):
                 if "module" not in line and "per mm" not in line:
                     self.assertNotRegex(line, LENGTH_IN_MM, verb)
             self.assertIn("  in\n", text.replace("in  in", "in  in\n"))
+        for name in ("crossed_ring_pair", "misaligned_pair", "rated_pair", "ring_pair", "circular_arc_drive"):
+            spec = {"units": "inch"} | inch.spec_in_inch(tomllib.loads((SOURCE / f"examples/{name}.toml").read_text()))
+            for verb in ("pair", "rate") if name == "rated_pair" else ("pair", "contact"):
+                text = Run(verb, json.dumps(spec), name="case.json").out
+                verdict = " ".join(text[text.rfind("Verdict"):].split())  # lines are wrapped between number and unit
+                self.assertNotRegex(verdict, LENGTH_IN_MM, name)
+                self.assertNotIn("hardened: ρ' = 0.0030 mm", text)
 
     def test_tables_for_spreadsheets(self):
         rows = Run("pair", PAIR, "--csv").out.splitlines()
@@ -86,8 +186,9 @@ class Words(unittest.TestCase):
         self.assertTrue(Run("outline", PAIR, "--csv", "--gear", "1").out.startswith("arc,x_in,y_in"))
 
     def test_pins_of_a_gear_given_by_its_diametral_pitch(self):
-        pins = [g["measure"]["over_pins"]["pin_diameter_in"] for g in Run("measure", PAIR, "--json").json["gears"]]
-        self.assertEqual(pins, [0.1728, 0.1728])
+        measures = [g["measure"] for g in Run("measure", PAIR, "--json").json["gears"]]
+        self.assertEqual([m["over_pins"]["pin_diameter_in"] for m in measures], [0.1728, 0.1728])
+        self.assertEqual([m["over_balls"]["ball_diameter_in"] for m in measures], [0.1728, 0.1728])
         ring = Run("measure", 'units = "inch"\n[gear1]\nteeth = -60\nnormal_diametral_pitch_per_in = 8\n', "--json").json
         self.assertEqual(ring["gears"][0]["measure"]["over_pins"]["pin_diameter_in"], 0.21)
         by_module = Run("measure", PAIR.replace("normal_diametral_pitch_per_in = 10", "normal_module_mm = 2.54"), "--json")
@@ -132,10 +233,24 @@ class Printed(unittest.TestCase):
         self.assertEqual(again.json["pair"]["center_distance_in"], branch["spec"]["pair"]["center_distance_in"])
         self.assertEqual(branch["spec"]["units"], "inch")
 
+    def test_the_files_of_a_search(self):
+        spec = tomllib.loads((SOURCE / "examples/gearbox_search.toml").read_text())
+        mm = Run("search", json.dumps(spec), "--out", "found", name="case.json")
+        other = Run("search", json.dumps({"units": "inch"} | inch.spec_in_inch(spec)), "--out", "found", name="case.json")
+        self.assertEqual((mm.status, other.status), (0, 0), other.err)
+        answers = [json.loads((run.folder / "found/search.json").read_text()) for run in (mm, other)]
+        self.assertEqual(inch.differences(*answers), [])
+        best = [(run.folder / "found/best.csv").read_text() for run in (mm, other)]
+        self.assertEqual(*best)  # the tables are in mm
+        report = (other.folder / "found/report.html").read_text()
+        self.assertIn("Lengths are in inch, angles", report)
+        distance = answers[1]["search"]["designs"][0]["center_distance_in"]
+        self.assertIn(f"centre distance {distance:.5f} in", report)
+
     def test_what_is_in_mm_only_says_so(self):
-        search = json.dumps({"units": "inch"} | inch.spec_in_inch(
-            tomllib.loads((SOURCE / "examples/gearbox_search.toml").read_text())))
-        run = Run("search", search, "--out", "found", name="case.json")
+        search = {"units": "inch"} | inch.spec_in_inch(tomllib.loads((SOURCE / "examples/gearbox_search.toml").read_text()))
+        search["scatter"] = {"errors": {"axial_in": [-0.001, 0.001]}}
+        run = Run("scatter", json.dumps(search), "--out", "found", name="case.json")
         self.assertEqual(run.status, 1)
         self.assertIn("give the spec in mm", run.err)
 
