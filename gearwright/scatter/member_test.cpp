@@ -199,5 +199,20 @@ TEST(Tolerance, EndsMustBeTeeth) {
   EXPECT_EQ(error->value, "-6");
 }
 
+// A flank has one wave in each direction. A varying wave would replace the wave of the drawing.
+TEST(Tolerance, AWaveOfTheDrawingIsNotReplaced) {
+  auto drawn = testing::crowned_helical_pair();
+  drawn.modifications.helix_wave = {2, 0.0, 0.004};
+  const ContactSetup setup = drawn.setup();
+  const auto wave = [](bool along_face) {
+    return std::vector{
+        testing::tolerance("gear1.form", 1e-3, 0, 1, VaryingWave{1, along_face, {1, 4}, 0.004})};
+  };
+  EXPECT_FALSE(check_ends(setup, wave(false)));
+  const auto error = check_ends(setup, wave(true));
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->field, "gear1.form");
+}
+
 }  // namespace
 }  // namespace gearwright
