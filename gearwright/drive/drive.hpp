@@ -36,12 +36,14 @@ struct PlanetSet {
 struct DriveError {
   struct Line {
     double frequency_ratio;  ///< waves per turn of the input
-    double amplitude;        ///< rad
+    double amplitude;        ///< rad; of the travel of a rack, 2π per pitch
   };
   /// Peak to peak, rad. For meshes of several frequencies it is the sum over the frequencies, which
   /// is reached when their peaks coincide.
   double peak_to_peak = 0.0;
   std::vector<Line> lines;  ///< by frequency
+  /// p_t/2π, if the output is a rack  mm; the product with an error in rad is the error of its travel
+  std::optional<double> lever{};
 };
 
 /// The shares of the planets of a set under load over one period of its meshes, in the frame of the

@@ -15,6 +15,7 @@
 
 #include "gearwright/drive/assembly.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
 
@@ -28,7 +29,8 @@ struct DriveGeometry {
   std::vector<std::optional<double>> distance;  ///< a of each mesh  mm
   std::vector<std::optional<double>> shift;     ///< x of each gear
   std::vector<std::optional<Gear>> gears;
-  std::vector<std::optional<Pair>> pairs;  ///< of each mesh
+  std::vector<std::optional<Pair>> pairs;      ///< of each mesh of two gears
+  std::vector<std::optional<RackPair>> racks;  ///< of each mesh with a rack
   std::vector<GeometryFault> faults;
 };
 
@@ -36,7 +38,8 @@ struct DriveGeometry {
 /// distance applies to all meshes of a planet with central gears. If no distance is given, the first of
 /// these meshes has no backlash with the given shifts, and absent shifts are 0. A ring without a tip
 /// diameter ends 0.02 m_n before the ends of the flanks of its mating gears. Any other tip with less
-/// than 0.1 m_n of clearance is shortened by k m_n.
+/// than 0.1 m_n of clearance is shortened by k m_n. The pinion of a rack has the shift 0 if none is
+/// given, and its rack is mounted without backlash if no distance is given.
 ///
 /// Formula   [T13.15]
 /// Domain    a checked graph (contract)
@@ -72,5 +75,7 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
 ///
 /// Formula   s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π
 double thickness_share(const InvolutePair& pair, int which);
+/// The same of the pinion of a rack, on its reference circle.
+double thickness_share(const RackPair& pair);
 
 }  // namespace gearwright

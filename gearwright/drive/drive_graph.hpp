@@ -20,6 +20,7 @@
 #include "gearwright/gear/double_helical.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/modifications.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
 
@@ -44,7 +45,7 @@ struct DriveGear {
   std::string name;
   std::size_t body = 0;
   int teeth = 0;                        ///< z, < 0 for a ring
-  bool rack = false;                    ///< its body moves, and v/p_t replaces its speed
+  std::optional<RackBar> rack{};        ///< of a rack, whose body moves: v/p_t replaces its speed
   std::optional<CylindricalSpec> spec;  ///< all other data, except the shift
   std::optional<double> shift;          ///< x; computed if absent
   std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank
