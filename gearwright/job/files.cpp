@@ -136,7 +136,7 @@ std::optional<Error> beyond(const SolvedJob& job) {
   const std::pair<const char*, bool> parts[] = {{"load", spec.load.given && rack},
                                                 {"rating", spec.rating.given && rack},
                                                 {"compensate", spec.compensate.given},
-                                                {"scatter", spec.scatter.given}};
+                                                {"scatter", spec.scatter.given && rack}};
   for (const auto& [table, given] : parts) {
     if (!given) continue;
     if (halves)
@@ -370,7 +370,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   std::optional<PatternDensity> density;  // a figure of the report, also if results do not have it
   if (*scatter) {
     scatter_shown = scatter_view(job, **scatter);
-    if (!scatter_shown->density && options.wants("report"))
+    if (!scatter_shown->density && !job.halves[0] && options.wants("report"))
       density = density_of(job, **scatter, options.progress);
     if (density) scatter_shown->density = &*density;
   }
