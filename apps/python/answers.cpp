@@ -7,6 +7,8 @@
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/compensate_keys.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
@@ -21,6 +23,7 @@
 #include "gearwright/job/verify.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/store/parquet.hpp"
 
 namespace gearwright::python {
 
@@ -184,41 +187,73 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   return by_name(Value(compensate_quantities().of(found)));
 }
 
-// Returns an array with a row for each sample. Its columns are the inputs, such as
-// "errors.crossing_deg" or "bearings.bore_a.x_mm", and then the quantities by key.
-py::array members_of(const ScatterAnswer& a) {
-  StructuredArray rows;
-  std::vector<std::size_t> inputs, quantities;
-  for (const std::string& name : scatter_columns(a.task)) inputs.push_back(rows.add(name, "f8"));
-  for (const ScatterEntry& entry : scatter_entries())
-    quantities.push_back(rows.add(entry.key, "f8"));
-  rows.allocate(a.scatter.samples.size());
+// The columns of the samples: the inputs, such as "errors.crossing_deg" or "bearings.bore_a.x_mm",
+// and then the quantities by key.
+std::vector<std::string> member_columns(const ScatterAnswer& a) {
+  std::vector<std::string> names = scatter_columns(a.task);
+  for (const ScatterEntry& entry : scatter_entries()) names.emplace_back(entry.key);
+  return names;
+}
+
+// Calls cell(sample, column, x) for every column of every sample. A missing value is NaN.
+template <class Cell>
+void each_member(const ScatterAnswer& a, const Cell& cell) {
   for (std::size_t i = 0; i < a.scatter.samples.size(); ++i) {
     const ScatterSample& sample = a.scatter.samples[i];
-    const auto set = [&](std::size_t column, double x) {
-      const Value value = std::isnan(x) ? Value() : Value(x);
-      rows.set(i, column, {&value});
-    };
-    for (std::size_t k = 0; k < inputs.size(); ++k) set(inputs[k], sample.x[k]);
+    std::size_t column = 0;
+    for (const double x : sample.x) cell(i, column++, x);
     for (const ScatterEntry& entry : scatter_entries())
-      set(quantities[static_cast<std::size_t>(entry.quantity)],
-          entry.shown(sample.member[entry.quantity]));
+      cell(i, column++, entry.shown(sample.member[entry.quantity]));
   }
+}
+
+// Returns an array with a row for each sample.
+py::array members_of(const ScatterAnswer& a) {
+  StructuredArray rows;
+  for (const std::string& name : member_columns(a)) rows.add(name, "f8");
+  rows.allocate(a.scatter.samples.size());
+  each_member(a, [&](std::size_t i, std::size_t column, double x) {
+    const Value value = std::isnan(x) ? Value() : Value(x);
+    rows.set(i, column, {&value});
+  });
   return rows.take();
+}
+
+// Writes the same rows to a Parquet file. A missing value is null.
+void write_members(const ScatterAnswer& a, const std::string& spec, const py::object& given_path) {
+  const std::filesystem::path path = path_of(given_path, "path");
+  const py::gil_scoped_release free;
+  std::vector<ParquetColumn> heads;
+  for (const std::string& name : member_columns(a))
+    heads.push_back({name, ParquetType::float64, true});
+  write_file_by(path, [&](const std::filesystem::path& part) {
+    ParquetWriter table(part, heads,
+                        {{"program", fmt::format("gearwright {}", kVersion)}, {"spec", spec}});
+    each_member(a, [&](std::size_t, std::size_t column, double x) {
+      if (!std::isnan(x)) table.set(column, x);
+      if (column + 1 == heads.size()) table.end_row();
+    });
+    table.close();
+  });
 }
 
 py::object scatter(const py::object& given, const py::kwargs& kwargs) {
   auto [tree, folder] = spec_and_folder(given);
   const Json changes = with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, "scatter");
   for (const auto& [key, value] : changes.items()) tree["scatter"][key] = value;
+  const std::string spec = json_text(tree);
   const ModelPtr model = make_model(std::move(tree), folder, Scope::pair);
   SolvedJob job = model->job;
-  const ScatterAnswer found = watched_result(
-      model->given(), [&](Progress* progress) { return answer_scatter(job, progress); });
-  const ScatterView view = scatter_view(job, found);
+  const auto found = std::make_shared<const ScatterAnswer>(watched_result(
+      model->given(), [&](Progress* progress) { return answer_scatter(job, progress); }));
+  const ScatterView view = scatter_view(job, *found);
   const py::object record = by_name(Value(scatter_quantities().of(view)));
-  record.attr("_attributes").attr("__setitem__")("members", members_of(found));
-  record.attr("_attributes").attr("__setitem__")("figures", py::cast(scatter_figures(view)));
+  const py::object set = record.attr("_attributes").attr("__setitem__");
+  set("members", members_of(*found));
+  set("figures", py::cast(scatter_figures(view)));
+  set("to_parquet",
+      py::cpp_function([found, spec](const py::object& path) { write_members(*found, spec, path); },
+                       py::arg("path")));
   return record;
 }
 
@@ -303,8 +338,9 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
         "Computes the effect of tolerances on a pair; arguments are keys of [scatter] (errors=, "
         "gear1=, samples=, robust=). Returns a Record with a distribution for each quantity, "
         "probability, indices, worst and robust; its attribute members is a structured array with "
-        "a row for each sample and a column for each input and quantity, named by its key; its "
-        "attribute figures contains those of the report, with pattern=True also the density of the "
+        "a row for each sample and a column for each input and quantity, named by its key, and "
+        "to_parquet(path) writes these rows to a Parquet file; its attribute figures contains "
+        "those of the report, with pattern=True also the density of the "
         "contact pattern");
   m.def("_verify", &verify, py::arg("cases"));
   return contact;

@@ -48,7 +48,20 @@ JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const WantedSafety& wa
   return made;
 }
 
+// The findings of a pinion and its rack.
+std::vector<Finding> rack_findings(const Drive& drive, std::size_t m) {
+  const RackPair& rack = *drive.geometry.racks[m];
+  std::vector<Warning> warnings = rack.warnings;
+  if (auto w = body_warning(rack.pinion, std::nullopt, 1)) warnings.push_back(*w);
+  for (Warning w : rack.pinion.warnings) {
+    w.gear = 1;
+    warnings.push_back(std::move(w));
+  }
+  return findings_of({.gears = {&rack.pinion}, .rack = &rack, .warnings = &warnings});
+}
+
 std::vector<Finding> mesh_findings(const Drive& drive, std::size_t m, const WantedSafety& wanted) {
+  if (drive.geometry.racks[m]) return rack_findings(drive, m);
   JudgedMesh mesh = judged_mesh(drive, m, wanted);
   mesh.judged.warnings = &mesh.warnings;
   std::vector<Finding> findings = findings_of(mesh.judged);
@@ -67,7 +80,7 @@ std::vector<Part> parts_of(const Drive& drive, const WantedSafety& wanted) {
   for (const Warning& w : drive.findings)
     parts.push_back({{w.code, level_of(severity_of(w)), 0, w.message}});
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
-    if (!drive.geometry.pairs[m]) continue;
+    if (!drive.geometry.pairs[m] && !drive.geometry.racks[m]) continue;
     for (Finding& f : mesh_findings(drive, m, wanted)) {
       // A gear may belong to several meshes. A finding about this gear alone is listed only once,
       // with its first mesh.
@@ -168,6 +181,13 @@ std::string fraction(const Rational& r) {
   return fmt::format("{:.6g} ({}/{})", r.value(), *p, *q);
 }
 
+// j_n of a mesh, mm; none without teeth.
+std::optional<double> backlash_at(const Drive& drive, std::size_t m) {
+  if (const auto& rack = drive.geometry.racks[m]) return rack->normal_backlash();
+  const auto& pair = drive.geometry.pairs[m];
+  return pair && pair->involute() ? std::optional(pair->normal_backlash()) : std::nullopt;
+}
+
 // Summary of a drive without faults: ratio, efficiency, safeties and least backlash of its meshes.
 std::string running(const Drive& drive) {
   std::string text = "The drive runs";
@@ -176,40 +196,33 @@ std::string running(const Drive& drive) {
   if (drive.flow && !drive.flow->self_locking())
     facts += (facts.empty() ? "efficiency " : ", efficiency ") + share(drive.flow->efficiency);
   text += facts.empty() ? "." : ": " + facts + ".";
-  std::optional<double> least;
-  double module = 0.0, distance = 0.0;
-  for (const auto& pair : drive.geometry.pairs) {
-    if (!pair || !pair->involute()) continue;
-    const double j = pair->involute()->mesh.backlash.normal;
-    if (!least || j < *least) {
-      least = j;
-      module = pair->gear(1).spec.normal_module;
-      distance = pair->center_distance();
-    }
+  std::optional<std::size_t> tight;  // the mesh with the least backlash
+  double least = 0.0;
+  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
+    const auto j = backlash_at(drive, m);
+    if (!j || (tight && *j >= least)) continue;
+    tight = m;
+    least = *j;
   }
-  const auto& gears = drive.graph.gears;
-  const bool racks =
-      std::any_of(gears.begin(), gears.end(), [](const DriveGear& gear) { return gear.rack; });
-  if (racks)
-    text +=
-        " Meshes with a rack are not checked. The verb drive with --take prints a mesh as the spec "
-        "of a pair.";
-  if (!least && racks) return text;
-  if (!least) return text + " The teeth are not checked, because no module is given.";
+  if (!tight) return text + " The teeth are not checked, because no module is given.";
   std::vector<const Rating*> ratings;
   for (const auto& rating : drive.ratings)
     if (rating) ratings.push_back(&rating->rating);
   text += safety_words(ratings);
-  constexpr double kNone = 1e-9;  // mm; a smaller backlash is a rounding error
-  if (*least > kNone) return text + fmt::format(" The least backlash is {:.3f} mm.", *least);
-  const double recommended = recommended_backlash(distance, module);
-  // j_n = −2 E_sn cos α_n, because both gears of a mesh get the same allowance E_sn.
-  const double allowance =
-      -std::ceil(recommended / 2 / std::cos(Angle::degrees(20).rad()) * 100) / 100;
+  if (least > kNoBacklash) return text + fmt::format(" The least backlash is {:.3f} mm.", least);
+  const auto& pair = drive.geometry.pairs[*tight];
+  if (!pair) return text + " There is no backlash between the rack and its pinion.";
+  const CylindricalSpec& spec = pair->gear(1).spec;
+  const double recommended = recommended_backlash(pair->center_distance(), spec.normal_module);
+  // j_bn = −2 E_sn cos α_n and j_n = j_bn/cos α_wn, because both gears of a mesh get the same E_sn.
+  const double per_allowance =
+      2 * std::cos(spec.normal_pressure_angle.rad()) / pair->involute()->mesh.rack.angles.cos_alpha;
+  const double thinner = std::ceil(recommended / per_allowance * 100) / 100;
   return text + fmt::format(
-                    " There is no backlash. A thickness allowance of {} mm on all gears would give "
-                    "{:.2f} mm, as ISO/TR 10064-2 recommends.",
-                    format_number(allowance), recommended);
+                    " There is no backlash. A thickness allowance of {} mm on all gears gives "
+                    "{:.3f} mm in the mesh {}; ISO/TR 10064-2 recommends at least {:.2f} mm.",
+                    format_number(-thinner), per_allowance * thinner,
+                    drive.graph.meshes[*tight].name, recommended);
 }
 
 }  // namespace
@@ -257,7 +270,9 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
   Verdict verdict;
   if (!parts.empty()) verdict.level = parts.front().finding.level;
   // A drive with a remedy is not rated again, so no remedy is tried for a rated drive.
-  if (verdict.level != Level::green && parts.front().mesh && drive.ratings.empty())
+  const auto worst = parts.empty() ? std::nullopt : parts.front().mesh;
+  if (verdict.level != Level::green && worst && drive.geometry.pairs[*worst] &&
+      drive.ratings.empty())
     add_remedy(parts, drive, input, key_of, wanted);
   for (Part& part : parts) {
     Finding f = std::move(part.finding);

@@ -215,7 +215,38 @@ TEST(JudgeDrive, ASetWithoutTipDiametersRuns) {
     const Verdict verdict = judge_drive(*drive, input);
     EXPECT_EQ(verdict.level, Level::green) << x << verdict.headline;
     EXPECT_NE(verdict.headline.find("There is no backlash"), std::string::npos);
+    for (const Finding& f : verdict.findings)
+      if (f.code == WarningCode::no_backlash) {
+        EXPECT_EQ(f.level, Level::green);
+        EXPECT_NE(f.message.find("planet"), std::string::npos) << f.message;
+      }
   }
+}
+
+// The headline gives a thickness allowance and the backlash that follows from it. A drive with this
+// allowance has this backlash, and the finding disappears.
+TEST(JudgeDrive, TheAllowanceInTheHeadlineGivesItsBacklash) {
+  PlanetarySpec set = example();
+  const auto headline = [&] {
+    const DriveInput input{*graph_of(set), {}};
+    const Verdict verdict = judge_drive(*make_drive(input), input);
+    const auto is_none = [](const Finding& f) { return f.code == WarningCode::no_backlash; };
+    EXPECT_EQ(std::count_if(verdict.findings.begin(), verdict.findings.end(), is_none),
+              set.allowance.all ? 0 : 2);
+    return verdict.headline;
+  };
+  const std::string tight = headline();
+  const auto number_after = [&](const std::string& words) {
+    const auto at = tight.find(words);
+    return at == std::string::npos ? 0.0 : std::stod(tight.substr(at + words.size()));
+  };
+  set.allowance.all = number_after("A thickness allowance of ");
+  const double promised = number_after("on all gears gives ");
+  EXPECT_LT(*set.allowance.all, 0.0) << tight;
+  EXPECT_GE(promised, number_after("recommends at least "));
+  EXPECT_NE(headline().find(fmt::format("The least backlash is {:.3f} mm.", promised)),
+            std::string::npos)
+      << headline();
 }
 
 // The spec of this set has only eight lines. With large profile shifts, the tips have no clearance

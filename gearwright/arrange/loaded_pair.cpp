@@ -165,10 +165,31 @@ Result<std::array<ElasticBody, 2>> bodies_of(const Arranged& arranged,
   return bodies;
 }
 
+// The member that deflects the axes under load; empty if nothing does.
+std::string deflecting_member(const LoadRequest& request) {
+  for (const int which : {1, 2})
+    if (request.shafts[static_cast<std::size_t>(which - 1)]) return gear_field(which, "shaft");
+  if (!request.deflects()) return {};
+  return request.deflection_slope != 0.0 ? "load.deflection_slope" : "load.deflection_bow";
+}
+
+// The error if no teeth touch at any position.
+Error no_touch(const LoadTask& task) {
+  const std::string member = deflecting_member(task.request);
+  if (member.empty()) return nothing_touches(task.setup);
+  const LoadRequest& r = task.request;
+  const double um = (r.deflection_slope != 0.0 ? r.deflection_slope : r.deflection_bow) / kMmPerUm;
+  return {member, member.starts_with("load.") ? format_number(um) : "",
+          "no teeth touch at any position under this deflection; a smaller deflection or a stiffer "
+          "shaft would help",
+          FailureKind::nothing_touches};
+}
+
 Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
   const int fair = fair_slices(setup.gear(1), setup.gear(2), request.regime);
   const double face = std::min(setup.gear(1).spec.face_width, setup.gear(2).spec.face_width);
   const std::string width = format_number(face / request.slices);
+  const std::string member = deflecting_member(request);
   return refused(
       "load.slices", request.slices,
       request.slices > fair
@@ -176,8 +197,9 @@ Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
                         "slices are sufficient",
                         width, fair)
           : fmt::format("are too many, because each slice is {} mm wide, which is less than the "
-                        "width of the contact; reduce the torque or the number of slices",
-                        width));
+                        "width of the contact; reduce the torque{} or the number of slices",
+                        width,
+                        member.empty() ? "" : fmt::format(", the deflection (`{}`)", member)));
 }
 
 Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
@@ -255,7 +277,7 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
   const auto& positions = found.torques.front().positions;
   if (std::all_of(positions.begin(), positions.end(),
                   [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; }))
-    return nothing_touches(task.setup);
+    return no_touch(task);
   if (found.slices_too_fine) return too_fine(task.setup, task.request);
   for (const LoadedTorque& t : found.torques)
     if (std::none_of(t.positions.begin(), t.positions.end(),

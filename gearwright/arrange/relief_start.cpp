@@ -41,7 +41,9 @@ bool lacks_relief_start(const GivenPair& given) {
 Error missing_relief_start(const GivenPair& given) {
   return *first_without_start(given, [](int, bool, const Relief&, const std::string& field) {
     return std::optional(absent_input(
-        field, "; give it, because its default depends on the mating gear, and there is no pair"));
+        field,
+        "; give it, because its default follows from the contact ratio with a second gear, which "
+        "is absent or a rack"));
   });
 }
 

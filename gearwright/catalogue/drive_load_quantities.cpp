@@ -144,9 +144,7 @@ const Quantities<Drive>& drive_load_quantities() {
         .unit(Unit::arcsec);
     q.record<drive_error_line_quantities>(
          "lines", "harmonics of the mesh frequencies under load",
-         [](const Drive& d) {
-           return Value(drive_error_line_quantities().each(d.loaded->error.lines));
-         })
+         [](const Drive& d) { return error_lines(d.loaded->error); })
         .always()
         .list({0})
         .doors(kJson);

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 
 namespace gearwright {
@@ -84,12 +86,17 @@ const Quantities<DriveError>& drive_error_quantities() {
     q.number("output_arcsec_peak_to_peak", "transmission error of the output", "",
              "greatest value minus least value; for several mesh frequencies, the sum of these "
              "differences [T13.21]",
-             [](const E& e) { return Value(Angle::radians(e.peak_to_peak).arcsec()); })
-        .unit(Unit::arcsec)
-        .always();
-    q.record<drive_error_line_quantities>(
-         "lines", "harmonics of the mesh frequencies [T13.22]",
-         [](const E& e) { return Value(drive_error_line_quantities().each(e.lines)); })
+             [](const E& e) {
+               return e.lever ? Value() : Value(Angle::radians(e.peak_to_peak).arcsec());
+             })
+        .unit(Unit::arcsec);
+    q.number(
+         "output_um_peak_to_peak", "transmission error of the rack", "",
+         "the same of an output that is a rack, along its travel",
+         [](const E& e) { return e.lever ? Value(kUmPerMm * *e.lever * e.peak_to_peak) : Value(); })
+        .unit(Unit::um);
+    q.record<drive_error_line_quantities>("lines", "harmonics of the mesh frequencies [T13.22]",
+                                          error_lines)
         .always()
         .list({0})
         .doors(kJson);
@@ -220,8 +227,8 @@ void say(Quantities<Drive>& q) {
   q.record<drive_error_quantities>(
       "transmission_error",
       "rotation error of the output while the input rotates uniformly; 0 if there are no "
-      "modifications and no [errors]; null with several inputs, without geometry, or if contact is "
-      "lost",
+      "modifications and no [errors]; null with several inputs, with several pinions on one rack, "
+      "without geometry, or if contact is lost",
       &Drive::error);
   q.record<drive_load_quantities>(
        "load", "the drive under load; only with `[load]`",
@@ -239,18 +246,30 @@ void say(Quantities<Drive>& q) {
 
 }  // namespace
 
-const Quantities<DriveError::Line>& drive_error_line_quantities() {
-  using L = DriveError::Line;
+const Quantities<DriveErrorLine>& drive_error_line_quantities() {
+  using L = DriveErrorLine;
   static const Quantities<L> kAll("drive.transmission_error.line", [](Quantities<L>& q) {
     q.number("frequency_ratio", "waves per turn of the input", "", "", [](const L& l) {
-       return Value(l.frequency_ratio);
+       return Value(l.line->frequency_ratio);
      }).always();
-    q.number("arcsec", "amplitude", "", "amplitude of the rotation of the output",
-             [](const L& l) { return Value(Angle::radians(l.amplitude).arcsec()); })
-        .unit(Unit::arcsec)
-        .always();
+    q.number("arcsec", "amplitude", "", "amplitude of the rotation of the output; null for a rack",
+             [](const L& l) {
+               return l.lever ? Value() : Value(Angle::radians(l.line->amplitude).arcsec());
+             })
+        .unit(Unit::arcsec);
+    q.number("amplitude_um", "amplitude of the rack", "",
+             "amplitude of the travel of an output that is a rack", [](const L& l) {
+               return l.lever ? Value(kUmPerMm * *l.lever * l.line->amplitude) : Value();
+             });
   });
   return kAll;
+}
+
+Value error_lines(const DriveError& error) {
+  ValueList lines;
+  for (const DriveError::Line& line : error.lines)
+    lines.push_back(Value(drive_error_line_quantities().of({&line, error.lever})));
+  return Value(std::move(lines));
 }
 
 const Quantities<DriveBodyView>& drive_body_quantities() {
@@ -340,6 +359,11 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
                                 const auto& pair = v.drive->geometry.pairs[v.mesh];
                                 return pair ? Value(pair_quantities().of(*pair)) : Value();
                               })
+        .doors(kJson);
+    q.record<rack_pair_quantities>(
+         "rack_pair", "the pinion and its rack as mounted; only of a mesh with a rack",
+         [](const V& v) { return rack_pair_quantities().of(*v.drive->geometry.racks[v.mesh]); })
+        .when([](const V& v) { return v.drive->geometry.racks[v.mesh].has_value(); })
         .doors(kJson);
     q.record<rating_quantities>(
          "rating",

@@ -21,8 +21,13 @@ struct DriveMeshView {
 };
 const Quantities<DriveBodyView>& drive_body_quantities();
 const Quantities<DriveMeshView>& drive_mesh_quantities();
-/// A harmonic of the transmission error.
-const Quantities<DriveError::Line>& drive_error_line_quantities();
+/// A harmonic of the transmission error, with the lever of DriveError.
+struct DriveErrorLine {
+  const DriveError::Line* line;
+  std::optional<double> lever;
+};
+const Quantities<DriveErrorLine>& drive_error_line_quantities();
+Value error_lines(const DriveError& error);
 
 /// A drive under load: `drive.load` of a result.
 ///

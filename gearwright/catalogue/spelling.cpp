@@ -81,12 +81,22 @@ std::string spelled_value(const std::string& value, const Key& key) {
   return word ? "\"" + value + "\"" : value;
 }
 
+// The part of `path` without the tables that it shares with `around`.
+std::string_view beside(std::string_view path, std::string_view around) {
+  const auto table_of = [](std::string_view text) { return text.substr(0, text.find('.')); };
+  while (path.find('.') != std::string_view::npos && table_of(path) == table_of(around)) {
+    path.remove_prefix(table_of(path).size() + 1);
+    around.remove_prefix(std::min(table_of(around).size() + 1, around.size()));
+  }
+  return path;
+}
+
 // The key for a member that is named in a sentence about `owner`. The nearest table that has the member is
 // used.
 std::string named(std::string_view member, const GivenKeys& given, std::string_view owner) {
   for (std::string_view around = owner; !around.empty();) {
     if (const auto s = spelling_of(joined(around, member), given))
-      return s->path.substr(around.size() + 1);
+      return std::string(beside(s->path, around));
     const std::size_t dot = around.rfind('.');
     around = dot == std::string_view::npos ? std::string_view() : around.substr(0, dot);
   }

@@ -69,6 +69,12 @@ TEST(Spelling, the_key_that_was_given_counts) {
   EXPECT_EQ(spelled(flank, {"gear1.modifications.tip_relief_um"}).message(),
             "gear1.modifications.tip_relief_um = 900: is too much");
   EXPECT_EQ(spelled(flank).message(), "gear1.modifications.tip_relief_um = 900: is too much");
+  // A sentence about one flank names the key of this flank, or the key of both flanks.
+  const Error longer{"gear1.modifications.left.tip_relief.amount", "999",
+                     "give a longer relief (`tip_relief.reach`)"};
+  EXPECT_EQ(spelled(longer).rule, "give a longer relief (tip_relief_start_mm)");
+  EXPECT_EQ(spelled(longer, {"gear1.modifications.left_tip_relief_start_mm"}).rule,
+            "give a longer relief (left_tip_relief_start_mm)");
 }
 
 TEST(Spelling, words_stand_in_quotes_as_in_a_file) {

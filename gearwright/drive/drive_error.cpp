@@ -40,7 +40,7 @@ class DriveCurves {
     phases_ = std::move(*phases);
     curves_.resize(phases_.size());
     for (std::size_t m = 0; m < curves_.size(); ++m) {
-      if (!find_waves(m, *drive_.geometry.pairs[m])) return false;
+      if (!find_waves(m)) return false;
       find_shares(m);
     }
     return true;
@@ -86,34 +86,56 @@ class DriveCurves {
     return gearwright::transmission_error(HalvesMesh{&setup.gear(1), {&a, &b}}, kErrorPositions);
   }
 
-  bool find_waves(std::size_t m, const Pair& pair) {
+  // The transmission error of a mesh in mm along its line of action. It is > 0 if the driven gear is
+  // ahead, so its sign changes if gear 2 drives. Empty if it cannot be computed.
+  std::vector<double> along_line(std::size_t m, const ContactErrors& errors) const {
+    const bool gear2_drives = !phases_[m].first_drives;
+    std::vector<double> te;
+    double r_b = 0.0;
+    if (const auto& rack = drive_.geometry.racks[m]) {
+      const auto contact = detail::rack_contact(drive_, m, errors, phases_[m]);
+      if (!contact) return {};
+      te = gearwright::transmission_error(*contact->pair, kErrorPositions);
+      r_b = rack->pinion.base_radius();  // the travel is stored as an angle of the pinion
+    } else {
+      const auto setup = detail::mesh_contact(drive_, m, errors, phases_[m].turned);
+      if (!setup) return {};
+      te = curve_of(*setup, gear2_drives, phases_[m].turned);
+      r_b = setup->gear(2).base_radius();
+    }
+    if (std::any_of(te.begin(), te.end(), [](double x) { return std::isnan(x); })) return {};
+    if (peak_to_peak(te) < kRounding) return std::vector<double>(te.size(), 0.0);
+    for (double& x : te) x *= gear2_drives ? -r_b : r_b;
+    return te;
+  }
+
+  bool conjugate(std::size_t m, const ContactErrors& errors) const {
+    const DriveMesh& mesh = drive_.graph.meshes[m];
+    const auto& rack = drive_.geometry.racks[m];
+    const double ratio = rack ? rack->true_contact_ratio() + rack->overlap_ratio
+                              : drive_.geometry.pairs[m]->involute()->contact_ratio_true();
+    return ratio >= 1.0 && errors == ContactErrors() &&
+           !any_modification(drive_.graph.gear(mesh, 0).modifications) &&
+           !any_modification(drive_.graph.gear(mesh, 1).modifications);
+  }
+
+  bool find_waves(std::size_t m) {
     MeshCurve& curve = curves_[m];
     curve.waves.assign(kErrorPositions / 2 + 1, 0.0);
-    const DriveGraph& graph = drive_.graph;
     const ContactErrors errors = errors_ ? errors_(m) : ContactErrors();
-    const bool modified = any_modification(graph.gear(graph.meshes[m], 0).modifications) ||
-                          any_modification(graph.gear(graph.meshes[m], 1).modifications);
-    const bool whole = pair.involute()->contact_ratio_true() >= 1.0;
-    if (!modified && whole && errors == ContactErrors()) return true;
-    const auto setup = detail::mesh_contact(drive_, m, errors, phases_[m].turned);
-    if (!setup) return false;
-    const bool gear2_drives = !phases_[m].first_drives;
-    const auto te = curve_of(*setup, gear2_drives, phases_[m].turned);
-    if (std::any_of(te.begin(), te.end(), [](double x) { return std::isnan(x); })) return false;
-    if (peak_to_peak(te) < kRounding) return true;
-    // The error is > 0 if gear 2 is ahead of gear 1. If gear 2 drives, gear 1 is the driven gear,
-    // and the sign changes.
-    const double r_b = pair.gear(2).base_radius() * (gear2_drives ? -1 : 1);
+    if (conjugate(m, errors)) return true;
+    const std::vector<double> e = along_line(m, errors);
+    if (e.empty()) return false;
     for (int k = 0; k <= kErrorPositions / 2; ++k) {
       Wave wave = 0.0;
       for (int j = 0; j < kErrorPositions; ++j) {
         // The curve starts half a pitch before its middle. The phase is computed with integers, so
         // that harmonics which vanish are exactly 0.
         const int turn = k * (j + kErrorPositions / 2) % kErrorPositions;
-        wave += (te[static_cast<std::size_t>(j)] - te[0]) *
+        wave += (e[static_cast<std::size_t>(j)] - e[0]) *
                 phasor(-static_cast<double>(turn) / kErrorPositions);
       }
-      curve.waves[static_cast<std::size_t>(k)] = wave * r_b / double(kErrorPositions);
+      curve.waves[static_cast<std::size_t>(k)] = wave / double(kErrorPositions);
     }
     return true;
   }
@@ -165,13 +187,12 @@ class DriveCurves {
 std::optional<DriveError> transmission_error(const Drive& drive, int harmonics,
                                              const MeshErrors& errors) {
   GW_EXPECTS(harmonics >= 1);
-  const auto is_rack = [](const DriveGear& gear) { return gear.rack; };
-  if (drive.motion.freedom != 1 || !drive.motion.redundant.empty() ||
-      std::any_of(drive.graph.gears.begin(), drive.graph.gears.end(), is_rack))
-    return std::nullopt;
+  if (drive.motion.freedom != 1 || !drive.motion.redundant.empty()) return std::nullopt;
   DriveCurves curves(drive, errors);
   if (!curves.make()) return std::nullopt;
-  return curves.error(std::min(harmonics, kMostHarmonics));
+  DriveError found = curves.error(std::min(harmonics, kMostHarmonics));
+  if (const auto pitch = drive.rack_pitch(drive.graph.output)) found.lever = *pitch / kTurn;
+  return found;
 }
 
 }  // namespace gearwright

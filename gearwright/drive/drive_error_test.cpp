@@ -10,6 +10,7 @@
 
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/contact/rack_contact.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
 namespace gearwright {
@@ -150,6 +151,98 @@ TEST(DriveErrorTest, OnePlanetAddsBothCurvesWhereItStands) {
       EXPECT_NEAR(drive.error->lines[k].amplitude, waves[k].rad(), 0.01 * waves[0].rad())
           << s << " " << p << " " << k;
   }
+}
+
+// Shaft 1 drives shaft 2 by 19 : 58 teeth, and a pinion of 20 teeth on shaft 2 meshes with a rack.
+// Without `pair`, the pinion is on shaft 1.
+DriveGraph steering(bool pair, bool rack_drives) {
+  CylindricalSpec spec;
+  spec.normal_module = 2.0;
+  spec.face_width = 20.0;
+  spec.thickness_allowance = -0.04;
+  const auto gear = [&](const char* name, std::size_t body, int teeth) {
+    DriveGear g;
+    g.name = name;
+    g.body = body;
+    g.teeth = teeth;
+    g.spec = spec;
+    g.shift = 0.0;
+    g.modifications = relieved(0.004, 0.006);
+    return g;
+  };
+  DriveGear bar;
+  bar.name = "bar";
+  bar.rack = RackBar{};
+  DriveGraph graph;
+  const std::size_t shaft = pair ? 1 : 0;
+  for (const char* name : {"shaft1", "shaft2", "rack"})
+    if (pair || name != std::string("shaft2")) graph.bodies.push_back({name, std::nullopt, 1, {}});
+  bar.body = shaft + 1;
+  if (pair) graph.gears = {gear("one", 0, 19), gear("two", 1, 58)};
+  graph.gears.push_back(gear("pinion", shaft, 20));
+  graph.gears.push_back(bar);
+  const std::size_t at = graph.gears.size() - 2;
+  if (pair) graph.meshes.push_back({"pair", {0, 1}, std::nullopt, 77.0});
+  graph.meshes.push_back({"bar", {at, at + 1}, std::nullopt, std::nullopt});
+  graph.inputs = {0};
+  graph.output = bar.body;
+  if (rack_drives) std::swap(graph.inputs.front(), graph.output);
+  return graph;
+}
+
+// The travel of the rack has the error of the contact of the pinion with its rack. If the rack drives,
+// the pinion has the same error divided by its reference radius.
+TEST(DriveErrorTest, ARackHasTheErrorOfItsContact) {
+  for (const bool rack_drives : {false, true}) {
+    const auto drive = make_drive({steering(false, rack_drives), {}, 5});
+    ASSERT_TRUE(drive);
+    ASSERT_TRUE(drive->error);
+    const RackPair& pair = *drive->geometry.racks[0];
+    const auto [right, left] = relieved(0.004, 0.006);
+    ContactOptions options;
+    options.modifications[0] = {right, left};
+    options.gear2_drives = rack_drives;
+    options.request.positions = kErrorPositions;
+    const auto touching = contact(pair, {}, options);
+    ASSERT_TRUE(touching);
+    const double travel = touching->rack.of(touching->peak_to_peak);
+    EXPECT_GT(travel, 1e-4);
+    EXPECT_EQ(drive->error->lever.has_value(), !rack_drives);
+    const double radius = pair.pinion.reference_diameter / 2;
+    EXPECT_NEAR(drive->error->lever.value_or(radius) * drive->error->peak_to_peak, travel, 1e-12);
+    EXPECT_NEAR(drive->error->lever.value_or(radius) * drive->error->lines[0].amplitude,
+                touching->rack.of(touching->harmonics[0]), 1e-12);
+  }
+}
+
+// Two meshes of different frequencies add their peaks. The error of shaft 2 moves the rack by its
+// reference radius.
+TEST(DriveErrorTest, APairBeforeTheRackAddsItsError) {
+  const auto both = make_drive({steering(true, false), {}, 5});
+  const auto alone = make_drive({steering(false, false), {}, 5});
+  ASSERT_TRUE(both && alone);
+  ASSERT_TRUE(both->error && alone->error);
+  const double of_pair = train(false).error->peak_to_peak;
+  EXPECT_NEAR(*both->error->lever * both->error->peak_to_peak,
+              *alone->error->lever * alone->error->peak_to_peak + 20.0 * of_pair, 1e-12);
+}
+
+// Without modifications and errors, the travel of a rack is exact. Two pinions on one rack have an
+// unknown phase, so there is no result.
+TEST(DriveErrorTest, AConjugateRackHasNoneAndTwoPinionsAreUnknown) {
+  DriveGraph graph = steering(false, false);
+  graph.gears[0].modifications = {};
+  const auto exact = make_drive({graph, {}, 3});
+  ASSERT_TRUE(exact && exact->error);
+  EXPECT_EQ(exact->error->peak_to_peak, 0.0);
+  graph.bodies.push_back({"idler", std::nullopt, 1, {}});
+  graph.gears.push_back(graph.gears[0]);
+  graph.gears.back().name = "second";
+  graph.gears.back().body = 2;
+  graph.meshes.push_back({"second", {2, 1}, std::nullopt, std::nullopt});
+  const auto two = make_drive({graph, {}, 3});
+  ASSERT_TRUE(two) << two.error().message();
+  EXPECT_FALSE(two->error);
 }
 
 }  // namespace

@@ -162,6 +162,24 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
   }
 }
 
+// Mounts the racks. A pinion without a shift has the shift 0.
+void mount_racks(const DriveGraph& graph, DriveGeometry& made) {
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    const DriveMesh& mesh = graph.meshes[m];
+    const auto& bar = graph.gear(mesh, 1).rack;
+    const auto& pinion = made.gears[mesh.gears[0]];
+    if (!bar || !pinion) continue;
+    auto pair = mount_rack(*pinion, *bar, mesh.center_distance);
+    if (pair) {
+      made.racks[m] = std::move(pair).take();
+      made.distance[m] = made.racks[m]->center_distance;
+    } else {
+      made.faults.push_back({Fault::Kind::no_pair, fmt::format("The mesh {} cannot be mounted: {}.",
+                                                               mesh.name, pair.error().message())});
+    }
+  }
+}
+
 // Makes the teeth of a gear again with the given tip diameter, and mounts its meshes again.
 void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, DriveGeometry& made) {
   made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], tip_diameter, made.faults);
@@ -275,16 +293,20 @@ DriveGeometry drive_geometry(const DriveGraph& graph) {
   DriveGeometry made;
   made.distance.resize(graph.meshes.size());
   made.pairs.resize(graph.meshes.size());
+  made.racks.resize(graph.meshes.size());
   made.gears.resize(graph.gears.size());
   for (const DriveGear& gear : graph.gears) made.shift.push_back(gear.shift);
   Completion completion(graph, made);
   for (const auto& meshes : distance_classes(graph)) completion.of_class(meshes);
+  for (const DriveMesh& mesh : graph.meshes)
+    if (auto& shift = made.shift[mesh.gears[0]]; graph.gear(mesh, 1).rack && !shift) shift = 0.0;
   for (std::size_t g = 0; g < graph.gears.size(); ++g)
     if (graph.gears[g].spec && made.shift[g])
       made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], std::nullopt, made.faults);
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) mount_mesh(graph, m, made);
   cut_back_tips(graph, made);
   turn_out_rings(graph, made);
+  mount_racks(graph, made);
   return made;
 }
 
@@ -345,16 +367,27 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   return found;
 }
 
-double thickness_share(const InvolutePair& pair, int which) {
-  const auto side = static_cast<std::size_t>(which - 1);
-  const Gear& gear = pair.gears[side];
-  const double alpha_wt =
-      std::acos(pair.input.gears[side].radius / pair.mesh.rack.sides[side].pitch_radius);
+namespace {
+
+// s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π on the circle with the pressure angle α_wt
+double thickness_share_at(const Gear& gear, double alpha_wt) {
   const auto& reference = gear.reference();
   return 0.5 +
          (2 * reference.generating_profile_shift * std::tan(gear.spec.normal_pressure_angle.rad()) +
           gear.spec.teeth * (involute(reference.transverse_pressure_angle) - involute(alpha_wt))) /
              std::numbers::pi;
+}
+
+}  // namespace
+
+double thickness_share(const InvolutePair& pair, int which) {
+  const auto side = static_cast<std::size_t>(which - 1);
+  return thickness_share_at(pair.gears[side], std::acos(pair.input.gears[side].radius /
+                                                        pair.mesh.rack.sides[side].pitch_radius));
+}
+
+double thickness_share(const RackPair& pair) {
+  return thickness_share_at(pair.pinion, pair.pinion.reference().transverse_pressure_angle);
 }
 
 }  // namespace gearwright

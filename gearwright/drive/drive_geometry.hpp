@@ -16,6 +16,7 @@
 
 #include "gearwright/drive/assembly.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
 
@@ -29,7 +30,8 @@ struct DriveGeometry {
   std::vector<std::optional<double>> distance;  ///< a of each mesh  mm
   std::vector<std::optional<double>> shift;     ///< x of each gear
   std::vector<std::optional<Gear>> gears;
-  std::vector<std::optional<Pair>> pairs;  ///< of each mesh
+  std::vector<std::optional<Pair>> pairs;      ///< of each mesh of two gears
+  std::vector<std::optional<RackPair>> racks;  ///< of each mesh with a rack
   std::vector<GeometryFault> faults;
 };
 
@@ -38,7 +40,8 @@ struct DriveGeometry {
 /// given, absent shifts of the first of these meshes are 0, and its distance is the one without
 /// backlash. If the tip diameter of a ring is not given, its tips stay 0.02 m_n above the root ends
 /// of the flanks of its mating gears. Any other tip with a clearance of less than 0.1 m_n is
-/// lowered by the tip shortening k m_n.
+/// lowered by the tip shortening k m_n. The pinion of a rack has the shift 0 if none is given, and
+/// its rack is mounted without backlash if no distance is given.
 ///
 /// Formula   [T13.15]
 /// Domain    a checked graph (contract)
@@ -76,5 +79,7 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
 ///
 /// Formula   s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π
 double thickness_share(const InvolutePair& pair, int which);
+/// The same of the pinion of a rack, on its reference circle.
+double thickness_share(const RackPair& pair);
 
 }  // namespace gearwright

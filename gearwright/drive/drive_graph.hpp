@@ -20,6 +20,7 @@
 #include "gearwright/gear/double_helical.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/modifications.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
 
@@ -45,8 +46,7 @@ struct DriveGear {
   std::string name;
   std::size_t body = 0;
   int teeth = 0;                        ///< z, < 0 for a ring
-  bool rack = false;                    ///< true for a rack: its body moves in a line with the
-                                        ///< speed v/p_t
+  std::optional<RackBar> rack{};        ///< of a rack: its body moves with the speed v/p_t
   std::optional<CylindricalSpec> spec;  ///< data of the teeth, except z and x
   std::optional<double> shift;          ///< x; computed if absent
   std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank

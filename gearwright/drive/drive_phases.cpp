@@ -11,9 +11,11 @@ namespace {
 
 using Flanks = std::array<FlankModifications, 2>;
 
-// Seen from the other face, a gear turns in the opposite direction, and its right flank becomes the
-// left one.
-std::optional<Flanks> turned_over(const Flanks& flanks) {
+// The flanks of a gear of a mesh. Seen from the other face, it turns in the opposite direction, and its
+// right flank becomes the left one.
+std::optional<Flanks> flanks_of(const DriveGear& gear, bool turned_over) {
+  const Flanks& flanks = gear.modifications;
+  if (!turned_over) return flanks;
   Flanks turned{flanks[1], flanks[0]};
   for (FlankModifications& flank : turned) {
     if (flank.topography) return std::nullopt;
@@ -52,6 +54,13 @@ void find_delays(const Drive& drive, std::size_t m, MeshPhase& phase) {
   phase.phases = mesh_phases(gear.teeth, set->assembly.turns);
 }
 
+// The thickness of the tooth of one gear of a mesh, as a share of the pitch.
+double share_of(const Drive& drive, std::size_t m, int side) {
+  const auto& rack = drive.geometry.racks[m];
+  return rack ? thickness_share(*rack)
+              : thickness_share(*drive.geometry.pairs[m]->involute(), side + 1);
+}
+
 // The time at which the loaded flank of a gear passes the pitch point of a mesh, in periods.
 // [T13.17]
 std::optional<double> passing(const Drive& drive, std::size_t m, int side, bool first_drives) {
@@ -61,7 +70,8 @@ std::optional<double> passing(const Drive& drive, std::size_t m, int side, bool 
   if (!theta) return std::nullopt;
   const double sense = turning(drive, gear.body, m) < 0.0 ? -1.0 : 1.0;
   const bool drives = first_drives == (side == 0);
-  const double half = thickness_share(*drive.geometry.pairs[m]->involute(), side + 1) / 2;
+  if (gear.rack) return std::nullopt;
+  const double half = share_of(drive, m, side) / 2;
   return sense * std::abs(gear.teeth) * *theta + (drives ? -half : half);
 }
 
@@ -123,7 +133,7 @@ std::optional<double> direction(const Drive& drive, std::size_t m, std::size_t g
     if (!one || !two) return std::nullopt;
     theta = std::arg(*two - *one);
   }
-  const bool towards_b = gear == mesh.gears[0] && b.teeth > 0;
+  const bool towards_b = gear == mesh.gears[0] && (b.teeth > 0 || b.rack);
   return theta / kTurn + (towards_b ? 0.0 : 0.5);
 }
 
@@ -148,13 +158,13 @@ std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive) {
   for (std::size_t m = 0; m < phases.size(); ++m) {
     MeshPhase& phase = phases[m];
     const auto& pair = drive.geometry.pairs[m];
-    if (!pair || !pair->involute() || !to_output[m].fits() || !to_input[m].fits())
-      return std::nullopt;
+    const bool teeth = drive.geometry.racks[m] || (pair && pair->involute());
+    if (!teeth || !to_output[m].fits() || !to_input[m].fits()) return std::nullopt;
+    const Gear& first = *drive.geometry.gears[graph.meshes[m].gears[0]];
     phase.first_drives = first_drives(drive, m, to_input[m].value());
     phase.turned = turning(drive, graph.gear(graph.meshes[m], 0).body, m) > 0.0;
-    phase.weight =
-        std::abs(to_output[m].value()) * kTurn / pair->gear(1).reference().base_pitch_transverse;
-    const double share = thickness_share(*pair->involute(), 1) / 2;
+    phase.weight = std::abs(to_output[m].value()) * kTurn / first.reference().base_pitch_transverse;
+    const double share = share_of(drive, m, 0) / 2;
     phase.event = phase.first_drives ? -share : share;
     find_delays(drive, m, phase);
   }
@@ -165,19 +175,26 @@ std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive) {
 std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
                                          const ContactErrors& errors, bool turned) {
   const DriveMesh& m = drive.graph.meshes[mesh];
-  PairModifications flanks{drive.graph.gear(m, 0).modifications,
-                           drive.graph.gear(m, 1).modifications};
-  if (turned) {
-    for (Flanks& of_gear : flanks) {
-      const auto over = turned_over(of_gear);
-      if (!over) return std::nullopt;
-      of_gear = *over;
-    }
-  }
-  auto setup =
-      ContactSetup::of(*drive.geometry.pairs[mesh], turned ? turned_over(errors) : errors, flanks);
+  const auto one = flanks_of(drive.graph.gear(m, 0), turned);
+  const auto two = flanks_of(drive.graph.gear(m, 1), turned);
+  if (!one || !two) return std::nullopt;
+  auto setup = ContactSetup::of(*drive.geometry.pairs[mesh], turned ? turned_over(errors) : errors,
+                                {*one, *two});
   if (!setup) return std::nullopt;
   return std::move(setup).take();
+}
+
+std::optional<RackContact> rack_contact(const Drive& drive, std::size_t mesh,
+                                        const ContactErrors& errors, const MeshPhase& phase) {
+  const auto flanks = flanks_of(drive.graph.gear(drive.graph.meshes[mesh], 0), phase.turned);
+  if (!flanks) return std::nullopt;
+  ContactOptions options;
+  options.modifications[0] = {(*flanks)[0], (*flanks)[1]};
+  options.gear2_drives = !phase.first_drives;
+  auto made =
+      contact(*drive.geometry.racks[mesh], phase.turned ? turned_over(errors) : errors, options);
+  if (!made) return std::nullopt;
+  return std::move(made).take();
 }
 
 }  // namespace gearwright::detail

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/contact/rack_contact.hpp"
 #include "gearwright/drive/drive.hpp"
 
 namespace gearwright::detail {
@@ -47,12 +48,12 @@ std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet
 /// None if place_of() returns none.
 std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_t gear);
 
-/// The phases of all meshes; none if a mesh is not a pair of involute gears, if a load is too large
-/// for a fraction, or if an idler has no place.
+/// The phases of all meshes; none if a mesh has no involute teeth, if a load is too large for a
+/// fraction, if an idler has no place, or if several pinions mesh with one rack.
 ///
 /// Formula   meshes that share a gear have one frequency, and the angle between them on the gear
 ///           gives their phase [T13.17]
-/// Domain    one degree of freedom, independent meshes, no rack (contract)
+/// Domain    one degree of freedom, independent meshes (contract)
 std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive);
 
 /// The contact setup of a mesh with its modifications and errors of mounting. If `turned`, the
@@ -60,5 +61,8 @@ std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive);
 /// computed, or if a measured gear is loaded on the flank without readings.
 std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
                                          const ContactErrors& errors, bool turned);
+/// The same of a pinion and its rack.
+std::optional<RackContact> rack_contact(const Drive& drive, std::size_t mesh,
+                                        const ContactErrors& errors, const MeshPhase& phase);
 
 }  // namespace gearwright::detail

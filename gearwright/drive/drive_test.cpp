@@ -277,7 +277,7 @@ TEST(Drive, GeometryOfASet) {
 TEST(Drive, RackMovesOnePitchPerTooth) {
   DriveGraph graph;
   graph.bodies = {{"pinion", {}, 1, {}}, {"bar", {}, 1, {}}};
-  graph.gears = {{"g", 0, 17, false, {}, {}}, {"r", 1, 0, true, {}, {}}};
+  graph.gears = {{"g", 0, 17, {}, {}, {}}, {"r", 1, 0, RackBar{}, {}, {}}};
   graph.meshes = {{"r_g", {1, 0}, 0.97, {}}};
   graph.inputs = {0};
   graph.output = 1;

@@ -194,7 +194,7 @@ Drive two_sets() {
     CylindricalSpec spec;
     spec.teeth = teeth;
     spec.normal_module = 2.0;
-    graph.gears.push_back({fmt::format("g{}", graph.gears.size()), body, teeth, false, spec, 0.0});
+    graph.gears.push_back({fmt::format("g{}", graph.gears.size()), body, teeth, {}, spec, 0.0});
   }
   for (const std::array<std::size_t, 2>& gears :
        {std::array<std::size_t, 2>{0, 1}, {1, 2}, {3, 4}, {4, 5}})

@@ -151,7 +151,7 @@ DriveGraph pair_graph(const PairStage& stage) {
   for (const std::size_t i : {0, 1}) {
     const std::string name = i == 0 ? "gear1" : "gear2";
     graph.bodies.push_back({name, std::nullopt, 1, {}});
-    graph.gears.push_back({name, i, stage.teeth[i], false, stage.specs[i], stage.shifts[i],
+    graph.gears.push_back({name, i, stage.teeth[i], std::nullopt, stage.specs[i], stage.shifts[i],
                            stage.modifications[i], stage.bores[i], stage.double_helical[i]});
   }
   graph.meshes.push_back({"gear1_gear2", {0, 1}, stage.efficiency, stage.center_distance});
@@ -248,7 +248,8 @@ Result<DriveGraph> graph_of(const PlanetarySpec& spec) {
     const auto body = find_body(graph, m == M::planet2 ? "planet" : to_string(m), "");
     const int teeth = is_ring(m) ? -std::abs(*spec.z(m)) : *spec.z(m);
     gear_of[static_cast<std::size_t>(m)] = graph.gears.size();
-    DriveGear gear{to_string(m), *body, teeth, false, std::nullopt, spec.profile_shift.of(m)};
+    DriveGear gear{to_string(m), *body,        teeth,
+                   std::nullopt, std::nullopt, spec.profile_shift.of(m)};
     if (spec.normal_module || spec.module.of(m)) gear.spec = teeth_of(spec, m);
     graph.gears.push_back(std::move(gear));
   }

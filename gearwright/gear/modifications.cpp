@@ -146,6 +146,14 @@ std::optional<Error> check_topography(const FlankModifications& m, const FlankEx
   return std::nullopt;
 }
 
+std::optional<Error> check_wave(const std::string& name, const FormWave& wave) {
+  if (wave.waves < 0) return refused(name + ".waves", wave.waves, "must not be negative");
+  if (wave.height >= 0.0) return std::nullopt;
+  return refused(name + ".height", in_um(wave.height),
+                 "must not be negative, because it is the distance in µm from trough to crest; "
+                 "another phase moves the crests");
+}
+
 std::optional<Error> check(const FlankModifications& m, const FlankExtent& e) {
   const double depth = std::abs(e.rho_tip_form - e.rho_root_form);
   if (auto error =
@@ -155,6 +163,8 @@ std::optional<Error> check(const FlankModifications& m, const FlankExtent& e) {
           check_profile_relief("root_relief", m.root_relief, e.rho_tip_form, e.rho_root_form))
     return error;
   if (auto error = check_end_relief(m.end_relief, e.face_width)) return error;
+  if (auto error = check_wave("profile_wave", m.profile_wave)) return error;
+  if (auto error = check_wave("helix_wave", m.helix_wave)) return error;
   const double greatest = kMaxAmount * depth;
   for (const auto& [field, amount] :
        {std::pair("tip_relief.amount", m.tip_relief.amount),

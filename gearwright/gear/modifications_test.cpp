@@ -387,9 +387,7 @@ std::string refusal_of(const FlankModifications& m, const FlankExtent& e = kGear
 
 TEST(RemovalField, refuses_what_does_not_fit_and_names_it) {
   const auto tip = [](double amount, std::optional<double> start) {
-    FlankModifications m;
-    m.tip_relief = {amount, start, ReliefShape::linear};
-    return m;
+    return FlankModifications{.tip_relief = {amount, start, ReliefShape::linear}};
   };
   EXPECT_EQ(refusal_of(tip(0.02, 46.0)), "");
   EXPECT_EQ(refusal_of(tip(0.02, std::nullopt)), "tip_relief.reach");
@@ -425,6 +423,8 @@ TEST(RemovalField, refuses_what_does_not_fit_and_names_it) {
   EXPECT_EQ(make_removal_field(m, kGear).error().value, "-330");
   m.lead_slope = NAN;
   EXPECT_EQ(refusal_of(m), "lead_slope");
+  for (const FormWave& wave : {FormWave{2, 0.0, -0.008}, {-1, 0.0, 0.008}, {1, 0.0, NAN}})
+    EXPECT_EQ(refusal_of({.helix_wave = wave}).substr(0, 11), "helix_wave.");
 }
 
 TEST(RemovalField, refuses_a_topography_that_does_not_cover_the_flank) {

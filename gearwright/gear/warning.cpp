@@ -302,6 +302,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "verb drive: the torques in a closed loop of meshes depend on compliance, so they are not "
      "computed",
      "the torques in a closed loop of meshes depend on compliance"},
+    {C::no_backlash, "no_backlash", kNote,
+     "the teeth have no backlash at this centre distance; the gears of a textbook are computed in "
+     "this way, but gears that are made need a backlash",
+     "", "Give thickness allowances, a series of DIN 3967 or a backlash of the pair."},
 }};
 
 constexpr bool each_has_its_row() {

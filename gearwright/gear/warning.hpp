@@ -117,6 +117,8 @@ enum class WarningCode {
   planets_collide,
   unequal_spacing,
   redundant_meshes,
+  // Information about the backlash of a pair or a mesh.
+  no_backlash,
   count  ///< the number of codes, not a code
 };
 

@@ -85,16 +85,19 @@ std::string mesh_listing(const Drive& drive, UnitSystem units) {
     const auto& pair = drive.geometry.pairs[m];
     const auto teeth = drive.frequency_ratio(m);
     const auto& eta = drive.efficiencies[m];
-    std::optional<double> power, backlash;
+    const auto& rack = drive.geometry.racks[m];
+    std::optional<double> power, backlash, ratio;
     if (powered && drive.flow->power_in > 0.0)
       power = drive.flow->mesh_power[m] / drive.flow->power_in;
-    if (pair && pair->involute()) backlash = pair->involute()->mesh.backlash.normal;
+    if (pair && pair->involute()) backlash = pair->normal_backlash();
+    if (rack) backlash = rack->normal_backlash();
+    if (pair) ratio = pair->contact_ratio();
+    if (rack) ratio = rack->transverse_contact_ratio() + rack->overlap_ratio;
     out += fmt::format("  {:<18}{:>14}{:>12}{:>12}{:>12}{:>14}{:>12}{:>10}\n",
                        printable(drive.graph.meshes[m].name, 17), number(teeth, 5),
                        teeth && n ? fixed_decimals(*teeth * std::abs(*n) / 60, 3) : kAbsent,
                        eta ? fixed_decimals(eta->first_drives, 5) : kAbsent, number(power, 4),
-                       length(drive.geometry.distance[m]),
-                       pair ? fixed_decimals(pair->contact_ratio(), 3) : kAbsent, length(backlash));
+                       length(drive.geometry.distance[m]), number(ratio, 3), length(backlash));
   }
   return out;
 }

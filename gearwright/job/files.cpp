@@ -137,7 +137,7 @@ std::optional<Error> beyond(const SolvedJob& job) {
   const std::pair<const char*, bool> parts[] = {{"load", spec.load.given && rack},
                                                 {"rating", spec.rating.given && rack},
                                                 {"compensate", spec.compensate.given},
-                                                {"scatter", spec.scatter.given}};
+                                                {"scatter", spec.scatter.given && rack}};
   for (const auto& [table, given] : parts) {
     if (!given) continue;
     if (halves)
@@ -373,7 +373,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
                                           // contain it
   if (*scatter) {
     scatter_shown = scatter_view(job, **scatter);
-    if (!scatter_shown->density && options.wants("report"))
+    if (!scatter_shown->density && !job.halves[0] && options.wants("report"))
       density = density_of(job, **scatter, options.progress);
     if (density) scatter_shown->density = &*density;
   }

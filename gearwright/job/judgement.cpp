@@ -34,9 +34,7 @@ Verdict rack_verdict(const SolvedJob& job, const JudgedParts& parts) {
   judged.rack = &*job.rack;
   judged.contact = parts.contact;
   judged.warnings = &job.warnings;
-  Verdict verdict = verdict_of(judged);
-  if (verdict.level == Level::green) verdict.headline = "The rack and pinion run as specified.";
-  return verdict;
+  return verdict_of(judged);
 }
 
 }  // namespace

@@ -325,10 +325,30 @@ PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer, Pro
   return pattern_density(answer.setup, task, answer.scatter, density_request(job, task, most));
 }
 
+namespace {
+
+// The first key that needs derivatives of one pair of flanks, which a double-helical pair does not have.
+std::optional<Error> not_for_halves(const ScatterInput& input) {
+  for (const auto& [key, given] :
+       {std::pair("robust", input.robust.has_value()), std::pair("worst_case", input.worst_case),
+        std::pair("loosening", input.loosening), std::pair("loaded", input.loaded),
+        std::pair("pattern", input.pattern)})
+    if (given)
+      return Error{
+          fmt::format("scatter.{}", key), "",
+          "is not supported for double-helical gears, for which a scatter has percentiles, "
+          "probabilities and indices; leave it out"};
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
   const ScatterInput& input = job.spec.scatter;
   if (const auto missing = missing_error(SpecUse::scatter, job.spec)) return *missing;
-  auto made = setup_of(job);
+  if (job.halves[0])
+    if (auto error = not_for_halves(input)) return *error;
+  auto made = setup_of(job, errors_of(job));
   if (!made) return made.error();
   auto tolerances = tolerances_of(job);
   if (!tolerances) return tolerances.error();
@@ -340,7 +360,10 @@ Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
   task.groups = std::move(groups).take();
   const ContactInput& contact = job.spec.contact;
   task.member = {job.spec.given.contains("contact.positions") ? contact.positions : kPositions,
-                 contact.driver == 2, profile_target(*job.pair)};
+                 contact.driver == 2,
+                 profile_target(*job.pair),
+                 {}};
+  if (job.halves[0]) task.member.stagger = job.halves[0]->given.stagger_pitches;
   task.samples = input.samples;
   task.replicates = input.replicates;
   task.seed = static_cast<std::uint64_t>(input.seed);

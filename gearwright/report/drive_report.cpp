@@ -16,6 +16,7 @@
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/key_figures.hpp"
 #include "gearwright/report/page_parts.hpp"
+#include "gearwright/report/rack_section.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/table_builder.hpp"
 #include "gearwright/report/turning.hpp"
@@ -190,18 +191,20 @@ std::string mesh_parts(const Drive& drive, UnitSystem units) {
   std::string text;
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
     const auto& pair = drive.geometry.pairs[m];
+    const auto& rack = drive.geometry.racks[m];
     const ParallelPair* const parallel = pair ? pair->parallel() : nullptr;
-    if (!parallel) continue;
+    if (!parallel && !rack) continue;
     const DriveMesh& mesh = drive.graph.meshes[m];
     const std::string heading = fmt::format(
         "<h2>Mesh {}</h2>\n<p>Gear 1 is {}, gear 2 is {}.</p>\n", escaped(mesh.name),
         escaped(drive.graph.gear(mesh, 0).name), escaped(drive.graph.gear(mesh, 1).name));
+    const std::array<std::string, 2> shapes{shape_name(mesh.gears[0]), shape_name(mesh.gears[1])};
     std::string section =
-        pair_section(*parallel, {shape_name(mesh.gears[0]), shape_name(mesh.gears[1])}, units);
-    constexpr std::string_view kHead = "<h2>Pair</h2>\n";
-    const std::size_t at = section.find(kHead);
+        rack ? rack_section(*rack, shapes[0], units) : pair_section(*parallel, shapes, units);
+    const std::string head = rack ? "<h2>Rack and pinion</h2>\n" : "<h2>Pair</h2>\n";
+    const std::size_t at = section.find(head);
     GW_EXPECTS(at != std::string::npos);
-    section.replace(at, kHead.size(), heading);
+    section.replace(at, head.size(), heading);
     text += with_prefix(section, fmt::format("mesh{}-", m + 1));
   }
   return text;

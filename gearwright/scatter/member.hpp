@@ -46,6 +46,7 @@ struct MemberRequest {
   int positions = 32;  ///< per pitch
   bool gear2_drives = false;
   ProfileTarget profile{};
+  std::optional<double> stagger{};  ///< s of a double-helical pair; none for other pairs
 };
 
 /// The setup of a member: the setup as drawn, unless the modifications of the member differ from
@@ -68,12 +69,17 @@ class MemberSetup {
 /// Domain    involute teeth, or no change (contract)
 double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickness);
 
-/// The numbers of the member with this deviation.
+/// The numbers of the member with this deviation. For a double-helical pair, TE and backlash are those of
+/// the whole gears, one of which floats along its axis. Errors of mounting apply to both halves, and
+/// deviations of the teeth are the same on both halves. `edge_share` is the mean of both halves, and
+/// `along_face` is that of the half with the greater value, > 0 away from the apex. There is no
+/// `long_period`.
 ///
 /// Domain    positions ≥ 2; modifications that check_ends() accepts (contract)
 /// Accuracy  as analyse_contact() and continuous_extremes()
 /// Laws      (1) without deviations the numbers are those of analyse_contact()
 ///           (2) spur gears have the closed forms of [T14.14]
+///           (3) a double-helical pair without errors that tilt an axis has the numbers of a half
 FamilyMember member_at(const ContactSetup& setup, const Deviation& deviation,
                        const MemberRequest& request);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/halves.hpp"
 #include "gearwright/math/sobol.hpp"
 #include "gearwright/scatter/testing/drawn_pair.hpp"
 
@@ -46,6 +47,55 @@ TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
       EXPECT_EQ(m[Q::peak_to_peak], continuous_peak_to_peak(setup, none(setup), request).value);
       EXPECT_FALSE(m.lost);
     }
+  }
+}
+
+// Law (3), and the numbers of the contact of the whole gears under errors that differ between the halves.
+TEST(Member, OfADoubleHelicalPairIsTheWholePair) {
+  auto drawn = testing::crowned_helical_pair();
+  drawn.errors = {.center_distance = 0.01};
+  const auto with_gap = [&](double gap) {
+    drawn.gap = gap;
+    return drawn.setup();
+  };
+  const ContactSetup plain = drawn.setup(), halves = with_gap(6.0);
+  for (const bool gear2_drives : {false, true}) {
+    const MemberRequest of_half{32, gear2_drives, {}, {}};
+    MemberRequest whole = of_half;
+    whole.stagger = 0.0;
+    const FamilyMember a = member_at(plain, none(plain), of_half);
+    const FamilyMember b = member_at(halves, none(halves), whole);
+    for (const Q q :
+         {Q::harmonic1, Q::harmonic2, Q::mean, Q::peak_to_peak, Q::edge_share, Q::least_play})
+      EXPECT_NEAR(a[q], b[q], 1e-12) << static_cast<int>(q);
+    EXPECT_EQ(a.lost, b.lost);
+    EXPECT_TRUE(std::isnan(b[Q::long_period]));
+
+    // The axes cross: both halves have different curves, and TE is their mean.
+    const std::vector<ScatterTolerance> tolerances{testing::crossing(0.05)};
+    const Deviation askew = deviation_at(halves, tolerances, std::vector{0.04});
+    const FamilyMember m = member_at(halves, askew, whole);
+    const std::array middles{middle_of_half(halves.gear(1)), middle_of_half(halves.gear(2))};
+    const auto te_of = [&](bool below) {
+      const ContactSetup half = halves.half_at(middles, below);
+      const ContactErrors errors = below ? mirrored(askew.errors) : askew.errors;
+      return transmission_error(half.pair(errors, gear2_drives), 32);
+    };
+    const std::vector<double> one = te_of(false), two = te_of(true);
+    double sum = 0.0, differ = 0.0;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      sum += (one[i] + two[i]) / 2;
+      differ = std::max(differ, std::abs(one[i] - two[i]));
+    }
+    EXPECT_GT(differ, 1e-6);
+    EXPECT_NEAR(m[Q::mean], sum / 32, 1e-15);
+    // A half has the sum of thickness changes of both flanks as any other pair.
+    const std::vector<ScatterTolerance> thick{
+        testing::tolerance("gear1.thickness_allowance_mm", 1.0, -0.02, 0.02, VaryingThickness{1})};
+    const FamilyMember t = member_at(halves, deviation_at(halves, thick, std::vector{0.01}), whole);
+    const FamilyMember u = member_at(plain, deviation_at(plain, thick, std::vector{0.01}), of_half);
+    EXPECT_NEAR(t[Q::least_play], u[Q::least_play], 1e-12);
+    EXPECT_NEAR(t[Q::mean], u[Q::mean], 1e-12);
   }
 }
 
@@ -198,6 +248,21 @@ TEST(Tolerance, EndsMustBeTeeth) {
   ASSERT_TRUE(error);
   EXPECT_EQ(error->field, "gear1.modifications.tip_relief_um");
   EXPECT_EQ(error->value, "-6");
+}
+
+// A flank has one wave in each direction. A varying wave would replace the wave of the drawing.
+TEST(Tolerance, AWaveOfTheDrawingIsNotReplaced) {
+  auto drawn = testing::crowned_helical_pair();
+  drawn.modifications.helix_wave = {2, 0.0, 0.004};
+  const ContactSetup setup = drawn.setup();
+  const auto wave = [](bool along_face) {
+    return std::vector{
+        testing::tolerance("gear1.form", 1e-3, 0, 1, VaryingWave{1, along_face, {1, 4}, 0.004})};
+  };
+  EXPECT_FALSE(check_ends(setup, wave(false)));
+  const auto error = check_ends(setup, wave(true));
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->field, "gear1.form");
 }
 
 }  // namespace

@@ -51,6 +51,10 @@ void add_bore(ContactErrors& e, const VaryingBore& bore, double x, double y) {
   e.center_distance -= 0.5 * x + bore.offset * in_plane;
 }
 
+FormWave& wave_of(FlankModifications& flank, const VaryingWave& w) {
+  return w.along_face ? flank.helix_wave : flank.profile_wave;
+}
+
 void add(Deviation& d, const ContactSetup& setup, const ScatterTolerance& tolerance,
          std::span<const double> x) {
   const double by = tolerance.unit * x[0];
@@ -72,9 +76,8 @@ void add(Deviation& d, const ContactSetup& setup, const ScatterTolerance& tolera
           [&](const VaryingWave& w) {
             d.modified = true;
             for (auto& flank : d.modifications[static_cast<std::size_t>(w.gear - 1)])
-              (w.along_face ? flank.helix_wave : flank.profile_wave) = {
-                  static_cast<int>(std::lround(x[0])), x[1] * kRadPerDeg,
-                  tolerance.unit * w.height};
+              wave_of(flank, w) = {static_cast<int>(std::lround(x[0])), x[1] * kRadPerDeg,
+                                   tolerance.unit * w.height};
           }},
       tolerance.of);
 }
@@ -136,6 +139,12 @@ std::optional<Error> check_ends(const ContactSetup& setup,
                  "this end of the range leads to " + error.quoted()};
   };
   for (const ScatterTolerance& t : tolerances) {
+    if (const auto* w = std::get_if<VaryingWave>(&t.of))
+      for (FlankModifications flank : setup.modifications()[static_cast<std::size_t>(w->gear - 1)])
+        if (wave_of(flank, *w).waves > 0)
+          return Error{t.name, "",
+                       "cannot vary, because a flank has at most one wave in this direction, and "
+                       "the modifications of the gear contain one; leave out one of both"};
     for (const double end : t.side(0)) {
       Deviation d = as_drawn(setup);
       add(d, setup, t, std::array{end, 0.0, 0.0});

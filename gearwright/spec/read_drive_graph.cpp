@@ -10,6 +10,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/drive/rack_pitch.hpp"
 #include "gearwright/spec/inherit.hpp"
@@ -94,10 +95,22 @@ void read_bodies(TableReader& t, DriveGraph& graph, std::vector<std::string>& na
   }
 }
 
+// The keys of a rack as a part. Its pinion has the data of its teeth.
+RackBar read_bar(const Json& node, const std::string& path) {
+  Json own = Json::object();
+  for (const auto& [key, value] : node.items())
+    if (rack_bar_keys().find(key)) own[key] = value;
+  TableReader t(rack_bar_keys(), own, path);
+  RackBar bar;
+  t.read(bar);
+  t.finish();
+  return bar;
+}
+
 void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
                      const std::filesystem::path& folder) {
   TableReader own(drive_gear_keys(), node, path);
-  gear.rack = own.word("form").value_or("gear") == "rack";
+  if (own.word("form").value_or("gear") == "rack") gear.rack = read_bar(node, path);
   if (!gear.rack && !own.has("teeth"))
     own.fail_absent("teeth", "; give the number of teeth, which is negative for a ring");
   if (!gear.rack)

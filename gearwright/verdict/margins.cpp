@@ -78,6 +78,18 @@ std::vector<Finding> margin_findings(const Pair& pair) {
   return findings;
 }
 
+std::vector<Finding> backlash_findings(double j_n, std::optional<double> recommended) {
+  if (std::abs(j_n) > kNoBacklash) return {};
+  Finding finding{WarningCode::no_backlash, Level::green, 0, "There is no backlash."};
+  finding.values = {{"backlash", j_n, true}};
+  if (recommended) {
+    finding.message.pop_back();
+    finding.message += fmt::format("; ISO/TR 10064-2 recommends at least {:.2f} mm.", *recommended);
+    finding.values.push_back({"threshold", *recommended, true});
+  }
+  return {std::move(finding)};
+}
+
 std::vector<Finding> contact_findings(const ContactResult& contact,
                                       const std::array<double, 2>& face_widths) {
   std::vector<Finding> findings;

@@ -53,11 +53,14 @@ std::string joined(const std::vector<std::string>& list) {
   return text;
 }
 
-// A backlash that would be printed as 0.0000 mm is called "no backlash", and the recommended value
-// for running gears is added.
+// A backlash that would be printed as 0.0000 mm is called "no backlash".
+std::string backlash_words(double j) {
+  return std::abs(j) < 0.5e-4 ? "no backlash" : fmt::format("a backlash of {:.4f} mm", j);
+}
+// The recommended value for running gears is added.
 std::string backlash_words(double j, double center_distance, double normal_module) {
-  if (std::abs(j) >= 0.5e-4) return fmt::format("a backlash of {:.4f} mm", j);
-  return fmt::format("no backlash (ISO/TR 10064-2 recommends at least {:.2f} mm)",
+  if (std::abs(j) >= 0.5e-4) return backlash_words(j);
+  return fmt::format("{} (ISO/TR 10064-2 recommends at least {:.2f} mm)", backlash_words(j),
                      recommended_backlash(center_distance, normal_module));
 }
 
@@ -119,6 +122,9 @@ std::string gears_alone(const Judged& judged) {
 
 // The sentence about the operation of the gears. It is used only if no finding is red.
 std::string standing(const Judged& judged) {
+  if (judged.rack)
+    return fmt::format("The rack and pinion run as specified, with {}.",
+                       backlash_words(judged.rack->normal_backlash()));
   if (!judged.pair) return gears_alone(judged);
   const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); }) +
                               (judged.rating ? safety_words({judged.rating->rating}) : "");
@@ -130,6 +136,7 @@ std::string standing(const Judged& judged) {
 std::string not_running(const Judged& judged, const Verdict& verdict) {
   const std::string against = joined(reasons(verdict.findings, Level::red));
   const Finding& worst = verdict.findings.front();
+  if (judged.rack) return fmt::format("The rack and pinion do not run as specified: {}.", against);
   if (!judged.pair) {
     return fmt::format("{} has a problem: {}.", judged.gears.size() == 1 ? "The gear" : "Each gear",
                        against);
@@ -244,7 +251,15 @@ std::vector<Finding> findings_of(const Judged& judged) {
   const auto add = [&](std::vector<Finding> more) {
     std::move(more.begin(), more.end(), std::back_inserter(findings));
   };
-  if (judged.pair) add(detail::margin_findings(*judged.pair));
+  if (judged.pair) {
+    const double module = judged.pair->gear(1).spec.normal_module;
+    add(detail::margin_findings(*judged.pair));
+    const ArcPair* arcs = judged.pair->arcs();
+    if (!arcs || !arcs->contacts.empty())
+      add(detail::backlash_findings(judged.pair->normal_backlash(),
+                                    recommended_backlash(judged.pair->center_distance(), module)));
+  }
+  if (judged.rack) add(detail::backlash_findings(judged.rack->normal_backlash(), {}));
   if (judged.rating) add(detail::rating_findings(*judged.rating));
   if (judged.contact && judged.pair)
     add(detail::contact_findings(*judged.contact, {judged.pair->gear(1).spec.face_width,

@@ -38,6 +38,8 @@ Level level_of(Severity severity);
 /// Formula   2/3 (0.06 + 0.0005 a + 0.03 m_n); ISO/TR 10064-2:1996, annex A
 /// Units     mm
 double recommended_backlash(double center_distance, double normal_module);
+/// A backlash up to this size is a rounding error, mm.
+constexpr double kNoBacklash = 1e-9;
 
 struct FindingValue {
   std::string name;

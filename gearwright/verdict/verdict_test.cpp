@@ -136,6 +136,43 @@ TEST(Verdict, small_clearances_are_said_with_their_thresholds) {
   }
 }
 
+// Nominal teeth without allowances have no backlash. This is a note, because books compute gears in
+// this way, and the level stays green. 2/3 (0.06 + 0.0005·61 + 0.03·2) = 0.10033 mm.
+TEST(Verdict, no_backlash_is_a_note) {
+  const auto mounted_with = [](double allowance) {
+    return judged(testing::taken(mount_as<ParallelPair>(sample_gear(20, 2, 0, 0.2, 0.0, allowance),
+                                                        sample_gear(41, 2, 0, -0.2), {})));
+  };
+  const Verdict none = mounted_with(0.0);
+  EXPECT_EQ(none.level, Level::green);
+  ASSERT_TRUE(finds(none, WarningCode::no_backlash, Level::green));
+  const auto found = std::find_if(none.findings.begin(), none.findings.end(), [](const Finding& f) {
+    return f.code == WarningCode::no_backlash;
+  });
+  EXPECT_EQ(found->message, "There is no backlash; ISO/TR 10064-2 recommends at least 0.10 mm.");
+  EXPECT_NEAR(found->values[1].value, 0.30100 / 3, 1e-12);
+  EXPECT_FALSE(found->remedy.empty());
+  EXPECT_FALSE(finds(mounted_with(-1e-6), WarningCode::no_backlash, Level::green));
+  EXPECT_TRUE(judged(helical_pair()).findings.empty());
+}
+
+TEST(Verdict, of_a_rack_gives_its_backlash) {
+  const auto judged_at = [](double more) {
+    const Gear pinion = sample_gear(20, 2, 0, 0.2);
+    const RackPair rack = testing::taken(mount_rack(pinion, {}, 20.4 + more));
+    return verdict_of({.gears = {&rack.pinion}, .rack = &rack, .warnings = &rack.warnings});
+  };
+  EXPECT_EQ(judged_at(0.0).headline, "The rack and pinion run as specified, with no backlash.");
+  EXPECT_TRUE(finds(judged_at(0.0), WarningCode::no_backlash, Level::green));
+  // j_n = 2 δ tan α_n = 0.0728 mm
+  EXPECT_EQ(judged_at(0.1).headline,
+            "The rack and pinion run as specified, with a backlash of 0.0728 mm.");
+  EXPECT_FALSE(finds(judged_at(0.1), WarningCode::no_backlash, Level::green));
+  EXPECT_NE(judged_at(-0.1).headline.find(
+                "The rack and pinion do not run as specified: the teeth are too thick"),
+            std::string::npos);
+}
+
 // A clearance of nanometres is not printed as 0.0000 mm.
 TEST(Verdict, says_small_clearances_in_micrometres) {
   ParallelPair pair = helical_pair();

@@ -95,10 +95,33 @@ class TwoHalves(unittest.TestCase):
             self.assertIn(word, run.err)
 
     def test_verbs_for_one_helix_reject_it(self):
-        for verb, table in (("compensate", "[compensate]\n"), ("scatter", "[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n")):
-            run = Run(verb, PAIR.format("") + table)
-            self.assertEqual(run.status, 1)
-            for words in ("gear1.double_helical", "one half"):
+        run = Run("compensate", PAIR.format("") + "[compensate]\n")
+        self.assertEqual(run.status, 1)
+        for words in ("gear1.double_helical", "one half"):
+            self.assertIn(words, run.err)
+
+    SCATTER = "[scatter]\nsamples = 8\nreplicates = 2\npercentiles = [50]\n"
+
+    def test_scatter_is_that_of_the_whole_gears(self):
+        """Without tolerances, every sample has the numbers of contact, which are the means of both halves."""
+        errors = "[errors]\ncrossing_deg = 0.006\nintersecting_deg = 0.01\n"
+        found = json.loads(Run("scatter", PAIR.format("") + errors + self.SCATTER +
+                               "[scatter.errors]\ncenter_distance_mm = [0, 0]\n", "--json").out)["scatter"]
+        contact = self.contact(PAIR.format("") + errors + "[contact]\npositions = 32\n")
+        self.assertNotEqual(*(half["peak_to_peak_arcsec"] for half in contact["halves"]))
+        for key, of in (("peak_to_peak_arcsec", "continuous_peak_to_peak_arcsec"), ("least_play_deg", "least_play_deg")):
+            self.assertAlmostEqual(found[key]["mean"], contact[of], 9)
+        self.assertAlmostEqual(found["harmonic1_arcsec"]["mean"], contact["harmonics_arcsec"][0], 9)
+        self.assertIsNone(found["long_period_arcsec"])
+        self.assertGreater(json.loads(Run("scatter", PAIR.format("") + self.SCATTER + "[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n",
+                                          "--json").out)["scatter"]["peak_to_peak_arcsec"]["standard_deviation"], 0.01)
+
+    def test_a_scatter_of_halves_rejects_what_needs_one_helix(self):
+        for key in ("worst_case", "loosening", "loaded", "pattern"):
+            run = Run("scatter", PAIR.format("") + self.SCATTER + f"{key} = true\n[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n"
+                      "[load]\ntorque_Nm = 100\n")
+            self.assertEqual(run.status, 1, key)
+            for words in (f"scatter.{key}", "double-helical"):
                 self.assertIn(words, run.err)
 
     def contact(self, spec):
@@ -172,10 +195,9 @@ class TwoHalves(unittest.TestCase):
                 self.assertFalse([z for z in heights if abs(z) < 15])
 
     def test_run_rejects_tables_for_one_helix(self):
-        for table in ("compensate", "scatter"):
-            run = Run("run", PAIR.format("") + f"[{table}]\n")
-            self.assertEqual(run.status, 1, table)
-            self.assertIn("is not supported for double-helical gears", run.err)
+        run = Run("run", PAIR.format("") + "[compensate]\n")
+        self.assertEqual(run.status, 1)
+        self.assertIn("is not supported for double-helical gears", run.err)
 
     def test_modifications_are_left_out_with_a_note(self):
         spec = PAIR.format("").replace("[gear2]", "[gear1.modifications]\nlead_crowning_um = 10\n[gear2]", 1)

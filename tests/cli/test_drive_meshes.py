@@ -140,12 +140,34 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         self.assertEqual([bar[key] for key in ("speed_rpm", "torque_Nm")], [None, None])
         shaft = drive["drive"]["bodies"]["shaft"]
         self.assertEqual([shaft[key] for key in ("speed_m_per_s", "force_N")], [None, None])
-        self.assertIn("Meshes with a rack are not checked", drive["verdict"]["headline"])
+        self.assertEqual(drive["verdict"]["level"], "green")
+        self.assertIn("no backlash between the rack and its pinion", drive["verdict"]["headline"])
         text = Run("drive", self.LIFT).out
         for words in ("0.1276 m/s", "482.56 N", "pitches per turn"):
             self.assertIn(words, text)
         page = (Run("run", self.LIFT, "--out", "o").folder / "o/report.html").read_text()
         self.assertTrue("Speed of the rack" in page and ">0.1276<" in page)
+
+    def test_a_rack_has_contact_and_a_verdict(self):
+        """Under errors, the travel of the rack deviates by as much as `contact` gives for the pinion and its rack."""
+        askew = self.LIFT.replace('r"], efficiency', 'r"], center_distance_mm = 20.4, efficiency')
+        askew += "[errors]\ncrossing_deg = 0.1\n[contact]\npositions = 64\n"
+        drive = Run("drive", askew, "--json").json
+        contact = Run("contact", Run("drive", askew, "--take", "1").out, "--json").json
+        error = drive["drive"]["transmission_error"]
+        self.assertIsNone(error["output_arcsec_peak_to_peak"])
+        self.assertGreater(error["output_um_peak_to_peak"], 1)
+        self.assertAlmostEqual(error["output_um_peak_to_peak"], contact["contact"]["peak_to_peak_um"], 9)
+        self.assertGreater(error["lines"][0]["amplitude_um"], 0)
+        mesh = drive["drive"]["meshes"]["p_r"]
+        self.assertEqual(mesh["rack_pair"]["kind"], "rack_and_pinion")
+        self.assertIn("The least backlash is", drive["verdict"]["headline"])
+        page = (Run("run", askew, "--out", "o").folder / "o/report.html").read_text()
+        self.assertIn(">Mesh p_r</h2>", page)
+        self.assertIn("transmission error of the rack", page.lower())
+        tight = Run("drive", self.LIFT.replace('r"], efficiency', 'r"], center_distance_mm = 20.2, efficiency'), "--json")
+        self.assertEqual(tight.json["verdict"]["level"], "red")
+        self.assertEqual(tight.json["verdict"]["findings"][0]["code"], "negative_backlash")
 
     def test_a_rack_drives(self):
         """Speed and force of a rack that drives give the speed of the pinion by its pitch circle, and the torque with the arm d/2."""

@@ -4,6 +4,7 @@ computation."""
 import json
 import math
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -121,7 +122,7 @@ def test_compensate():
     assert corrected.contact().peak_to_peak <= p.contact().peak_to_peak * (1 + 1e-9) + 1e-8
 
 
-def test_scatter():
+def test_scatter(tmp_path):
     p = pair(contact={"positions": 16})
     keys = {"samples": 16, "replicates": 2, "errors": {"crossing_deg": [-0.02, 0.02]},
             "gear1": {"modifications": {"lead_crowning_um": [-2, 2]}}}
@@ -133,6 +134,16 @@ def test_scatter():
     assert abs(members["errors.crossing_deg"]).max() <= 0.02
     assert members["peak_to_peak_arcsec"].max() == pytest.approx(told["peak_to_peak_arcsec"]["greatest"])
     assert np.isnan(members["long_period_arcsec"]).all()
+    answer.to_parquet(tmp_path / "samples.parquet")
+    reader = SOURCE / "tests" / "search" / "read_parquet.mjs"  # DuckDB, an independent reader
+    read = subprocess.run(["node", reader, tmp_path / "samples.parquet", "select * from data"],
+                          check=True, capture_output=True, text=True)
+    rows = json.loads(read.stdout)
+    assert list(rows[0]) == list(members.dtype.names)
+    assert [list(row.values()) for row in rows] == [[None if math.isnan(x) else x for x in m] for m in members.tolist()]
+    with pytest.raises(gw.FileError):
+        answer.to_parquet(tmp_path / "absent" / "samples.parquet")
+    assert pickle.loads(pickle.dumps(answer)).members.shape == (32,)
     assert len(answer.figures) == 3  # the distribution, the cumulative curve, and that of the
                                      # backlash
     marked = gw.scatter(p, **keys, pattern=True)

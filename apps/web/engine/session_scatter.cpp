@@ -34,6 +34,7 @@ Json point(double percent, double arcsec) { return {{"percent", percent}, {"arcs
 
 Result<Json> Session::scatter_sketch(double width) {
   SolvedJob job = job_;
+  if (auto error = one_helix_error(job)) return *error;
   auto made = prepared_scatter(job);
   if (!made) return made.error();
   ScatterAnswer prepared = std::move(made).take();
@@ -78,8 +79,9 @@ Result<Json> Session::scatter(double width) {
   }
   if (!answer) return answer.error();
   ScatterView view = scatter_view(job, *answer);
-  const PatternDensity density = density_of(job, *answer, nullptr, kPatterns);
-  view.density = &density;
+  std::optional<PatternDensity> density;
+  if (!job.halves[0]) density = density_of(job, *answer, nullptr, kPatterns);
+  if (density) view.density = &*density;
   const auto& spread = view.spread[0];
   Json percentiles = Json::array();
   for (std::size_t i = 0; spread && i < spread->spread->percentiles.size(); ++i) {

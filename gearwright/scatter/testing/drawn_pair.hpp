@@ -14,12 +14,15 @@ struct DrawnPair {
   double center_distance;
   FlankModifications modifications{};  ///< of gear 1, both flanks
   ContactErrors errors{};
+  std::optional<double> gap{};  ///< between the halves of double-helical gears  mm
 
   ContactSetup setup() const {
     auto g1 = make_gear(gears[0]);
     auto g2 = make_gear(gears[1]);
     EXPECT_TRUE(g1 && g2);
-    const auto pair = mount(*g1, *g2, {.center_distance = center_distance});
+    Gear one = *g1, two = *g2;
+    one.gap = two.gap = gap;
+    const auto pair = mount(one, two, {.center_distance = center_distance});
     EXPECT_TRUE(pair) << pair.error().message();
     PairModifications all{};
     all[0] = {modifications, modifications};
