@@ -61,8 +61,8 @@ Quantities<std::array<Value, 2>> two_gears_in(Unit unit, const char* name) {
   return {name, [unit](Quantities<A>& q) {
             for (const std::size_t i : {0, 1}) {
               const std::string gear = std::to_string(i + 1);
-              q.number(("gear" + gear).c_str(), ("gear " + gear).c_str(), "",
-                       ("of gear " + gear).c_str(), [i](const A& a) { return a[i]; })
+              q.term(("gear" + gear).c_str(), ("of gear " + gear).c_str(),
+                     [i](const A& a) { return a[i]; })
                   .list({2})
                   .unit(unit);
             }

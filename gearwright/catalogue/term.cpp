@@ -73,6 +73,8 @@ constexpr std::array kTerms{
     Term{"face_width_mm", "face width", "b"},
     Term{"gap_curvature_per_mm", "curvatures of the gap", "k_1, k_2"},
     Term{"gear", "gear", "", Type::whole},
+    Term{"gear1", "gear 1"},
+    Term{"gear2", "gear 2"},
     Term{"gear_ratio", "gear ratio", "u"},
     Term{"generating_profile_shift", "generating profile shift coefficient", "x_E"},
     Term{"harmonics_arcsec", "harmonics"},
