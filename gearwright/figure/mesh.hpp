@@ -50,6 +50,8 @@ MeshScene mesh_scene(const InvolutePair& pair, const std::array<std::string, 2>&
 /// Extent of a picture: the whole gears, their mesh, or the path of contact. Gears that do not mesh
 /// are shown whole.
 enum class MeshFrame { whole, mesh, flank };
+/// The box, enlarged to this ratio of width to height.
+Bounds with_aspect(const Bounds& box, double aspect);
 /// Returns the window of a picture with this ratio of width to height.
 Bounds mesh_window(const MeshScene& scene, MeshFrame frame, double aspect);
 
