@@ -133,6 +133,7 @@ Bounds with_aspect(const Bounds& box, double aspect) {
 }
 
 std::string symbol_of(const NamedCircle& circle, std::size_t i) {
+  if (circle.symbol.empty()) return {};
   const char* between = circle.symbol.find('_') == circle.symbol.npos ? "_" : "";
   return circle.symbol + between + std::to_string(i + 1);
 }

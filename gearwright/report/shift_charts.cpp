@@ -47,6 +47,15 @@ std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   return pieces_of(pieces);
 }
 
+// Adds a curve with its name beside it and in the keys.
+void add_named(Figure& f, std::vector<Vec2> points, const std::string& style, const char* name) {
+  f.line(std::move(points), "curve " + style, name);
+  f.marks.back().label = name;
+  f.marks.back().label_style = "halo";
+  f.marks.back().border = true;
+  f.keys.push_back({"line " + style, name});
+}
+
 std::string helix_words(const Trial& trial) {
   if (trial.helix[0] == Angle()) return "";
   return fmt::format(", helix angle {:.6g}°", abs(trial.helix[0]).deg());
@@ -86,8 +95,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
     std::vector<Vec2> points;
     for (const ShiftLimits& row : chart)
       points.push_back(std::isfinite(of(row)) ? Vec2(row.teeth, of(row)) : kNewPiece);
-    f.line(std::move(points), fmt::format("curve {}", style), name);
-    f.keys.push_back({fmt::format("line {}", style), name});
+    add_named(f, std::move(points), style, name);
   };
   constexpr std::array kTipNames{"pointed", "tip 0.2", "tip 0.4"};
   constexpr std::array kTipStyles{"limit-tip dot", "limit-tip", "limit-tip dash"};
@@ -157,8 +165,7 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
       if (k == 0 && !first && eps >= kSoundContactRatio) first = row.limits.teeth;
     }
     if (points.empty()) continue;
-    f.line(std::move(points), fmt::format("curve share{}", k), kNames[k]);
-    f.keys.push_back({fmt::format("line share{}", k), kNames[k]});
+    add_named(f, std::move(points), fmt::format("share{}", k), kNames[k]);
   }
   if (f.marks.empty()) return {};
   f.y.lo = std::max(lowest, 0.8) - 0.05;
