@@ -47,13 +47,12 @@ std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   return pieces_of(pieces);
 }
 
-// Adds a curve with its name beside it and in the keys.
-void add_named(Figure& f, std::vector<Vec2> points, const std::string& style, const char* name) {
-  f.line(std::move(points), "curve " + style, name);
-  f.marks.back().label = name;
-  f.marks.back().label_style = "halo";
-  f.marks.back().border = true;
-  f.keys.push_back({"line " + style, name});
+// Shows the name of the last curve beside it.
+void name_curve(Figure& f) {
+  FigureMark& curve = f.marks.back();
+  curve.label = curve.words;
+  curve.label_style = "halo";
+  curve.border = true;
 }
 
 std::string helix_words(const Trial& trial) {
@@ -95,11 +94,13 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
     std::vector<Vec2> points;
     for (const ShiftLimits& row : chart)
       points.push_back(std::isfinite(of(row)) ? Vec2(row.teeth, of(row)) : kNewPiece);
-    add_named(f, std::move(points), style, name);
+    f.line(std::move(points), fmt::format("curve {}", style), name);
+    f.keys.push_back({fmt::format("line {}", style), name});
   };
   constexpr std::array kTipNames{"pointed", "tip 0.2", "tip 0.4"};
   constexpr std::array kTipStyles{"limit-tip dot", "limit-tip", "limit-tip dash"};
   limit("undercut", "limit-undercut", [](const ShiftLimits& row) { return row.undercut; });
+  name_curve(f);
   for (std::size_t i = 0; i < kChartTips.size(); ++i)
     limit(kTipNames[i], kTipStyles[i], [i](const ShiftLimits& row) { return row.tip[i]; });
   std::string fewest;
@@ -165,7 +166,9 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
       if (k == 0 && !first && eps >= kSoundContactRatio) first = row.limits.teeth;
     }
     if (points.empty()) continue;
-    add_named(f, std::move(points), fmt::format("share{}", k), kNames[k]);
+    f.line(std::move(points), fmt::format("curve share{}", k), kNames[k]);
+    name_curve(f);
+    f.keys.push_back({fmt::format("line share{}", k), kNames[k]});
   }
   if (f.marks.empty()) return {};
   f.y.lo = std::max(lowest, 0.8) - 0.05;

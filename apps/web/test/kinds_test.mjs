@@ -107,6 +107,8 @@ describe("a double-helical pair", () => {
   });
 
   it("a slider of an error changes the contact", async () => {
+    await put(page, staggered, "contact");
+    await idle(page);
     const before = await sentence("contact");
     await page.evaluate(() => {
       const input = document.querySelector('[data-slide="errors.crossing_deg"]');

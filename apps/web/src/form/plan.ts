@@ -153,7 +153,7 @@ export function planOf(spec: Json): Section[] {
     if (key.kind !== "table") continue;
     const holders = fixed.map((gear) => `${gear}.${key.key}`);
     const tables = holders.filter((where) => isTable(at(spec, where)));
-    const offered = !searching && (key.key === "bore" || key.key === "modifications");
+    const offered = !searching && !drive && (key.key === "bore" || key.key === "modifications");
     if (!tables.length && !offered) continue;
     const name = tableAt(key, tables.length ? at(spec, tables[0]!) : undefined);
     add(section("gear." + key.key, key.key, name, offered ? holders : tables, spec));
