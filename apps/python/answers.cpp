@@ -56,7 +56,7 @@ ContactValue contact_of(const PairValue& pair, const py::object& errors,
 
 RatingValue rating_of(const PairValue& pair, const py::kwargs& keys) {
   return answered<RatingValue>(
-      asked_model(pair, py::none(), py::none(), rating_keys(), "rating", keys),
+      with_two_gears(asked_model(pair, py::none(), py::none(), rating_keys(), "rating", keys)),
       [](SolvedJob& job, Progress* progress) { return answer_rating(job, progress); },
       [](const SolvedJob&, const RatingAnswer& a) { return rating_quantities().of(a); },
       [](const SolvedJob& job, const RatingAnswer& a) { return judge(job, {.rating = &a}); });
@@ -65,20 +65,12 @@ RatingValue rating_of(const PairValue& pair, const py::kwargs& keys) {
 LoadedValue loaded_of(const PairValue& pair, const py::object& errors,
                       const py::object& modifications, const py::kwargs& keys) {
   return answered<LoadedValue>(
-      asked_model(pair, errors, modifications, load_keys(), "load", keys), answer_load,
+      with_two_gears(asked_model(pair, errors, modifications, load_keys(), "load", keys)),
+      answer_load,
       [](const SolvedJob& job, const LoadAnalysis& a) {
         return load_quantities().of(load_view(job, a));
       },
       [](const SolvedJob& job, const LoadAnalysis&) { return judge(job, {.load = true}); });
-}
-
-// Returns a quantity of a record. If the record does not have this key, returns a value without
-// content.
-const Value& quantity(const ValueRecord& record, std::string_view key) {
-  static const Value kNothing;
-  for (const Member& member : record)
-    if (member.info->key == key) return member.value;
-  return kNothing;
 }
 
 py::array positions_of(const ContactValue& c) {
@@ -180,7 +172,7 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   auto [tree, folder] = spec_and_folder(given);
   const Json changes = with_keys(tree_of(kwargs, "compensate"), {&compensate_keys()}, "compensate");
   for (const auto& [key, value] : changes.items()) tree["compensate"][key] = value;
-  const ModelPtr model = make_model(std::move(tree), folder, Scope::pair);
+  const ModelPtr model = with_two_gears(make_model(std::move(tree), folder, Scope::pair));
   SolvedJob job = model->job;
   const CompensateAnswer found = watched_result(
       model->given(), [&](Progress* progress) { return answer_compensate(job, progress); });
@@ -242,7 +234,7 @@ py::object scatter(const py::object& given, const py::kwargs& kwargs) {
   const Json changes = with_keys(tree_of(kwargs, "scatter"), {&scatter_keys()}, "scatter");
   for (const auto& [key, value] : changes.items()) tree["scatter"][key] = value;
   const std::string spec = json_text(tree);
-  const ModelPtr model = make_model(std::move(tree), folder, Scope::pair);
+  const ModelPtr model = with_two_gears(make_model(std::move(tree), folder, Scope::pair));
   SolvedJob job = model->job;
   const auto found = std::make_shared<const ScatterAnswer>(watched_result(
       model->given(), [&](Progress* progress) { return answer_scatter(job, progress); }));

@@ -38,7 +38,7 @@ double tolerance_in_range(double tolerance, const ToleranceRange& range) {
 
 // Raises the error. If there is only one gear, its keys do not begin with "gear1".
 [[noreturn]] void raise_of_body(const Error& error, const Model& model) {
-  if (!model.job.pair) raise_of_gear(spelled(error, model.given()));
+  if (!model.job.pair && !model.job.rack) raise_of_gear(spelled(error, model.given()));
   raise(error, model);
 }
 
@@ -209,8 +209,9 @@ void bind_exports(Class& type) {
       "drawing",
       [](const Self& self, const py::object& path, const std::string& format,
          const std::string& sheet, double tolerance) {
-        return drawing(self.gears(), *self.model, path_or_none(path, "path"), format, sheet,
-                       tolerance);
+        std::vector<int> gears = self.gears();
+        if (self.model->job.rack) gears = {1};  // a rack has no gear data
+        return drawing(gears, *self.model, path_or_none(path, "path"), format, sheet, tolerance);
       },
       py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = "A4",
       py::arg("tolerance") = 0.001,
@@ -222,8 +223,10 @@ void bind_exports(Class& type) {
 Eigen::Matrix4d pose(const PairValue& pair, int which) {
   if (which != 1 && which != 2)
     raise(refused("which", which, "must be 1 or 2, the number of the gear"));
-  const Pair& p = pair.pair();
-  return (which == 1 ? p.pose_1().isometry() : p.pose_2().isometry()).matrix();
+  const auto of = [which](const auto& p) -> Eigen::Matrix4d {
+    return (which == 1 ? p.pose_1().isometry() : p.pose_2().isometry()).matrix();
+  };
+  return pair.rack() ? of(*pair.rack()) : of(pair.pair());
 }
 
 }  // namespace

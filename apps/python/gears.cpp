@@ -107,10 +107,7 @@ void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
 
 // The quantity of a gear. For a double-helical gear, it is the quantity of the whole gear.
 Value value_of_gear(const GearValue& g, const Quantity<Gear>& q) {
-  if (!g.halves()) return value_of(q, g.gear());
-  for (Member& member : g.record())
-    if (member.info->key == q.info.key) return member.value;
-  return {};
+  return g.halves() ? Value(quantity(g.record(), q.info.key)) : value_of(q, g.gear());
 }
 
 // Adds the methods that Gear and Pair have in common. Two values are equal if their specs are
@@ -169,6 +166,10 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
           [](const PairValue& p) { return to_python(job_json(p.model->job, p.verdict())); },
           "Returns gears, pair, warnings and verdict as in the program's JSON")
       .def("__repr__", [](const PairValue& p) {
+        if (p.rack())
+          return fmt::format("Pair({} / rack, center_distance_mm={:.6g}, contact_ratio={:.4f})",
+                             p.rack()->pinion.spec.teeth, p.rack()->center_distance,
+                             p.rack()->transverse_contact_ratio() + p.rack()->overlap_ratio);
         const CylindricalSpec& one = p.pair().gear(1).spec;
         const CylindricalSpec& two = p.pair().gear(2).spec;
         const std::string chosen = shifts_follow(p.model->job.spec)
@@ -183,14 +184,25 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
     pair.def_property_readonly(
         fmt::format("gear{}", which).c_str(),
         [which](const PairValue& p) {
-          return GearValue{p.model, which};
+          return GearValue{which == 2 ? with_two_gears(p.model) : p.model, which};
         },
         "The gear as mounted");
+  pair.def_property_readonly(
+      "rack",
+      [](const PairValue& p) -> py::object {
+        if (!p.rack()) return py::none();
+        return by_name(Value(rack_quantities().of(p.rack()->rack)));
+      },
+      "The quantities of the rack as a Record, or None if gear 2 is not a rack");
   bind_made(pair, pair_value);
   bind_verdict(pair);
   bind_value(pair);
-  bind_quantities(pair, pair_quantities(), [](const PairValue& p, const Quantity<Pair>& q) {
-    return value_of(q, p.pair());
+  const auto value = [](const PairValue& p, const auto& q) {
+    return p.rack() ? Value(quantity(p.record(), q.info.key)) : value_of(q, p.pair());
+  };
+  bind_quantities(pair, pair_quantities(), value);
+  bind_quantities(pair, rack_pair_quantities(), [](const PairValue& p, const auto& q) {
+    return Value(quantity(p.record(), q.info.key));
   });
 
   m.def("load", &load, py::arg("spec"),

@@ -90,7 +90,9 @@ def main():
     made = dict(block.split("\n", 1) for block in blocks)
     made["file members"] = "".join(made["file members"].replace("FILE", file)
                                    for file in ("step", "stl", "threemf", "glb", "dxf", "svg"))
-    for name, entries in (("gear", tables["gear"]), ("pair", tables["pair"]), ("contact", contact + columns),
+    names = {entry["name"] for entry in tables["pair"]}
+    of_racks = [dict(entry, always=False) for entry in tables["rack_pair"] if entry["name"] not in names]
+    for name, entries in (("gear", tables["gear"]), ("pair", tables["pair"] + of_racks), ("contact", contact + columns),
                           ("rating", tables["rating"]), ("loaded", tables["load"])):
         made[f"{name} attributes"] = "".join(map(attribute, entries))
     for name in ("gear", "pair", "compensate", "scatter", "rating", "load", "contact"):

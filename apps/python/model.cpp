@@ -103,13 +103,25 @@ Result<ModelPtr> solved_model(Json spec, const std::filesystem::path& folder, Sc
   const py::gil_scoped_release free;
   const auto read = read_spec_tree(spec, folder);
   if (!read) return read.error();
-  auto solved = solve(*read, scope);
+  auto solved = scope == Scope::gears ? solve(*read, scope) : solve_any(*read, scope);
   if (!solved) return spelled(solved.error(), read->given);
   return std::make_shared<const Model>(Model{std::move(spec), folder, std::move(solved).take()});
 }
 
 ModelPtr make_model(Json spec, const std::filesystem::path& folder, Scope scope) {
   return value_or_raise(solved_model(std::move(spec), folder, scope));
+}
+
+const Value& quantity(const ValueRecord& record, std::string_view key) {
+  static const Value kNothing;
+  for (const Member& member : record)
+    if (member.info->key == key) return member.value;
+  return kNothing;
+}
+
+ModelPtr with_two_gears(ModelPtr model) {
+  if (auto error = two_gears_error(model->job.spec)) raise(*error, *model);
+  return model;
 }
 
 void raise(const Error& error, const Model& model) { raise(spelled(error, model.given())); }

@@ -15,6 +15,7 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/solved_job.hpp"
@@ -30,10 +31,13 @@ struct Model {
 };
 using ModelPtr = std::shared_ptr<const Model>;
 
-/// Solves the spec without the GIL.   Errors  with the keys of the spec
+/// Solves the spec without the GIL. Gear 2 may be a rack.   Errors  with the keys of the spec
 Result<ModelPtr> solved_model(Json spec, const std::filesystem::path& folder, Scope scope);
 /// Solves the spec and raises any error.   Throws  SpecError
 ModelPtr make_model(Json spec, const std::filesystem::path& folder, Scope scope);
+
+/// Returns the model, or raises SpecError if gear 2 is a rack.
+ModelPtr with_two_gears(ModelPtr model);
 
 /// Raises SpecError with the keys as the caller has given them.
 [[noreturn]] void raise(const Error& error, const Model& model);
@@ -48,6 +52,9 @@ std::string house_key(const Key& key);
 double units_per_house(const Key& key);
 /// Applies with_keys to all tables of a spec.
 Json spec_with_keys(Json tree);
+
+/// A quantity of a record, or a value without content if the record does not have this key.
+const Value& quantity(const ValueRecord& record, std::string_view key);
 
 /// Replaces members of `tree` by the members of `changes`, including those of nested tables. A null
 /// removes a member.
@@ -71,13 +78,18 @@ struct GearValue {
   ValueRecord record() const;
 };
 
+/// Two gears, or a pinion and its rack.
 struct PairValue {
   ModelPtr model;
 
   std::vector<int> gears() const { return {1, 2}; }
+  const std::optional<RackPair>& rack() const { return model->job.rack; }
+  /// Domain    two gears
   const Pair& pair() const { return *model->job.pair; }
   const Json& spec() const { return model->spec; }
-  ValueRecord record() const { return pair_quantities().of(pair()); }
+  ValueRecord record() const {
+    return rack() ? rack_pair_quantities().of(*rack()) : pair_quantities().of(pair());
+  }
   Verdict verdict() const { return judge(model->job); }
 };
 

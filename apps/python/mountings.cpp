@@ -76,7 +76,7 @@ py::array_t<double> transmission_errors(const PairValue& pair, const py::object&
   if (!range.contains(positions)) raise(refused("positions", positions, range.sentence(positions)));
   threads_in_range(threads);
   const ModelPtr model =
-      asked_model(pair, py::none(), modifications, contact_keys(), "contact", {});
+      with_two_gears(asked_model(pair, py::none(), modifications, contact_keys(), "contact", {}));
   const auto made = setup_of(model->job);
   if (!made) raise(made.error(), *model);
   const ContactSetup& setup = *made;

@@ -12,6 +12,7 @@
 #include "gearwright/figure/figure_data.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
+#include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/load_report.hpp"
 #include "gearwright/report/arc_contact_figures.hpp"
@@ -20,6 +21,7 @@
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/pair_figures.hpp"
+#include "gearwright/report/rack_section.hpp"
 #include "gearwright/report/report.hpp"
 #include "gearwright/report/report_tables.hpp"
 
@@ -62,6 +64,12 @@ std::string gear_html(const GearValue& g) {
 }
 
 std::string pair_html(const PairValue& p) {
+  if (p.rack()) {
+    const Gear& pinion = p.rack()->pinion;
+    return framed(fmt::format("Rack and pinion with {} teeth", pinion.spec.teeth),
+                  definitions({&pinion}) + verdict_line(p.verdict()) +
+                      rack_section(*p.rack(), kShapes, p.model->job.spec.units()));
+  }
   const Pair& pair = p.pair();
   const ParallelPair* parallel = pair.parallel();
   const bool picture = parallel && has_outline(pair.gear(1)) && has_outline(pair.gear(2));
@@ -103,6 +111,17 @@ struct PairFigures {
   std::vector<Figure> operator()(const ArcPair& pair) const { return arc_contact_figures(pair); }
 };
 
+std::vector<Figure> pair_figures(const PairValue& p) {
+  if (!p.rack()) return p.pair().visit(PairFigures());
+  auto rack = rack_definition(*p.rack(), kShapes[1]);
+  if (!rack) raise(rack.error(), *p.model);
+  const RackScene scene{&*p.rack(), kShapes};
+  constexpr double kAspect = 1.2;
+  Figure mesh = rack_mesh_figure(scene, rack_window(scene, MeshFrame::mesh, kAspect));
+  mesh.definitions = gear_definition(p.rack()->pinion, kShapes[0]) + *rack;
+  return {std::move(mesh)};
+}
+
 // Makes a part of the report. Ctrl-C interrupts this computation.
 template <class Part>
 Part part_of(SolvedJob& job, Result<Part> (*make)(SolvedJob&, Progress*)) {
@@ -121,7 +140,7 @@ std::vector<Figure> contact_figures(const ContactValue& c) {
     if (auto figure = transmission_error_figure(r, *result)) figures.push_back(*std::move(figure));
   const auto add_flanks = [&](const ContactReport& of) {
     for (const std::size_t i : {0u, 1u})
-      figures.push_back(flank_figure(of, i, {.pattern = &of.patterns[i]}));
+      if (of.gears[i]) figures.push_back(flank_figure(of, i, {.pattern = &of.patterns[i]}));
   };
   if (r.halves.empty()) add_flanks(r);
   for (const ContactReport& half : r.halves) add_flanks(half);
@@ -139,13 +158,14 @@ std::string page_of(const Model& source, const std::vector<int>& gears, bool con
   std::optional<ContactPart> part;
   if (contact || wants_contact(job)) {
     job.spec.contact.given = true;
-    if (job.pair) part = part_of(job, contact_part);
+    if (job.pair || job.rack) part = part_of(job, contact_part);
   }
   std::optional<LoadPart> load;
   if (gears.size() == 2 && job.pair) load = part_of(job, load_part);
   ReportInput input;
   input.title = job.spec.title;
-  for (std::size_t i = 0; i < gears.size(); ++i) {
+  if (gears.size() == 2 && job.rack) input.rack = &*job.rack;
+  for (std::size_t i = 0; i < (input.rack ? 1 : gears.size()); ++i) {
     input.gears.push_back(&job.gear(gears[i]));
     input.halves[i] = job.halves[static_cast<std::size_t>(gears[i] - 1)];
   }
@@ -180,7 +200,7 @@ void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairV
           "The program's report as one HTML page");
   pair.def("_repr_html_", &pair_html)
       .def_property_readonly(
-          "figures", [](const PairValue& p) { return p.pair().visit(PairFigures()); },
+          "figures", &pair_figures,
           "The figures of the report: the mesh and both gears, path of contact and contact ratios; "
           "for crossed axes plan, section, faces and sliding; for circular arcs rack and teeth")
       .def(

@@ -79,7 +79,7 @@ void say_numbers(Quantities<V>& q) {
   q.number("module_mm", "normal module", "m_n", "", [](const V& v) { return v.row->trial.module; })
       .always()
       .column("module_mm")
-      .digits(0);
+      .digits(3);
   q.term("teeth", "[z1, z2]; negative for an internal gear",
          [](const V& v) {
            return std::array{v.row->trial.z1, v.row->trial.z2};

@@ -38,6 +38,9 @@ const Quantities<ProposedGear>& gear_of_proposal_quantities() {
     q.number("lead_slope_um", "helix slope modification of the loaded flank", "C_Hβ",
              "null if unchanged", [](const G& g) { return um(g.lead_slope); })
         .digits(0);
+    q.text("amounts", "amounts in words, empty if as given", [](const G& g) {
+       return amounts_of(g);
+     }).always();
   });
   return kAll;
 }
@@ -64,6 +67,7 @@ const Quantities<Proposal>& proposal_quantities() {
            [](const P& p) { return profile_words()[static_cast<std::size_t>(p.profile)]; })
         .one_of(profile_words())
         .always();
+    q.text("words", "modifications in words", [](const P& p) { return words_of(p); }).always();
     q.flag("pitch_deviations", "reliefs with pitch deviations",
            "true if the reliefs allow for load and pitch deviations, false if they allow for the "
            "load alone",

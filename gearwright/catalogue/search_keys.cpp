@@ -189,7 +189,7 @@ std::vector<Key> limit_keys() {
             "least safety against root breakage of both gears")
           .with_also({"sf_min", "safety_root"}),
       Key::flag("coprime", &P::coprime, "false",
-                "if true, z1 and z2 must have no common factor (hunting tooth)")};
+                "tooth numbers without a common factor (hunting tooth), if true")};
 }
 
 std::vector<Key> design_keys() {

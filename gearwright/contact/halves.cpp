@@ -97,6 +97,19 @@ std::vector<Angle> rotations_of_second(const Gear& gear_1, double stagger,
   return rotations;
 }
 
+HalvesSetup::HalvesSetup(const ContactSetup& setup, double stagger)
+    : half_{setup.half_at({middle_of_half(setup.gear(1)), middle_of_half(setup.gear(2))}, false),
+            setup.half_at({middle_of_half(setup.gear(1)), middle_of_half(setup.gear(2))}, true)},
+      stagger_(stagger) {}
+
+HalvesPair HalvesSetup::pair(const ContactErrors& errors, bool gear2_drives) const {
+  HalvesPair made{{half_[0].shared_pair(errors, gear2_drives),
+                   half_[1].shared_pair(mirrored(errors), gear2_drives)},
+                  {}};
+  made.mesh = {&half_[0].gear(1), {made.half[0].get(), made.half[1].get()}, stagger_};
+  return made;
+}
+
 ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
                           const std::vector<Influence>& influences, int per_pitch) {
   ContactResult result = image;

@@ -14,10 +14,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/contact/pattern.hpp"
 
 namespace gearwright {
@@ -50,6 +52,26 @@ struct HalvesMesh {
   bool alike() const {
     return stagger == 0.0 && half[0]->place().errors == half[1]->place().errors;
   }
+};
+
+/// The pairs of both halves under the same errors, which own their gears.
+struct HalvesPair {
+  std::array<std::shared_ptr<const ContactPair>, 2> half;  ///< A, and the mirror image of B
+  HalvesMesh mesh;                                         ///< points to them
+};
+
+/// Both halves of a double-helical pair, for errors that vary.
+class HalvesSetup {
+ public:
+  /// Domain    the setup of a pair whose gears have a gap (contract)
+  HalvesSetup(const ContactSetup& setup, double stagger);
+  HalvesPair pair(const ContactErrors& errors, bool gear2_drives) const;
+  const ContactSetup& half(bool below) const { return half_[below]; }
+  double stagger() const { return stagger_; }
+
+ private:
+  std::array<ContactSetup, 2> half_;
+  double stagger_;
 };
 
 /// Converts the analysis of the mirror image at rotations_of_second() to the result for half B.

@@ -10,8 +10,9 @@ namespace gearwright {
 
 namespace {
 
-// A pair and the fields of removed material to which it points.
+// A pair with the gear and the fields of removed material to which it points.
 struct Held {
+  Gear pinion;
   std::array<std::shared_ptr<const RemovalField>, 2> removal;
   std::optional<ContactPair> pair;
 };
@@ -28,8 +29,9 @@ std::optional<Error> rack_error(const ContactErrors& errors) {
 
 }  // namespace
 
-Result<RackContact> contact(const RackPair& pair, const ContactErrors& errors,
-                            const ContactOptions& options) {
+Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
+                                                        const ContactErrors& errors,
+                                                        const ContactOptions& options) {
   const auto& [right, left] = options.modifications[0];
   GW_EXPECTS(!any_modification({options.modifications[1].right, options.modifications[1].left}));
   const Gear& pinion = pair.pinion;
@@ -45,30 +47,36 @@ Result<RackContact> contact(const RackPair& pair, const ContactErrors& errors,
   const bool fields = any_modification({right, left}) ||
                       std::any_of(influences.begin(), influences.end(),
                                   [](const Influence& i) { return i.modified_gear == 1; });
-  std::array<std::shared_ptr<const RemovalField>, 2> removal;
+  const auto held = std::make_shared<Held>(Held{pinion, {}, {}});
   for (int side = 0; fields && side < 2; ++side) {
     auto field = make_removal_field(side == 0 ? right : left, flank_extent(pinion));
     if (!field) return of_flank(1, side, field.error());
-    removal[static_cast<std::size_t>(side)] =
+    held->removal[static_cast<std::size_t>(side)] =
         std::make_shared<const RemovalField>(std::move(field).take());
   }
-  const auto driven_by = [&](bool gear2_drives) {
-    ContactMount mount;
-    mount.center_distance = pair.center_distance;
-    mount.errors = errors;
-    mount.gear2_drives = gear2_drives;
-    const auto held = std::make_shared<Held>(Held{removal, {}});
-    held->pair.emplace(ContactGear{&pinion, {removal[0].get(), removal[1].get()}}, pair.rack,
-                       mount);
-    return std::shared_ptr<const ContactPair>(held, &*held->pair);
-  };
+  ContactMount mount;
+  mount.center_distance = pair.center_distance;
+  mount.errors = errors;
+  mount.gear2_drives = options.gear2_drives;
+  held->pair.emplace(ContactGear{&held->pinion, {held->removal[0].get(), held->removal[1].get()}},
+                     pair.rack, mount);
+  return std::shared_ptr<const ContactPair>(held, &*held->pair);
+}
+
+Result<RackContact> contact(const RackPair& pair, const ContactErrors& errors,
+                            const ContactOptions& options) {
+  auto driving = contact_pair(pair, errors, options);
+  if (!driving) return driving.error();
+  ContactOptions reversed = options;
+  reversed.gear2_drives = !options.gear2_drives;
+  reversed.request.influences.clear();
+  const auto other = contact_pair(pair, errors, reversed);
+  if (!other) return other.error();
 
   RackContact found;
-  found.pair = driven_by(options.gear2_drives);
+  found.pair = std::move(driving).take();
   static_cast<ContactResult&>(found) = analyse_contact(*found.pair, options.request);
-  ContactRequest other = options.request;
-  other.influences.clear();
-  found.non_working = analyse_contact(*driven_by(!options.gear2_drives), other);
+  found.non_working = analyse_contact(**other, reversed.request);
   found.min_play = least_play(found, found.non_working, options.gear2_drives);
   found.continuous_span =
       continuous_span(*found.pair, std::max(kLeastSpanPositions, options.request.positions));

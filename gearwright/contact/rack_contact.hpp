@@ -24,15 +24,22 @@ struct RackContact : ContactResult {
   /// Peak to peak of the continuous curve; none if contact is lost at some rotation.
   std::optional<Angle> continuous_span;
   std::optional<Angle> min_play;  ///< least play of the rack between both flanks; < 0 if they jam
-  std::shared_ptr<const ContactPair> pair;  ///< also keeps the modifications alive
+  std::shared_ptr<const ContactPair> pair;  ///< also keeps the pinion and its modifications alive
 };
 
-/// Analyses the contact of a pinion and a rack under errors.
+/// A pinion and a rack for contact analyses. The result owns the pinion.
 ///
 /// Units     mm, rad; `options.modifications[1]` must be empty (contract)
 /// Errors    `gear1` without a usable flank; `gear1.modifications.…` as make_removal_field;
 ///           `errors.cutter_lead[0]` as check_cutter_lead; `errors.helix_twist[1]` and
 ///           `errors.cutter_lead[1]` if they are not 0
+Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
+                                                        const ContactErrors& errors = {},
+                                                        const ContactOptions& options = {});
+
+/// Analyses the contact of a pinion and a rack under errors.
+///
+/// Errors    as contact_pair
 /// Domain    `options.request` as analyse_contact (contract)
 /// Accuracy  as analyse_contact
 /// Laws      (1) without errors and modifications, the transmission error is constant, at every

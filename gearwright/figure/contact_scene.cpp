@@ -88,6 +88,11 @@ std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint
 
 std::string pair_words(int k) { return k == 0 ? "0" : fmt::format("{:+d}", k); }
 
+const char* pair_style(int k) {
+  constexpr std::array kStyles{"tp0", "tp1", "tp2"};
+  return kStyles[static_cast<std::size_t>(((k % 3) + 3) % 3)];
+}
+
 std::string shown_arcsec(double arcsec) {
   const double size = std::abs(arcsec);
   if (size < 5e-7) return "0";

@@ -51,6 +51,8 @@ const char* words_of(TouchKind kind);
 
 /// Number of a tooth pair with its sign. "0" is the pair nearest the centre line.
 std::string pair_words(int k);
+/// Its colour: three classes of figure_style.css in turn.
+const char* pair_style(int k);
 
 /// A value in arc seconds, with a number of decimals that suits its size.
 std::string shown_arcsec(double arcsec);

@@ -160,12 +160,14 @@ class Labels {
     const std::vector<Vec2> line = px(m.points);
     Places places;
     if (line.size() < 2) return places;
-    for (const double share : {0.02, 0.98, 0.06, 0.94, 0.1, 0.9, 0.2, 0.8, 0.3, 0.7}) {
-      const Vec2 at = at_share(line, share).first;
-      places.push_back({at, {7, -9}, Anchor::start});
-      places.push_back({at, {-7, 9}, Anchor::end});
-      places.push_back({at, {7, 9}, Anchor::start});
-      places.push_back({at, {-7, -9}, Anchor::end});
+    for (const double away : {9.0, 13.0}) {
+      for (const double share : {0.02, 0.98, 0.06, 0.94, 0.1, 0.9, 0.2, 0.8, 0.3, 0.7, 0.4, 0.6}) {
+        const Vec2 at = at_share(line, share).first;
+        places.push_back({at, {7, -away}, Anchor::start});
+        places.push_back({at, {-7, away}, Anchor::end});
+        places.push_back({at, {7, away}, Anchor::start});
+        places.push_back({at, {-7, -away}, Anchor::end});
+      }
     }
     return places;
   }

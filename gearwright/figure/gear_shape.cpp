@@ -160,6 +160,14 @@ std::vector<Vec2> chords(const Arc& arc, double tolerance) {
   return points;
 }
 
+std::string outline_path(const std::vector<Vec2>& points, double unit_mm) {
+  GW_EXPECTS(!points.empty());
+  Pen pen(unit_mm);
+  pen.move(points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) pen.line(points[i]);
+  return pen.take();
+}
+
 std::string tooth_path(const Gear& gear) {
   GW_EXPECTS(has_outline(gear));
   const std::vector<Arc>& arcs = gear.tooth->outline.arcs;

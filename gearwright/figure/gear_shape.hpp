@@ -30,6 +30,9 @@ constexpr double kRim = 2.5;                ///< m_n; rim drawn outside the root
 ///           parameter
 std::vector<Vec2> chords(const Arc& arc, double tolerance);
 
+/// Path data of a chain of points, mm, in units of `unit_mm`.
+std::string outline_path(const std::vector<Vec2>& points, double unit_mm);
+
 /// Path data of one tooth from the middle of one space to the middle of the next.
 std::string tooth_path(const Gear& gear);
 

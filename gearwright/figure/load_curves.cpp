@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/figure/contact_scene.hpp"
 #include "gearwright/figure/load_figures.hpp"
@@ -56,6 +57,22 @@ std::optional<Figure> fitted(Figure f, bool from_zero) {
   return fit_axes(f, 0.06, from_zero) ? std::optional(std::move(f)) : std::nullopt;
 }
 
+// The share of one tooth pair on its way through the mesh: its own pitches and its share. The load is zero before
+// the first and after the last position.
+std::vector<Vec2> share_curve(const LoadScene& scene, const LoadedTorque& t) {
+  const double step = 1.0 / static_cast<double>(t.positions.size());
+  std::vector<Vec2> values;
+  for (const LoadedPosition& p : t.positions)
+    for (const LoadedPair& k : p.pairs)
+      values.push_back({own_pitches(scene, p, k), share_of(p, k.pair)});
+  std::sort(values.begin(), values.end(),
+            [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
+  if (values.empty()) return values;
+  values.insert(values.begin(), {values.front().x() - step, 0.0});
+  values.push_back({values.back().x() + step, 0.0});
+  return values;
+}
+
 }  // namespace
 
 std::optional<Figure> loaded_te_figure(const LoadScene& scene) {
@@ -102,7 +119,6 @@ std::optional<Figure> compared_te_figure(const std::vector<TeCurve>& curves) {
 }
 
 std::optional<Figure> share_figure(const LoadScene& scene) {
-  const double step = 1.0 / static_cast<double>(shown_torque(scene).positions.size());
   Figure f{.id = "load-share" + scene.part,
            .title = "Load share",
            .description = "Share of the load that one tooth pair carries during its mesh.",
@@ -113,19 +129,44 @@ std::optional<Figure> share_figure(const LoadScene& scene) {
   f.keys = torque_keys(scene);
   for (const std::size_t i : shown_torques(scene)) {
     const LoadedTorque& t = scene.contact.torques[i];
-    std::vector<Vec2> values;
-    for (const LoadedPosition& p : t.positions)
-      for (const LoadedPair& k : p.pairs)
-        values.push_back({own_pitches(scene, p, k), share_of(p, k.pair)});
-    std::sort(values.begin(), values.end(),
-              [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
-    if (values.empty()) continue;
-    // The load is zero before the first and after the last position.
-    values.insert(values.begin(), {values.front().x() - step, 0.0});
-    values.push_back({values.back().x() + step, 0.0});
-    f.line(std::move(values), "curve " + curve_style(f.marks.size()), torque_words(t));
+    std::vector<Vec2> values = share_curve(scene, t);
+    if (!values.empty())
+      f.line(std::move(values), "curve " + curve_style(f.marks.size()), torque_words(t));
   }
   return fitted(std::move(f), true);
+}
+
+std::optional<Figure> pair_share_figure(const LoadScene& scene) {
+  const LoadedTorque& t = shown_torque(scene);
+  const std::vector<Vec2> own = share_curve(scene, t);
+  if (own.empty()) return std::nullopt;
+  const double pitch = pitch_of(scene) * kDegPerRad;
+  Figure f{
+      .id = "load-pairs" + scene.part,
+      .title = "Load shares of the tooth pairs",
+      .description = "Shares of the load of all tooth pairs in mesh over the rotation of gear 1.",
+      .caption = fmt::format(
+          " at {}. The shaded pitch is repeated. Each tooth pair has a colour and a number, "
+          "counted from the pair nearest to the centre line. The sum of the curves is 1.",
+          torque_words(t)),
+      .x = {"rotation of gear 1", "°", -pitch, pitch},
+      .y = {"share of the load", "", 0.0, 1.06}};
+  f.pitch = pitch;
+  f.bar({-pitch / 2, -kInfinity}, {pitch / 2, kInfinity}, "measured");
+  const double turn = scene.gear2_drives ? -pitch : pitch;
+  // The picture shows the rotations from −1 to 1 pitch, which pair k reaches with −1 − k to 1 − k of its own pitches.
+  const int first = static_cast<int>(std::ceil(-1.0 - own.back().x()));
+  const int last = static_cast<int>(std::floor(1.0 - own.front().x()));
+  for (int k = first; k <= last; ++k) {
+    std::vector<Vec2> values;
+    for (const Vec2& v : own)
+      if (std::abs(v.x() + k) <= 1.0) values.push_back({(v.x() + k) * turn, v.y()});
+    if (values.size() < 2) continue;
+    f.line(std::move(values), std::string("curve ") + pair_style(k), "tooth pair " + pair_words(k));
+    f.marks.back().label = pair_words(k);
+    f.marks.back().label_style = "halo";
+  }
+  return f;
 }
 
 std::optional<Figure> stiffness_figure(const LoadScene& scene) {

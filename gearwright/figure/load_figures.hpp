@@ -15,6 +15,8 @@ namespace gearwright {
 /// no figure if no position has a value.
 std::optional<Figure> loaded_te_figure(const LoadScene& scene);
 std::optional<Figure> share_figure(const LoadScene& scene);
+/// The load shares of all tooth pairs at the shown torque over two pitches, each pair in its colour.
+std::optional<Figure> pair_share_figure(const LoadScene& scene);
 std::optional<Figure> stiffness_figure(const LoadScene& scene);
 std::optional<Figure> root_turn_figure(const LoadScene& scene);
 /// A curve of the transmission error, ″, over the rotation of gear 1, °. The points are evenly

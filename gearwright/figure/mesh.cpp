@@ -48,14 +48,6 @@ Bounds extent_of(const MeshScene& s) {
   return all;
 }
 
-// The box, enlarged to the given ratio of width to height.
-Bounds fitted(const Bounds& box, double aspect) {
-  const Vec2 size = box.size();
-  const double height = std::max(size.y(), size.x() / aspect);
-  const Vec2 half(aspect * height / 2, height / 2), middle = (box.lo + box.hi) / 2;
-  return {middle - half, middle + half};
-}
-
 Bounds with_room(const Bounds& box, double room) {
   return {box.lo - Vec2(room, room), box.hi + Vec2(room, room)};
 }
@@ -133,7 +125,15 @@ void add_turn(Figure& f, const Vec2& axis, double radius, bool clockwise, int ge
 
 }  // namespace
 
+Bounds with_aspect(const Bounds& box, double aspect) {
+  const Vec2 size = box.size();
+  const double height = std::max(size.y(), size.x() / aspect);
+  const Vec2 half(aspect * height / 2, height / 2), middle = (box.lo + box.hi) / 2;
+  return {middle - half, middle + half};
+}
+
 std::string symbol_of(const NamedCircle& circle, std::size_t i) {
+  if (circle.symbol.empty()) return {};
   const char* between = circle.symbol.find('_') == circle.symbol.npos ? "_" : "";
   return circle.symbol + between + std::to_string(i + 1);
 }
@@ -170,16 +170,16 @@ Bounds mesh_window(const MeshScene& s, MeshFrame frame, double aspect) {
   GW_EXPECTS(!s.gears.empty() && aspect > 0.0);
   if (frame == MeshFrame::whole || !meshing(s)) {
     const Bounds all = extent_of(s);
-    return fitted(with_room(all, kRoom * all.size().maxCoeff() / 2), aspect);
+    return with_aspect(with_room(all, kRoom * all.size().maxCoeff() / 2), aspect);
   }
-  if (!s.involute) return fitted(about_overlap(s), aspect);
+  if (!s.involute) return with_aspect(about_overlap(s), aspect);
   if (frame == MeshFrame::mesh || !s.involute->flanks_meet())
-    return fitted(about_pitch_point(*s.involute), aspect);
+    return with_aspect(about_pitch_point(*s.involute), aspect);
   Bounds path;
   const Mesh<double>& mesh = s.involute->mesh;
   for (const double rho1 : {mesh.rho1_A, mesh.rho1_E})
     path.cover(flat(s.involute->on_line_of_action(rho1)));
-  return fitted(with_room(path, 0.08 * path.size().maxCoeff()), aspect);
+  return with_aspect(with_room(path, 0.08 * path.size().maxCoeff()), aspect);
 }
 
 void add_bodies(Figure& f, const MeshScene& s, const std::array<double, 2>& angles) {

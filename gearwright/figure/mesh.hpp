@@ -27,7 +27,7 @@ struct NamedCircle {
   std::string key = {};    ///< key of the quantity in the catalogue
 };
 
-/// The symbol with the number of gear `i` (0, 1) in its index: "d_a1".
+/// The symbol with the number of gear `i` (0, 1) in its index: "d_a1". Empty for a circle without a symbol.
 std::string symbol_of(const NamedCircle& circle, std::size_t i);
 
 /// Line style by the symbol: solid for tip and root, dash-dot for pitch, dashed for base, dotted
@@ -51,6 +51,8 @@ MeshScene mesh_scene(const InvolutePair& pair, const std::array<std::string, 2>&
 /// Extent of a picture: the whole gears, their mesh, or the path of contact. Gears that do not mesh
 /// are shown whole.
 enum class MeshFrame { whole, mesh, flank };
+/// The box, enlarged to this ratio of width to height.
+Bounds with_aspect(const Bounds& box, double aspect);
 /// Returns the window of a picture with this ratio of width to height.
 Bounds mesh_window(const MeshScene& scene, MeshFrame frame, double aspect);
 

@@ -1,5 +1,7 @@
 #include "gearwright/figure/rack_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,6 +20,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kDrawnBack = 2.0;  // modules below the roots, for a rack whose height is not given
+constexpr int kFewestDrawn = 15;    // teeth of a rack whose number of teeth is not given
 
 double pitch_radius(const RackPair& pair) { return pair.pinion.reference_diameter / 2; }
 
@@ -29,6 +32,14 @@ Vec2 on_action(const RackPair& pair, double g, double side = 1.0) {
   return {pitch_radius(pair) + g * std::sin(alpha_of(pair)), -side * g * std::cos(alpha_of(pair))};
 }
 
+int drawn_teeth(const RackPair& pair) {
+  return pair.rack.bar.teeth.value_or(std::max(pair.pinion.spec.teeth, kFewestDrawn) | 1);
+}
+
+double back_of(const RackGeometry& rack) {
+  return -rack.bar.height.value_or(rack.dedendum + kDrawnBack * rack.normal_module);
+}
+
 }  // namespace
 
 double rack_pinion_rotation(const RackPair& pair) {
@@ -36,72 +47,112 @@ double rack_pinion_rotation(const RackPair& pair) {
   return reference.base_tooth_thickness / reference.base_diameter - involute(alpha_of(pair));
 }
 
-Result<std::vector<Vec2>> rack_section(const RackPair& pair, double reach) {
+Result<std::vector<Vec2>> rack_section(const RackPair& pair) {
   const RackGeometry& rack = pair.rack;
   const auto outline = rack_outline(rack);
   if (!outline) return outline.error();
-  const double p_t = rack.transverse_pitch;
-  const int n = rack.bar.teeth.value_or(2 * static_cast<int>(std::ceil(reach / p_t)) + 1);
-  // Half the transverse tooth thickness of the rack at its pitch line, which is H − r above the
-  // datum line.
-  const double half = (rack.thickness / 2 - (pair.center_distance - pitch_radius(pair)) *
-                                                std::tan(rack.normal_pressure_angle.rad())) /
-                      std::cos(rack.helix_angle.rad());
-  std::vector<Vec2> points;
-  const auto add = [&](double height, double y) {
-    points.emplace_back(pair.center_distance - height, y);
-  };
   std::vector<Vec2> tooth;  // half a tooth, root to tip
   for (const Arc& arc : outline->arcs) {
     const std::vector<Vec2> part = chords(arc, kOutlineTolerance * rack.normal_module);
     tooth.insert(tooth.end(), part.begin() + (tooth.empty() ? 0 : 1), part.end());
   }
-  // The middle tooth is below C. It touches with the flank that faces the leading flank of the
-  // pinion.
-  const int most = static_cast<int>(std::ceil(reach / p_t)) + 1;  // on each side of the middle
-  for (int k = std::max(0, n / 2 - most); k <= std::min(n - 1, n / 2 + most); ++k) {
-    const double middle = -half + (k - n / 2) * p_t;
-    for (const Vec2& p : tooth) add(p.x(), middle - p.y());
-    for (auto p = tooth.rbegin() + 1; p != tooth.rend(); ++p) add(p->x(), middle + p->y());
+  std::vector<Vec2> points;
+  const int n = drawn_teeth(pair);
+  for (int k = 0; k < n; ++k) {
+    const double middle = (k - (n - 1) / 2.0) * rack.transverse_pitch;
+    for (const Vec2& p : tooth) points.emplace_back(p.x(), middle - p.y());
+    for (auto p = tooth.rbegin() + 1; p != tooth.rend(); ++p)
+      points.emplace_back(p->x(), middle + p->y());
   }
-  const double back = -rack.bar.height.value_or(rack.dedendum + kDrawnBack * rack.normal_module);
   const double first = points.front().y(), last = points.back().y();
-  add(back, last);
-  add(back, first);
+  points.emplace_back(back_of(rack), last);
+  points.emplace_back(back_of(rack), first);
   points.push_back(points.front());
   return points;
 }
 
-Result<Figure> rack_mesh_figure(const RackPair& pair, const std::string& shape, double aspect) {
-  GW_EXPECTS(aspect > 0.0);
-  const double r = pitch_radius(pair), m = pair.rack.normal_module;
-  const double along = std::max(pair.approach, pair.recess) * std::cos(alpha_of(pair));
-  const double half = std::max(along, 2.2 * m) + 1.2 * m;
-  const Bounds window{{r - aspect * half, -half}, {r + aspect * half, half}};
-  const double reach = 3 * half;
-  auto section = rack_section(pair, reach);
+Result<std::string> rack_definition(const RackPair& pair, const std::string& name) {
+  const auto section = rack_section(pair);
   if (!section) return section.error();
+  return fmt::format("<path id=\"{}\" vector-effect=\"non-scaling-stroke\" d=\"{}\"/>\n", name,
+                     outline_path(*section, outline_unit_mm(pair.pinion)));
+}
 
-  Figure f = plane_figure("mesh", "The mesh at the pitch point",
-                          "Rack and pinion near the pitch point C in the transverse section, with "
-                          "the circles of the pinion, the datum line of the rack, the lines of "
-                          "action and the points A and E of the path of contact.",
-                          window);
-  FigureMark pinion{FigureMark::Kind::shape, "body g1", {Vec2::Zero()}, shape};
+Vec2 rack_place(const RackPair& pair) {
+  const RackGeometry& rack = pair.rack;
+  // Half a tooth in the transverse section at the pitch line, H − r above the datum line.
+  const double half = (rack.thickness / 2 - (pair.center_distance - pitch_radius(pair)) *
+                                                std::tan(rack.normal_pressure_angle.rad())) /
+                      std::cos(rack.helix_angle.rad());
+  const bool odd = drawn_teeth(pair) % 2 == 1;
+  return {pair.center_distance, (odd ? 0.0 : rack.transverse_pitch / 2) - half};
+}
+
+Bounds rack_window(const RackScene& scene, MeshFrame frame, double aspect) {
+  GW_EXPECTS(aspect > 0.0);
+  const RackPair& pair = *scene.pair;
+  const double r = pitch_radius(pair), m = pair.rack.normal_module;
+  Bounds box;
+  if (frame == MeshFrame::whole) {
+    const double tip = pair.pinion.actual_tip_radius();
+    const double along = drawn_teeth(pair) * pair.rack.transverse_pitch / 2;
+    const Vec2 origin = rack_place(pair);
+    box.cover({-tip, -tip});
+    box.cover({tip, tip});
+    box.cover(origin + Vec2(-pair.rack.addendum, -along));
+    box.cover(origin + Vec2(-back_of(pair.rack), along));
+  } else if (frame == MeshFrame::flank && pair.approach + pair.recess > 0.0) {
+    box.cover(on_action(pair, -pair.approach));
+    box.cover(on_action(pair, pair.recess));
+  } else {
+    const double along = std::max(pair.approach, pair.recess) * std::cos(alpha_of(pair));
+    const double half = std::max(along, 2.2 * m) + 1.2 * m;
+    box.cover({r - half, -half});
+    box.cover({r + half, half});
+  }
+  return with_aspect(box, aspect);
+}
+
+Figure rack_bodies_figure(const RackScene& scene, const Bounds& window) {
+  const RackPair& pair = *scene.pair;
+  Figure f =
+      plane_figure("gears", "Rack and pinion in section", "Rack and pinion in section.", window);
+  FigureMark pinion{FigureMark::Kind::shape, "body g1", {Vec2::Zero()}, scene.shapes[0]};
   pinion.radius = outline_unit_mm(pair.pinion);
   pinion.turned = kDegPerRad * rack_pinion_rotation(pair);
   pinion.gear = 0;
-  f.area(*section, "body g2");
-  if (has_outline(pair.pinion)) f.marks.push_back(pinion);
-  f.line(*section, "outline g2");
-  pinion.style = "outline g1";
-  if (has_outline(pair.pinion)) f.marks.push_back(pinion);
-  for (const NamedCircle& c :
-       {NamedCircle{"d_a", pair.pinion.actual_tip_radius(), "", "tip diameter"},
-        NamedCircle{"d_w", r, "", "working pitch diameter"},
-        NamedCircle{"d_b", pair.pinion.base_radius(), "", "base diameter"}})
-    f.circle(Vec2::Zero(), c.radius, std::string("thin g1") + style_of_circle(c.symbol), 0,
+  FigureMark rack{FigureMark::Kind::shape, "body g2", {rack_place(pair)}, scene.shapes[1]};
+  rack.radius = pinion.radius;
+  rack.turned = 180.0;
+  rack.gear = 1;
+  for (const char* style : {"body ", "outline "}) {
+    rack.style = std::string(style) + kInk[1];
+    pinion.style = std::string(style) + kInk[0];
+    f.marks.push_back(rack);
+    if (has_outline(pair.pinion)) f.marks.push_back(pinion);
+  }
+  return f;
+}
+
+Figure rack_mesh_figure(const RackScene& scene, const Bounds& window) {
+  const RackPair& pair = *scene.pair;
+  const double r = pitch_radius(pair);
+  Figure f = rack_bodies_figure(scene, window);
+  f.id = "mesh";
+  f.title = "The mesh at the pitch point";
+  f.description =
+      "Rack and pinion near the pitch point C in the transverse section, with the circles of the "
+      "pinion, the datum line of the rack, the lines of action and the points A and E of the path "
+      "of contact.";
+  std::vector<NamedCircle> circles = scene.circles;
+  if (circles.empty())
+    circles = {{"d_a", pair.pinion.actual_tip_radius(), style_of_circle("d_a"), "tip diameter"},
+               {"d_w", r, style_of_circle("d_w"), "working pitch diameter"},
+               {"d_b", pair.pinion.base_radius(), style_of_circle("d_b"), "base diameter"}};
+  for (const NamedCircle& c : circles)
+    f.circle(Vec2::Zero(), c.radius, std::string("thin g1") + c.style, 0,
              symbol_svg(symbol_of(c, 0)), c.words);
+  const double reach = drawn_teeth(pair) * pair.rack.transverse_pitch;
   const auto upright = [&](double x, const char* style, const char* words) {
     f.line({{x, -reach}, {x, reach}}, style, words);
   };

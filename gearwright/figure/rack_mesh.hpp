@@ -6,27 +6,43 @@
 // at every centre distance.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
-#include "gearwright/figure/figure.hpp"
+#include "gearwright/figure/mesh.hpp"
 #include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
 
-/// Draws the mesh around C, with circles, datum line, path of contact A–E and both lines of action.
-/// `shape` is the name of the pinion's definition (gear_shape.hpp).
+struct RackScene {
+  const RackPair* pair = nullptr;
+  std::array<std::string, 2> shapes;      ///< names of the definitions of pinion and rack
+  std::vector<NamedCircle> circles = {};  ///< of the pinion; by default tip, pitch and base circle
+};
+
+/// The extent of a picture with this ratio of width to height.
+Bounds rack_window(const RackScene& scene, MeshFrame frame, double aspect);
+
+/// Draws only the bodies.
+Figure rack_bodies_figure(const RackScene& scene, const Bounds& window);
+/// Draws the bodies with circles, datum line, path of contact A–E and both lines of action.
+Figure rack_mesh_figure(const RackScene& scene, const Bounds& window);
+
+/// The definition of the rack's shape, in units of kOutlineUnit modules and in the frame of the rack.
 ///
 /// Errors    those of rack_outline()
-Result<Figure> rack_mesh_figure(const RackPair& pair, const std::string& shape, double aspect);
+Result<std::string> rack_definition(const RackPair& pair, const std::string& name);
 
-/// The section of the rack as one closed line in the housing frame, mm. It contains the teeth
-/// within `reach` of the centre line and touches the pinion at C.
+/// The section of the rack as one closed line in its own frame (pair/rack_outline.hpp), mm. A rack whose number
+/// of teeth is not given has an odd number of teeth, at least those of its pinion.
 ///
-/// Units     mm
 /// Accuracy  fillets are chords within kOutlineTolerance modules
 /// Errors    those of rack_outline()
-Result<std::vector<Vec2>> rack_section(const RackPair& pair, double reach);
+Result<std::vector<Vec2>> rack_section(const RackPair& pair);
+
+/// The origin of the rack, turned by 180°, where its flank touches the leading flank of the pinion at C.
+Vec2 rack_place(const RackPair& pair);
 
 /// Rotation of the pinion, counter-clockwise, at which its leading flank passes through C.
 ///

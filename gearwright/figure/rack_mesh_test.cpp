@@ -43,7 +43,8 @@ TEST(RackMeshFigure, flanks_touch_at_the_pitch_point) {
   for (const auto& [x, beta, further] :
        {std::tuple{0.0, 0.0, 0.0}, std::tuple{0.2, 0.0, 0.1}, std::tuple{0.1, 20.0, 0.05}}) {
     const RackPair p = drawn_pair(x, beta, further);
-    const std::vector<Vec2> section = testing::taken(rack_section(p, 50));
+    std::vector<Vec2> section = testing::taken(rack_section(p));
+    for (Vec2& point : section) point = rack_place(p) - point;
     EXPECT_EQ(section.front(), section.back());
     const double turn = rack_pinion_rotation(p), step = 2 * M_PI / 18;
     double nearest = 1.0;
@@ -70,10 +71,40 @@ TEST(RackMeshFigure, flanks_touch_at_the_pitch_point) {
 
 TEST(RackMeshFigure, is_drawn) {
   const RackPair p = drawn_pair(0.1, 15, 0.05);
-  const Figure f = testing::taken(rack_mesh_figure(p, "gear1", 1.2));
+  const RackScene scene{&p, {"gear1", "gear2"}};
+  const Figure f = rack_mesh_figure(scene, rack_window(scene, MeshFrame::mesh, 1.2));
   const std::string html = figure_html(f, 640);
-  for (const char* words : {"href=\"#gear1\"", "action-dot", "body g2"})
+  for (const char* words : {"href=\"#gear1\"", "href=\"#gear2\"", "action-dot", "body g2"})
     EXPECT_NE(html.find(words), std::string::npos) << words;
+}
+
+// The windows contain what they promise: pinion and rack with its back, and the path of contact.
+TEST(RackMeshFigure, windows_contain_their_parts) {
+  const RackPair p = drawn_pair(0.1, 15, 0.05);
+  const RackScene scene{&p, {"gear1", "gear2"}};
+  const auto contains = [&](MeshFrame frame, const Vec2& point) {
+    const Bounds window = rack_window(scene, frame, 1.2);
+    EXPECT_NEAR(window.size().x(), 1.2 * window.size().y(), 1e-9);
+    return (point - window.lo).minCoeff() > -1e-9 && (window.hi - point).minCoeff() > -1e-9;
+  };
+  for (const Vec2& point : testing::taken(rack_section(p)))
+    EXPECT_TRUE(contains(MeshFrame::whole, rack_place(p) - point));
+  EXPECT_TRUE(contains(MeshFrame::whole, Vec2(-p.pinion.actual_tip_radius(), 0)));
+  const double alpha = p.pinion.reference().transverse_pressure_angle;
+  const Vec2 C(p.pinion.reference_diameter / 2, 0);
+  for (const double g : {-p.approach, p.recess})
+    EXPECT_TRUE(contains(MeshFrame::flank, C + g * Vec2(std::sin(alpha), -std::cos(alpha))));
+}
+
+// Without a number of teeth, the rack has at least the teeth of its pinion, and one of them is in the middle.
+TEST(RackMeshFigure, endless_rack_has_teeth_about_its_middle) {
+  RackPair p = drawn_pair(0.1, 0, 0.05);
+  p.rack.bar.teeth.reset();
+  const std::vector<Vec2> section = testing::taken(rack_section(p));
+  const auto [first, last] = std::minmax_element(
+      section.begin(), section.end(), [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  EXPECT_NEAR(last->y(), 19 * p.rack.transverse_pitch / 2, 1e-9);
+  EXPECT_NEAR(first->y(), -last->y(), 1e-9);
 }
 
 }  // namespace

@@ -17,11 +17,6 @@ namespace {
 constexpr double kRounding = 1e-6;  // arcsec; smaller harmonics are not drawn
 constexpr double kFlat = 0.01;      // arcsec; a smaller span is drawn with this range
 
-const char* pair_style(int pair) {
-  constexpr std::array kStyles{"tp0", "tp1", "tp2"};
-  return kStyles[static_cast<std::size_t>(((pair % 3) + 3) % 3)];
-}
-
 // Returns the positions of the shown pitch and of half a pitch on each side of it. The rotations
 // and tooth pairs of the repeated positions are shifted.
 std::vector<ContactPoint> repeated(const std::vector<ContactPoint>& one, double pitch) {

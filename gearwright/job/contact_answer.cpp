@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/fillet_contact.hpp"
@@ -194,79 +195,54 @@ Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
 }
 
 // Analyses both halves of a double-helical pair and the whole gears.
-class HalvesAnswer {
- public:
-  HalvesAnswer(SolvedJob& job, const ContactSetup& setup, Progress* progress)
-      : job_(job), progress_(progress), stagger_(job.halves[0]->given.stagger_pitches) {
-    const std::array middles{middle_of_half(setup.gear(1)), middle_of_half(setup.gear(2))};
-    for (const bool below : {false, true}) setup_[below] = setup.half_at(middles, below);
+Result<ContactAnswer> answer_of_halves(SolvedJob& job, const HalvesSetup& setup,
+                                       Progress* progress) {
+  ContactInput input = job.spec.contact;
+  const bool drives_2 = input.driver == 2;
+  const int per_pitch = input.rotations.empty() ? input.positions : 0;
+  const auto map = std::exchange(input.map, std::nullopt);
+  const ContactSetup& half = setup.half(false);
+  auto first = answer_of(job, half, input, job.warnings, progress);
+  if (!first) return first.error();
+  const ContactErrors& errors = half.place().errors;
+  const HalvesPair driving = setup.pair(errors, drives_2), other = setup.pair(errors, !drives_2);
+  input.rotations = rotations_of_second(half.gear(1), setup.stagger(), input.rotations,
+                                        input.positions, input.pitches);
+  std::vector<Warning> of_second;
+  auto found = answer_of(job, setup.half(true), input, of_second, progress);
+  if (!found) return found.error();
+  ContactAnswer second = std::move(found).take();
+  add_new(std::move(of_second), job.warnings, kSecondHalf);
+  std::vector<Influence> influences;
+  for (const NamedInfluence& i : influences_of(job)) influences.push_back(i.influence);
+
+  ContactAnswer whole{half, {}, {}, {}, {}, {}, {}};
+  for (const std::array<const ContactResult*, 2> halves{&first->driving, &second.driving};
+       const ContactResult* one : halves)
+    whole.on_halves.positions.insert(whole.on_halves.positions.end(), one->positions.begin(),
+                                     one->positions.end());
+  second.driving = second_half(driving.mesh, second.driving, influences, per_pitch);
+  second.other = second_half(other.mesh, second.other, {}, per_pitch);
+  if (second.pattern)
+    for (FlankRaster& raster : *second.pattern) raster = in_mirror(raster);
+  WholeContact both = whole_contact(driving.mesh, {&first->driving, &second.driving}, per_pitch);
+  whole.driving = std::move(both.result);
+  whole.float_axial = std::move(both.float_axial);
+  whole.other = whole_contact(other.mesh, {&first->other, &second.other}, per_pitch).result;
+  whole.min_play = least_play(whole.driving, whole.other, drives_2);
+  whole.continuous_span =
+      continuous_span(driving.mesh, std::max(kLeastSpanPositions, input.positions));
+  if (map) {
+    const auto te_at = [&](double x, double y) {
+      const HalvesPair at = setup.pair(errors_at(half, *map, x, y), drives_2);
+      return transmission_error(at.mesh, input.positions);
+    };
+    whole.map = make_map(*map, te_at, progress);
   }
-
-  Result<ContactAnswer> answer() {
-    ContactInput input = job_.spec.contact;
-    const bool drives_2 = input.driver == 2;
-    const int per_pitch = input.rotations.empty() ? input.positions : 0;
-    const auto map = std::exchange(input.map, std::nullopt);
-    auto first = answer_of(job_, *setup_[0], input, job_.warnings, progress_);
-    if (!first) return first.error();
-    const Pairs driving(*this, setup_[0]->place().errors, drives_2);
-    const Pairs other(*this, setup_[0]->place().errors, !drives_2);
-    input.rotations = rotations_of_second(setup_[0]->gear(1), stagger_, input.rotations,
-                                          input.positions, input.pitches);
-    std::vector<Warning> of_second;
-    auto found = answer_of(job_, *setup_[1], input, of_second, progress_);
-    if (!found) return found.error();
-    ContactAnswer second = std::move(found).take();
-    add_new(std::move(of_second), job_.warnings, kSecondHalf);
-    std::vector<Influence> influences;
-    for (const NamedInfluence& i : influences_of(job_)) influences.push_back(i.influence);
-
-    ContactAnswer whole{*setup_[0], {}, {}, {}, {}, {}, {}};
-    for (const std::array<const ContactResult*, 2> halves{&first->driving, &second.driving};
-         const ContactResult* half : halves)
-      whole.on_halves.positions.insert(whole.on_halves.positions.end(), half->positions.begin(),
-                                       half->positions.end());
-    second.driving = second_half(driving.mesh, second.driving, influences, per_pitch);
-    second.other = second_half(other.mesh, second.other, {}, per_pitch);
-    if (second.pattern)
-      for (FlankRaster& raster : *second.pattern) raster = in_mirror(raster);
-    WholeContact both = whole_contact(driving.mesh, {&first->driving, &second.driving}, per_pitch);
-    whole.driving = std::move(both.result);
-    whole.float_axial = std::move(both.float_axial);
-    whole.other = whole_contact(other.mesh, {&first->other, &second.other}, per_pitch).result;
-    whole.min_play = least_play(whole.driving, whole.other, drives_2);
-    whole.continuous_span =
-        continuous_span(driving.mesh, std::max(kLeastSpanPositions, input.positions));
-    if (map) {
-      const auto te_at = [&](double x, double y) {
-        const Pairs at(*this, errors_at(*setup_[0], *map, x, y), drives_2);
-        return transmission_error(at.mesh, input.positions);
-      };
-      whole.map = make_map(*map, te_at, progress_);
-    }
-    whole.halves.push_back(std::move(first).take());
-    whole.halves.push_back(std::move(second));
-    return whole;
-  }
-
- private:
-  // The pairs of both halves under the given errors.
-  struct Pairs {
-    ContactPair a, b;
-    HalvesMesh mesh;
-    Pairs(const HalvesAnswer& of, const ContactErrors& errors, bool gear2_drives)
-        : a(of.setup_[0]->pair(errors, gear2_drives)),
-          b(of.setup_[1]->pair(mirrored(errors), gear2_drives)),
-          mesh{&of.setup_[0]->gear(1), {&a, &b}, of.stagger_} {}
-    Pairs(const Pairs&) = delete;
-    Pairs& operator=(const Pairs&) = delete;
-  };
-
-  SolvedJob& job_;
-  Progress* progress_;
-  double stagger_;
-  std::array<std::optional<ContactSetup>, 2> setup_;
-};
+  whole.halves.push_back(std::move(first).take());
+  whole.halves.push_back(std::move(second));
+  return whole;
+}
 
 }  // namespace
 
@@ -287,7 +263,8 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
   if (job.rack) return answer_of_rack(job, progress);
   auto setup = setup_of(job, errors_of(job));
   if (!setup) return setup.error();
-  if (job.halves[0]) return HalvesAnswer(job, *setup, progress).answer();
+  if (job.halves[0])
+    return answer_of_halves(job, {*setup, job.halves[0]->given.stagger_pitches}, progress);
   return answer_of(job, std::move(setup).take(), job.spec.contact, job.warnings, progress);
 }
 

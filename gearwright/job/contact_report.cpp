@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
@@ -128,26 +129,13 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
   parallel_for(list.size() + 1, make);
 }
 
-// The report on one half of a double-helical pair. The setup of the half at z < 0 (`below`) is a
-// mirror image.
-ContactReport report_of_half(const SolvedJob& job, const ContactAnswer& half, Angle behind,
-                             bool below) {
-  const bool gear2_drives = job.spec.contact.driver == 2;
-  const ContactPair pair = half.setup->pair(gear2_drives);
-  const auto& gears = job.pair->mounted().gears;
+// The pictures of one pair of flanks.
+ContactReport report_of(const FlankContact& flanks, const RasterSize& size) {
   ContactReport r;
-  static_cast<ContactScene&>(r) =
-      contact_scene({&gears[0], &gears[1]}, pair, job.spec.contact.marking, half.driving);
-  r.patterns = contact_pattern(pair, kFinePositions, job.pair->parallel() ? kLines : kPoints);
+  static_cast<ContactScene&>(r) = flanks;
+  r.patterns = flanks.pattern(kFinePositions, size);
   r.middle = middle_of(r.driving.positions);
-  if (r.middle)
-    r.middle_gap =
-        gap_map(pair, r.middle->rotation1 + (below ? behind : Angle()), r.middle->pair, kGap);
-  if (!below) return r;
-  r.part = "-2";
-  mirror_axes(r);
-  for (FlankRaster& raster : r.patterns) raster = in_mirror(raster);
-  r.middle_gap = in_mirror(r.middle_gap);
+  if (r.middle) r.middle_gap = flanks.gap(*r.middle, kGap);
   return r;
 }
 
@@ -163,15 +151,20 @@ Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer
   auto made = fits ? Result<ContactAnswer>(given) : answer_contact(again);
   if (!made) return made.error();
   const ContactAnswer& answer = *made;
-  const auto& gears = job.pair->mounted().gears;
+  auto setup = setup_of(job, errors_of(job));
+  if (!setup) return setup.error();
+  const HalvesPair pair = HalvesSetup(*setup, job.halves[0]->given.stagger_pitches)
+                              .pair(setup->place().errors, input.driver == 2);
+  const auto& mounted = job.pair->mounted().gears;
+  const std::array<const Gear*, 2> gears{&mounted[0], &mounted[1]};
   ContactReport r;
-  static_cast<ContactScene&>(r) = contact_scene(
-      {&gears[0], &gears[1]}, answer.setup->pair(input.driver == 2), input.marking, answer.driving);
+  static_cast<ContactScene&>(r) =
+      contact_scene(gears, *pair.half[0], input.marking, answer.driving);
   r.other = answer.other;
   r.min_play = given.min_play;
-  const Angle behind = gearwright::behind(job.halves[0]->given.stagger_pitches, gears[0]);
-  r.halves.push_back(report_of_half(job, answer.halves[0], behind, false));
-  if (!alike_halves(job)) r.halves.push_back(report_of_half(job, answer.halves[1], behind, true));
+  for (const FlankContact& half : flanks_of(gears, pair, input.marking,
+                                            {&answer.halves[0].driving, &answer.halves[1].driving}))
+    r.halves.push_back(report_of(half, job.pair->parallel() ? kLines : kPoints));
   return r;
 }
 
@@ -221,19 +214,45 @@ Result<ContactReport> report_of_rack(const SolvedJob& job, const ContactAnswer& 
   auto made = contact(*job.rack, errors_of(job), options);
   if (!made) return made.error();
   RackContact found = std::move(made).take();
-  const ContactPair& pair = *found.pair;
-  ContactReport r;
-  static_cast<ContactScene&>(r) =
-      contact_scene({&job.rack->pinion, nullptr}, pair, job.spec.contact.marking, found);
+  ContactReport r = report_of(
+      {contact_scene({&job.rack->pinion, nullptr}, *found.pair, job.spec.contact.marking, found),
+       found.pair},
+      kLines);
   r.other = std::move(found.non_working);
   r.min_play = answer.min_play;
-  r.patterns = contact_pattern(pair, kFinePositions, kLines);
-  r.middle = middle_of(r.driving.positions);
-  if (r.middle) r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, kGap);
   return r;
 }
 
 }  // namespace
+
+std::array<FlankRaster, 2> FlankContact::pattern(int positions, const RasterSize& size) const {
+  std::array<FlankRaster, 2> both = contact_pattern(*pair, positions, size);
+  if (below)
+    for (FlankRaster& raster : both) raster = in_mirror(raster);
+  return both;
+}
+
+FlankRaster FlankContact::gap(const ContactPoint& at, const RasterSize& size) const {
+  FlankRaster raster = gap_map(*pair, at.rotation1 + behind, at.pair, size);
+  return below ? in_mirror(raster) : raster;
+}
+
+std::vector<FlankContact> flanks_of(const std::array<const Gear*, 2>& gears, const HalvesPair& pair,
+                                    double marking,
+                                    const std::array<const ContactResult*, 2>& results) {
+  std::vector<FlankContact> flanks;
+  for (const std::size_t i : {0, 1}) {
+    if (i == 1 && pair.mesh.alike()) break;
+    flanks.push_back({contact_scene(gears, *pair.half[i], marking, *results[i]), pair.half[i]});
+  }
+  if (flanks.size() == 1) return flanks;
+  FlankContact& second = flanks.back();
+  second.below = true;
+  second.behind = pair.mesh.behind();
+  second.part = "-2";
+  mirror_axes(second);
+  return flanks;
+}
 
 NamedAmount named_error(std::size_t index, double value) {
   const ErrorEntry& e = error_entries()[index];

@@ -1,8 +1,11 @@
 // The contact part of the report: the result, patterns and maps, with names in words.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
+#include "gearwright/contact/halves.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/report/contact_report.hpp"
 
@@ -14,6 +17,24 @@ NamedAmount named_error(std::size_t index, double value);
 /// True if there is a pair and either the spec has [errors], [contact] or modifications, or the
 /// teeth are circular arcs.
 bool wants_contact(const SolvedJob& job);
+
+/// The contact of one pair of flanks over a pitch, with what their pictures need: of two gears, of a pinion
+/// and its rack, or of one half of a double-helical pair.
+struct FlankContact : ContactScene {
+  std::shared_ptr<const ContactPair> pair;  ///< the mirror image of a half at z < 0
+  bool below = false;                       ///< true for the half at z < 0
+  Angle behind{};                           ///< rotation of this half minus that of gear 1
+
+  /// The patterns on both gears; of a rack, only that on the pinion is used.
+  std::array<FlankRaster, 2> pattern(int positions, const RasterSize& size) const;
+  /// The gap on gear 1 at a position of this scene.
+  FlankRaster gap(const ContactPoint& at, const RasterSize& size) const;
+};
+
+/// Both halves, from their results over a pitch; only the half at z > 0 if they are mirror images.
+std::vector<FlankContact> flanks_of(const std::array<const Gear*, 2>& gears, const HalvesPair& pair,
+                                    double marking,
+                                    const std::array<const ContactResult*, 2>& results);
 
 /// A result and its part of the report. The report contains pointers into the job.
 struct ContactPart {

@@ -132,13 +132,17 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
   return found_by_fit && fit ? "fit" : "";
 }
 
+std::optional<Error> two_gears_error(const JobSpec& spec) {
+  if (!spec.rack) return std::nullopt;
+  return Error{"gear2.form", "rack",
+               "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, contact, "
+               "outline, export and run compute a rack and its pinion. A gear 2 with teeth = "
+               "1000 can replace the rack; the results then differ by about 1/teeth"};
+}
+
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
-  if (spec.rack && scope != Scope::gears) {
-    return Error{"gear2.form", "rack",
-                 "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, "
-                 "contact, outline, export and run compute a rack and its pinion. A gear 2 with "
-                 "teeth = 1000 can replace the rack; the results then differ by about 1/teeth"};
-  }
+  if (scope != Scope::gears)
+    if (auto error = two_gears_error(spec)) return *error;
   return solve_gears(spec, scope);
 }
 

@@ -31,6 +31,9 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 /// Errors    the errors of solve() and mount_rack()
 Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope);
 
+/// The error for a result that needs two gears, or nothing if gear 2 is not a rack.
+std::optional<Error> two_gears_error(const JobSpec& spec);
+
 /// The error for a result that needs single-helical gears, or nothing if the gears are
 /// single-helical.
 std::optional<Error> one_helix_error(const SolvedJob& job);

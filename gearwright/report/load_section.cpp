@@ -80,7 +80,8 @@ std::string share_part(const LoadScene& report) {
          std::string(at_points(report) ? "force" : "line load") +
          " divided by the approach of the gears; its variation during rotation causes "
          "vibration.</p>\n" +
-         side_by_side(html_of(share_figure(report)) + html_of(stiffness_figure(report)));
+         side_by_side(html_of(pair_share_figure(report)) + html_of(share_figure(report)) +
+                      html_of(stiffness_figure(report)));
 }
 
 std::string ellipse_part(const LoadScene& report) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/figure/contact_scene.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/load_figures.hpp"
 #include "gearwright/report/testing/page_text.hpp"
@@ -39,8 +40,8 @@ TEST(LoadSection, HasAParagraphAndAPictureOfEverything) {
   const LoadSample s = load_sample(testing::spur_pair(), {50e3, 100e3, 200e3}, 0.01);
   const std::string text = sound(s);
   for (const std::string_view id :
-       {"loaded-te", "harris", "load-share", "mesh-stiffness", "pressure1", "pressure2",
-        "pressure-along", "root-stress1", "root-stress2", "root-stress-face"})
+       {"loaded-te", "harris", "load-pairs", "load-share", "mesh-stiffness", "pressure1",
+        "pressure2", "pressure-along", "root-stress1", "root-stress2", "root-stress-face"})
     EXPECT_NE(text.find("id=\"" + std::string(id)), text.npos) << id;
   EXPECT_EQ(count_of(text, "<h3>"), 4u);
   EXPECT_NE(text.find("quietest at"), text.npos);
@@ -108,6 +109,37 @@ TEST(LoadSection, SharesAndFieldsAreThoseOfTheContact) {
     EXPECT_LT(std::abs(points.front()), std::abs(points.back()));
     EXPECT_NEAR(std::abs(points.back()), *gear.root_form_radius(), 0.02 * gear.spec.normal_module);
     EXPECT_GT(points.front().imag(), 0.0);
+  }
+}
+
+double value_at(const std::vector<Vec2>& curve, double x) {
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const double lo = std::min(curve[i - 1].x(), curve[i].x());
+    const double hi = std::max(curve[i - 1].x(), curve[i].x());
+    if (x < lo || x > hi) continue;
+    const double share = (x - curve[i - 1].x()) / (curve[i].x() - curve[i - 1].x());
+    return curve[i - 1].y() + share * (curve[i].y() - curve[i - 1].y());
+  }
+  return 0.0;
+}
+
+// At each position, the curves of all tooth pairs add up to 1, and the curve of a pair has its computed share.
+TEST(LoadSection, CurvesOfTheToothPairsAddUpToOne) {
+  for (const bool gear2_drives : {false, true}) {
+    const LoadSample s = load_sample(testing::helical_pair(), {80e3}, 0.01, gear2_drives);
+    const auto figure = pair_share_figure(s.report);
+    ASSERT_TRUE(figure);
+    for (const LoadedPosition& p : shown_torque(s.report).positions) {
+      double sum = 0.0;
+      for (const FigureMark& m : figure->marks)
+        if (m.style.starts_with("curve")) sum += value_at(m.points, p.rotation1.deg());
+      EXPECT_NEAR(sum, 1.0, 1e-9) << p.rotation1.deg();
+      for (const LoadedPair& k : p.pairs)
+        for (const FigureMark& m : figure->marks)
+          if (m.words == "tooth pair " + pair_words(k.pair)) {
+            EXPECT_NEAR(value_at(m.points, p.rotation1.deg()), share_of(p, k.pair), 1e-9);
+          }
+    }
   }
 }
 

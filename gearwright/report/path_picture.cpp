@@ -19,6 +19,19 @@ namespace {
 constexpr double kDeepest = -8.0;  // specific sliding at which a curve is cut off
 // The limit for a curve that falls without bound, towards a base tangent point.
 constexpr double kEndless = -4.0;
+constexpr double kRest = 1e-9;  // pitches; a shorter rest of the path is a rounding error
+
+// A ruler along the path in transverse base pitches from A. The last piece has the rest of the contact ratio.
+FigureLane ruler_of(const Mesh<double>& mesh) {
+  FigureLane ruler{"base pitches", {}};
+  for (double from = 0.0; mesh.path_ratio - from > kRest; from += 1.0) {
+    const double to = std::min(from + 1.0, mesh.path_ratio);
+    const double begin = mesh.rho1_A - mesh.rho1_C;
+    ruler.blocks.push_back({begin + from * mesh.step, begin + to * mesh.step, "region-map",
+                            to - from < 1.0 ? fixed(to - from, 3) : "1"});
+  }
+  return ruler;
+}
 
 // Adds bars that show how many tooth pairs touch along the path. If only a shorter part of the path
 // lies on the usable flanks, another bar shows this part.
@@ -36,6 +49,7 @@ void add_lanes(Figure& f, const Mesh<double>& mesh) {
                             zone.pairs == 0 ? "no contact" : std::to_string(zone.pairs)});
   }
   f.lanes.push_back(std::move(pairs));
+  f.lanes.push_back(ruler_of(mesh));
   const double clip = 1e-9 * mesh.path_length;
   if (mesh.rho1_true_begin <= mesh.rho1_A + clip && mesh.rho1_true_end >= mesh.rho1_E - clip)
     return;

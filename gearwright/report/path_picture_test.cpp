@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
@@ -24,6 +25,20 @@ TEST(PathFigures, ShowsTheWholeOfSteepCurves) {
   EXPECT_NE(figure.find(">−6<"), std::string::npos);
   EXPECT_NE(figure.find("mark g1"), std::string::npos);
   EXPECT_NE(figure.find("mark g2"), std::string::npos);
+}
+
+// The ruler in base pitches covers the path from A to E, and its rest is the fraction of ε_α.
+TEST(PathFigures, RulerHasTheLengthOfThePath) {
+  const auto pair = testing::helical_pair();
+  const Figure figure = path_figure(pair);
+  const auto ruler = std::find_if(figure.lanes.begin(), figure.lanes.end(),
+                                  [](const FigureLane& l) { return l.words == "base pitches"; });
+  ASSERT_NE(ruler, figure.lanes.end());
+  EXPECT_NEAR(ruler->blocks.front().from, pair.mesh.rho1_A - pair.mesh.rho1_C, 1e-12);
+  EXPECT_NEAR(ruler->blocks.back().to, pair.mesh.rho1_E - pair.mesh.rho1_C, 1e-9);
+  ASSERT_EQ(ruler->blocks.size(), 2u);
+  EXPECT_EQ(ruler->blocks[0].words, "1");
+  EXPECT_NEAR(1 + std::atof(ruler->blocks[1].words.c_str()), pair.mesh.path_ratio, 5e-4);
 }
 
 // The x of the label with the text `words`, px, or -1 if there is no such label.

@@ -17,13 +17,15 @@ namespace {
 constexpr double kRackWidth = 640.0;  // px
 constexpr double kRackAspect = 640.0 / 560.0;
 
-std::string rack_figure(const RackPair& pair, const std::string& shape) {
-  auto made = rack_mesh_figure(pair, shape, kRackAspect);
-  if (!made) {
+std::string rack_figure(const RackPair& pair, const std::array<std::string, 2>& shapes) {
+  auto definition = rack_definition(pair, shapes[1]);
+  if (!definition) {
     return fmt::format("<p><strong>The rack has no outline</strong>: {}</p>\n",
-                       escaped(made.error().message()));
+                       escaped(definition.error().message()));
   }
-  Figure figure = std::move(made).take();
+  const RackScene scene{&pair, shapes};
+  Figure figure = rack_mesh_figure(scene, rack_window(scene, MeshFrame::mesh, kRackAspect));
+  figure.definitions = std::move(definition).take();
   figure.caption = fmt::format(
       " C, with the pinion driving clockwise and the rack moving down. {} {} Tip circle and tip "
       "line are full, pitch circle and datum line dash-dotted, and the base circle is dashed. T is "
@@ -49,8 +51,9 @@ std::string rack_pair_table(const RackPair& pair, UnitSystem units) {
 
 }  // namespace
 
-std::string rack_section(const RackPair& pair, const std::string& shape, UnitSystem units) {
-  return "<section class=\"pair\">\n<h2>Rack and pinion</h2>\n" + rack_figure(pair, shape) +
+std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
+                         UnitSystem units) {
+  return "<section class=\"pair\">\n<h2>Rack and pinion</h2>\n" + rack_figure(pair, shapes) +
          rack_pair_table(pair, units) + rack_table(pair, units) + "</section>\n";
 }
 

@@ -2,6 +2,7 @@
 // of both.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "gearwright/catalogue/unit_system.hpp"
@@ -9,8 +10,10 @@
 
 namespace gearwright {
 
-/// Returns the section in HTML. `shape` is the name of the SVG definition of the pinion
-/// (gear_shape.hpp). If the rack has no outline, a paragraph with the reason replaces the picture.
-std::string rack_section(const RackPair& pair, const std::string& shape, UnitSystem units);
+/// Returns the section in HTML. `shapes` are the names of the SVG definitions of pinion and rack, of which the
+/// page contains that of the pinion. If the rack has no outline, a paragraph with the reason replaces the
+/// picture.
+std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
+                         UnitSystem units);
 
 }  // namespace gearwright

@@ -253,7 +253,7 @@ std::string report_html(const ReportInput& input) {
         Overloaded{[&](const ArcPair& pair) { return arc_pair_section(pair, kShapes, units); },
                    [&](const auto& pair) { return pair_section(pair, kShapes, units); }});
   }
-  if (input.rack) sections += rack_section(*input.rack, kShapes[0], units);
+  if (input.rack) sections += rack_section(*input.rack, kShapes, units);
   if (input.contact) sections += contact_section(*input.contact);
   if (input.load) sections += load_section(*input.load, kShapes, units);
   if (input.propose) sections += propose_section(*input.propose);

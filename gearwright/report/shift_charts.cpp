@@ -47,6 +47,14 @@ std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   return pieces_of(pieces);
 }
 
+// Shows the name of the last curve beside it.
+void name_curve(Figure& f) {
+  FigureMark& curve = f.marks.back();
+  curve.label = curve.words;
+  curve.label_style = "halo";
+  curve.border = true;
+}
+
 std::string helix_words(const Trial& trial) {
   if (trial.helix[0] == Angle()) return "";
   return fmt::format(", helix angle {:.6g}°", abs(trial.helix[0]).deg());
@@ -92,6 +100,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
   constexpr std::array kTipNames{"pointed", "tip 0.2", "tip 0.4"};
   constexpr std::array kTipStyles{"limit-tip dot", "limit-tip", "limit-tip dash"};
   limit("undercut", "limit-undercut", [](const ShiftLimits& row) { return row.undercut; });
+  name_curve(f);
   for (std::size_t i = 0; i < kChartTips.size(); ++i)
     limit(kTipNames[i], kTipStyles[i], [i](const ShiftLimits& row) { return row.tip[i]; });
   std::string fewest;
@@ -158,6 +167,7 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
     }
     if (points.empty()) continue;
     f.line(std::move(points), fmt::format("curve share{}", k), kNames[k]);
+    name_curve(f);
     f.keys.push_back({fmt::format("line share{}", k), kNames[k]});
   }
   if (f.marks.empty()) return {};

@@ -131,12 +131,13 @@ Result<Json> contact_figures(Session& session, const val& of) {
   view.index = of["index"].as<int>();
   view.curves = of["curves"].as<bool>();
   const val patterns = of["patterns"];
-  for (std::size_t i = 0; !patterns.isNull() && i < 2; ++i) {
+  const int rasters = patterns.isNull() ? 0 : patterns["length"].as<int>();
+  for (int i = 0; i < rasters; ++i) {
     const val raster = patterns[i];
     const auto numbers = [&](const char* of) {
       return emscripten::convertJSArrayToNumberVector<double>(raster[of]);
     };
-    view.patterns[i] = {numbers("diameter"), numbers("height"), numbers("gap")};
+    view.patterns.push_back({numbers("diameter"), numbers("height"), numbers("gap")});
   }
   return session.contact_figures(view);
 }

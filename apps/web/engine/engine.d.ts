@@ -34,7 +34,7 @@ export interface Failed {
 }
 
 /** Every verb that returns JSON for a spec. */
-export type Verb = "gear" | "pair" | "measure" | "contact" | "compensate" | "propose" | "scatter" | "load" | "rate" | "fit" | "identify" | "search";
+export type Verb = "gear" | "pair" | "drive" | "measure" | "contact" | "compensate" | "propose" | "scatter" | "load" | "rate" | "fit" | "identify" | "search";
 
 /** Kinds of files that the engine makes. `report` and `json` contain everything about the spec. */
 export type FileKind = "stl" | "glb" | "3mf" | "dxf" | "svg" | "step" | "drawing" | "report" | "json";
@@ -159,9 +159,9 @@ export interface ContactCurve {
   n: number;
   columns: Record<string, Float64Array | string[]>;
   width: Record<string, number>;
-  peakToPeakArcsec: number; // NaN if no teeth touch
+  peakToPeakArcsec: number; // NaN if no teeth touch, or if gear 2 is a rack, which has transmission_error_um
   meanSlope: number;
-  harmonicsArcsec: Float64Array;
+  harmonicsArcsec: Float64Array; // empty for a rack
   contactLost: boolean;
   words: string; // summary in words, as in the report
 }
@@ -253,7 +253,7 @@ export interface ContactView {
   width: number; // px, width of a figure
   positions: number; // number per pitch
   index: number; // index of the position whose gap is shown on the flanks
-  patterns: [FlankRaster, FlankRaster] | null; // the result of `pattern`
+  patterns: FlankRaster[] | null; // the result of `pattern`
   curves: boolean; // false to draw only the flanks
 }
 
@@ -289,8 +289,8 @@ export interface DesignDots {
 
 /** A spec that has been read and solved, with all results that a page shows while the user changes the spec. */
 export interface Session {
-  readonly gears: number; // 1 or 2
-  readonly hasPair: boolean;
+  readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive") and files only
+  readonly hasPair: boolean; // true for two gears, and for a rack and its pinion
   /** The output of `gearwright VERB SPEC --json` including its line feed, or a Failed as JSON. */
   json(verb: Verb): string;
   /** The outline of gear 1 or 2 within the tolerance (default 0.001 mm). */
@@ -316,8 +316,10 @@ export interface Session {
   contactPoint(rotation1Deg: number): Record<string, unknown> | Failed;
   /** The gap on the flank of gear 1 at one position, for tooth pair k (`tooth` of a position). */
   gapMap(rotation1Deg: number, k: number, rows?: number, columns?: number): FlankRaster | Failed;
-  /** The least gap during a mesh at each point of both flanks, which shows the pattern of the marking compound. */
-  pattern(positions: number, rows?: number, columns?: number): Work<[FlankRaster, FlankRaster]> | Failed;
+  /** The least gap during a mesh at each point of both flanks, which shows the pattern of the marking compound.
+   *  Of a rack and its pinion, there is only the flank of the pinion. If the halves of a double-helical pair
+   *  differ, both flanks of the half at z < 0 follow. */
+  pattern(positions: number, rows?: number, columns?: number): Work<FlankRaster[]> | Failed;
   /** The peak-to-peak transmission error as a function of two errors, which are keys of [errors]. */
   errorMap(x: ErrorAxis, y: ErrorAxis, positions?: number): Work<ErrorMap> | Failed;
   /** Teeth under the torques of [load]. `accuracy` replaces the accuracy in the spec. The engine keeps the
@@ -330,7 +332,7 @@ export interface Session {
    *  to the number that takes about three seconds. */
   scatter(width: number): Scattered | Failed;
   shiftRegion(view?: ShiftView | null): ShiftRegion | Failed;
-  /** The bytes of a file of gear 1 or 2, or of the mounted pair if `gear` is 0. report and json require 0. */
+  /** The bytes of a file of gear 1 or 2, or of the mounted pair or the drive if `gear` is 0. report and json require 0. */
   file(kind: FileKind, gear: 0 | 1 | 2, toleranceMm?: number): Uint8Array | Failed;
   delete(): void;
 }

@@ -13,6 +13,7 @@
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/curve/arc_name.hpp"
 #include "gearwright/figure/gear_shape.hpp"
+#include "gearwright/figure/rack_mesh.hpp"
 
 namespace gearwright::web {
 
@@ -92,8 +93,15 @@ Result<ToothedBody> Session::body(int gear, bool in_place) const {
   return made;
 }
 
+std::optional<Error> Session::no_gear_2() const {
+  if (auto error = two_gears_error(job_.spec)) return error;
+  if (!job_.pair) return absent_input("gear2", ": there is no pair");
+  return std::nullopt;
+}
+
 Result<Json> Session::section(int gear, double tolerance) const {
   if (auto error = check_tolerance(tolerance)) return *error;
+  if (gear == 2 && job_.rack) return no_gear_2().value();
   const auto made = body(gear, false);
   if (!made) return made.error();
   const auto contour = closed_contour(made->outline);
@@ -135,12 +143,27 @@ Result<Json> Session::section(int gear, double tolerance) const {
 std::vector<NamedCircle> Session::circles(int gear) const {
   std::vector<NamedCircle> circles;
   const auto which = static_cast<std::size_t>(gear - 1);
+  if (which >= job_.gears.size()) return circles;  // a rack
   append_circles(circles, gear_quantities().of(job_.gears[which]), which);
   if (job_.pair) append_circles(circles, pair_quantities().of(*job_.pair), which);
   return circles;
 }
 
+Result<Json> Session::rack_figure(const MeshView& view) const {
+  const auto shape_of = [&](int gear) { return view.name + "-gear" + std::to_string(gear); };
+  const RackScene scene{&*job_.rack, {shape_of(1), shape_of(2)}, circles(1)};
+  auto rack = rack_definition(*job_.rack, scene.shapes[1]);
+  if (!rack) return rack.error();
+  const Bounds window =
+      view.window ? *view.window : rack_window(scene, view.frame, view.width / view.height);
+  Figure figure = view.bodies ? rack_bodies_figure(scene, window) : rack_mesh_figure(scene, window);
+  figure.definitions = gear_definition(job_.gears[0], scene.shapes[0]) + *rack;
+  figure.id = view.name;
+  return shape(figure, view.width);
+}
+
 Result<Json> Session::mesh_figure(const MeshView& view) const {
+  if (job_.rack) return rack_figure(view);
   constexpr double kCoarse = 0.1;  // mm; coarse, because only errors about the section matter here
   MeshScene scene;
   for (int gear = 1; gear <= gears(); ++gear) {
@@ -189,7 +212,7 @@ Result<Json> Session::mesh(int gear, double tolerance) const {
 }
 
 Result<Json> Session::lines() const {
-  if (!job_.pair) return absent_input("gear2", ": there is no pair");
+  if (auto error = no_gear_2()) return *error;
   const Pair& pair = *job_.pair;
   Numbers line_of_action, trailing_line, path_of_contact;
   Json points = Json::array();
@@ -225,18 +248,20 @@ Result<Json> Session::lines() const {
 // Gear 1 turns clockwise seen from +z, and gear 2 turns as gear 1 drives it. Mounting errors tilt
 // and displace axis 1, while ΔC displaces axis 2. [T1.5], [T8.12]
 Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
-  if (!job_.pair) {
+  if (!has_pair()) {
     if (gear != 1) return absent_input("gear2", ": there is no pair");
     const Eigen::Isometry3d x(
         Eigen::AngleAxisd(-Angle::degrees(rotation1_deg).rad(), Vec3::UnitZ()));
     return pose_row(x);
   }
-  const Pair& pair = *job_.pair;
   const Angle rotation1 = Angle::degrees(rotation1_deg);
   // If the gears cannot touch, the errors are ignored.
-  const auto touching = nominal ? Result<const ContactPair*>(nullptr) : contact_pair();
-  const ContactPair* contact = touching ? *touching : nullptr;
-  Eigen::Isometry3d x = gear == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry();
+  const auto touching = nominal ? Result<const Touching*>(nullptr) : this->touching();
+  const ContactPair* contact = touching && *touching ? (*touching)->pair.get() : nullptr;
+  const auto rest = [gear](const auto& pair) {
+    return gear == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry();
+  };
+  Eigen::Isometry3d x = job_.rack ? rest(*job_.rack) : rest(*job_.pair);
   if (gear == 1) {
     x = Eigen::AngleAxisd(-rotation1.rad(), Vec3::UnitZ()) * x;
     if (contact) {
@@ -253,14 +278,19 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
     }
     return pose_row(x);
   }
-  Angle rotation2 = std::abs(1.0 / pair.gear_ratio()) * rotation1;
+  // For a rack, rotations are travel divided by the reference radius of the pinion.
+  Angle rotation2 = job_.rack ? rotation1 : std::abs(1.0 / job_.pair->gear_ratio()) * rotation1;
   if (contact) {
     const auto p = touch(rotation1_deg);
     if (!p) return p.error();
     if (p->kind != TouchKind::none) rotation2 = p->rotation2;
     x.translation().x() += contact->place().errors.center_distance;
   }
-  x = x * Eigen::AngleAxisd(pair.mounted().side() * rotation2.rad(), Vec3::UnitZ());
+  if (job_.rack) {
+    x.translation().y() -= rotation2.rad() * job_.rack->pinion.reference_diameter / 2;
+    return pose_row(x);
+  }
+  x = x * Eigen::AngleAxisd(job_.pair->mounted().side() * rotation2.rad(), Vec3::UnitZ());
   return pose_row(x);
 }
 

@@ -8,6 +8,7 @@
 #include "gearwright/arrange/stiffness_reasons.hpp"
 #include "gearwright/figure/load_figures.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/load_report.hpp"
 #include "gearwright/job/load_text.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/load/load_summary.hpp"
@@ -19,24 +20,45 @@ namespace {
 constexpr int kTableSteps = 32;       // a table takes about as long as 32 positions
 constexpr std::size_t kMostKept = 4;  // the tables of both gears, in draft and in full accuracy
 
-class LoadWork : public Work {
+// A result with its figures. The members of the scene point into the job.
+class LoadAnswerWork : public Work {
+ public:
+  LoadAnswerWork(std::shared_ptr<Session> session, SolvedJob job)
+      : Work(std::move(session)), job_(std::move(job)) {}
+  Json result() const override { return result_; }
+  Result<Json> figures(int torque, double width) const override;
+
+ protected:
+  void take(const LoadAnalysis& answer, LoadScene scene);
+
+  SolvedJob job_;
+  Json result_;
+
+ private:
+  std::optional<LoadScene> scene_;
+};
+
+// A double-helical pair. Its halves are computed in one step.
+class LoadHalvesWork : public LoadAnswerWork {
+ public:
+  using LoadAnswerWork::LoadAnswerWork;
+  Result<Steps> step(double) override;
+};
+
+class LoadWork : public LoadAnswerWork {
  public:
   LoadWork(std::shared_ptr<Session> session, SolvedJob job, LoadTask task,
            std::shared_ptr<ToothTables> tables)
-      : Work(std::move(session)),
-        job_(std::move(job)),
+      : LoadAnswerWork(std::move(session), std::move(job)),
         task_(std::move(task)),
         kept_(std::move(tables)) {}
 
   Result<Steps> step(double milliseconds) override;
-  Json result() const override { return result_; }
-  Result<Json> figures(int torque, double width) const override;
 
  private:
   std::optional<Error> make_table();
   std::optional<Error> close();
 
-  SolvedJob job_;
   LoadTask task_;
   std::shared_ptr<ToothTables> kept_;
   std::array<std::shared_ptr<const ToothTable>, 2> tables_;
@@ -45,8 +67,6 @@ class LoadWork : public Work {
   std::optional<PairCompliance> compliance_;
   std::optional<LoadedTurn> turn_;
   std::size_t next_ = 0;
-  std::optional<LoadedContact> found_;
-  Json result_;
 };
 
 // Makes the table of the next gear. As soon as both tables exist, the computation of positions
@@ -93,35 +113,54 @@ std::optional<Error> LoadWork::close() {
   answer.compliance = *compliance_;
   if (auto error = judge_load(task_, *answer.contact, job_.warnings)) return error;
   explain_stiffness(job_, task_, answer, job_.warnings);
+  take(answer, {{&task_.setup.gear(1), &task_.setup.gear(2)},
+                nullptr,
+                job_.spec.load.driver == 2,
+                *answer.contact,
+                {}});
+  return std::nullopt;
+}
+
+Result<Steps> LoadHalvesWork::step(double) {
+  if (result_.is_null()) {
+    auto made = load_part(job_);
+    if (!made) return made.error();
+    if (!*made || !(*made)->report) return Error{"", "", job_.warnings.back().message};
+    take((*made)->answer, std::move(*(*made)->report));
+  }
+  return Steps{1, 1, true};
+}
+
+void LoadAnswerWork::take(const LoadAnalysis& answer, LoadScene scene) {
+  scene_ = std::move(scene);
   Json json = load_json(job_, answer);
   json["warnings"] = warnings_json(job_.warnings);
   json["verdict"] = verdict_json(judge(job_, {.load = true}));
   result_["json"] = json_text(json, 2) + "\n";
-  found_ = std::move(answer.contact);
-  return std::nullopt;
 }
 
-Result<Json> LoadWork::figures(int torque, double width) const {
-  if (!found_) return Error{"", "", "there are no figures until the computation is finished"};
-  if (torque < 0 || torque >= static_cast<int>(found_->torques.size()))
+Result<Json> LoadAnswerWork::figures(int torque, double width) const {
+  if (!scene_) return Error{"", "", "there are no figures until the computation is finished"};
+  if (torque < 0 || torque >= static_cast<int>(scene_->contact.torques.size()))
     return refused("torque", torque, "is not one of the torques of [load]");
-  const LoadScene scene{{&task_.setup.gear(1), &task_.setup.gear(2)},
-                        nullptr,
-                        job_.spec.load.driver == 2,
-                        *found_,
-                        {},
-                        static_cast<std::size_t>(torque)};
   Json list = Json::array();
   const auto add = [&](const std::optional<Figure>& f) {
     if (f) list.push_back(shape(*f, width));
   };
-  for (const auto make : {loaded_te_figure, stiffness_figure, share_figure, root_turn_figure,
-                          harris_figure, root_face_figure})
-    add(make(scene));
-  const bool lines = found_->regime == LoadRegime::line;
-  for (const std::size_t i : {0, 1})
-    add(lines ? pressure_figure(scene, i) : ellipse_figure(scene, i));
-  add(lines ? pressure_along_figure(scene) : point_pressure_figure(scene));
+  LoadScene whole = *scene_;
+  whole.chosen = static_cast<std::size_t>(torque);
+  add(loaded_te_figure(whole));
+  add(harris_figure(whole));
+  const bool lines = whole.contact.regime == LoadRegime::line;
+  for (LoadScene scene : whole.halves.empty() ? std::vector{whole} : whole.halves) {
+    scene.chosen = whole.chosen;
+    for (const auto make :
+         {pair_share_figure, share_figure, stiffness_figure, root_turn_figure, root_face_figure})
+      add(make(scene));
+    for (const std::size_t i : {0, 1})
+      add(lines ? pressure_figure(scene, i) : ellipse_figure(scene, i));
+    add(lines ? pressure_along_figure(scene) : point_pressure_figure(scene));
+  }
   return list;
 }
 
@@ -151,7 +190,11 @@ Result<std::shared_ptr<const ToothTable>> ToothTables::of(const std::array<const
 MadeWork load_work(std::shared_ptr<Session> session, std::optional<ComplianceAccuracy> accuracy,
                    std::shared_ptr<ToothTables> tables) {
   SolvedJob job = session->job();
+  if (auto error = two_gears_error(job.spec)) return *error;
   if (accuracy) job.spec.load.accuracy = *accuracy;
+  if (job.halves[0] && !job.spec.load.torques.empty())
+    return std::shared_ptr<Work>(
+        std::make_shared<LoadHalvesWork>(std::move(session), std::move(job)));
   auto task = load_task(job);
   if (!task) return task.error();
   return std::shared_ptr<Work>(std::make_shared<LoadWork>(

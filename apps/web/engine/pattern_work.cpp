@@ -24,12 +24,12 @@ class PatternWork : public Work {
   Result<Steps> step(double) override {
     constexpr int kSteps = 3;
     if (next_ == kSteps) return Steps{kSteps, kSteps, true};
-    const auto pair = session().contact_pair();
-    if (!pair) return pair.error();
     const int part = 1 << (kSteps - 1 - next_);
     const RasterSize size{std::max(2, size_.rows / part), std::max(2, size_.columns / part)};
-    const auto both = contact_pattern(**pair, std::max(2, positions_ / part), size);
-    result_ = Json::array({shape(both[0]), shape(both[1])});
+    const auto patterns = session().pattern(std::max(2, positions_ / part), size);
+    if (!patterns) return patterns.error();
+    result_ = Json::array();
+    for (const FlankRaster& raster : *patterns) result_.push_back(shape(raster));
     ++next_;
     return Steps{next_, kSteps, next_ == kSteps};
   }
@@ -57,9 +57,10 @@ class ErrorMapWork : public Work {
     Numbers& value = peak_to_peak_arcsec_;
     const std::size_t nx = axes_[0].size();
     while (next_ < value.size() && watch.ms() < milliseconds) {
-      const auto pair = session().pair_under(keys_, {axes_[0][next_ % nx], axes_[1][next_ / nx]});
-      if (!pair) return pair.error();
-      value[next_++] = Angle::radians(peak_to_peak(transmission_error(*pair, positions_))).arcsec();
+      const auto te =
+          session().te_under(keys_, {axes_[0][next_ % nx], axes_[1][next_ / nx]}, positions_);
+      if (!te) return te.error();
+      value[next_++] = Angle::radians(peak_to_peak(*te)).arcsec();
     }
     return Steps{static_cast<std::int64_t>(next_), static_cast<std::int64_t>(value.size()),
                  next_ == value.size()};
@@ -103,7 +104,6 @@ MadeWork pattern_work(std::shared_ptr<Session> session, int positions, const Ras
 MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
                         int positions) {
   constexpr int kMost = 1000;
-  if (const auto pair = session->contact_pair(); !pair) return pair.error();
   if (positions < 2 || positions > kMost)
     return refused("positions", positions, "must lie between 2 and 1000");
   std::array<std::size_t, 2> keys{};

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/answering.hpp"
+#include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
@@ -19,6 +20,8 @@
 namespace gearwright::web {
 
 namespace {
+
+constexpr int kPatternScene = 64;  // positions of the contact whose flanks have the patterns
 
 bool is_number(const QuantityInfo& info) {
   return info.type == Type::number || info.type == Type::whole || info.type == Type::index;
@@ -55,60 +58,108 @@ Result<std::shared_ptr<Session>> Session::open(std::string text) {
   if (!spec) return spec.error();
   if (auto error = only_in_mm(*spec, kInPage)) return *error;
   session->job_.spec = *spec;
-  auto solved = solve(*spec, Scope::everything);
+  if (spec->drive) return session;  // json("drive") reports its errors
+  auto solved = solve_any(*spec, Scope::everything);
   if (!solved) return spelled(solved.error(), spec->given);
   session->job_ = std::move(solved).take();
   return session;
 }
 
 std::string Session::json(std::string_view verb) const {
-  if (verb == "pair" && job_.pair) return json_text(job_json(job_, judge(job_)), 2) + "\n";
+  if (verb == "pair" && has_pair()) return json_text(job_json(job_, judge(job_)), 2) + "\n";
   return answer(verb, text_.text);
 }
 
-Result<ContactSetup*> Session::setup() {
+Result<Session::Touching> Session::make_touching() const {
+  Touching made;
+  const bool gear2_drives = job_.spec.contact.driver == 2;
+  if (job_.rack) {
+    auto pair = gearwright::contact_pair(*job_.rack, errors_of(job_), rack_options(job_, nullptr));
+    if (!pair) return pair.error();
+    made.pair = std::move(pair).take();
+    return made;
+  }
   if (!job_.pair) return absent_input("gear2", "; tooth contact needs a pair of gears");
-  if (!setup_) setup_ = setup_of(job_);
-  if (!*setup_) return setup_->error();
-  return const_cast<ContactSetup*>(&setup_->value());
+  auto setup = setup_of(job_, errors_of(job_));
+  if (!setup) return setup.error();
+  made.setup = std::move(setup).take();
+  const ContactErrors& errors = made.setup->place().errors;
+  if (job_.halves[0]) {
+    made.halves.emplace(*made.setup, job_.halves[0]->given.stagger_pitches);
+    made.both = made.halves->pair(errors, gear2_drives);
+  }
+  made.pair = made.both ? made.both->half[0] : made.setup->shared_pair(errors, gear2_drives);
+  return made;
 }
 
-Result<const ContactPair*> Session::contact_pair() {
-  const auto made = setup();
+Result<const Session::Touching*> Session::touching() {
+  if (!touching_) touching_ = make_touching();
+  if (!*touching_) return touching_->error();
+  return &touching_->value();
+}
+
+Result<std::vector<double>> Session::te_under(const std::array<std::size_t, 2>& keys,
+                                              const std::array<double, 2>& values, int positions) {
+  const auto made = touching();
   if (!made) return made.error();
-  if (!pair_) pair_ = (*made)->pair(job_.spec.contact.driver == 2);
-  return &*pair_;
+  const Touching& t = **made;
+  if (!t.setup) return two_gears_error(job_.spec).value();
+  ContactErrors errors = t.setup->place().errors;
+  for (const std::size_t i : {0, 1}) errors = with_error(*t.setup, errors, keys[i], values[i]);
+  const bool gear2_drives = job_.spec.contact.driver == 2;
+  if (t.halves) return transmission_error(t.halves->pair(errors, gear2_drives).mesh, positions);
+  return transmission_error(t.setup->pair(errors, gear2_drives), positions);
 }
 
-Result<ContactPair> Session::pair_under(const std::array<std::size_t, 2>& keys,
-                                        const std::array<double, 2>& values) {
-  const auto made = setup();
+std::array<const Gear*, 2> Session::flanked_gears() const {
+  return {&job_.gears[0], job_.rack ? nullptr : &job_.gears[1]};
+}
+
+Result<Session::Found> Session::analyse(const ContactRequest& request) {
+  const auto made = touching();
   if (!made) return made.error();
-  ContactErrors errors = (*made)->place().errors;
-  for (const std::size_t i : {0, 1}) errors = with_error(**made, errors, keys[i], values[i]);
-  return (*made)->pair(errors, job_.spec.contact.driver == 2);
+  const Touching& t = **made;
+  Found found;
+  found.whole = analyse_contact(*t.pair, request);
+  if (!t.both) {
+    found.flanks = {{contact_scene(flanked_gears(), *t.pair, marking(), found.whole), t.pair}};
+    return found;
+  }
+  const HalvesMesh& mesh = t.both->mesh;
+  const int per_pitch = request.rotations.empty() ? request.positions : 0;
+  ContactRequest at = request;
+  at.rotations =
+      rotations_of_second(*mesh.gear_1, mesh.stagger, at.rotations, at.positions, at.pitches);
+  const ContactResult second =
+      second_half(mesh, analyse_contact(*t.both->half[1], at), {}, per_pitch);
+  found.flanks = flanks_of(flanked_gears(), *t.both, marking(), {&found.whole, &second});
+  found.whole = whole_contact(mesh, {&found.whole, &second}, per_pitch).result;
+  return found;
 }
 
-Result<const ContactResult*> Session::found(int positions) {
-  const auto pair = contact_pair();
-  if (!pair) return pair.error();
+Result<const Session::Found*> Session::found(int positions) {
   if (positions < 2 || positions > 4096)
     return refused("positions", positions, "must lie between 2 and 4096");
-  if (!found_ || found_->positions.size() != static_cast<std::size_t>(positions))
-    found_ = analyse_contact(**pair, {positions, 1, marking()});
+  if (!found_ || found_->whole.positions.size() != static_cast<std::size_t>(positions)) {
+    auto made = analyse({positions, 1, marking()});
+    if (!made) return made.error();
+    found_ = std::move(made).take();
+  }
   return &*found_;
 }
 
 Result<ContactCurve> Session::contact_curve(int positions) {
   const auto made = this->found(positions);
   if (!made) return made.error();
-  const ContactResult& found = **made;
-  ContactCurve curve{positions,           {}, 0.0, found.mean_slope, {}, found.contact_lost,
+  const ContactResult& found = (*made)->whole;
+  ContactCurve curve{positions,           {}, kNaN, found.mean_slope, {}, found.contact_lost,
                      contact_words(found)};
   bool touches = false;
   for (const ContactPoint& p : found.positions) touches = touches || p.kind != TouchKind::none;
-  curve.peak_to_peak_arcsec = touches ? found.peak_to_peak.arcsec() : kNaN;
-  for (const Angle& a : found.harmonics) curve.harmonics_arcsec.push_back(a.arcsec());
+  if (!found.rack) {
+    if (touches) curve.peak_to_peak_arcsec = found.peak_to_peak.arcsec();
+    for (const Angle& a : found.harmonics) curve.harmonics_arcsec.push_back(a.arcsec());
+  }
   std::vector<ValueRecord> records;
   for (const ContactPoint& p : found.positions) records.push_back(position_quantities().of(p));
   add_columns(position_quantities().table(), records, curve);
@@ -116,41 +167,47 @@ Result<ContactCurve> Session::contact_curve(int positions) {
 }
 
 Result<Json> Session::contact_figures(const ContactView& view) {
-  const auto found = this->found(view.positions);
-  if (!found) return found.error();
-  const auto& gears = job_.pair->mounted().gears;
-  const ContactScene scene = contact_scene({&gears[0], &gears[1]}, *pair_, marking(), **found);
+  const auto made = this->found(view.positions);
+  if (!made) return made.error();
+  const Found& found = **made;
   Json figures = Json::array();
   const auto add = [&](const std::optional<Figure>& f) {
     if (f) figures.push_back(shape(*f, view.width));
   };
   if (view.curves) {
+    ContactScene scene = found.flanks[0];
+    scene.driving = found.whole;
     add(transmission_error_figure(scene, scene.driving));
     add(spectrum_figure(scene.driving));
   }
-  const ContactPoint& now =
-      scene.driving
-          .positions[static_cast<std::size_t>(std::clamp(view.index, 0, view.positions - 1))];
-  if (now.kind == TouchKind::none && view.patterns[0].gap.empty()) return figures;
-  const FlankRaster gap = now.kind == TouchKind::none
-                              ? FlankRaster()
-                              : gearwright::gap_map(*pair_, now.rotation1, now.pair, {25, 49});
-  for (const std::size_t i : {0, 1}) {
-    FlankLayers layers;
-    if (!view.patterns[i].gap.empty()) layers.pattern = &view.patterns[i];
-    if (i == 0 && !gap.gap.empty()) layers.gap = &gap;
-    if (now.kind != TouchKind::none) layers.now = &now;
-    if (layers.pattern || layers.gap) add(flank_figure(scene, i, layers));
+  std::size_t raster = 0;  // index of the next pattern
+  for (const FlankContact& flanks : found.flanks) {
+    const ContactPoint& now =
+        flanks.driving
+            .positions[static_cast<std::size_t>(std::clamp(view.index, 0, view.positions - 1))];
+    FlankRaster gap;
+    if (now.kind != TouchKind::none) gap = flanks.gap(now, {25, 49});
+    for (const std::size_t i : {0, 1}) {
+      if (!flanks.gears[i]) continue;
+      FlankLayers layers;
+      if (raster < view.patterns.size()) layers.pattern = &view.patterns[raster++];
+      if (i == 0 && !gap.gap.empty()) layers.gap = &gap;
+      if (now.kind != TouchKind::none) layers.now = &now;
+      if (!layers.pattern && !layers.gap) continue;
+      Figure figure = flank_figure(flanks, i, layers);
+      if (job_.halves[0]) figure.title += flanks.below ? ", half at z < 0" : ", half at z > 0";
+      add(figure);
+    }
   }
   return figures;
 }
 
 Result<ContactPoint> Session::touch(double rotation1_deg) {
-  const auto pair = contact_pair();
-  if (!pair) return pair.error();
   ContactRequest request{2, 1, marking()};
   request.rotations = {Angle::degrees(rotation1_deg)};
-  return analyse_contact(**pair, request).positions.front();
+  const auto found = analyse(request);
+  if (!found) return found.error();
+  return found->whole.positions.front();
 }
 
 Result<std::string> Session::contact_point(double rotation1_deg) {
@@ -162,9 +219,20 @@ Result<std::string> Session::contact_point(double rotation1_deg) {
 }
 
 Result<FlankRaster> Session::gap_map(double rotation1_deg, int k, const RasterSize& size) {
-  const auto pair = contact_pair();
-  if (!pair) return pair.error();
-  return gearwright::gap_map(**pair, Angle::degrees(rotation1_deg), k, size);
+  const auto made = touching();
+  if (!made) return made.error();
+  return gearwright::gap_map(*(*made)->pair, Angle::degrees(rotation1_deg), k, size);
+}
+
+Result<std::vector<FlankRaster>> Session::pattern(int positions, const RasterSize& size) {
+  const auto made = found(kPatternScene);
+  if (!made) return made.error();
+  std::vector<FlankRaster> all;
+  for (const FlankContact& flanks : (*made)->flanks) {
+    const auto both = flanks.pattern(positions, size);
+    all.insert(all.end(), both.begin(), job_.rack ? both.begin() + 1 : both.end());
+  }
+  return all;
 }
 
 }  // namespace gearwright::web

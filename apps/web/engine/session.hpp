@@ -12,7 +12,7 @@
 
 #include "apps/web/engine/shapes.hpp"
 #include "gearwright/figure/mesh.hpp"
-#include "gearwright/job/contact_answer.hpp"
+#include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/solved_job.hpp"
 
@@ -20,11 +20,11 @@ namespace gearwright::web {
 
 /// Options of the figures of contact.
 struct ContactView {
-  double width = 560.0;                 ///< px, width of a figure
-  int positions = 64;                   ///< number per pitch
-  int index = 0;                        ///< index of the position whose gap is shown on the flanks
-  std::array<FlankRaster, 2> patterns;  ///< result of `pattern`; empty if not yet computed
-  bool curves = true;                   ///< false to draw only the flanks
+  double width = 560.0;               ///< px, width of a figure
+  int positions = 64;                 ///< number per pitch
+  int index = 0;                      ///< index of the position whose gap is shown on the flanks
+  std::vector<FlankRaster> patterns;  ///< result of `pattern`; empty if not yet computed
+  bool curves = true;                 ///< false to draw only the flanks
 };
 
 /// Options of the figure of the gears in section.
@@ -50,8 +50,9 @@ class Session : public std::enable_shared_from_this<Session> {
 
   const SolvedJob& job() const { return job_; }
   const SpecText& text() const { return text_; }
-  int gears() const { return static_cast<int>(job_.gears.size()); }
-  bool has_pair() const { return job_.pair.has_value(); }
+  /// The number of gears, including a rack.
+  int gears() const { return job_.parts(); }
+  bool has_pair() const { return job_.pair || job_.rack; }
 
   std::string json(std::string_view verb) const;
   Result<Json> section(int gear, double tolerance) const;
@@ -68,12 +69,13 @@ class Session : public std::enable_shared_from_this<Session> {
   /// The contact at one position as JSON, with the keys of contact.positions.
   Result<std::string> contact_point(double rotation1_deg);
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
-  /// The pair for contact analysis. It lives as long as the session.
-  Result<const ContactPair*> contact_pair();
-  /// The pair for contact analysis with other values of two errors, whose indices in
-  /// error_entries() are `keys`.
-  Result<ContactPair> pair_under(const std::array<std::size_t, 2>& keys,
-                                 const std::array<double, 2>& values);
+  /// The patterns on both gears, or on the pinion of a rack. If the halves of a double-helical pair differ, the
+  /// patterns of the half at z < 0 follow.
+  Result<std::vector<FlankRaster>> pattern(int positions, const RasterSize& size);
+  /// The transmission error over a pitch with other values of two errors, whose indices in
+  /// error_entries() are `keys`, rad.
+  Result<std::vector<double>> te_under(const std::array<std::size_t, 2>& keys,
+                                       const std::array<double, 2>& values, int positions);
   double marking() const { return job_.spec.contact.marking; }
 
   /// Percentiles of the peak-to-peak transmission error within the tolerances of [scatter],
@@ -88,18 +90,34 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<Json> file(const std::string& kind, int gear, double tolerance);
 
  private:
+  // The flanks that touch. For a double-helical pair, `pair` is the half at z > 0.
+  struct Touching {
+    std::optional<ContactSetup> setup;  // none for a rack
+    std::optional<HalvesSetup> halves;
+    std::optional<HalvesPair> both;
+    std::shared_ptr<const ContactPair> pair;
+  };
+  // The contact of the gears, and of each pair of their flanks.
+  struct Found {
+    ContactResult whole;
+    std::vector<FlankContact> flanks;
+  };
   explicit Session(SpecText text) : text_(std::move(text)) {}
-  Result<ContactSetup*> setup();
+  Result<Touching> make_touching() const;
+  Result<const Touching*> touching();
+  Result<Found> analyse(const ContactRequest& request);
   Result<ContactPoint> touch(double rotation1_deg);
-  Result<const ContactResult*> found(int positions);
+  Result<const Found*> found(int positions);
   Result<ToothedBody> body(int gear, bool in_place) const;
+  Result<Json> rack_figure(const MeshView& view) const;
+  std::optional<Error> no_gear_2() const;  // for results that need two gears
   std::vector<NamedCircle> circles(int gear) const;
+  std::array<const Gear*, 2> flanked_gears() const;
 
   SpecText text_;
   SolvedJob job_;
-  std::optional<Result<ContactSetup>> setup_;
-  std::optional<ContactPair> pair_;
-  std::optional<ContactResult> found_;  ///< for the last requested number of positions
+  std::optional<Result<Touching>> touching_;
+  std::optional<Found> found_;  ///< for the last requested number of positions
 };
 
 }  // namespace gearwright::web

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "apps/web/engine/session.hpp"
+#include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 
 namespace gearwright::web {
@@ -18,10 +19,23 @@ std::optional<FileKind> kind_of(std::string_view word) {
   return std::nullopt;
 }
 
+// A file of a drive, with all its gears in place.
+Result<Json> drive_file(const JobSpec& spec, const std::string& kind) {
+  const auto drive = solve_whole_drive(spec);
+  if (!drive) return drive.error();
+  FileOptions options;
+  options.only = {kind};
+  auto made = make_drive_files(*drive, "", options);
+  if (!made) return made.error();
+  if (made->files.empty()) return Error{"", kind, "is not a file of this drive"};
+  return row(made->files.front().bytes);
+}
+
 }  // namespace
 
 Result<Json> Session::file(const std::string& kind, int gear, double tolerance) {
-  if (kind == "json") return row(json(job_.pair ? "pair" : "gear"));
+  if (job_.spec.drive) return kind == "json" ? row(json("drive")) : drive_file(job_.spec, kind);
+  if (kind == "json") return row(json(has_pair() ? "pair" : "gear"));
   FileOptions options;
   if (kind == "report") {
     SolvedJob job = job_;  // a copy, because files with omitted parts add warnings to the job

@@ -21,7 +21,7 @@ namespace {
 constexpr int kSketched = 128, kSketchedPositions = 16;  // samples and positions of the estimate
 constexpr int kFirstSamples = 4, kMostSamples = 128, kMostReplicates = 8;  // of complete contacts
 constexpr int kPatterns = 32;        // samples of the density of patterns
-constexpr double kLongestMs = 1500;  // longest permitted time of the next, larger family
+constexpr double kLongestMs = 1000;  // longest permitted time of the next, larger family
 
 Json figures_of(const DistributionScene& scene, double width) {
   return Json::array(
@@ -33,6 +33,7 @@ Json point(double percent, double arcsec) { return {{"percent", percent}, {"arcs
 }  // namespace
 
 Result<Json> Session::scatter_sketch(double width) {
+  if (auto error = two_gears_error(job_.spec)) return *error;
   SolvedJob job = job_;
   if (auto error = one_helix_error(job)) return *error;
   auto made = prepared_scatter(job);
@@ -63,6 +64,7 @@ Result<Json> Session::scatter_sketch(double width) {
 // a contact analysis varies: flanks with reliefs and waves take many times as long as smooth
 // flanks.
 Result<Json> Session::scatter(double width) {
+  if (auto error = two_gears_error(job_.spec)) return *error;
   SolvedJob job = job_;
   ScatterInput& input = job.spec.scatter;
   const int most = std::min(input.samples, kMostSamples);

@@ -129,6 +129,7 @@ Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
 }  // namespace
 
 Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
+  if (auto error = two_gears_error(job_.spec)) return *error;
   if (!job_.pair) return absent_input("gear2", "; the chart shows the profile shifts of two gears");
   if (!job_.pair->involute())
     return Error{"gear1.rack.kind", "", "has circular arcs, which have no profile shifts"};

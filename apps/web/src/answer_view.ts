@@ -10,7 +10,7 @@ import { judgement, type Part } from "./judgement";
 import { quantityTable, type Extra, type Row } from "./quantity_table";
 import type { Tab } from "./tabs";
 import { noticesOf } from "./verdict";
-import { at, bench } from "./workbench";
+import { at, bench, hasRack } from "./workbench";
 
 interface Needs {
   panel: PanelGroup[];
@@ -61,6 +61,10 @@ export abstract class AnswerView<A extends { warnings: Notice[]; verdict: Verdic
     this.offer.hide();
     if (!solved?.hasPair) {
       this.clear(solved ? this.needs.alone : bench.nothing);
+      return null;
+    }
+    if (hasRack(solved.spec)) {
+      this.clear("This analysis needs two gears, but gear 2 is a rack.");
       return null;
     }
     if (this.needs.keys.some((key) => at(solved.spec, key) !== undefined)) return solved;

@@ -102,7 +102,7 @@ function solve(text: string): Solved {
   try {
     const { gears, hasPair, json } = session(text);
     Object.assign(solved, { gears, hasPair });
-    solved.result = good(JSON.parse(json(hasPair ? "pair" : "gear")));
+    solved.result = good(JSON.parse(json(hasPair ? "pair" : gears ? "gear" : "drive")));
   } catch (reason) {
     if (!(reason instanceof Refused)) throw reason;
     solved.fault = reason.fault;

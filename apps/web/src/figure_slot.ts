@@ -147,9 +147,11 @@ export class Figures {
     this.t = t;
     for (const slot of this.slots.values()) slot.mark(t);
   }
-  /** The available width of a figure, px. */
-  get width(): number {
+  /** Arranges the figures in one column or in two. Returns the width of a figure, px. */
+  fit(): number {
     const room = this.element.clientWidth || 600;
-    return Math.round((room - 20) / Math.max(1, Math.min(2, Math.floor(room / 310))));
+    const columns = Math.max(1, Math.min(2, Math.floor(room / 310)));
+    this.element.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
+    return Math.round((room - 20) / columns);
   }
 }

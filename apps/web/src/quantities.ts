@@ -2,13 +2,13 @@
 // gears side by side. A search box filters the quantities. Values that the last change has altered are
 // highlighted.
 
-import { quantities } from "./catalogue";
+import { quantities, quantity } from "./catalogue";
 import { fill, h, scroller } from "./elements";
 import type { Json } from "./engine_worker";
 import { onUnitChange } from "./numbers";
 import { cellText, fillCell, quantityTable, rowsOf, type Row } from "./quantity_table";
 import { markRevision } from "./revision";
-import { bench } from "./workbench";
+import { at, bench } from "./workbench";
 
 export class QuantityPane {
   private readonly search = h("input", {
@@ -60,12 +60,19 @@ export class QuantityPane {
     if (!result) return;
     this.shown = bench.solved!.text;
     this.age();
-    const gearTable = quantities("gear");
-    const pairTable = quantities("pair");
-    const gears = gearTable ? rowsOf(gearTable, (result["gears"] ?? []) as Json[], "gears") : [];
-    const pair = pairTable && result["pair"] ? rowsOf(pairTable, [result["pair"]], "pair") : [];
+    const records = (result["gears"] ?? []) as Json[];
+    const rack = at(records[1], "form") === "rack";
+    const gears = rowsOf(quantities("gear")!, records, "gears");
+    const pairTable = quantities(rack ? "rack_pair" : "pair")!;
+    const drive = result["drive"] ? rowsOf(quantities("drive")!, [result["drive"]], "drive") : [];
+    const pair = result["pair"] ? rowsOf(pairTable, [result["pair"]], "pair") : drive;
     this.rows = [...pair, ...gears];
-    const columns = ((result["gears"] as Json[] | undefined) ?? []).length;
+    if (rack) {
+      const table = quantities("rack")!;
+      const own = table.quantities.filter((info) => !quantity("gear", info.key));
+      this.rows.push(...rowsOf({ ...table, quantities: own }, [null, records[1]!], "gears"));
+    }
+    const columns = records.length;
     const signature = columns + this.rows.map((row) => row.id + row.values.length).join();
     if (signature !== this.signature) {
       this.signature = signature;
@@ -87,7 +94,7 @@ export class QuantityPane {
 
   private build(columns: number, pairRows: number): void {
     const table = quantityTable(this.rows, columns, {
-      headingOf: (row, index) => [index < pairRows ? "Pair" : "Gears", row.group],
+      headingOf: (row, index) => [index < pairRows ? "Pair" : "Gears", row.group || "Drive"],
     });
     this.cells = table.cells;
     fill(this.sheet, table.element);

@@ -9,6 +9,7 @@ const kRestMs = 350; // pause before the report is updated
 
 export class SheetView implements Tab {
   readonly id = "sheet";
+  readonly ofDrives = true;
   private readonly frame = h("iframe", { sandbox: "allow-scripts", title: "the report", class: "report" });
   private readonly state = h("p", { class: "soft sheet-state", role: "status" });
   readonly element = h("div", { class: "sheet-view" }, this.state, this.frame);

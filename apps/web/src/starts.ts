@@ -4,9 +4,10 @@
 
 import { fill, h } from "./elements";
 import { numberIn } from "./form/field";
+import { kHave, type Have } from "./known_starts";
 import { bench } from "./workbench";
 
-const examples = import.meta.glob("../../../examples/*.toml", {
+const examples = import.meta.glob(["../../../examples/*.toml", "../../../examples/drives/*.toml"], {
   query: "?raw",
   import: "default",
   eager: true,
@@ -33,10 +34,9 @@ function exampleOf([path, text]: [string, string]): Example {
   const whole = comment.join(" ");
   return { name, text, title, sentence: /^.*?[.:](?=\s|$)/.exec(whole)?.[0].replace(/:$/, ".") ?? whole };
 }
-// Examples with a rack are omitted, because the page cannot show racks.
-export const kExamples: Example[] = Object.entries(examples)
-  .filter(([, text]) => !/^form = "rack"/m.test(text))
-  .map(exampleOf);
+export const kExamples: Example[] = Object.entries(examples).map(exampleOf);
+/** Matches a spec of a drive. */
+const kDrive = /^\[+(planetary|stage|drive)\b/m;
 /** The view for the small picture of a card: the whole gears in section, without labels. */
 const kCard = { frame: "whole", width: 320, height: 200, window: null, bodies: true } as const;
 const kFirst = [
@@ -44,6 +44,8 @@ const kFirst = [
   "spur_pair",
   "planetary_ring",
   "crossed_pair",
+  "steering_rack",
+  "planetary_set",
   "two_tooth_drive",
   "circular_arc_drive",
   "misaligned_pair",
@@ -54,131 +56,6 @@ function rank(name: string): number {
   const index = kFirst.indexOf(name);
   return index < 0 ? 99 : index;
 }
-
-interface Blank {
-  name: string;
-  words: string;
-  value: string;
-  unit?: string;
-  optional?: boolean; // true if the user may leave the field empty
-}
-interface Have {
-  words: string;
-  blanks: Blank[];
-  tab: string;
-  spec(value: Record<string, number>): string;
-}
-const kHave: Have[] = [
-  {
-    words: "Two tooth numbers and a centre distance",
-    blanks: [
-      { name: "z1", words: "teeth of gear 1", value: "17" },
-      { name: "z2", words: "teeth of gear 2", value: "43" },
-      { name: "a", words: "centre distance", value: "90", unit: "mm" },
-    ],
-    tab: "search",
-    spec: (v) => `title = "${v["z1"]} : ${v["z2"]} at ${v["a"]} mm"
-
-# The search finds standard modules and helix angles that fit. Click a row of the result to select a design.
-[search]
-pinion_teeth = [${v["z1"]}, ${v["z1"]}]
-ratio = [${v["z2"]! / v["z1"]! - 1e-6}, ${v["z2"]! / v["z1"]! + 1e-6}]
-center_distance_mm = ${v["a"]}
-modules_mm = "ISO54-I+II"
-helix_angle_deg = [0, 30]
-helix_step_deg = 2.5
-`,
-  },
-  {
-    words: "A ratio and a centre distance",
-    blanks: [
-      { name: "u", words: "ratio", value: "3.2" },
-      { name: "a", words: "approximate centre distance", value: "120", unit: "mm" },
-    ],
-    tab: "search",
-    spec: (v) => `title = "ratio ${v["u"]} at about ${v["a"]} mm"
-
-[search]
-ratio = [${v["u"]! * 0.98}, ${v["u"]! * 1.02}]
-target_ratio = ${v["u"]}
-center_distance_mm = [${v["a"]! * 0.99}, ${v["a"]! * 1.01}]
-modules_mm = "ISO54-I"
-pinion_teeth = [14, 40]
-contact_ratio_min = 1.3
-coprime = true
-objective = ["contact_ratio", "sliding"]
-`,
-  },
-  {
-    words: "A broken gear",
-    blanks: [
-      { name: "z", words: "teeth", value: "23" },
-      { name: "da", words: "tip diameter", value: "66.71", unit: "mm" },
-      { name: "k", words: "number of teeth in a span", value: "3", optional: true },
-      { name: "w", words: "length of the span", value: "19.751", unit: "mm", optional: true },
-    ],
-    tab: "search",
-    spec: (v) => `title = "a broken gear of ${v["z"]} teeth"
-
-# The gear is identified from these readings. More readings make the result more certain.
-[gear1]
-teeth = ${v["z"]}
-
-[gear1.measured]
-tip_diameter_mm = ${v["da"]}
-${Number.isFinite(v["k"]) && Number.isFinite(v["w"]) ? `span_mm = { ${v["k"]} = ${v["w"]} }\n` : ""}`,
-  },
-  {
-    words: "A pinion with three teeth",
-    blanks: [
-      { name: "z2", words: "teeth of the wheel", value: "30" },
-      { name: "m", words: "module", value: "2", unit: "mm" },
-    ],
-    tab: "search",
-    spec: (v) => `title = "3 teeth drive ${v["z2"]}"
-
-# The fit computes shifts, tips and fillets.
-[gear1]
-teeth = 3
-normal_module_mm = ${v["m"]}
-helix_angle_deg = 30
-face_width_mm = ${6 * v["m"]!}
-
-[gear2]
-teeth = ${v["z2"]}
-normal_module_mm = ${v["m"]}
-
-[fit]
-few_teeth = true
-`,
-  },
-  {
-    words: "Crossed shafts",
-    blanks: [
-      { name: "z1", words: "teeth of gear 1", value: "12" },
-      { name: "z2", words: "teeth of gear 2", value: "24" },
-      { name: "m", words: "module", value: "1.5", unit: "mm" },
-      { name: "a", words: "centre distance", value: "40", unit: "mm" },
-      { name: "s", words: "shaft angle", value: "90", unit: "°" },
-    ],
-    tab: "search",
-    spec: (v) => `title = "${v["z1"]} : ${v["z2"]}, shafts ${v["a"]} mm apart at ${v["s"]} degrees"
-
-# The helix angles are absent, and the fit computes all possible helix angles.
-[gear1]
-teeth = ${v["z1"]}
-normal_module_mm = ${v["m"]}
-
-[gear2]
-teeth = ${v["z2"]}
-normal_module_mm = ${v["m"]}
-
-[pair]
-center_distance_mm = ${v["a"]}
-shaft_angle_deg = ${v["s"]}
-`,
-  },
-];
 
 export class Starts {
   readonly element = h("main", { class: "starts", id: "starts" });
@@ -261,7 +138,9 @@ export class Starts {
     const tab =
       /^\[(search|fit)\]/m.test(example.text) || example.name.endsWith("_fit")
         ? "search"
-        : example.text.includes("[errors]")
+        : kDrive.test(example.text)
+          ? "sheet"
+          : example.text.includes("[errors]")
           ? "contact"
           : "mesh";
     return h(
@@ -297,7 +176,7 @@ export class Starts {
         picture.querySelector("svg")!.removeAttribute("tabindex"); // the card itself has the focus
       } catch {
         // The gears of this example must be computed first, so the card has no picture.
-        picture.textContent = (searching ? "search" : "fit") + " …";
+        picture.textContent = kDrive.test(example.text) ? "drive" : (searching ? "search" : "fit") + " …";
       }
     }
   }

@@ -3,7 +3,7 @@
 import { h, onKeys, sentenceOf } from "./elements";
 import { judgement, kParts, type Part } from "./judgement";
 import { markRevision } from "./revision";
-import { bench } from "./workbench";
+import { bench, isDrive } from "./workbench";
 
 /** After this pause in the changes, contact, load and rating are judged even if their tabs are hidden. */
 const kRestMs = 700;
@@ -19,6 +19,8 @@ export interface Tab {
    *  tab is hidden. */
   readonly part?: Part;
   judge?(): Promise<void>;
+  /** True if the tab also shows drives. */
+  readonly ofDrives?: boolean;
   /** Shows the current design. It is called when the design has changed and when the tab is opened. */
   refresh(): Promise<void> | void;
   /** Called when the user leaves the tab. */
@@ -137,7 +139,8 @@ export class Tabs {
     this.age();
     let fault = "";
     try {
-      await tab.refresh();
+      if (isDrive() && !tab.ofDrives) fault = "This spec describes a drive. The tab “sheet” shows its results.";
+      else await tab.refresh();
     } catch (reason) {
       fault = sentenceOf(reason);
     }

@@ -2,7 +2,7 @@
 
 import type { FileKind } from "../engine/engine";
 import { button, download, fill, foldOut, h, sentenceOf } from "./elements";
-import { bench } from "./workbench";
+import { bench, hasRack, isDrive } from "./workbench";
 
 interface Offer {
   kind: FileKind;
@@ -17,10 +17,12 @@ const kOffers: Offer[] = [
   { kind: "step", words: "STEP", what: "exact solids for CAD, AP242", gears: [1, 2, 0] },
   { kind: "3mf", words: "3MF", what: "mesh for 3D printing", gears: [1, 2] },
   { kind: "stl", words: "STL", what: "mesh of triangles", gears: [1, 2] },
-  { kind: "glb", words: "GLB", what: "mesh of the pair for 3D viewers", gears: [0] },
+  { kind: "glb", words: "GLB", what: "mesh of all gears in place for 3D viewers", gears: [0] },
   { kind: "dxf", words: "DXF", what: "transverse section as arcs", gears: [1, 2] },
   { kind: "svg", words: "SVG", what: "transverse section as a picture", gears: [1, 2] },
 ];
+/** The files of a drive. */
+const kOfDrives: FileKind[] = ["report", "json", "step", "3mf", "glb"];
 const kEndings: Partial<Record<FileKind, string>> = { report: "html", drawing: "pdf" };
 
 /** A file name made from the title. Letters and digits of any script are kept. Other characters become _. */
@@ -48,17 +50,15 @@ export class TakeHome {
     this.state.textContent = "";
     const gears = bench.good?.gears ?? 0;
     const pair = bench.good?.hasPair ?? false;
+    const rack = hasRack(bench.good?.spec);
     const rows = kOffers.map((offer) => {
       const alone = offer.kind === "report" || offer.kind === "json";
-      const places = offer.gears.filter((gear) => (gear === 0 ? alone || pair : gear <= gears));
-      return places.length
-        ? h(
-            "div",
-            { class: "offer" },
-            h("span", {}, h("b", {}, offer.words), h("span", { class: "soft" }, " " + offer.what)),
-            h("span", { class: "offer-buttons" }, ...places.map((gear) => this.getter(offer, gear, alone))),
-          )
-        : null;
+      if (isDrive()) return kOfDrives.includes(offer.kind) ? this.row(offer, [0], alone) : null;
+      const drawn = rack && offer.kind === "drawing" ? [1] : offer.gears; // a rack has no gear data to draw
+      const places = offer.gears.filter(
+        (gear) => drawn.includes(gear) && (gear === 0 ? alone || pair : gear <= gears),
+      );
+      return places.length ? this.row(offer, places, alone) : null;
     });
     const spec = h(
       "div",
@@ -72,8 +72,17 @@ export class TakeHome {
     this.sheet.querySelector("button")?.focus();
   }
 
+  private row(offer: Offer, places: (0 | 1 | 2)[], alone: boolean): HTMLElement {
+    return h(
+      "div",
+      { class: "offer" },
+      h("span", {}, h("b", {}, offer.words), h("span", { class: "soft" }, " " + offer.what)),
+      h("span", { class: "offer-buttons" }, ...places.map((gear) => this.getter(offer, gear, alone))),
+    );
+  }
+
   private getter(offer: Offer, gear: 0 | 1 | 2, alone: boolean): HTMLButtonElement {
-    const words = alone ? "save" : gear === 0 ? "pair" : `gear ${gear}`;
+    const words = alone ? "save" : gear === 0 ? (isDrive() ? "drive" : "pair") : gear === 2 && hasRack(bench.good?.spec) ? "rack" : `gear ${gear}`;
     return button(words, () => void this.get(offer, gear), { "aria-label": `${offer.words}, ${words}` });
   }
 
@@ -81,7 +90,7 @@ export class TakeHome {
     const text = bench.good?.text;
     if (text === undefined) return;
     const ending = kEndings[offer.kind] ?? offer.kind;
-    const who = offer.gears.length > 1 ? (gear === 0 ? "_pair" : `_gear${gear}`) : "";
+    const who = offer.gears.length > 1 ? (gear === 0 ? (isDrive() ? "" : "_pair") : `_gear${gear}`) : "";
     this.state.textContent = `Making ${offer.words} …`;
     try {
       const bytes = await bench.back.call("file", { text, kind: offer.kind, gear });

@@ -195,6 +195,16 @@ function faulty(text: string, message: string): Solved {
 
 export const bench = new Workbench();
 
+/** True if the design on screen is a drive. */
+export function isDrive(): boolean {
+  return at(bench.good?.result ?? undefined, "drive") !== undefined;
+}
+
+/** True if gear 2 of a spec is a rack. */
+export function hasRack(spec: Json | null | undefined): boolean {
+  return at(spec ?? undefined, "gear2.form") === "rack";
+}
+
 /** The value at a path of nested records: at(result, "pair.backlash.normal_mm"). */
 export function at(tree: Json | undefined, path: string): Json | undefined {
   let here: Json | undefined = tree;

@@ -114,8 +114,7 @@ export const examples = readdirSync(join(root, "examples"))
     name: name.replace(".toml", ""),
     path: join(root, "examples", name),
     text: readFileSync(join(root, "examples", name), "utf8"),
-  }))
-  .filter(({ text }) => !/^form = "rack"/m.test(text));
+  }));
 export function example(name) {
   return examples.find((one) => one.name === name).text;
 }

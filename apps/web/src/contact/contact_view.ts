@@ -2,16 +2,20 @@
 // modifications at once. The contact pattern is computed in the background and follows later.
 
 import type { ContactCurve, FlankRaster } from "../../engine/engine";
+import { quantities } from "../catalogue";
 import { fill, h, scroller, sentenceOf, slide, slider } from "../elements";
 import { Figures } from "../figure_slot";
 import { judgement } from "../judgement";
+import { quantityTable, rowsOf } from "../quantity_table";
 import { markRevision } from "../revision";
-import { bench } from "../workbench";
+import { bench, hasRack } from "../workbench";
 import type { Tab } from "../tabs";
 import { ErrorMapView } from "./error_map_view";
 import { ContactSliders } from "./sliders";
 
 const kPositions = 64;
+/** The pause after the last change before the numbers of the verb contact are computed. */
+const kRestMs = 700;
 type Timed = ContactCurve & { milliseconds: number };
 
 export class ContactView implements Tab {
@@ -28,6 +32,7 @@ export class ContactView implements Tab {
   );
   private readonly where = h("output", { class: "soft" });
   private readonly time = h("span", { class: "soft time" });
+  private readonly table = scroller("table-room", "numbers");
   readonly picture = h(
     "div",
     {},
@@ -35,6 +40,7 @@ export class ContactView implements Tab {
     this.curves.element,
     slide("position", this.instant, this.where, this.time),
     this.flanks.element,
+    this.table,
   );
   readonly element = h(
     "div",
@@ -44,19 +50,26 @@ export class ContactView implements Tab {
   );
   readonly part = "contact";
   private curve: Timed | null = null;
-  private patterns: [FlankRaster, FlankRaster] | null = null;
+  private patterns: FlankRaster[] | null = null;
   private index = kPositions / 2;
   private width = 0;
   shown = "";
   private marked = ""; // the text of the spec whose pattern is shown on the flanks
+  private asked = ""; // the text of the spec for which the verb contact has run last, or is running
+  private rest = 0;
 
   constructor() {
     new ResizeObserver(() => {
-      if (this.curve && Math.abs(this.curves.width - this.width) > 8) void this.drawFigures(true);
+      if (this.curve && Math.abs(this.curves.fit() - this.width) > 8) void this.drawFigures(true);
     }).observe(this.picture);
   }
 
+  leave(): void {
+    clearTimeout(this.rest);
+  }
+
   async refresh(): Promise<void> {
+    clearTimeout(this.rest);
     this.sliders.build();
     this.errorMap.build();
     this.sliders.show();
@@ -75,11 +88,14 @@ export class ContactView implements Tab {
     }
     this.shown = solved.text;
     this.draw();
+    fill(this.table);
     await Promise.all([this.drawFigures(true), this.pattern(solved.text)]);
+    this.rest = window.setTimeout(() => void this.judge(), kRestMs);
   }
 
   private clear(sentence: string): void {
     this.curve = this.patterns = null;
+    fill(this.table);
     this.shown = this.marked = "";
     this.curves.show([]);
     this.flanks.show([]);
@@ -90,7 +106,7 @@ export class ContactView implements Tab {
   /** Hides everything except the sentence if there is no curve, otherwise shows it again. */
   private empty(yes: boolean): void {
     for (const one of this.picture.children) if (one !== this.sentence) (one as HTMLElement).hidden = yes;
-    this.errorMap.element.hidden = yes;
+    this.errorMap.element.hidden = yes || hasRack(bench.good?.spec); // the map needs two gears
   }
 
   private choose(index: number): void {
@@ -103,7 +119,8 @@ export class ContactView implements Tab {
   private async drawFigures(curves: boolean): Promise<void> {
     const { curve, index, patterns, shown } = this;
     if (!curve) return;
-    this.width = this.curves.width;
+    this.width = this.curves.fit();
+    this.flanks.fit();
     const view = { width: this.width, positions: kPositions, index, patterns, curves };
     const figures = await bench.front
       .latest(curves ? "figures" : "flanks", "contactFigures", { text: shown, view })
@@ -125,11 +142,20 @@ export class ContactView implements Tab {
     await this.drawFigures(false);
   }
 
-  /** Requests the verdict on the contact, which is not part of the curves. */
+  /** Requests the numbers of the verb contact with its verdict, which are not part of the curves. */
   async judge(): Promise<void> {
     const { text } = bench;
+    if (text === this.asked) return;
+    this.asked = text;
     const answer = await bench.press.latest("contact", "run", { text, verb: "contact" });
-    if (answer) judgement.take("contact", text, answer as Parameters<typeof judgement.take>[2]);
+    if (!answer) {
+      if (this.asked === text) this.asked = "";
+      return;
+    }
+    judgement.take("contact", text, answer as Parameters<typeof judgement.take>[2]);
+    const contact = answer["contact"];
+    if (contact && bench.good?.text === text)
+      fill(this.table, quantityTable(rowsOf(quantities("contact")!, [contact], "contact", "", true), 2).element);
   }
 
   private draw(): void {

@@ -5,7 +5,7 @@ import type { InputKey } from "../../engine/engine";
 import { inputKey, inputs, wordsOf } from "../catalogue";
 import { h, onKeys, symbol } from "../elements";
 import { fixed, niceStep, onStep } from "../numbers";
-import { at, bench } from "../workbench";
+import { at, bench, hasRack } from "../workbench";
 
 const kReach: Record<string, number> = { "°": 0.1, µm: 30, mm: 0.1 };
 const kModifications = [
@@ -17,6 +17,8 @@ const kModifications = [
   "root_relief_um",
   "end_relief_um",
 ];
+/** Errors and modifications of the teeth of gear 2, which a rack does not have. */
+const kOfGear2 = /^gear2\.|^errors\.\D+2_/;
 /** For each modification, another key that must be given with it. */
 const kNeeds: Record<string, string> = {
   tip_relief_um: "tip_relief_start_mm",
@@ -60,7 +62,7 @@ export class ContactSliders {
 
   private group(title: string, style: string, entries: [string, InputKey][], table: string): void {
     this.element.append(
-      h("h3", { class: style }, title),
+      h("h3", { class: style, "data-of": entries[0]?.[0] }, title),
       ...entries.map(([place, key]) => this.slide(place, key, wordsOf(table, key))),
     );
   }
@@ -100,10 +102,13 @@ export class ContactSliders {
   show(): void {
     const spec = bench.solved?.spec;
     if (!spec) return;
+    const rack = hasRack(spec);
+    for (const head of this.element.querySelectorAll<HTMLElement>("[data-of]"))
+      head.hidden = rack && kOfGear2.test(head.dataset["of"]!);
     for (const { place, input, output, key, row } of this.slides) {
       const value = at(spec, place);
       const need = kNeeds[key.key];
-      row.hidden = need !== undefined && at(spec, place.replace(/[^.]*$/, need)) === undefined;
+      row.hidden = (rack && kOfGear2.test(place)) || (need !== undefined && at(spec, place.replace(/[^.]*$/, need)) === undefined);
       const number = typeof value === "number" ? value : 0;
       if (Math.abs(number) > Number(input.max)) {
         input.max = String(2 * Math.abs(number));

@@ -6,7 +6,7 @@
 import { inputKey } from "../catalogue";
 import { button, Choice, fill, h } from "../elements";
 import { onUnitChange, showLengthsIn, shownUnit } from "../numbers";
-import { at, bench } from "../workbench";
+import { at, bench, hasRack, isDrive } from "../workbench";
 import { columnHeads, Rows } from "./row";
 import { planOf, signatureOf, type Section } from "./plan";
 
@@ -112,7 +112,7 @@ export class Form {
   /** A button that adds a second gear, if the text has only one. */
   private offers(plan: Section[]): HTMLElement | null {
     const gears = plan.find((one) => one.id === "gear")?.places.length;
-    if (gears !== 1 || bench.finder) return null;
+    if (gears !== 1 || bench.finder || isDrive() || hasRack(bench.solved?.spec)) return null;
     return button(
       "add a second gear",
       () => {

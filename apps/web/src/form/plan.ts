@@ -3,7 +3,7 @@
 
 import type { InputKey } from "../../engine/engine";
 import { inputs } from "../catalogue";
-import { at } from "../workbench";
+import { at, hasRack } from "../workbench";
 import type { Json } from "../engine_worker";
 
 /** A section of the form for one table. Each row has one field, or one field for each gear. */
@@ -34,9 +34,12 @@ const kAlways: Record<string, string[]> = {
   errors: ["center_distance_mm", "crossing_deg", "intersecting_deg", "axial_mm"],
   modifications: ["tip_relief_um", "tip_relief_start_mm", "lead_crowning_um", "profile_crowning_um"],
   bore: ["diameter_mm", "keyway_width_mm", "keyway_depth_mm"],
+  rack_bar: ["teeth", "face_width_mm", "height_mm", "thickness_allowance_mm"],
   search: ["ratio", "pinion_teeth", "modules_mm", "center_distance_mm", "helix_angle_deg", "objective"],
   contact: ["positions", "marking_mm"],
 };
+/** The keys of [pair] that a rack and its pinion have. */
+const kOfRackPair = ["center_distance_mm", "speed_rpm"];
 const kTitles: Record<string, string> = {
   gear: "Gears",
   pair: "Pair",
@@ -59,7 +62,8 @@ const kTitles: Record<string, string> = {
   tolerance: "Tolerances",
   measure: "Measuring",
   cut_by: "Pinion cutter",
-  rack: "Rack",
+  rack: "Basic rack",
+  rack_bar: "Rack as gear 2",
   measured: "Readings",
   drawing: "Title block",
   scatter: "Scatter of tolerances",
@@ -87,7 +91,7 @@ function isTable(value: Json | undefined): boolean {
 function section(id: string, name: string, table: string, places: string[], spec: Json): Section | null {
   const list = inputs(table);
   if (!list) return null;
-  const always = kAlways[table.split("_")[0] === "rack" ? "rack" : table] ?? [];
+  const always = kAlways[table] ?? [];
   const stands = (key: InputKey) => places.some((place) => at(spec, place + "." + key.key) !== undefined);
   const plain = list.keys.filter(
     (key) => key.documented && key.kind !== "any" && !isTable(firstOf(spec, places, key)),
@@ -127,24 +131,29 @@ function firstOf(spec: Json, places: string[], key: InputKey): Json | undefined 
 /** The whole form for a spec. */
 export function planOf(spec: Json): Section[] {
   const searching = at(spec, "search") !== undefined;
-  const gears = at(spec, "gear2") !== undefined || searching ? ["gear1", "gear2"] : ["gear1"];
+  const rack = hasRack(spec);
+  const gears = !rack && (at(spec, "gear2") !== undefined || searching) ? ["gear1", "gear2"] : ["gear1"];
   const sections: (Section | null)[] = [];
   const add = (one: Section | null) => sections.push(one);
   if (searching) add(section("search", "search", "search", ["search"], spec));
-  // A search computes the gears, so the form shows only those that the text contains.
-  const fixed = searching ? gears.filter((gear) => at(spec, gear) !== undefined) : gears;
+  // A search computes the gears, and a drive names its own, so the form shows only those that the text contains.
+  const drive = ["planetary", "stage", "drive"].some((name) => at(spec, name) !== undefined);
+  const fixed = searching || drive ? gears.filter((gear) => at(spec, gear) !== undefined) : gears;
   const gear = section("gear", "gear", "gear", fixed, spec);
-  if (gear && searching)
+  if (gear && (searching || drive))
     gear.rows = gear.rows.filter((key) =>
       fixed.some((where) => at(spec, `${where}.${key.key}`) !== undefined),
     );
   if (fixed.length) add(gear);
-  if (gears.length > 1 && !searching) add(section("pair", "pair", "pair", ["pair"], spec));
+  if (rack) add(section("rack_bar", "rack_bar", "rack_bar", ["gear2"], spec));
+  const pair = gears.length > 1 || rack ? section("pair", "pair", "pair", ["pair"], spec) : null;
+  if (pair && rack) for (const list of ["rows", "more"] as const) pair[list] = pair[list].filter((key) => kOfRackPair.includes(key.key));
+  if (!searching) add(pair);
   for (const key of inputs("gear")?.keys ?? []) {
     if (key.kind !== "table") continue;
     const holders = fixed.map((gear) => `${gear}.${key.key}`);
     const tables = holders.filter((where) => isTable(at(spec, where)));
-    const offered = !searching && (key.key === "bore" || key.key === "modifications");
+    const offered = !searching && !drive && (key.key === "bore" || key.key === "modifications");
     if (!tables.length && !offered) continue;
     const name = tableAt(key, tables.length ? at(spec, tables[0]!) : undefined);
     add(section("gear." + key.key, key.key, name, offered ? holders : tables, spec));
@@ -167,7 +176,7 @@ export function planOf(spec: Json): Section[] {
   }
   for (const { key: name, tables } of inputs("spec")?.keys ?? []) {
     if (!tables.length || ["gear1", "gear2", "pair", "search"].includes(name)) continue;
-    const shown = at(spec, name) !== undefined || (name === "errors" && gears.length > 1 && !searching);
+    const shown = at(spec, name) !== undefined || (name === "errors" && (gears.length > 1 || rack) && !searching);
     if (shown) add(section(name, name, tables[0]!, [name], spec));
   }
   return sections.filter(

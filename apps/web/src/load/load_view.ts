@@ -83,7 +83,7 @@ export class LoadView extends AnswerView<Answer> {
     );
     this.bar.hidden = true;
     new ResizeObserver(() => {
-      if (this.answer && Math.abs(this.figures.width - this.width) > 8) void this.drawFigures();
+      if (this.answer && Math.abs(this.figures.fit() - this.width) > 8) void this.drawFigures();
     }).observe(this.room);
   }
 
@@ -177,7 +177,7 @@ export class LoadView extends AnswerView<Answer> {
 
   private async drawFigures(): Promise<void> {
     const { answer, torque } = this;
-    this.width = this.figures.width;
+    this.width = this.figures.fit();
     const figures = await bench.press
       .latest("load-figures", "loadFigures", { torque, width: this.width })
       .catch(() => null); // the result has been replaced

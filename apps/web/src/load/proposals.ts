@@ -1,7 +1,7 @@
 // Proposed flank modifications with their effects under load. A click replaces the design by the spec of a
 // proposal. The engine computes the proposals on request, because they take several times as long as one load.
 
-import { quantities, quantity } from "../catalogue";
+import { quantity } from "../catalogue";
 import { button, fill, h, scroller, sentenceOf, tableOf } from "../elements";
 import type { Json } from "../engine_worker";
 import { shownUnit, textOf } from "../numbers";
@@ -62,7 +62,7 @@ export class Proposals {
           "tr",
           { class: i + 1 === best ? "taken" : null, "data-proposal": i + 1 },
           h("th", {}, String(i + 1)),
-          h("td", {}, i ? wordsOf(proposal) : "as given", i + 1 === best && h("strong", {}, " recommended")),
+          h("td", {}, wordsOf(proposal), i + 1 === best && h("strong", {}, " recommended")),
           ...kScores.map((key) => h("td", { "data-score": key }, textOf(score(key), worst[key]))),
           h("td", {}, i > 0 && take),
         );
@@ -76,15 +76,8 @@ export class Proposals {
   }
 }
 
-/** "long tip relief. Gear 1: tip relief 12 µm, helix crowning 5 µm. Gear 2: tip relief 11 µm" */
+/** "long tip relief, helix crowning. Gear 1: tip relief 12 µm from 79.123 mm. Gear 2: tip relief 11 µm from …" */
 function wordsOf(proposal: Record): string {
-  const table = quantities("propose.proposals.gears")!;
-  const amounts = (proposal["gears"] as Record[]).map((gear, i) => {
-    const list = table.quantities
-      .filter((info) => info.unit === "µm" && gear[info.key])
-      .map((info) => `${info.words} ${textOf(info, gear[info.key])} ${info.unit}`);
-    return list.length && `Gear ${i + 1}: ${list.join(", ")}`;
-  });
-  const profile = proposal["profile"] !== "as_given" && textOf(quantity("propose.proposals", "profile")!, proposal["profile"]);
-  return [profile, ...amounts].filter(Boolean).join(". ");
+  const amounts = (proposal["gears"] as Record[]).map((gear, i) => gear["amounts"] && `Gear ${i + 1}: ${gear["amounts"]}`);
+  return [proposal["words"], ...amounts].filter(Boolean).join(". ");
 }

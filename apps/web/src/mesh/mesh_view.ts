@@ -9,7 +9,7 @@ import { check, Choice, h, onNextFrame, svg } from "../elements";
 import { axisOf, FigureSlot } from "../figure_slot";
 import { poseAt, touchAt, turnAt, type Motion } from "../motion";
 import { length } from "../numbers";
-import { bench } from "../workbench";
+import { bench, hasRack } from "../workbench";
 import type { Tab } from "../tabs";
 import { TurnControl } from "../turn_control";
 
@@ -224,7 +224,7 @@ export class MeshView implements Tab {
       const [, at, scale] = /^(translate\([^)]*\)) (scale\([^)]*\))/.exec(use.getAttribute("transform")!)!;
       let place = at;
       let angle = 0;
-      if (use.dataset["turn"]) {
+      if (use.dataset["turn"] || hasRack(bench.good?.spec)) {
         const pose = poseAt(motion, gear, t);
         place = `translate(${x.px(pose[12]!)} ${y.px(pose[13]!)})`;
         angle = Math.atan2(pose[1]!, pose[0]!);

@@ -7,7 +7,7 @@ import { button, fill, h, scroller, sentenceOf } from "../elements";
 import { Figures } from "../figure_slot";
 import { fixed } from "../numbers";
 import type { Tab } from "../tabs";
-import { at, bench } from "../workbench";
+import { at, bench, hasRack } from "../workbench";
 import { ToleranceSliders } from "./tolerance_sliders";
 
 /** The pause after the last change before the contact analyses start. */
@@ -50,6 +50,7 @@ export class ScatterView implements Tab {
     this.sliders.show(solved?.spec ?? null);
     if (!solved?.hasPair)
       return this.clear(solved ? "The effect of tolerances needs a second gear." : bench.nothing);
+    if (hasRack(solved.spec)) return this.clear("The effect of tolerances needs two gears, but gear 2 is a rack.");
     this.first.hidden = at(solved.spec, "scatter") !== undefined;
     if (!this.first.hidden) return this.clear("The spec has no tolerances.");
     const { text } = solved;
@@ -88,7 +89,7 @@ export class ScatterView implements Tab {
   private async request(name: "scatterSketch" | "scatter", text: string): Promise<Timed | null> {
     const link = name === "scatter" ? bench.back : bench.front;
     try {
-      const answer = await bench.about(link, name, name, { text, width: this.figures.width });
+      const answer = await bench.about(link, name, name, { text, width: this.figures.fit() });
       return answer && bench.good?.text === text ? answer : null;
     } catch (reason) {
       if (bench.good?.text === text) this.clear(sentenceOf(reason), text);
