@@ -1,8 +1,6 @@
 // The verb batch, which computes many specs in one process.
 #pragma once
 
-#include <string>
-
 #include "apps/cli/verbs.hpp"
 
 namespace gearwright::apps {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "apps/cli/batch.hpp"
 #include "apps/cli/completion.hpp"

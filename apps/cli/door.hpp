@@ -2,8 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "apps/cli/verbs.hpp"
 #include "gearwright/job/solved_job.hpp"

@@ -10,7 +10,6 @@
 #include "apps/cli/door.hpp"
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
-#include "gearwright/base/output_file.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/files.hpp"

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
-#include <string>
 
 #include "apps/common/campaign_command.hpp"
 #include "gearwright/job/search_job.hpp"

@@ -12,7 +12,7 @@
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/load_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
-#include "gearwright/job/compensate_text.hpp"
+#include "gearwright/job/compensate_answer.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/load_answer.hpp"

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "gearwright/arrange/arc_checks.hpp"
 #include "gearwright/arrange/backlash_thinning.hpp"
 #include "gearwright/arrange/body.hpp"

@@ -1,7 +1,5 @@
 #include "gearwright/arrange/design_drawing.hpp"
 
-#include <algorithm>
-
 #include "gearwright/arrange/judge.hpp"
 
 namespace gearwright {

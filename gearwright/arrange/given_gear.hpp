@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "gearwright/arrange/given_material.hpp"
 #include "gearwright/compliance/shaft.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "gearwright/arrange/body.hpp"
 #include "gearwright/arrange/stiffness_reasons.hpp"

@@ -11,7 +11,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/arrange/relief_start.hpp"

@@ -7,7 +7,6 @@
 // arrange/.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/cad/biarc.hpp"

@@ -9,7 +9,6 @@
 // with ε = 5 µm therefore shows a crowning of 5 µm.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "gearwright/cad/mesh_builder.hpp"

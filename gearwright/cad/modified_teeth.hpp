@@ -21,7 +21,6 @@
 
 #include <array>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "gearwright/base/result.hpp"

@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "gearwright/base/contract.hpp"
 #include "gearwright/cad/rack_plan.hpp"
 
 namespace gearwright {

@@ -2,9 +2,6 @@
 
 #include "gearwright/base/units.hpp"
 
-#include <cmath>
-#include <numbers>
-
 namespace gearwright {
 
 namespace {

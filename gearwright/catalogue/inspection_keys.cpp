@@ -1,7 +1,5 @@
 #include "gearwright/catalogue/inspection_keys.hpp"
 
-#include <string_view>
-
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/inspection/identify.hpp"
 

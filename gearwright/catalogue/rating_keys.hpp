@@ -2,7 +2,6 @@
 // mounting for a strength rating, and factors given by the user.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 

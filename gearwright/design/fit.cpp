@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/design/min_distance_designs.hpp"

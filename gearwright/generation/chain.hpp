@@ -5,7 +5,6 @@
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "gearwright/generation/branch.hpp"

@@ -1,6 +1,5 @@
 #include "gearwright/generation/rack_envelope.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include "gearwright/math/involute.hpp"

@@ -14,7 +14,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/gear.hpp"

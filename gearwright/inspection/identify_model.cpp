@@ -1,6 +1,5 @@
 #include "gearwright/inspection/identify_model.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -10,7 +10,6 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/job/listing.hpp"
-#include "gearwright/job/result_json.hpp"
 #include "gearwright/report/contact_report.hpp"
 
 namespace gearwright {

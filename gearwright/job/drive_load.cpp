@@ -5,7 +5,6 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
-#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/drive/loaded_drive.hpp"

@@ -12,7 +12,6 @@
 #include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_designs.hpp"
-#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive_search.hpp"

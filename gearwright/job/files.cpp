@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -16,12 +15,11 @@
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/gear_body.hpp"
 #include "gearwright/cad/mesh_files.hpp"
-#include "gearwright/cad/step.hpp"
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/walls.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/compensate_text.hpp"
+#include "gearwright/job/compensate_answer.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/judgement.hpp"

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/arrange/arc_checks.hpp"
-#include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/few_teeth_answer.hpp"

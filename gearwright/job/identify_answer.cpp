@@ -5,7 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/identify_quantities.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/value_json.hpp"

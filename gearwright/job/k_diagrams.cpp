@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "gearwright/arrange/measured_gear.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/job/measures.hpp"
 #include "gearwright/job/nominal_csv.hpp"
 
 namespace gearwright {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/system.hpp"
@@ -13,7 +12,6 @@
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/job/interval.hpp"
-#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
-#include <vector>
 
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -15,7 +14,6 @@
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
-#include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/study_campaign.hpp"
 #include "gearwright/job/value_json.hpp"

@@ -1,7 +1,6 @@
 #include "gearwright/job/search_workers.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "gearwright/base/parallel.hpp"

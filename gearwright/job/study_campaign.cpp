@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/base/output_file.hpp"
 #include "gearwright/base/packing.hpp"
 #include "gearwright/job/campaign.hpp"
 #include "gearwright/spec/parse_spec.hpp"

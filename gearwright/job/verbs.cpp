@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/output_file.hpp"

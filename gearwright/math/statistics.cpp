@@ -1,6 +1,5 @@
 #include "gearwright/math/statistics.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"

@@ -1,6 +1,5 @@
 #include "gearwright/pair/rack_outline.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>

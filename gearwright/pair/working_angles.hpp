@@ -13,7 +13,6 @@
 // reaches 90°. They are not smooth functions of α_n there.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>

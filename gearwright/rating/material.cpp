@@ -1,7 +1,6 @@
 #include "gearwright/rating/material.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace gearwright {
 

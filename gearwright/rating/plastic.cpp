@@ -6,10 +6,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/missing.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/rating/rating.hpp"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"

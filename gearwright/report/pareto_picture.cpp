@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "gearwright/figure/designs.hpp"
 #include "gearwright/figure/figure_svg.hpp"

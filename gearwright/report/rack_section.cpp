@@ -7,7 +7,6 @@
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/rack_mesh.hpp"
-#include "gearwright/report/html_text.hpp"
 #include "gearwright/report/table_builder.hpp"
 
 namespace gearwright {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/search_figures.hpp"

@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
-#include <vector>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
-#include "gearwright/report/html_text.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 

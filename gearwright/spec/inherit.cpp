@@ -1,11 +1,7 @@
 #include "gearwright/spec/inherit.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"

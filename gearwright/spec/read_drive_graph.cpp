@@ -9,10 +9,8 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/drive_keys.hpp"
-#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/drive/rack_pitch.hpp"
-#include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_gear.hpp"
 
 namespace gearwright {

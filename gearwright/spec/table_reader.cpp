@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "gearwright/base/missing.hpp"
 #include "gearwright/catalogue/key_hint.hpp"

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "gearwright/catalogue/key_hint.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/spec/table_reader.hpp"
 

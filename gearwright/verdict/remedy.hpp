@@ -7,8 +7,6 @@
 // removes has no remedy with a number.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "gearwright/pair/pair.hpp"

@@ -9,7 +9,6 @@
 #include "gearwright/figure/load_figures.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_text.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/load/load_summary.hpp"
 
 namespace gearwright::web {

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/answering.hpp"
-#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/error_keys.hpp"

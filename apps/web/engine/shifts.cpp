@@ -8,8 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/session.hpp"
-#include "gearwright/catalogue/search_keys.hpp"
-#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search.hpp"
 #include "gearwright/design/shift_region.hpp"
 #include "gearwright/figure/figure_svg.hpp"
