@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "apps/cli/door.hpp"
+#include "apps/cli/verbs.hpp"
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/job/drive_answer.hpp"

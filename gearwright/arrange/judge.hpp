@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "gearwright/arrange/arrange.hpp"
+#include "gearwright/arrange/given_pair.hpp"
+#include "gearwright/design/design_row.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
@@ -46,5 +48,17 @@ std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
 
 /// The verdict on the gears. Its messages name members of the input, such as `gear1.profile_shift`.
 Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
+
+// Converts a design that a search has found into the data of a drawing, and judges this drawing.
+//
+// A search computes nominal gears. The drawing adds the tolerances of tooth thickness and centre
+// distance. The verdict covers the nominal pair and all ends of these tolerances.
+
+/// The design as the data of a drawing.
+GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row);
+
+/// The verdict on the drawing. If the search is rated, it includes the rating. The finding that the
+/// rating of plastics ignores wear is omitted, because it applies to every design.
+DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row);
 
 }  // namespace gearwright

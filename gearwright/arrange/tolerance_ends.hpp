@@ -59,4 +59,10 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
 std::string corner_words(const std::vector<TolerancedNumber>& tolerances,
                          const ToleranceCorner& corner);
 
+// Computes the gears and the pair at the mean of their tolerances, if they have any.
+
+/// Computes the result of arrange() without `ends` and `given`. The caller must have converted
+/// allowances that follow from a series or a measurement to numbers (with_allowances).
+Result<Arranged> arrange_nominal(const GivenPair& given, Scope scope);
+
 }  // namespace gearwright

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 

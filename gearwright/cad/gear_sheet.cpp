@@ -9,7 +9,6 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/cad/biarc.hpp"
 #include "gearwright/cad/drawing.hpp"
-#include "gearwright/cad/sheet_font.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
 
 namespace gearwright {

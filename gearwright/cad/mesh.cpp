@@ -13,7 +13,6 @@
 #include "gearwright/cad/mesh_builder.hpp"
 #include "gearwright/cad/mesh_caps.hpp"
 #include "gearwright/cad/modified_mesh.hpp"
-#include "gearwright/cad/rack_mesh.hpp"
 #include "gearwright/cad/section_points.hpp"
 
 namespace gearwright {

@@ -1,4 +1,4 @@
-#include "gearwright/cad/modified_brep.hpp"
+#include "gearwright/cad/brep.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/utf8.hpp"
+#include "gearwright/base/printable.hpp"
 
 namespace gearwright {
 namespace {

@@ -1,4 +1,4 @@
-#include "gearwright/cad/rack_brep.hpp"
+#include "gearwright/cad/brep.hpp"
 
 #include <fmt/format.h>
 

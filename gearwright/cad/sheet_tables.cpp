@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "gearwright/cad/sheet_font.hpp"
+#include "gearwright/cad/sheet.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
 
 namespace gearwright {

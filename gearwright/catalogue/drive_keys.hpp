@@ -15,4 +15,8 @@ const KeyTable& drive_body_keys();
 const KeyTable& drive_gear_keys();
 const KeyTable& drive_mesh_keys();
 
+// The keys of [search] if it has the key `kind` and therefore searches for whole drives.
+
+const KeyTable& drive_search_keys();
+
 }  // namespace gearwright

@@ -8,8 +8,6 @@
 
 #include "gearwright/base/error.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
-#include "gearwright/catalogue/rack_keys.hpp"
-#include "gearwright/catalogue/shaft_keys.hpp"
 
 namespace gearwright {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "gearwright/catalogue/drive_keys.hpp"
-#include "gearwright/catalogue/drive_search_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 
 namespace gearwright {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/design/min_distance_designs.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {

@@ -8,7 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/design/strength_change.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 

@@ -8,7 +8,6 @@
 
 #include "gearwright/design/candidate.hpp"
 #include "gearwright/design/design_strength.hpp"
-#include "gearwright/design/ring_cuts.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {

@@ -6,7 +6,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/design/tip_curvature.hpp"
-#include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
 #include "gearwright/pair/leaf_formulas.hpp"
 
 namespace gearwright {

@@ -10,7 +10,7 @@
 #include "gearwright/gear/leaf_formulas.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/math/involute.hpp"
-#include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 

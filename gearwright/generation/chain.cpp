@@ -1,4 +1,4 @@
-#include "gearwright/generation/chain.hpp"
+#include "gearwright/generation/branch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "gearwright/math/involute.hpp"
-#include "gearwright/math/polynomial.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 

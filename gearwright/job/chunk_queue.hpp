@@ -1,7 +1,7 @@
 // Work in numbered chunks that several processes may share: how they share it, and the queue of one
 // process.
 //
-// The folder of finished chunks is that of job/campaign.hpp.
+// The folder of finished chunks is that of job/search_files.hpp.
 #pragma once
 
 #include <algorithm>

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/arrange/body.hpp"
 #include "gearwright/arrange/judge_drive.hpp"
+#include "gearwright/arrange/notes.hpp"
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/cad/gear_body.hpp"
+#include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/identify_quantities.hpp"
-#include "gearwright/gear/gear_field.hpp"
-#include "gearwright/job/value_json.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {

@@ -11,7 +11,7 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
-#include "gearwright/job/interval.hpp"
+#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 

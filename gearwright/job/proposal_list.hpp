@@ -8,6 +8,7 @@
 
 #include "gearwright/catalogue/propose_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
@@ -35,5 +36,12 @@ struct ProposalList {
 ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
                             const PairCompliance& compliance, const LeadProposal& lead,
                             double pitch_deviation);
+
+// The spec of a proposal: that of the job with other flank modifications.
+
+/// The tree with the modifications of the proposal. Its reliefs replace all profile modifications of
+/// both gears, its crowning and slope replace all helix modifications, and either replaces a
+/// topography. The slope is that of the loaded flank of gear 1, the left one if gear 2 drives.
+Json with_proposal(const Json& tree, const Proposal& proposal, bool gear2_drives);
 
 }  // namespace gearwright

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/spec/rexs_file.hpp"
 
 namespace gearwright {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/load_answer.hpp"

@@ -12,11 +12,11 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/system.hpp"
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/study_campaign.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {

@@ -11,7 +11,6 @@
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/report/search_report.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/unit_tree.hpp"

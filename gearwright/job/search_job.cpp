@@ -11,7 +11,6 @@
 
 #include "gearwright/base/version.hpp"
 #include "gearwright/job/search_campaign.hpp"
-#include "gearwright/job/search_closing.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/search_workers.hpp"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/packing.hpp"
-#include "gearwright/job/campaign.hpp"
+#include "gearwright/job/search_files.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {

@@ -9,9 +9,9 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/job/csv_answer.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_study.hpp"
-#include "gearwright/job/value_json.hpp"
-#include "gearwright/report/study_report.hpp"
+#include "gearwright/report/search_report.hpp"
 
 namespace gearwright {
 

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/pair/collision_causes.hpp"
+#include "gearwright/pair/collision.hpp"
 #include "gearwright/pair/crossed_gap.hpp"
 #include "gearwright/pair/interference.hpp"
 

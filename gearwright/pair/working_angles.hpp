@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
 #include "gearwright/pair/common_rack.hpp"
 
 namespace gearwright {

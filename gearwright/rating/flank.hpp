@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "gearwright/rating/factor.hpp"
-#include "gearwright/rating/life.hpp"
 #include "gearwright/rating/material.hpp"
 #include "gearwright/rating/rated_pair.hpp"
 

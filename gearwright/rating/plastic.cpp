@@ -9,7 +9,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/rating/rating.hpp"
 
 namespace gearwright {

@@ -9,8 +9,8 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/markup.hpp"
-#include "gearwright/report/arc_contact_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
+#include "gearwright/report/pair_figures.hpp"
 #include "gearwright/report/report_sections.hpp"
 
 namespace gearwright {

@@ -1,4 +1,4 @@
-#include "gearwright/report/key_figures.hpp"
+#include "gearwright/report/report_tables.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/figure/markup.hpp"
-#include "gearwright/pair/contact_zones.hpp"
+#include "gearwright/pair/efficiency.hpp"
 #include "gearwright/report/line_marks.hpp"
 #include "gearwright/report/pair_figures.hpp"
 

@@ -4,7 +4,7 @@
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/figure/shift_region.hpp"
 #include "gearwright/report/search_figures.hpp"
-#include "gearwright/report/search_words.hpp"
+#include "gearwright/report/search_table.hpp"
 
 namespace gearwright {
 

@@ -5,8 +5,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/material_keys.hpp"
-#include "gearwright/spec/read_measured.hpp"
+#include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {

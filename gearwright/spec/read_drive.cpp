@@ -10,7 +10,6 @@
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/spec/inherit.hpp"
-#include "gearwright/spec/read_drive_graph.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/table_reader.hpp"
 

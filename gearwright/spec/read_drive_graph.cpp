@@ -1,4 +1,4 @@
-#include "gearwright/spec/read_drive_graph.hpp"
+#include "gearwright/spec/read_drive.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

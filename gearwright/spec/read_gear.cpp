@@ -7,11 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "gearwright/catalogue/rack_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/gear/basic_root.hpp"
-#include "gearwright/spec/read_modifications.hpp"
-#include "gearwright/tool/agma_rack.hpp"
+#include "gearwright/gear/basic.hpp"
+#include "gearwright/tool/straight_rack.hpp"
 
 namespace gearwright {
 

@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/base/missing.hpp"
+#include "gearwright/base/error.hpp"
 #include "gearwright/catalogue/key_hint.hpp"
-#include "gearwright/catalogue/not_supported.hpp"
 #include "gearwright/catalogue/unit_system.hpp"
 
 namespace gearwright {

@@ -9,7 +9,6 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/verdict/margins.hpp"
-#include "gearwright/verdict/rating_findings.hpp"
 #include "gearwright/verdict/remedy.hpp"
 
 namespace gearwright {

@@ -12,7 +12,7 @@
 #include "gearwright/design/shift_region.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/shift_region.hpp"
-#include "gearwright/report/search_words.hpp"
+#include "gearwright/report/search_table.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/table_reader.hpp"
