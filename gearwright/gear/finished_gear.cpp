@@ -9,6 +9,7 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/math/lowest.hpp"
 
 namespace gearwright::detail {
 
@@ -160,18 +161,8 @@ double beyond_involute(const Gear& gear, const Vec2& p) {
 }
 
 double greatest(const Gear& gear, const Arc& arc) {
-  constexpr int kSteps = 16;
   const auto less = [&](double u) { return -beyond_involute(gear, arc.point(u)); };
-  int best = 0;
-  double least = less(0.0);
-  for (int i = 1; i <= kSteps; ++i) {
-    const double d = less(static_cast<double>(i) / kSteps);
-    if (d >= least) continue;
-    least = d;
-    best = i;
-  }
-  const double lo = std::max(0, best - 1) / static_cast<double>(kSteps);
-  const double hi = std::min(kSteps, best + 1) / static_cast<double>(kSteps);
+  const auto [lo, hi, least] = least_node(less, 16);
   return -std::min(least, boost::math::tools::brent_find_minima(less, lo, hi, kHalfDigits).second);
 }
 
