@@ -45,12 +45,9 @@ Result<ToothedBody> body_of(const DriveJob& job, const PlacedGear& placed) {
   const DriveGear& named = job.drive.graph.gears[placed.gear];
   const Gear& gear = *job.drive.geometry.gears[placed.gear];
   const int count = job.drive.graph.bodies[named.body].count;
-  ToothedBody body{count > 1 ? fmt::format("{} {}", named.name, placed.copy + 1) : named.name,
-                   gear.tooth->outline,
-                   gear.twist(),
-                   gear.spec.face_width,
-                   gear.internal() ? rim(gear) : gear.bore,
-                   Eigen::Isometry3d::Identity()};
+  const std::string name =
+      count > 1 ? fmt::format("{} {}", named.name, placed.copy + 1) : named.name;
+  ToothedBody body = gear_body(gear, name, gear.internal() ? rim(gear) : gear.bore).value();
   if (named.double_helical) {
     const auto halves = halves_of(gear, *named.double_helical);
     if (!halves) return within(named.name, halves.error());

@@ -254,12 +254,7 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
   if (!gear.exists()) {
     return refused(name + ".profile_shift", gear.spec.profile_shift, gear.warnings.back().message);
   }
-  ToothedBody body{name,
-                   gear.tooth->outline,
-                   gear.twist(),
-                   gear.spec.face_width,
-                   gear.internal() ? rim(gear) : gear.bore,
-                   Eigen::Isometry3d::Identity()};
+  ToothedBody body = gear_body(gear, name, gear.internal() ? rim(gear) : gear.bore).value();
   if (const auto& halves = job.halves[static_cast<std::size_t>(which - 1)]) {
     auto helices = two_helices_of(gear, *halves, which);
     if (!helices) return within(name, helices.error());
