@@ -81,8 +81,8 @@ ToleranceCorner what_matters(const Arranged& arranged,
   return corner;
 }
 
-}  // namespace
-
+// Judges the nominal gears and then every combination of the ends of their tolerances, until
+// `visit` returns false.
 void visit_states(const Arranged& arranged, const JudgedWith& with,
                   const std::function<bool(const JudgedState&)>& visit) {
   if (!visit({findings_of(judged_of(arranged, with)), {}})) return;
@@ -91,6 +91,8 @@ void visit_states(const Arranged& arranged, const JudgedWith& with,
   for (const ToleranceCorner& corner : corners_of(tolerances))
     if (!visit(state_at(arranged, tolerances, corner, with))) return;
 }
+
+}  // namespace
 
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged, const JudgedWith& with) {
   std::vector<Finding> findings = findings_of(judged_of(arranged, with));
@@ -259,8 +261,7 @@ double normal_backlash(const Arranged& arranged) {
   return arranged.pair->involute()->mesh.backlash.normal;
 }
 
-}  // namespace
-
+// The design as the data of a drawing.
 GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row) {
   GivenPair given;
   for (const std::size_t i : {0, 1}) {
@@ -288,6 +289,8 @@ GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row) {
   }
   return given;
 }
+
+}  // namespace
 
 DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
   auto made = arrange(drawing_of(problem, row), Scope::pair);

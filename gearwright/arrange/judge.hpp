@@ -36,11 +36,6 @@ struct JudgedState {
                                   ///< without a rating
 };
 
-/// Judges the nominal gears and then every combination of the ends of their tolerances, until
-/// `visit` returns false.
-void visit_states(const Arranged& arranged, const JudgedWith& with,
-                  const std::function<bool(const JudgedState&)>& visit);
-
 /// All findings for the nominal values, and all findings that are worse at an end of the
 /// tolerances. The findings have no remedies.
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
@@ -53,9 +48,6 @@ Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
 //
 // A search computes nominal gears. The drawing adds the tolerances of tooth thickness and centre
 // distance. The verdict covers the nominal pair and all ends of these tolerances.
-
-/// The design as the data of a drawing.
-GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row);
 
 /// The verdict on the drawing. If the search is rated, it includes the rating. The finding that the
 /// rating of plastics ignores wear is omitted, because it applies to every design.

@@ -27,6 +27,13 @@ Alphabet alphabet_of(char32_t code) {
   return code <= 0xFFFF ? Alphabet::two_bytes : Alphabet::four_bytes;
 }
 
+// "#4"
+void append_id(std::string& text, Part21Id id) {
+  GW_EXPECTS(id != 0);
+  text += '#';
+  append_integer(text, id);
+}
+
 }  // namespace
 
 void append_real(std::string& text, double value) {
@@ -69,12 +76,6 @@ std::string part21_string(std::string_view utf8) {
   }
   if (open != Alphabet::plain) text += "\\X0\\";
   return text + "'";
-}
-
-void append_id(std::string& text, Part21Id id) {
-  GW_EXPECTS(id != 0);
-  text += '#';
-  append_integer(text, id);
 }
 
 void append_ids(std::string& text, const std::vector<Part21Id>& ids) {

@@ -50,6 +50,18 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
   return text + "\n";
 }
 
+// The values that vary within the tolerances. The listing is empty if there are none.
+std::string pair_interval_listing(const SolvedJob& job) {
+  if (!job.ends || !job.pair) return {};
+  // Each end has a listing of its own, because the values of two gears already need two columns.
+  const auto both = differing(pair_quantities().of(*job.ends->lower.pair),
+                              pair_quantities().of(*job.ends->upper.pair));
+  return "\nValues with the thinnest teeth and the most backlash\n" +
+         quantity_listing(job.spec.units(), pair_quantities().table(), {both[0]}, {}) +
+         "\nValues with the thickest teeth and the least backlash\n" +
+         quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {});
+}
+
 }  // namespace
 
 std::string quantity_listing(UnitSystem units, const QuantityTable& table,
@@ -142,17 +154,6 @@ std::string pair_listing(const Pair& pair, UnitSystem units) {
   return fmt::format("\n{}{}\n", kind,
                      halves ? "; contact ratios and axial force are those of one half" : "") +
          quantity_listing(units, pair_quantities().table(), {pair_quantities().of(pair)}, {});
-}
-
-std::string pair_interval_listing(const SolvedJob& job) {
-  if (!job.ends || !job.pair) return {};
-  // Each end has a listing of its own, because the values of two gears already need two columns.
-  const auto both = differing(pair_quantities().of(*job.ends->lower.pair),
-                              pair_quantities().of(*job.ends->upper.pair));
-  return "\nValues with the thinnest teeth and the most backlash\n" +
-         quantity_listing(job.spec.units(), pair_quantities().table(), {both[0]}, {}) +
-         "\nValues with the thickest teeth and the least backlash\n" +
-         quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {});
 }
 
 std::string warning_listing(const std::vector<Warning>& warnings) {

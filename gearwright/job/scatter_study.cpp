@@ -94,26 +94,10 @@ std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
   return std::nullopt;
 }
 
-}  // namespace
-
-std::string text_of_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  if (!file) throw IoError("cannot read " + native_text(path));
-  return bytes.str();
-}
-
-std::size_t ranking_percentile(const JobSpec& spec) {
-  const std::vector<double>& all = spec.scatter.percentiles;
-  return static_cast<std::size_t>(std::max_element(all.begin(), all.end()) - all.begin());
-}
-
-bool loses_contact(const JobSpec& spec, const Json& row) {
-  const double left_out = 100.0 - spec.scatter.percentiles[ranking_percentile(spec)];
-  return 100.0 * row["probability"]["contact_lost"]["value"].get<double>() > left_out;
-}
-
+// The designs of the result of a search: its folder, its search.json or the output of --json.
+//
+// Throws    IoError
+// Errors    "--designs": a file of another kind, a search that is not finished
 Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
   std::error_code error;
   const bool folder = fs::is_directory(given, error);
@@ -158,6 +142,26 @@ Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
                     std::array{d["teeth"][0].get<int>(), d["teeth"][1].get<int>()}});
   }
   return list;
+}
+
+}  // namespace
+
+std::string text_of_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  if (!file) throw IoError("cannot read " + native_text(path));
+  return bytes.str();
+}
+
+std::size_t ranking_percentile(const JobSpec& spec) {
+  const std::vector<double>& all = spec.scatter.percentiles;
+  return static_cast<std::size_t>(std::max_element(all.begin(), all.end()) - all.begin());
+}
+
+bool loses_contact(const JobSpec& spec, const Json& row) {
+  const double left_out = 100.0 - spec.scatter.percentiles[ranking_percentile(spec)];
+  return 100.0 * row["probability"]["contact_lost"]["value"].get<double>() > left_out;
 }
 
 Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDesign& listed,

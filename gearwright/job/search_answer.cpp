@@ -141,6 +141,40 @@ Json rating_of(const Json& tree, const SearchLimits& limits) {
   return rating;
 }
 
+// The conditions that all designs satisfy: "every design runs without interference, form clearance ≥
+// 0.02 modules, …"
+std::string margin_line(const SearchLimits& limits) {
+  std::string text =
+      limits.avoid_interference
+          ? fmt::format(
+                "every design runs without interference and has a form clearance ≥ {:g} modules",
+                limits.form_clearance)
+          : "the list includes designs with interference";
+  if (limits.tip_clearance)
+    text += fmt::format(", tip clearance ≥ {:g} modules", *limits.tip_clearance);
+  return text;
+}
+
+// One line for each limit that rejected candidates, "the limit …: 2698", in the order of the limits.
+std::vector<std::string> rejected_lines(const SearchCounts& counts) {
+  constexpr const char* kWords[kLimits] = {
+      "limits of the profile shifts (undercut, tip, given limits)",
+      "centre distance",
+      "contact ratio",
+      "overlap ratio",
+      "specific sliding",
+      "tip clearance",
+      "interference",
+      "safety against pitting at the profile shifts of the design",
+      "safety against root breakage at the profile shifts of the design",
+      "verdict on the drawn pair at all ends of its tolerances"};
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < counts.rejected.size(); ++i)
+    if (counts.rejected[i] > 0)
+      lines.push_back(fmt::format("{}: {}", kWords[i], counts.rejected[i]));
+  return lines;
+}
+
 }  // namespace
 
 Json design_row_json(const Search& search, const DesignRow& row, bool with_edges) {
@@ -205,37 +239,6 @@ Json unfinished_json(const SearchRun& run) {
             {"chunks_done", run.chunks_done},
             {"chunks", run.chunks}}},
           {"warnings", Json::array()}};
-}
-
-std::vector<std::string> rejected_lines(const SearchCounts& counts) {
-  constexpr const char* kWords[kLimits] = {
-      "limits of the profile shifts (undercut, tip, given limits)",
-      "centre distance",
-      "contact ratio",
-      "overlap ratio",
-      "specific sliding",
-      "tip clearance",
-      "interference",
-      "safety against pitting at the profile shifts of the design",
-      "safety against root breakage at the profile shifts of the design",
-      "verdict on the drawn pair at all ends of its tolerances"};
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < counts.rejected.size(); ++i)
-    if (counts.rejected[i] > 0)
-      lines.push_back(fmt::format("{}: {}", kWords[i], counts.rejected[i]));
-  return lines;
-}
-
-std::string margin_line(const SearchLimits& limits) {
-  std::string text =
-      limits.avoid_interference
-          ? fmt::format(
-                "every design runs without interference and has a form clearance ≥ {:g} modules",
-                limits.form_clearance)
-          : "the list includes designs with interference";
-  if (limits.tip_clearance)
-    text += fmt::format(", tip clearance ≥ {:g} modules", *limits.tip_clearance);
-  return text;
 }
 
 std::string rating_line(const SearchProblem& problem) {

@@ -36,6 +36,16 @@ double transverse_radius(const Mat2& k, double theta, double lambda) {
   return -n_t * n_t * n_t / d.dot(k * d);
 }
 
+// The difference ρ_2 − ρ_1 of the radii of two transverse profiles in line contact. ρ_1, l, the
+// pitch radii and sin ψ refer to the transverse section. [T7.10]
+double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
+                                      double sin_psi) {
+  // Δρ/((ρ_1 − l)(ρ_1 + Δρ − l)) = (r_1 + r_2)/(r_1 r_2 sin ψ)
+  const double q = (r_1 + r_2) / (r_1 * r_2 * sin_psi);
+  const double to_pitch = rho_1 - l;
+  return q * to_pitch * to_pitch / (1.0 - q * to_pitch);
+}
+
 }  // namespace
 
 Mat2 cut_curvature(double rho, double b, double theta, double lambda, double r, double turn) {
@@ -83,14 +93,6 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
     }
   }
   return std::nullopt;
-}
-
-double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
-                                      double sin_psi) {
-  // Δρ/((ρ_1 − l)(ρ_1 + Δρ − l)) = (r_1 + r_2)/(r_1 r_2 sin ψ)
-  const double q = (r_1 + r_2) / (r_1 * r_2 * sin_psi);
-  const double to_pitch = rho_1 - l;
-  return q * to_pitch * to_pitch / (1.0 - q * to_pitch);
 }
 
 ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {

@@ -72,11 +72,6 @@ Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double
 /// Formula   exact, [T7.16]; solved in a bracket from the first-order angle [T7.17]
 std::optional<Angle> contact_angle(const ArcMeshInput& in);
 
-/// The difference ρ_2 − ρ_1 of the radii of two transverse profiles in line contact. ρ_1, l, the
-/// pitch radii and sin ψ refer to the transverse section. [T7.10]
-double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
-                                      double sin_psi);
-
 /// All quantities of the contact at the normal angle θ.
 ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 

@@ -38,14 +38,17 @@ constexpr std::array<Arrangement, 5> kArrangements{{{0.48, 0.80, 0.3},
                                                     {-0.36, -0.60, 0.3},
                                                     {-0.60, -1.00, 0.3}}};
 
-}  // namespace
-
+// Reduction of the misalignment f by running-in, µm, as the mean of both materials.
+//
+// Formula   ISO 6336-1, 7.5.2.4, by kind of material and pitch line velocity
 double running_in_misalignment(const std::array<Material, 2>& materials, double f,
                                double velocity) {
   return (helix_running_in(materials[0], f, velocity) +
           helix_running_in(materials[1], f, velocity)) /
          2;
 }
+
+}  // namespace
 
 FaceLoad face_load(const RatedPair& pair, const PinionMounting& mounting,
                    const std::array<Material, 2>& materials, double mean_load, double c_gamma_beta,

@@ -38,11 +38,6 @@ struct FaceLoad {
   bool offset_in_range = true;                   ///< true if s/l is below the limit of the figure
 };
 
-/// Reduction of the misalignment f by running-in, µm, as the mean of both materials.
-///
-/// Formula   ISO 6336-1, 7.5.2.4, by kind of material and pitch line velocity
-double running_in_misalignment(const std::array<Material, 2>& materials, double f, double velocity);
-
 /// K_Hβ without helix modification, from the mounting.
 ///
 /// Formula   [T11.11]…[T11.13]; ISO 6336-1, 7.5 with B_1 = B_2 = 1

@@ -21,9 +21,6 @@ Factor elasticity_factor(const std::array<Material, 2>& materials);  ///< Z_E  �
 Factor contact_ratio_factor(const RatedPair& pair);                  ///< Z_ε [T11.20]
 Factor flank_helix_factor(const RatedPair& pair);                    ///< Z_β [T11.21]
 
-/// Radius of relative curvature at the pitch point, ρ_red, mm.
-double pitch_curvature(const RatedPair& pair);
-
 /// Inputs of the lubricant film factors; the lower σ_Hlim of the two materials determines their
 /// constants.
 struct Film {

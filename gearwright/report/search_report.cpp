@@ -153,8 +153,8 @@ std::string foot(const SearchReport& report) {
       version, kNoValue);
 }
 
-}  // namespace
-
+// The numbers of trials and feasible designs, and the best design, in two or three sentences
+// (HTML).
 std::string search_verdict(const SearchReport& report) {
   const SearchCounts& counts = report.answer.counts;
   std::string text = fmt::format(
@@ -174,6 +174,7 @@ std::string search_verdict(const SearchReport& report) {
   return text;
 }
 
+// The part of the page between the head and the spec.
 std::string search_sections(const SearchReport& report) {
   std::string text;
   const bool any = !report.answer.designs.empty();
@@ -183,6 +184,8 @@ std::string search_sections(const SearchReport& report) {
   if (any) text += tried_section(report);
   return text;
 }
+
+}  // namespace
 
 std::string search_report(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();

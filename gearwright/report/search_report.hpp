@@ -27,13 +27,6 @@ struct SearchReport {
 inline constexpr std::size_t kRegionPictures = 20;  ///< number of the best designs that have a
                                                     ///< picture
 
-/// The numbers of trials and feasible designs, and the best design, in two or three sentences
-/// (HTML).
-std::string search_verdict(const SearchReport& report);
-
-/// The part of the page between the head and the spec.
-std::string search_sections(const SearchReport& report);
-
 /// The page, UTF-8.
 ///
 ///   Laws      (1) same input, same bytes

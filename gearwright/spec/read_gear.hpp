@@ -26,17 +26,11 @@ namespace gearwright {
 GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& path,
                     const Json* mate = nullptr, const std::filesystem::path& folder = {});
 
-/// The rack in [gearN], by default ISO53-A. `module`, in mm, selects one of the racks of GB/T 12759.
-Rack read_rack(TableReader& gear, std::optional<double> module);
-
 /// Reads a rack for which only straight flanks are allowed.
 StraightRack read_straight_rack(TableReader& gear);
 
 /// The normal pressure angle in degrees, which is given or that of a rack of AGMA.
 std::optional<double> rack_angle(TableReader& gear, std::optional<double> given);
-
-/// Reads `cut_by` and `profile_shift_pair`. `node` is the table of the gear, and `mate` that of the other gear or null.
-void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInput& g);
 
 // Reads [gearN.measured] and the other data that are known about the gear.
 
