@@ -87,6 +87,8 @@ struct ToothedBody {
   std::shared_ptr<const ModifiedTeeth> modified{};
   std::string unmodified{};  ///< the reason why modifications are omitted; empty if none is omitted
 
+  /// True for an internal gear.
+  bool ring() const { return outline.teeth < 0; }
   bool grooved() const { return two_helices && two_helices->gap > 0.0; }
 
   /// The screws of the teeth, from bottom to top: one, or two for a double-helical gear.
@@ -94,8 +96,7 @@ struct ToothedBody {
 
   /// The limits for the bore or the rim. `root` is the radius of the roots, mm.
   HoleLimits hole_limits(double root) const {
-    return {outline.teeth < 0, root,
-            grooved() ? std::optional(two_helices->groove_radius) : std::nullopt};
+    return {ring(), root, grooved() ? std::optional(two_helices->groove_radius) : std::nullopt};
   }
 
   /// The radius that limits a bore or a rim, mm. It is the radius of the groove or, if there is no
