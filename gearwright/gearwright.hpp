@@ -70,7 +70,7 @@
 
 // Files: gear_body, then STEP, STL, 3MF, GLB, DXF, SVG
 #include "gearwright/cad/dxf.hpp"
-#include "gearwright/cad/gear_body.hpp"
 #include "gearwright/cad/mesh_files.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/svg_outline.hpp"
+#include "gearwright/cad/toothed_body.hpp"

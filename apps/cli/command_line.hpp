@@ -2,9 +2,10 @@
 // manual page all use this definition.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+
+#include <CLI/CLI.hpp>
 
 #include "apps/cli/verbs.hpp"
 #include "apps/common/search_verb.hpp"
@@ -46,5 +47,19 @@ class CommandLine {
 
 /// The verbs that a user sees, in the order of --help.
 std::vector<const CLI::App*> verbs_of(const CLI::App& app);
+
+// Makes the completion scripts for shells from the definition of the command line.
+
+/// Returns the script for bash, zsh or fish.   Domain  shell is one of the three (contract)
+std::string completion(const std::string& shell, const CLI::App& app);
+
+/// Returns the values that completion offers for an option. The list is empty if the value of the
+/// option is a file name or free text.
+std::vector<std::string> words_of(const CLI::Option& option);
+
+// Makes the manual page from the command line and the catalogue of keys.
+
+/// Returns the page gearwright(1) for man.
+std::string manual_page(const CLI::App& app);
 
 }  // namespace gearwright::apps

@@ -1,4 +1,3 @@
-#include "apps/cli/completion.hpp"
 
 #include <fmt/format.h>
 

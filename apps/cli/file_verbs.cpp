@@ -7,10 +7,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "apps/cli/door.hpp"
+#include "apps/cli/verbs.hpp"
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
-#include "gearwright/base/output_file.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/files.hpp"

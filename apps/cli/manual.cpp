@@ -1,4 +1,3 @@
-#include "apps/cli/manual.hpp"
 
 #include <fmt/format.h>
 

@@ -1,18 +1,22 @@
 #include "apps/cli/verbs.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <iostream>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "apps/cli/door.hpp"
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/parallel.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
 #include "gearwright/drive/drive.hpp"
 #include "gearwright/job/csv_answer.hpp"
@@ -201,6 +205,89 @@ int verify_verb(const Options& o) {
 int schema_verb(const Options& o) {
   print(o.schema == "spec" ? spec_schema() : result_schema().dump(2) + "\n");
   return 0;
+}
+
+Result<JobSpec> Door::read(SpecUse use) {
+  if (!text_) {
+    auto text = read_spec_text(options_.spec);
+    if (!text) return text.error();
+    text_ = std::move(text).take();
+  }
+  auto spec = read_spec(*text_, use);
+  if (spec) given_ = spec->given;
+  return spec;
+}
+
+Result<SolvedJob> Door::solve(Scope scope, SpecUse use) {
+  const auto spec = read(use);
+  if (!spec) return spec.error();
+  return gearwright::solve(*spec, scope);
+}
+
+int Door::fail(const Error& error) const {
+  return apps::fail(given_ ? spelled(error, *given_) : error, options_.json,
+                    text_ ? &*text_ : nullptr);
+}
+
+namespace {
+
+void write_line(const std::string& line) {
+  if (std::fwrite(line.data(), 1, line.size(), stdout) != line.size() ||
+      std::fputc('\n', stdout) == EOF)
+    throw IoError(std::string("cannot write to standard output: ") + std::strerror(errno));
+}
+
+}  // namespace
+
+int batch_verb(const Options& o) {
+  std::vector<std::string> words = o.words;
+  std::string verb;
+  if (!words.empty() && find_verb(words.front()) != nullptr) {
+    verb = words.front();
+    words.erase(words.begin());
+  }
+  const std::string path = words.empty() ? "-" : words.front();
+  const bool a_word = path.find_first_of("-./") == std::string::npos;
+  if (words.size() > 1 || (a_word && !std::filesystem::exists(path)))
+    return usage(fmt::format("batch accepts one of the verbs {}, but not {}", verb_names(),
+                             printable(path, 60)));
+  std::ifstream file;
+  if (path != "-") {
+    if (std::filesystem::is_directory(path))
+      throw IoError("cannot read " + path + ": it is a folder");
+    file.open(std::filesystem::path(path), std::ios::binary);
+    if (!file) throw IoError("cannot read " + path + ": " + std::strerror(errno));
+  }
+  std::ios::sync_with_stdio(false);
+  std::istream& in = path == "-" ? std::cin : file;
+  long long failed = 0;
+  long long first_failed = 0;
+  long long lines = 0;
+  std::atomic<long long> violations = 0;
+  in_order([&](std::string& line) { return static_cast<bool>(std::getline(in, line)); },
+           [&](const std::string& line) {
+             BatchLine answer = batch_line(verb, line);
+             if (answer.violated) ++violations;
+             return std::move(answer.text);
+           },
+           [&](const std::string& answer) {
+             ++lines;
+             if (answer.starts_with("{\"error\":") && failed++ == 0) first_failed = lines;
+             write_line(answer);
+           },
+           o.threads);
+  if (in.bad()) throw IoError("cannot read " + path + ": " + std::strerror(errno));
+  print("");
+  if (failed > 0)
+    std::fprintf(stderr, "gearwright: %lld of %lld specs have no answer, the first in line %lld\n",
+                 failed, lines, first_failed);
+  if (violations > 0)
+    std::fprintf(stderr, "gearwright: a defect in Gearwright caused %lld of these failures\n",
+                 violations.load());
+  if (lines == 0)
+    std::fprintf(stderr,
+                 "gearwright: the input contains no spec; batch reads one JSON spec per line\n");
+  return violations > 0 ? kViolated : failed > 0 ? 1 : 0;
 }
 
 }  // namespace gearwright::apps

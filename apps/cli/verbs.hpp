@@ -6,8 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/verbs.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec_text.hpp"
+#include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright::apps {
 
@@ -53,5 +56,40 @@ int export_verb(const Options& o);
 int import_verb(const Options& o);
 int verify_verb(const Options& o);
 int schema_verb(const Options& o);
+
+// Reads the spec of a verb, reports its errors and returns its exit status.
+
+/// Reads the spec of a verb once, from a file or a pipe, and reports its errors with
+/// their lines.
+class Door {
+ public:
+  /// `text` is the spec if it has already been read.
+  explicit Door(const Options& o, const SpecText* text = nullptr) : options_(o) {
+    if (text) text_ = *text;
+  }
+
+  /// Reads the spec. Returns an error if an input that `use` requires is missing.
+  Result<JobSpec> read(SpecUse use = SpecUse::geometry);
+  Result<SolvedJob> solve(Scope scope, SpecUse use = SpecUse::geometry);
+  /// Reports the error with the keys of the spec and returns the exit status.
+  int fail(const Error& error) const;
+
+ private:
+  const Options& options_;
+  std::optional<SpecText> text_;
+  std::optional<GivenKeys> given_;
+};
+
+// Returns 4 if --strict is given and the verdict is not green, for use in scripts. Otherwise returns 0.
+inline int status(const Options& o, const Verdict& verdict) {
+  return o.strict && verdict.level != Level::green ? 4 : 0;
+}
+
+// The verb batch, which computes many specs in one process.
+
+/// Reads specs from lines of JSON and writes answers as lines of JSON. Returns 1 if an answer is
+/// the error of a spec, and 5 if an answer reports a defect of Gearwright.
+/// Throws    IoError
+int batch_verb(const Options& o);
 
 }  // namespace gearwright::apps

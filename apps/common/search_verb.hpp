@@ -1,14 +1,52 @@
 // The verb search, in one process or several: command line, progress, Ctrl-C and output.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "apps/common/campaign_command.hpp"
+#include <CLI/CLI.hpp>
+
+#include "gearwright/job/chunk_queue.hpp"
 #include "gearwright/job/search_job.hpp"
 
 namespace gearwright::apps {
+
+// Command-line options for work that several processes can share in a folder: the verb search, and
+// scatter over the designs of a search.
+
+/// The options that both verbs have.
+struct CampaignCommand {
+  std::string spec;
+  std::optional<std::string> out, shard;
+  bool json = false, resume = false;
+  std::optional<std::size_t> top;
+  int threads = 0;
+};
+
+/// Describes several processes that work together. A single process does not need it.
+struct Together {
+  int rank = 0, ranks = 1;
+  std::function<std::int64_t()> next_chunk;
+  /// Called after the folder has been opened or could not be opened. The first process opens the
+  /// folder while the others wait.
+  std::function<bool(bool opened)> folder_is_open;
+  std::function<bool()> finish_together;
+};
+
+/// Fills `options` and returns an error of the command line, if there is one. `verb` is the name
+/// that a single process has in the journal. `noun` is the name of the work, "search" or "study".
+std::optional<std::string> fill_campaign(const CampaignCommand& command, const Together* together,
+                                         const std::string& verb, const std::string& noun,
+                                         CampaignOptions& options);
+
+/// The number of threads of this process. A rank has one by default.
+int threads_of(const CampaignCommand& command, const Together* together);
+
+/// The list of written files that ends a listing; empty if no file was written.
+std::string written_files(const std::vector<std::filesystem::path>& files);
 
 struct SearchCommand : CampaignCommand {
   bool yes_large = false;

@@ -10,7 +10,6 @@
 #include "apps/common/watch.hpp"
 #include "gearwright/base/system.hpp"
 #include "gearwright/job/scatter_study.hpp"
-#include "gearwright/job/search_refusal.hpp"
 
 namespace gearwright::apps {
 

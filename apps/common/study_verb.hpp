@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/common/campaign_command.hpp"
+#include "apps/common/search_verb.hpp"
 #include "gearwright/spec/spec_text.hpp"
 
 namespace gearwright::apps {

@@ -1,7 +1,6 @@
 #include "apps/common/watch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>

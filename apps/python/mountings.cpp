@@ -7,10 +7,9 @@
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
-#include "gearwright/catalogue/contact_keys.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
-#include "gearwright/job/job_contact.hpp"
+#include "gearwright/job/contact_answer.hpp"
 
 namespace gearwright::python {
 

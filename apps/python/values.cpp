@@ -6,7 +6,7 @@
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/job/value_json.hpp"
+#include "gearwright/job/result_json.hpp"
 
 namespace gearwright::python {
 

@@ -8,7 +8,7 @@
 
 #include "docs/figures/figure.hpp"
 #include "gearwright/pair/pair.hpp"
-#include "gearwright/rating/life.hpp"
+#include "gearwright/rating/material.hpp"
 #include "gearwright/rating/root.hpp"
 
 namespace gearwright::figures {

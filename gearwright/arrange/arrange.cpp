@@ -2,21 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "gearwright/arrange/arc_checks.hpp"
-#include "gearwright/arrange/backlash_thinning.hpp"
-#include "gearwright/arrange/body.hpp"
 #include "gearwright/arrange/complete_pair.hpp"
 #include "gearwright/arrange/cut_gears.hpp"
-#include "gearwright/arrange/given_errors.hpp"
-#include "gearwright/arrange/nominal.hpp"
 #include "gearwright/arrange/notes.hpp"
-#include "gearwright/arrange/relief_start.hpp"
+#include "gearwright/arrange/proposed_flanks.hpp"
 #include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/arrange/two_halves.hpp"
-#include "gearwright/gear/gear_field.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 
 namespace gearwright {
 

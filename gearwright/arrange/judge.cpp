@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "gearwright/arrange/given_change.hpp"
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/rating/rated_pair.hpp"
@@ -82,8 +81,8 @@ ToleranceCorner what_matters(const Arranged& arranged,
   return corner;
 }
 
-}  // namespace
-
+// Judges the nominal gears and then every combination of the ends of their tolerances, until
+// `visit` returns false.
 void visit_states(const Arranged& arranged, const JudgedWith& with,
                   const std::function<bool(const JudgedState&)>& visit) {
   if (!visit({findings_of(judged_of(arranged, with)), {}})) return;
@@ -92,6 +91,8 @@ void visit_states(const Arranged& arranged, const JudgedWith& with,
   for (const ToleranceCorner& corner : corners_of(tolerances))
     if (!visit(state_at(arranged, tolerances, corner, with))) return;
 }
+
+}  // namespace
 
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged, const JudgedWith& with) {
   std::vector<Finding> findings = findings_of(judged_of(arranged, with));
@@ -131,6 +132,74 @@ std::vector<Finding> findings_within_tolerances(const Arranged& arranged, const 
 
 namespace {
 
+bool set_allowance(GivenPair& given, GearInput& gear, double value) {
+  if (gear.allowance_ends || gear.tolerance.says_thickness() || given.pair.wants_backlash())
+    return false;
+  gear.cylindrical.thickness_allowance = value;
+  return true;
+}
+
+// If the transverse module is given, changing the helix angle would also change the normal module.
+// The function therefore returns false.
+bool set_helix(GearInput& gear, double degrees) {
+  if (gear.transverse_given) return false;
+  gear.cylindrical.helix_angle = Angle::degrees(degrees);
+  gear.helix_given = true;
+  return true;
+}
+
+// `value` is the whole face including the gap of a double-helical gear. `face_width` is the face of
+// one half.
+void set_face(GearInput& gear, double value) {
+  gear.cylindrical.face_width =
+      gear.double_helical ? (value - gear.double_helical->gap) / 2 : value;
+  gear.face_width_given = true;
+}
+
+bool change_gear(GivenPair& given, const SpecChange& change) {
+  GearInput& gear = *given.gears[static_cast<std::size_t>(change.gear - 1)];
+  const bool has_rack = !gear.basic && !gear.cut_by;
+  switch (change.what) {
+    case Adjustable::profile_shift: gear.profile_shift = change.value; return has_rack;
+    case Adjustable::tip_diameter:
+      gear.cylindrical.tip_diameter = change.value;
+      return !gear.cylindrical.tip_fillet && !gear.tip_clearance && !gear.tip_clearance_by_rule;
+    case Adjustable::thickness_allowance:
+      return has_rack && set_allowance(given, gear, change.value);
+    case Adjustable::teeth:
+      gear.cylindrical.teeth = static_cast<int>(change.value);
+      return has_rack;
+    case Adjustable::helix_angle: return has_rack && set_helix(gear, change.value);
+    case Adjustable::face_width: set_face(gear, change.value); return true;
+    case Adjustable::bore:
+      if (gear.bore) gear.bore->diameter = change.value;
+      return gear.bore.has_value();
+    case Adjustable::lead_crowning:
+      for (FlankModifications& flank : gear.modifications)
+        flank.lead_crowning = kMmPerUm * change.value;
+      return true;
+    case Adjustable::lead_slope:
+      for (FlankModifications& flank : gear.modifications)
+        flank.lead_slope = kMmPerUm * change.value;
+      return true;
+    case Adjustable::center_distance: break;
+  }
+  return false;
+}
+
+// Makes a change that a verdict proposes, in the input, as a user would. Returns false if the input gives
+// this number in another form, or if another gear determines it.
+bool make_change(GivenPair& given, const SpecChange& change) {
+  if (change.what == Adjustable::center_distance) {
+    given.pair.center_distance = change.value;
+    return true;
+  }
+  if (change.gear > 0) return change_gear(given, change);
+  return change.what == Adjustable::face_width &&
+         change_gear(given, {change.what, 1, change.value}) &&
+         change_gear(given, {change.what, 2, change.value});
+}
+
 std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& with,
                                   const SpecChange& change, TryDepth depth) {
   GivenPair given = *arranged.given;
@@ -163,6 +232,96 @@ Verdict judge(const Arranged& arranged, const JudgedWith& with) {
                     [&](const SpecChange& change, TryDepth depth) {
                       return tried(arranged, with, change, depth);
                     });
+}
+
+namespace {
+
+struct RatedDrawing {
+  RatedPair pair;
+  RatingInput input;
+  Rating rating;
+  WantedSafety wanted;
+};
+
+std::optional<RatedDrawing> rate_drawing(const SearchProblem& problem, const Arranged& arranged) {
+  const SearchRating& asked = *problem.rating;
+  const auto pair = rated_pair(*arranged.pair);
+  if (!pair) return std::nullopt;
+  RatedDrawing rated{*pair, asked.input, {}, {}};
+  if (asked.web) rated.input.body = rated_body(*pair, *asked.web, *asked.rim);
+  auto rating = rate(rated.pair, rated.input);
+  if (!rating) return std::nullopt;
+  rated.rating = std::move(rating).take();
+  rated.wanted = {problem.limits.safety_flank.value_or(1.0),
+                  problem.limits.safety_root.value_or(1.0)};
+  return rated;
+}
+
+double normal_backlash(const Arranged& arranged) {
+  return arranged.pair->involute()->mesh.backlash.normal;
+}
+
+// The design as the data of a drawing.
+GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row) {
+  GivenPair given;
+  for (const std::size_t i : {0, 1}) {
+    CylindricalSpec spec;
+    spec.teeth = i == 0 ? row.trial.z1 : row.trial.z2;
+    spec.normal_module = row.trial.module;
+    spec.normal_pressure_angle = problem.normal_pressure_angle;
+    spec.helix_angle = row.trial.helix[i];
+    spec.profile_shift = row.shift[i];
+    spec.face_width = row.face_width;
+    spec.rack = rack_of(problem, row.trial, i);
+    given.gears[i] = GearInput::of(spec);
+    if (!problem.allowances.series.empty())
+      given.gears[i]->tolerance.series = problem.allowances.series;
+  }
+  PairInput& pair = given.pair;
+  pair.center_distance = row.center_distance;
+  pair.shaft_angle = problem.shaft_angle;
+  pair.mounting = problem.mounting;
+  pair.shorten_tips = problem.shorten_tips;
+  pair.distance_tolerance = problem.allowances.distance_tolerance;
+  if (const auto& ends = problem.allowances.backlash) {
+    pair.backlash = ((*ends)[0] + (*ends)[1]) / 2;
+    if ((*ends)[0] < (*ends)[1]) pair.backlash_ends = *ends;
+  }
+  return given;
+}
+
+}  // namespace
+
+DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
+  auto made = arrange(drawing_of(problem, row), Scope::pair);
+  if (!made) return {};
+  Arranged arranged = std::move(made).take();
+  DrawnDesign drawn;
+  if (arranged.ends)
+    drawn.backlash = {normal_backlash(arranged.ends->upper), normal_backlash(arranged.ends->lower)};
+  JudgedWith with;
+  std::optional<RatedDrawing> rated;
+  if (problem.rating) {
+    rated = rate_drawing(problem, arranged);
+    if (!rated) return drawn;
+    with.rating = JudgedRating{&rated->pair, &rated->input, &rated->rating, rated->wanted};
+    for (const Warning& limit : rated->rating.limits) arranged.warnings.push_back(limit);
+  }
+  drawn.runs = true;
+  bool wider_helps = problem.sizes_faces();
+  visit_states(arranged, with, [&](const JudgedState& state) {
+    for (const Finding& finding : state.findings) {
+      if (finding.level == Level::green || finding.code == WarningCode::rating_plastic) continue;
+      drawn.runs = false;
+      const bool safety =
+          finding.code == WarningCode::flank_safety || finding.code == WarningCode::root_safety;
+      wider_helps = wider_helps && safety;
+    }
+    if (state.pair) drawn.at_ends.push_back(*state.pair);
+    return drawn.runs || wider_helps;
+  });
+  if (drawn.runs || !wider_helps) drawn.at_ends.clear();
+  return drawn;
 }
 
 }  // namespace gearwright

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "gearwright/arrange/arrange.hpp"
+#include "gearwright/arrange/given_pair.hpp"
+#include "gearwright/design/design_row.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
@@ -34,11 +36,6 @@ struct JudgedState {
                                   ///< without a rating
 };
 
-/// Judges the nominal gears and then every combination of the ends of their tolerances, until
-/// `visit` returns false.
-void visit_states(const Arranged& arranged, const JudgedWith& with,
-                  const std::function<bool(const JudgedState&)>& visit);
-
 /// All findings for the nominal values, and all findings that are worse at an end of the
 /// tolerances. The findings have no remedies.
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
@@ -46,5 +43,14 @@ std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
 
 /// The verdict on the gears. Its messages name members of the input, such as `gear1.profile_shift`.
 Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
+
+// Converts a design that a search has found into the data of a drawing, and judges this drawing.
+//
+// A search computes nominal gears. The drawing adds the tolerances of tooth thickness and centre
+// distance. The verdict covers the nominal pair and all ends of these tolerances.
+
+/// The verdict on the drawing. If the search computes a rating, the verdict includes it. The
+/// finding that the rating of plastics ignores wear is omitted, because it applies to every design.
+DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row);
 
 }  // namespace gearwright

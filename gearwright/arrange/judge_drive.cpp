@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/arrange/body.hpp"
+#include "gearwright/arrange/notes.hpp"
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/verdict/remedy.hpp"

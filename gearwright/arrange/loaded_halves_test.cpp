@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/torque.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 namespace {

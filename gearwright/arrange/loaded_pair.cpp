@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "gearwright/arrange/body.hpp"
-#include "gearwright/arrange/stiffness_reasons.hpp"
-#include "gearwright/base/torque.hpp"
+#include "gearwright/arrange/load_standard.hpp"
+#include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/rating/material.hpp"
 
 namespace gearwright {

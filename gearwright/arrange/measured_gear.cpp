@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 

@@ -1,12 +1,11 @@
 #include "gearwright/arrange/notes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "gearwright/base/units.hpp"
-#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/pair/saddle_gap.hpp"
 
 namespace gearwright {
@@ -98,6 +97,25 @@ void add_new(std::vector<Warning> found, std::vector<Warning>& warnings, std::st
     w.message.insert(0, before);
     warnings.push_back(std::move(w));
   }
+}
+
+Bore rim(const Gear& ring) {
+  return ring.bore.value_or(Bore{ring.root_diameter + 5 * ring.spec.normal_module});
+}
+
+std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which) {
+  const std::optional<Bore>& bore = gear.bore;
+  if (!bore || !gear.exists()) return std::nullopt;
+  if (groove) *groove /= 2;
+  const auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2, groove}, 0.0);
+  if (!error) return std::nullopt;
+  const bool keyway = error->field == "bore.keyway_width";
+  return Warning{
+      WarningCode::no_body,
+      fmt::format("A {} of {} mm {}: {}.", keyway ? "keyway" : "bore", error->value,
+                  keyway ? "is not possible" : "leaves no material for the body of the gear",
+                  error->rule),
+      which};
 }
 
 }  // namespace gearwright

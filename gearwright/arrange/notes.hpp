@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gearwright/arrange/given_pair.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -35,5 +36,15 @@ inline constexpr std::string_view kSecondHalf = "Half at z < 0: ";
 
 /// The warning that the key or table `what` was ignored.
 Warning not_read(const std::string& what);
+
+// Describes the body of a gear. An external gear has a bore, and an internal gear has a rim.
+
+/// The rim of an internal gear: as given, or by default 2.5 modules thick outside the root circle.
+Bore rim(const Gear& ring);
+
+/// A warning if no material remains between the bore and the roots, or between the roots and the
+/// rim of an internal gear. The groove of a double-helical gear, with the diameter `groove` mm,
+/// also limits the body.
+std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which);
 
 }  // namespace gearwright

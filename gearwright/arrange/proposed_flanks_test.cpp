@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "gearwright/math/roll_length.hpp"
+#include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 namespace {

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/arrange/nominal.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/inspection/balls.hpp"
 #include "gearwright/inspection/span.hpp"
 #include "gearwright/inspection/thickness_series.hpp"

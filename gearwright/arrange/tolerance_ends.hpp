@@ -7,7 +7,6 @@
 // arrange/.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,5 +59,11 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
 /// "At a centre distance of 59.985 mm and a thickness allowance of −0.02 mm on gear 1".
 std::string corner_words(const std::vector<TolerancedNumber>& tolerances,
                          const ToleranceCorner& corner);
+
+// Computes the gears and the pair at the mean of their tolerances, if they have any.
+
+/// Computes the result of arrange() without `ends` and `given`. The caller must have converted
+/// allowances that follow from a series or a measurement to numbers (with_allowances).
+Result<Arranged> arrange_nominal(const GivenPair& given, Scope scope);
 
 }  // namespace gearwright

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 
@@ -35,7 +35,7 @@ std::optional<Error> halve(GivenPair& given) {
 
 std::optional<double> groove_diameter(const Gear& half, const DoubleHelical& given) {
   if (!(given.gap > 0.0)) return std::nullopt;
-  const double deeper = (half.internal() ? 0.5 : -0.5) * half.spec.normal_module;
+  const double deeper = -0.5 * half.side() * half.spec.normal_module;
   return given.groove_diameter.value_or(half.root_diameter + deeper);
 }
 

@@ -12,6 +12,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gearwright/base/number_text.hpp"
 
@@ -62,5 +63,15 @@ Error within(std::string_view whole, Error error);
 /// 30: it requires `gear1.profile_shift` = -3: …".
 Error following_from(std::string field, std::string value, std::string_view how,
                      const Error& error);
+
+// Combines all missing inputs in one error, so that a user with an almost empty input sees all of
+// them at once.
+
+/// The first error, with the others appended to its rule: "…; also missing: rating.quality (the
+/// accuracy grades …), …". Each field and each explanation occurs once. If an error has another
+/// kind than `missing`, that error is returned alone.
+///
+/// Domain    at least one error (contract)
+Error all_missing(const std::vector<Error>& errors);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-#include "gearwright/base/missing.hpp"
+#include "gearwright/base/error.hpp"
 
 #include <gtest/gtest.h>
 

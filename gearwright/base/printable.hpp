@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace gearwright {
 
@@ -13,5 +14,19 @@ constexpr std::size_t kLongText =
 /// terminal shows them instead of executing them. Text longer than `most` bytes is cut after the
 /// character that reaches this length.
 std::string printable(const std::string& text, std::size_t most = kLongText);
+
+// Reads UTF-8 one code point at a time, for writers of files with other encodings.
+
+/// One code point and its number of bytes.
+struct Utf8Point {
+  char32_t code;
+  std::size_t bytes;
+};
+
+/// The first code point of a text that is not empty. If the first byte does not start a code point, the result is
+/// U+FFFD with one byte.
+Utf8Point first_of_utf8(std::string_view text);
+
+std::u32string code_points(std::string_view utf8);
 
 }  // namespace gearwright

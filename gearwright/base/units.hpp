@@ -21,4 +21,11 @@ inline constexpr double kMmPerM = 1e3;
 inline constexpr double kMmPerUm = 1e-3;
 inline constexpr double kMetresPerMm = 1e-3;
 
+// Torques in N m, as users read and write them, and in N mm, the internal unit.
+
+/// N m of a torque in N mm.
+constexpr double newton_metres(double torque) { return torque / kMmPerM; }
+/// N mm of a torque in N m.
+constexpr double from_newton_metres(double torque_Nm) { return torque_Nm * kMmPerM; }
+
 }  // namespace gearwright

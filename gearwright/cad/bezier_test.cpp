@@ -1,4 +1,4 @@
-#include "gearwright/cad/bezier.hpp"
+#include "gearwright/cad/svg_outline.hpp"
 
 #include <gtest/gtest.h>
 

@@ -148,14 +148,6 @@ BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   return chain;
 }
 
-double bulge_area(const Vec2& from, const Vec2& to, double bulge) {
-  if (bulge == 0.0) return 0.0;
-  const double half = 2.0 * std::atan(bulge);  // half the sweep angle, with its sign
-  const double chord = (to - from).norm();
-  const double radius = chord / (2.0 * std::sin(half));
-  return 0.5 * radius * radius * (2.0 * half - std::sin(2.0 * half));
-}
-
 // Each piece is either mirrored or reversed. Both operations change the sign of a bulge.
 Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
                                    double tolerance_mm) {

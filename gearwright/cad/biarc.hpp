@@ -39,10 +39,6 @@ struct BiarcChain {
 ///           (2) a circular arc is represented by one arc
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
 
-/// Area between an arc and its chord, mm². It is positive if the arc lies to the right of the
-/// chord, which means a counter-clockwise bulge.
-double bulge_area(const Vec2& from, const Vec2& to, double bulge);
-
 /// The closed outline of the whole gear in true circular arcs: one chain of points and bulges.
 struct BiarcContour {
   std::vector<Vec2> points;    ///< mm, counter-clockwise

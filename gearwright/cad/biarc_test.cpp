@@ -162,7 +162,7 @@ TEST(Biarc, AreaApproachesThatOfTheEllipse) {
     for (std::size_t i = 0; i < chain.bulges.size(); ++i) {
       const Vec2& a = chain.points[i];
       const Vec2& b = chain.points[i + 1];
-      area += 0.5 * (a.x() * b.y() - a.y() * b.x()) + bulge_area(a, b, chain.bulges[i]);
+      area += 0.5 * (a.x() * b.y() - a.y() * b.x()) + testing::bulge_area(a, b, chain.bulges[i]);
     }
     EXPECT_NEAR(area, 21 * kPi / 4, 8.2 * tolerance);  // length of the quarter: 8.14
   }

@@ -6,7 +6,7 @@ namespace gearwright {
 
 Brep add_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls) {
   using brep::Side;
-  const Side side = body.outline.teeth < 0 ? Side::against : Side::along;
+  const Side side = body.ring() ? Side::against : Side::along;
   const std::vector<Band> bands = body.bands();
   brep::ShellWriter shell(out);
   brep::Rims teeth = shell.add_walls(walls.teeth, walls.helices.front(), bands.front(), side);

@@ -22,6 +22,8 @@
 
 #include <cstddef>
 
+#include "gearwright/cad/modified_fit.hpp"
+#include "gearwright/cad/modified_teeth.hpp"
 #include "gearwright/cad/part21.hpp"
 #include "gearwright/cad/walls.hpp"
 
@@ -44,5 +46,44 @@ struct Brep {
 /// Domain    walls = make_walls(body); an internal gear has a rim (contract)
 /// Cost      proportional to the number of walls
 Brep add_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls);
+
+// Writes a rack as an advanced B-rep of a STEP file.
+//
+//   part of the tooth   surface                                edges on the border
+//   land, flank         plane                                  lines
+//   fillet              cylinder along the tooth, radius ρ_f   ellipses (circles for a spur rack)
+//
+// All surfaces and edges are exact. Every face is a strip of the plan view (cad/rack_plan.hpp). A
+// strip with a corner of the bar has five edges, and a strip with two corners has six.
+//
+//   Law   every edge is used twice, once in each direction
+
+/// Returns the number of faces: the strips, and five planes for the back, the two ends and the two
+/// sides.
+std::size_t rack_face_count(const ToothedBody& body);
+
+/// Writes the solid of a rack in its own frame. The pose is not applied.
+///
+/// Units     mm
+/// Domain    a body that is a rack (contract)
+Brep add_rack_brep(Part21& out, const ToothedBody& body);
+
+// Writes teeth with flank modifications as an advanced B-rep of a STEP file.
+//
+//   layer   between two levels; levels are planes, and the lines at which end reliefs begin
+//   slice   between two planes
+//
+// Flanks and fillets have one B-spline face per arc and layer (cad/modified_fit.hpp). Lands are
+// true cylinders with one face per slice. Each side of such a face consists of one edge per layer.
+// An edge on a land deviates from the cylinder by at most kHelixTarget_mm.
+//
+//   Law   every edge is used twice, once in each direction
+
+/// Writes the solid of a body with the given modified teeth, in its own frame.
+///
+/// Units     mm
+/// Domain    walls = make_walls(body), fit = fit_modified(teeth, …) (contract)
+Brep add_modified_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls,
+                       const ModifiedTeeth& teeth, const ModifiedFit& fit);
 
 }  // namespace gearwright

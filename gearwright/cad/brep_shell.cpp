@@ -76,7 +76,7 @@ Rims ShellWriter::add_walls(const WallLoop& loop, const HelixSpline& helix, cons
 }
 
 void ShellWriter::add_groove(const ToothedBody& body, const Rim& below, const Rim& above) {
-  const bool ring = body.outline.teeth < 0;
+  const bool ring = body.ring();
   const double gap = body.two_helices->gap;
   const double radius = body.two_helices->groove_radius;
   const Rims groove = add_walls(circle_loop(radius), fit_helix(0.0, radius), {0.0, gap, 0.0, 0.0},
@@ -89,7 +89,7 @@ void ShellWriter::add_groove(const ToothedBody& body, const Rim& below, const Ri
 }
 
 Brep ShellWriter::close(const ToothedBody& body, const BodyWalls& walls, const Rims& teeth) {
-  const bool ring = body.outline.teeth < 0;
+  const bool ring = body.ring();
   const double b = body.face_width;
   std::optional<Rims> bore;
   if (walls.bore)

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <optional>
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"

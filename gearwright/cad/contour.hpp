@@ -60,7 +60,7 @@ Result<Contour> closed_contour(const Outline& outline);
 /// The contour of a rack with its teeth, ends and back, counter-clockwise. Lands, ends and back are
 /// straight lines.
 ///
-/// Domain    teeth ≥ 1; a back below the roots; the laws of pair/rack_outline.hpp hold (contract)
+/// Domain    teeth ≥ 1; a back below the roots; the laws of pair/rack_pair.hpp hold (contract)
 Contour rack_contour(const Outline& outline, const RackBlock& rack);
 
 /// Moves points on an arc of the half outline, given from root to tip, to the position and

@@ -1,8 +1,6 @@
 #include "gearwright/cad/dxf.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/cad/biarc.hpp"

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/utf8.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/cad/dxf_document.hpp"
 #include "gearwright/cad/dxf_pairs.hpp"
 

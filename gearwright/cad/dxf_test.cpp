@@ -12,6 +12,7 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/biarc.hpp"
 #include "gearwright/cad/section.hpp"
+#include "gearwright/cad/testing/arc_distance.hpp"
 #include "gearwright/cad/testing/odd_outlines.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
@@ -90,7 +91,7 @@ struct Polyline {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec2& a = points[i];
       const Vec2& b = points[(i + 1) % points.size()];
-      sum += 0.5 * (a.x() * b.y() - a.y() * b.x()) + bulge_area(a, b, bulges[i]);
+      sum += 0.5 * (a.x() * b.y() - a.y() * b.x()) + testing::bulge_area(a, b, bulges[i]);
     }
     return sum;
   }

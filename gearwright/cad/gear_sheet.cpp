@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/cad/biarc.hpp"
 #include "gearwright/cad/drawing.hpp"
-#include "gearwright/cad/sheet_font.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
 
 namespace gearwright {
@@ -61,7 +59,7 @@ class Views {
         double scale)
       : input_(input), outline_(outline), bore_(contour.bore), k_(scale) {
     const double inner = contour.teeth.inner_radius, outer = contour.teeth.outer_radius;
-    const bool ring = input.body.outline.teeth < 0;
+    const bool ring = input.body.ring();
     tip_ = ring ? inner : outer;
     root_ = ring ? outer : inner;
     body_ = ring ? bore_->radius : outer;
@@ -88,7 +86,7 @@ class Views {
   }
 
  private:
-  bool ring() const { return input_.body.outline.teeth < 0; }
+  bool ring() const { return input_.body.ring(); }
   bool keyed() const { return !ring() && bore_ && bore_->keyway; }
   const Bore& bore() const { return *input_.body.bore; }
   std::string length(double mm) const {
@@ -256,9 +254,9 @@ Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double
   if (!outline) return outline.error();
 
   const bool a4 = size == SheetSize::a4;
-  const char* const datum = body.outline.teeth < 0 ? "axis of the rim"
-                            : body.bore            ? "axis of the bore"
-                                                   : "axis of the gear";
+  const char* const datum = body.ring() ? "axis of the rim"
+                            : body.bore ? "axis of the bore"
+                                        : "axis of the gear";
   Sheet sheet{a4 ? Vec2(210, 297) : Vec2(420, 297), {}, {}, {}};
   const SheetBox frame = draw_frame(sheet);
   Sheet draft = sheet;

@@ -3,21 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
-#include <string>
 #include <utility>
 
-#include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/bore_loop.hpp"
 #include "gearwright/cad/mesh_builder.hpp"
 #include "gearwright/cad/mesh_caps.hpp"
 #include "gearwright/cad/modified_mesh.hpp"
-#include "gearwright/cad/rack_mesh.hpp"
 #include "gearwright/cad/section_points.hpp"
 
 namespace gearwright {

@@ -1,4 +1,4 @@
-#include "gearwright/cad/modified_brep.hpp"
+#include "gearwright/cad/brep.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -201,7 +201,7 @@ class ModifiedShell : public brep::ShellWriter {
 Brep add_modified_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls,
                        const ModifiedTeeth& teeth, const ModifiedFit& fit) {
   ModifiedShell shell(out, body, teeth, fit);
-  const Rims rims = shell.add_teeth(body.outline.teeth < 0 ? Side::against : Side::along);
+  const Rims rims = shell.add_teeth(body.ring() ? Side::against : Side::along);
   return shell.close(body, walls, rims);
 }
 

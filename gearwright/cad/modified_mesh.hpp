@@ -9,9 +9,9 @@
 // with ε = 5 µm therefore shows a crowning of 5 µm.
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "gearwright/cad/mesh.hpp"
 #include "gearwright/cad/mesh_builder.hpp"
 #include "gearwright/cad/modified_teeth.hpp"
 #include "gearwright/cad/section_points.hpp"
@@ -40,5 +40,18 @@ void crease_at_reliefs(const ModifiedTeeth& teeth, const ModifiedGrid& grid, Wal
 
 /// The half section of one side at the height z, from root to tip, turned back by the twist.
 std::vector<Vec2> modified_half(const ModifiedSide& side, const ModifiedGrid& grid, double z);
+
+// The closed triangle mesh of a rack.
+//
+// Every strip of the plan view (cad/rack_plan.hpp) is a plane quadrilateral. A fillet is divided
+// into strips that deviate from its cylinder by no more than the tolerance. The back, the ends and
+// the sides have one vertex below each vertex of the teeth.
+
+/// Works like tessellate() (cad/mesh.hpp), for a body that is a rack.
+///
+/// Accuracy  planes are exact; a fillet deviates by ρ_f (1 − cos Δ/2) ≤ chord_tolerance_mm, where Δ
+///           is the change of its direction over one strip
+/// Errors    chord_tolerance_mm if the mesh would have more than 2·10⁶ vertices
+Result<TriangleMesh> tessellate_rack(const ToothedBody& body, const MeshOptions& options);
 
 }  // namespace gearwright

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/screw.hpp"
 #include "gearwright/cad/walls.hpp"

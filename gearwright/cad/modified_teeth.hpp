@@ -21,7 +21,6 @@
 
 #include <array>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "gearwright/base/result.hpp"
@@ -67,8 +66,6 @@ class ModifiedSide {
   Vec3 point(std::size_t arc, double u, const Row& row) const;
 
   Role role(std::size_t arc) const { return roles_[arc]; }
-  /// True if the last flank arc ends on a tip land.
-  bool has_edge() const { return has_edge_; }
   std::size_t first_flank() const { return first_; }
   std::size_t last_flank() const { return last_; }
   const Outline& outline() const { return *outline_; }
@@ -95,7 +92,7 @@ class ModifiedSide {
   std::shared_ptr<const RemovalField> field_;
   std::vector<Role> roles_;           // per arc
   std::size_t first_ = 0, last_ = 0;  // first and last flank arc
-  bool has_edge_ = false;
+  bool has_edge_ = false;             // true if the last flank arc ends on a tip land
 };
 
 /// Both sides of the teeth of a body.

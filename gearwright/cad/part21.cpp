@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/utf8.hpp"
+#include "gearwright/base/printable.hpp"
 
 namespace gearwright {
 namespace {
@@ -25,6 +25,13 @@ enum class Alphabet { plain, two_bytes, four_bytes };
 Alphabet alphabet_of(char32_t code) {
   if (code >= 0x20 && code < 0x7F) return Alphabet::plain;
   return code <= 0xFFFF ? Alphabet::two_bytes : Alphabet::four_bytes;
+}
+
+// "#4"
+void append_id(std::string& text, Part21Id id) {
+  GW_EXPECTS(id != 0);
+  text += '#';
+  append_integer(text, id);
 }
 
 }  // namespace
@@ -69,12 +76,6 @@ std::string part21_string(std::string_view utf8) {
   }
   if (open != Alphabet::plain) text += "\\X0\\";
   return text + "'";
-}
-
-void append_id(std::string& text, Part21Id id) {
-  GW_EXPECTS(id != 0);
-  text += '#';
-  append_integer(text, id);
 }
 
 void append_ids(std::string& text, const std::vector<Part21Id>& ids) {

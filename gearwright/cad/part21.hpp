@@ -58,8 +58,6 @@ class Part21 {
   Part21Id last_ = 0;
 };
 
-/// "#4"
-void append_id(std::string& text, Part21Id id);
 /// "(#4,#5)", broken into lines of twelve references
 void append_ids(std::string& text, const std::vector<Part21Id>& ids);
 /// "(0.,0.25,1.)"

@@ -1,4 +1,4 @@
-#include "gearwright/cad/rack_brep.hpp"
+#include "gearwright/cad/brep.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "gearwright/base/contract.hpp"
 #include "gearwright/cad/rack_plan.hpp"
 
 namespace gearwright {

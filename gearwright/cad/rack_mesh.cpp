@@ -1,4 +1,4 @@
-#include "gearwright/cad/rack_mesh.hpp"
+#include "gearwright/cad/modified_mesh.hpp"
 
 #include <fmt/format.h>
 

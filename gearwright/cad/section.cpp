@@ -115,7 +115,7 @@ double metal_area(const ToothedBody& body) {
     }
     return body.outline.teeth * (2.0 * half + body.rack->pitch * body.rack->height);
   }
-  const bool ring = body.outline.teeth < 0;
+  const bool ring = body.ring();
   GW_EXPECTS(!ring || body.bore.has_value());
   const double outline = section_area(body.outline);
   if (!body.bore) return outline;

@@ -9,10 +9,9 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/base/utf8.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/cad/dxf_document.hpp"
 #include "gearwright/cad/file_text.hpp"
-#include "gearwright/cad/sheet_font.hpp"
 
 namespace gearwright {
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "gearwright/cad/sheet_font.hpp"
+#include "gearwright/cad/sheet.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
 
 namespace gearwright {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/cad/sheet_font.hpp"
-
 namespace gearwright {
 
 namespace {

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "gearwright/cad/sheet_font.hpp"
+#include "gearwright/cad/sheet.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
 
 namespace gearwright {

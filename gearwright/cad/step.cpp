@@ -10,10 +10,8 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/cad/brep.hpp"
-#include "gearwright/cad/modified_brep.hpp"
 #include "gearwright/cad/part21.hpp"
 #include "gearwright/cad/products.hpp"
-#include "gearwright/cad/rack_brep.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/walls.hpp"
 

@@ -11,7 +11,7 @@
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/testing/generated_bodies.hpp"
 #include "gearwright/cad/testing/step_reader.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/inspection/balls.hpp"
 

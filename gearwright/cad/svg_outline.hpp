@@ -7,7 +7,10 @@
 // then oriented like the gear frame, without a transformation, which some readers ignore.
 #pragma once
 
+#include <vector>
+
 #include "gearwright/cad/drawing.hpp"
+#include "gearwright/generation/outline.hpp"
 
 namespace gearwright {
 
@@ -27,5 +30,27 @@ Result<Drawing> svg_drawing(const ToothedBody& body, const SvgOptions& options =
 /// Writes several bodies into one picture. Each body is one path at its pose (a rotation about z
 /// and a shift). A single body is drawn in its own frame.
 Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOptions& options = {});
+
+// An arc of the outline as cubic Bézier curves, for SVG.
+//
+//   L    length of one piece, mm      T    unit tangent of the exact curve
+//
+// The handles of each piece are L/3 long and lie along the exact tangents at its ends. If the curve
+// has unit speed, the cubic then agrees with it to the fourth order in L, and neighbouring pieces
+// share their tangent. Each piece is as long as the tolerance allows.
+
+struct BezierChain {
+  std::vector<Vec2> points;  ///< 3n + 1 points, mm, root to tip; every third point lies on the
+                             ///< exact curve
+  double deviation_mm;       ///< greatest normal distance at 64 points per piece
+};
+
+/// A chain of cubics within `tolerance_mm` of the exact curve.
+///
+/// Units     mm
+/// Domain    tolerance_mm > 0 (contract)
+/// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² pieces suffice; the caller must check this
+/// Laws      the end points are identical to those of the arc
+BezierChain fit_beziers(const Arc& arc, double tolerance_mm);
 
 }  // namespace gearwright

@@ -17,7 +17,6 @@
 // Its section at the height z is the section z = 0 with the teeth shifted by z tan β along y.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -25,13 +24,19 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/result.hpp"
 #include "gearwright/gear/bore.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/modifications.hpp"
 #include "gearwright/generation/outline.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
 
-/// The data that make an outline a rack. They refer to the frame of pair/rack_outline.hpp, in which
+/// The data that make an outline a rack. They refer to the frame of pair/rack_pair.hpp, in which
 /// x is the height above the datum line. n pitches lie between the ends, and the origin is in the
 /// middle.
 struct RackBlock {
@@ -82,6 +87,8 @@ struct ToothedBody {
   std::shared_ptr<const ModifiedTeeth> modified{};
   std::string unmodified{};  ///< the reason why modifications are omitted; empty if none is omitted
 
+  /// True for an internal gear.
+  bool ring() const { return outline.teeth < 0; }
   bool grooved() const { return two_helices && two_helices->gap > 0.0; }
 
   /// The screws of the teeth, from bottom to top: one, or two for a double-helical gear.
@@ -89,8 +96,7 @@ struct ToothedBody {
 
   /// The limits for the bore or the rim. `root` is the radius of the roots, mm.
   HoleLimits hole_limits(double root) const {
-    return {outline.teeth < 0, root,
-            grooved() ? std::optional(two_helices->groove_radius) : std::nullopt};
+    return {ring(), root, grooved() ? std::optional(two_helices->groove_radius) : std::nullopt};
   }
 
   /// The radius that limits a bore or a rim, mm. It is the radius of the groove or, if there is no
@@ -121,5 +127,30 @@ inline Error not_a_body(int teeth, const std::string& why) {
           "the outline does not enclose a body, because " + why +
               "; more teeth or a greater profile shift would help"};
 }
+
+// A gear or a rack in the form that the writers of files require.
+
+/// Returns the gear in its own frame. Its pose in a pair is `pair.pose_1().isometry()` or
+/// `pose_2()`.
+///
+/// Errors    `cut_by` for an internal gear without a pinion cutter; `teeth` for a gear whose tooth
+///           cannot exist (severed, or through the axis)
+Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
+                              const std::optional<Bore>& bore = {});
+
+/// Applies the modifications of the right and the left flank to the body of a gear. If the teeth
+/// cannot be made with these modifications, they remain as cut and `unmodified` contains the
+/// reason.
+///
+/// Errors    `modifications.right.…`, `modifications.left.…`, those of make_removal_field
+std::optional<Error> modify(ToothedBody& body, const Gear& gear,
+                            const std::array<FlankModifications, 2>& flanks);
+
+/// Returns the rack in its own frame (pair/rack_pair.hpp). Its pose is
+/// `rack_pair.pose_2().isometry()`.
+///
+/// Errors    `gear2.teeth` or `gear2.height` if it is not given; `gear2.height` if the back lies
+///           above the roots, with the smallest permissible height; those of rack_outline()
+Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name);
 
 }  // namespace gearwright

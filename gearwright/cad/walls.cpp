@@ -198,7 +198,7 @@ Result<BodyWalls> make_walls(const ToothedBody& body) {
   if (extent.space_crossed)
     return not_a_body(body.outline.teeth, "the flanks of a tooth space cross");
   std::optional<WallLoop> bore;
-  if (body.bore || body.outline.teeth < 0) {
+  if (body.bore || body.ring()) {
     auto made = make_bore(body, extent.inner, extent.outer);
     if (!made) return made.error();
     bore = std::move(made).take();

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "gearwright/base/torque.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 

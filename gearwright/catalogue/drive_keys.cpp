@@ -1,7 +1,5 @@
 #include "gearwright/catalogue/drive_keys.hpp"
 
-#include <algorithm>
-
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/drive/short_forms.hpp"
 

@@ -1,4 +1,3 @@
-#include "gearwright/catalogue/drive_search_keys.hpp"
 
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/design/drive_search.hpp"

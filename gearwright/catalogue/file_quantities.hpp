@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/generation/outline.hpp"
 
@@ -21,5 +22,9 @@ struct ArcView {
   int points;  ///< number of points, including both ends
 };
 const Quantities<ArcView>& outline_quantities();
+
+// The title block as a result: `drawing` contains the texts of the table [drawing] of the spec.
+
+const Quantities<DrawingInput>& drawing_quantities();
 
 }  // namespace gearwright

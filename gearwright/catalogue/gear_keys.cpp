@@ -7,10 +7,7 @@
 #include <initializer_list>
 
 #include "gearwright/base/error.hpp"
-#include "gearwright/catalogue/inspection_keys.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
-#include "gearwright/catalogue/rack_keys.hpp"
-#include "gearwright/catalogue/shaft_keys.hpp"
 
 namespace gearwright {
 

@@ -1,17 +1,14 @@
-// The keys of [gear1] and [gear2].
-//
-// The table of a gear contains these tables: the dimensions of the finished tooth (basic), circular
-// fillets, a cutter (cut_by) and a bore. Its other tables are in rack_keys.hpp,
-// modification_keys.hpp (flank modifications) and inspection_keys.hpp (measuring).
+// The keys of [gear1] and [gear2], and of the tables that they contain. The flank modifications are
+// in modification_keys.hpp.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "gearwright/arrange/given_gear.hpp"
 #include "gearwright/arrange/two_halves.hpp"
-#include "gearwright/catalogue/inspection_keys.hpp"
 #include "gearwright/catalogue/key.hpp"
-#include "gearwright/catalogue/material_keys.hpp"
+#include "gearwright/compliance/shaft.hpp"
 
 namespace gearwright {
 
@@ -36,5 +33,43 @@ const KeyTable& tip_fillet_keys();
 const KeyTable& bore_keys();
 /// The keys of [gearN.double_helical].
 const KeyTable& double_helical_keys();
+
+// The keys of [gearN.material]: the material of the teeth, for loads and ratings.
+
+const KeyTable& material_keys();
+
+// The keys of [gear1.shaft] and [gear2.shaft]: the bearings, the diameters and the side of the
+// torque.
+
+const KeyTable& shaft_keys();
+
+constexpr std::size_t kMostShaftDiameters = 50;
+
+// The keys of [gearN.rack]: the straight rack, the racks F and P, double circular arcs, and any
+// chain of arcs. Lengths are in normal modules.
+
+const KeyTable& straight_rack_keys();
+const KeyTable& arc_rack_keys();         ///< kind = "circular_arc"
+const KeyTable& double_arc_rack_keys();  ///< kind = "double_circular_arc"
+const KeyTable& rack_of_arcs_keys();     ///< kind = "arcs"
+const KeyTable& rack_arc_keys();         ///< the keys of each table in `arcs`
+
+// The keys for measuring a gear: the tools in [gearN.measure], the permitted readings in
+// [gearN.tolerance], and the readings of an unknown gear in [gearN.measured].
+
+inline constexpr KeyList kLowerAndUpper{.least = 2, .most = 2, .order = kLowerFirst};
+/// One number, or two limits. The teeth are then computed with the mean of the limits.
+inline constexpr KeyList kOneOrEnds{.most = 2, .single = true, .order = kLowerFirst};
+
+const KeyTable& measure_keys();
+const KeyTable& tolerance_keys();
+
+inline constexpr std::size_t kMostBallReadings = 20;
+
+const KeyTable& measured_keys();
+/// The keys of one entry of over_balls_mm.
+const KeyTable& measured_ball_keys();
+/// The keys of a [gearN] that has readings but no module, for other known data of the gear.
+const KeyTable& unknown_gear_keys();
 
 }  // namespace gearwright

@@ -1,6 +1,3 @@
-#include "gearwright/catalogue/inspection_keys.hpp"
-
-#include <string_view>
 
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/inspection/identify.hpp"

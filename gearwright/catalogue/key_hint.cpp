@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/inspection_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 
 namespace gearwright {

@@ -11,14 +11,10 @@
 #include <set>
 
 #include "gearwright/catalogue/compensate_keys.hpp"
-#include "gearwright/catalogue/contact_keys.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
-#include "gearwright/catalogue/fit_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/load_keys.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
-#include "gearwright/catalogue/rack_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"

@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/load_keys.hpp"
+#include "gearwright/catalogue/rating_keys.hpp"
 
 namespace gearwright {
 

@@ -1,6 +1,5 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 
-#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 
 namespace gearwright {

@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/material_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,6 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/flank_quantities.hpp"
 
 namespace gearwright {
 

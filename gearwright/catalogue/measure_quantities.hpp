@@ -4,6 +4,8 @@
 
 #include "gearwright/arrange/measured_gear.hpp"
 #include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/inspection/evaluation_ranges.hpp"
+#include "gearwright/inspection/flank_tolerances.hpp"
 
 namespace gearwright {
 
@@ -12,5 +14,11 @@ const Quantities<GearMeasures>& measure_quantities();
 
 /// Data of a rack that would cut the same teeth.
 const Quantities<ReferenceInput<double>>& as_rack_quantities();
+
+// Data of a flank for a measuring machine: roll lengths, evaluation ranges and tolerances. They are
+// `flank` and `tolerances` in `measure`.
+
+const Quantities<EvaluationRanges>& range_quantities();
+const Quantities<FlankToleranceValues>& tolerance_quantities();
 
 }  // namespace gearwright

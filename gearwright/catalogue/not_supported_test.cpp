@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/not_supported.hpp"
+#include "gearwright/catalogue/key_hint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/pair/pair_backlash.hpp"
+#include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
 

@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/rack_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 
 #include "gearwright/tool/arc_rack.hpp"
 #include "gearwright/tool/double_arc_rack.hpp"

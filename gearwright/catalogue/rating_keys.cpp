@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/error.hpp"
-#include "gearwright/rating/accuracy.hpp"
+#include "gearwright/rating/rated_pair.hpp"
 
 namespace gearwright {
 

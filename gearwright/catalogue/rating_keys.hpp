@@ -2,11 +2,12 @@
 // mounting for a strength rating, and factors given by the user.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
-#include "gearwright/catalogue/material_keys.hpp"
+#include "gearwright/arrange/load_input.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/key.hpp"
 #include "gearwright/rating/spectrum.hpp"
 
 namespace gearwright {
@@ -34,5 +35,11 @@ const KeyTable& rating_plastic_keys();
 const KeyTable& load_bin_keys();
 
 constexpr std::size_t kMaxLoadBins = 1000;
+
+// The keys of [load] and [[load.probe]], which are the torque and the resolution of the
+// computation.
+
+const KeyTable& load_keys();
+const KeyTable& load_probe_keys();
 
 }  // namespace gearwright

@@ -1,5 +1,5 @@
 // The quantities of a family of pairs under torque, which are `scatter.loaded` in a result.
-#include "gearwright/base/torque.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
 
 namespace gearwright {

@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/scatter_pattern_quantities.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
 
 namespace gearwright {
 

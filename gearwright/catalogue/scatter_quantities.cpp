@@ -1,7 +1,6 @@
 #include "gearwright/catalogue/scatter_quantities.hpp"
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/catalogue/scatter_pattern_quantities.hpp"
 
 namespace gearwright {
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/scatter/pattern_density.hpp"
 #include "gearwright/scatter/robust.hpp"
 
 namespace gearwright {
@@ -97,5 +99,9 @@ const Quantities<SpreadView>& spread_quantities();
 const Quantities<ScatterView>& probabilities_quantities();
 const Quantities<Probability>& probability_quantities();
 const Quantities<LoadedSpreadView>& loaded_spread_quantities();
+
+// The quantities of the density of contact patterns: `scatter.pattern` of a result.
+
+const Quantities<PatternDensity>& density_quantities();
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/shaft_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 
 #include <fmt/format.h>
 

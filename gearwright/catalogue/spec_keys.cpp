@@ -4,8 +4,6 @@
 #include <set>
 
 #include "gearwright/catalogue/drive_keys.hpp"
-#include "gearwright/catalogue/drive_search_keys.hpp"
-#include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 
 namespace gearwright {

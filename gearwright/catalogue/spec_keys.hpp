@@ -4,12 +4,9 @@
 #include <string>
 
 #include "gearwright/catalogue/compensate_keys.hpp"
-#include "gearwright/catalogue/contact_keys.hpp"
 #include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
-#include "gearwright/catalogue/fit_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/load_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/scatter_keys.hpp"

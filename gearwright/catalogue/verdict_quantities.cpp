@@ -1,7 +1,7 @@
 #include "gearwright/catalogue/verdict_quantities.hpp"
 
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 

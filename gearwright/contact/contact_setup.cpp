@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gearwright/contact/recut.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 

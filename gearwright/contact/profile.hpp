@@ -16,7 +16,7 @@
 #include <optional>
 
 #include "gearwright/base/vector.hpp"
-#include "gearwright/curve/polar_jet.hpp"
+#include "gearwright/curve/basic_curves.hpp"
 #include "gearwright/generation/outline.hpp"
 #include "gearwright/generation/rack_envelope.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/contact/continuous.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 

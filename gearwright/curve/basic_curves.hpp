@@ -7,12 +7,39 @@
 //                                                          theory: docs/theory/01-frames.md
 #pragma once
 
+#include <complex>
 #include <optional>
 
 #include "gearwright/curve/curve.hpp"
-#include "gearwright/curve/polar_jet.hpp"
 
 namespace gearwright {
+
+// A point of a plane curve in polar coordinates about the gear axis, with derivatives.
+//
+//   W(t)   point ρ e^{iθ}, mm          ℓ = log W = u + iθ,  u = ln ρ
+//   ℓ′, ℓ″ derivatives by the parameter t of the curve
+//                                                          theory: docs/theory/08-contact.md, [T8.4]
+
+using Complex = std::complex<double>;
+
+/// The product of two complex numbers without the library's treatment of infinities, which is slow.
+inline Complex times(const Complex& a, const Complex& b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+/// A point W = factor · e^{i phase} of a curve. Factor and phase are stored separately, so that the
+/// phases of flank, lead and rotation can be added before sine and cosine are computed.
+struct PolarJet {
+  Complex factor;  ///< mm
+  double phase;    ///< rad
+  Complex d1, d2;  ///< ℓ′, ℓ″ by t
+
+  /// The jet of the curve itself for side = 1, or of its mirror image about the x axis for side = −1.
+  PolarJet on_side(double side) const {
+    const auto turned = [side](const Complex& w) { return Complex{w.real(), side * w.imag()}; };
+    return {turned(factor), side * phase, turned(d1), turned(d2)};
+  }
+};
 
 /// Circle about the gear axis as a function of the polar angle,  W(θ) = r e^{iθ}. [T1.3]
 class AxisCircle final : public Curve {
@@ -87,6 +114,42 @@ class OffsetCircle final : public Curve {
 
  private:
   double distance_, direction_, radius_;
+};
+
+// The curves of a rack in a plane section: straight lines, and circles of the normal section, which
+// are ellipses in the transverse section.
+//
+//   W(t)  point as a complex number x + iy, mm      ρ  radius in the normal section, mm
+//   k     stretch along y, 1/cos β                  theory: docs/theory/02-involute-and-pair.md, 2.10
+
+/// Straight line through a and b,  W(t) = a + t (b − a).
+///
+/// Domain  a ≠ b (contract)
+class StraightLine final : public Curve {
+ public:
+  StraightLine(const Vec2& a, const Vec2& b);
+  Vec2 point(double t) const override;
+  CurvePoint at(double t) const override;
+
+ private:
+  Vec2 start_, way_;
+};
+
+/// Ellipse with its axes along x and y,  W(t) = c + ρ (cos t + i k sin t).
+///
+/// Laws    (1) for k = 1, the ellipse is a circle about c   (2) the points (x, y/k) lie on the circle
+///         about (c_x, c_y/k)
+/// Domain  ρ > 0, k > 0 (contract)
+class StretchedCircle final : public Curve {
+ public:
+  StretchedCircle(const Vec2& center, double radius, double stretch);
+  Vec2 point(double t) const override;
+  /// The tangent angle lies within half a turn of t + π/2, so it is continuous along the curve.
+  CurvePoint at(double t) const override;
+
+ private:
+  Vec2 center_;
+  double radius_, stretch_;
 };
 
 }  // namespace gearwright

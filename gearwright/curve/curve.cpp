@@ -18,4 +18,15 @@ double Curve::parameter_at_radius(double rho, double t_lo, double t_hi) const {
   return t_lo < t_hi ? find_root(excess, t_lo, t_hi).x : find_root(excess, t_hi, t_lo).x;
 }
 
+std::string_view to_string(ArcName name) {
+  switch (name) {
+    case ArcName::root_land: return "root_land";
+    case ArcName::root_fillet: return "root_fillet";
+    case ArcName::flank: return "flank";
+    case ArcName::tip_fillet: return "tip_fillet";
+    case ArcName::tip_land: return "tip_land";
+  }
+  contract_failed("postcondition", "known arc name", __FILE__, __LINE__);
+}
+
 }  // namespace gearwright

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/vector.hpp"
@@ -63,5 +64,11 @@ auto visit_curve(const Curve& curve, const Visitor& visit) {
   else
     return visit(&curve);
 }
+
+// The five parts of half a tooth from root to tip (ISO 21771). Each arc of a cutter generates one part.
+
+enum class ArcName { root_land, root_fillet, flank, tip_fillet, tip_land };
+
+std::string_view to_string(ArcName name);
 
 }  // namespace gearwright

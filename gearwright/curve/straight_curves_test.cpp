@@ -1,5 +1,5 @@
 // Compares tangent and curvature of lines and stretched circles with differences of points.
-#include "gearwright/curve/straight_curves.hpp"
+#include "gearwright/curve/basic_curves.hpp"
 
 #include <gtest/gtest.h>
 

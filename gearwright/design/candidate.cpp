@@ -1,7 +1,5 @@
 #include "gearwright/design/candidate.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "gearwright/pair/leaf_formulas.hpp"

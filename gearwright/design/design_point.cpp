@@ -2,7 +2,6 @@
 // of Eq. 11 and away from the borders.
 //                                              theory: docs/theory/09-design-search.md, 9.4
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

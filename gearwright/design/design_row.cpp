@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
-#include <numbers>
 
 #include "gearwright/design/design_strength.hpp"
 #include "gearwright/design/face_width.hpp"

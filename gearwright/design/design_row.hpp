@@ -8,7 +8,6 @@
 #include <compare>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "gearwright/base/vector.hpp"

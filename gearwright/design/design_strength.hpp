@@ -4,15 +4,20 @@
 //
 // The rating uses values of a mounted pair. If the path of contact lies on the involute parts of
 // the flanks, all these values have a closed form. For an internal gear, the closed form also uses
-// data of its cutter (design/ring_cuts.hpp). All other designs are undercut or have tips that reach
+// data of its cutter (RingCuts). All other designs are undercut or have tips that reach
 // beyond the start of a flank. Their gears are cut and mounted, which takes a hundred times as
 // long.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 #pragma once
 
+#include <limits>
+#include <map>
+#include <mutex>
 #include <optional>
+#include <tuple>
 
 #include "gearwright/design/design_row.hpp"
+#include "gearwright/design/search_problem.hpp"
 
 namespace gearwright {
 
@@ -38,5 +43,35 @@ std::optional<double> least_safety(const SearchProblem& problem, const DesignRow
 /// for the reduced mass of ISO 6336-1. An internal gear extends from the mean diameter to 2.5 m_n
 /// outside its root circle. [T9.12]
 double mass_of(const ShiftGraph& graph, const DesignRow& row);
+
+// Stores the pinion cutters chosen for the internal gears of a search.
+//
+// The strength of an internal gear depends on the number of teeth of its cutter. Its path of
+// contact depends on the radius at which its fillet begins. Both follow only from a generated
+// tooth, which takes as long as a hundred ratings. In modules, they are equal for all designs with
+// the same wheel.
+//                                              theory: docs/theory/09-design-search.md, 9.7
+
+/// The cutter of an internal gear. There is no cutter if every cutter would remove a part of the
+/// flanks. The start of the fillets is then unknown.
+struct RingCut {
+  int cutter_teeth = 0;                                          ///< z_0; 0 without a cutter
+  double form_radius = std::numeric_limits<double>::infinity();  ///< d_Ff/2, modules
+};
+
+class RingCuts {
+ public:
+  /// The cut of the wheel of a trial with this profile shift, by cut_by_default(). Absent if the
+  /// gear cannot exist. Thread-safe.
+  std::optional<RingCut> of(const SearchProblem& problem, const Trial& trial, double shift);
+
+  /// The number of stored cuts, as a measure of the work.
+  std::size_t size() const;
+
+ private:
+  using Key = std::tuple<int, double, Angle, Angle, double, double, double>;
+  mutable std::mutex mutex_;
+  std::map<Key, std::optional<RingCut>> cuts_;
+};
 
 }  // namespace gearwright

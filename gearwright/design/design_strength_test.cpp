@@ -16,7 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include "gearwright/design/ring_cuts.hpp"
 #include "gearwright/design/search.hpp"
 #include "gearwright/rating/sizing.hpp"
 #include "gearwright/rating/testing/sample_pairs.hpp"

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/design/drive_space.hpp"
 #include "gearwright/drive/drive_motion.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gearwright/base/parallel.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/generation/pinion_envelope.hpp"
 #include "gearwright/math/root.hpp"
 #include "gearwright/pair/drive.hpp"

@@ -2,12 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/design/min_distance_designs.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {

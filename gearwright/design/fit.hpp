@@ -68,4 +68,11 @@ struct Fit {
 /// Errors    the member that is missing, or the one that overdetermines the pair
 Result<Fit> fit(const FitProblem& problem);
 
+/// The designs that meet the given condition, which is α_wn, a helix angle, or x1 + x2 (by default
+/// 0).
+///
+/// Domain    a and Σ are given, and at least one helix angle is absent (contract)
+/// Errors    names of conditions that exclude each other
+Result<Fit> min_distance_designs(const FitProblem& problem);
+
 }  // namespace gearwright

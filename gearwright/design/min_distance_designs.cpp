@@ -1,4 +1,10 @@
-#include "gearwright/design/min_distance_designs.hpp"
+// Helix angles and shifts of the pairs whose minimum centre distance for the given Σ is the given
+// a.
+//
+//   β_w1   the only unknown; all other values follow in closed form:
+//          β_w2 = σ (Σ − β_w1), H, cos α_wn = H m_n cos α_n/(2a), sin β = sin β_w cos α_wn/cos α_n,
+//          2 tan α_n Σx = Σ z (inv α_wt − inv α_t)                             [T4.29]…[T4.32]
+#include "gearwright/design/fit.hpp"
 
 #include <fmt/format.h>
 
@@ -13,9 +19,8 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/math/involute.hpp"
-#include "gearwright/math/newton.hpp"
 #include "gearwright/math/root.hpp"
 #include "gearwright/pair/shift.hpp"
 

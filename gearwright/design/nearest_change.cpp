@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <random>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/design/strength_change.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 

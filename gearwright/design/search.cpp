@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <set>
 #include <utility>
 
 #include "gearwright/design/candidate.hpp"
 #include "gearwright/design/design_strength.hpp"
-#include "gearwright/design/ring_cuts.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {

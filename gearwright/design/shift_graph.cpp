@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
-#include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/design/tip_curvature.hpp"
-#include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
 #include "gearwright/pair/leaf_formulas.hpp"
 
 namespace gearwright {

@@ -1,7 +1,6 @@
 // Computes the sums of shifts that meet all limits, and the first limit that no sum meets.
 //                                              theory: docs/theory/09-design-search.md, 9.4
 #include <algorithm>
-#include <cmath>
 
 #include "gearwright/design/face_width.hpp"
 #include "gearwright/design/shift_graph.hpp"

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <numbers>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/design/intervals.hpp"
 #include "gearwright/gear/leaf_formulas.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/math/involute.hpp"
-#include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/pair/clearing_tip.hpp"
 #include "gearwright/pair/shift.hpp"

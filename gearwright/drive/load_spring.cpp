@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright::detail {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/torque.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/drive/drive_places.hpp"
 #include "gearwright/drive/mesh_springs.hpp"
 #include "gearwright/drive/planet_equilibrium.hpp"

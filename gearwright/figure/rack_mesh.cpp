@@ -13,7 +13,6 @@
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/figure/mesh.hpp"
 #include "gearwright/math/involute.hpp"
-#include "gearwright/pair/rack_outline.hpp"
 
 namespace gearwright {
 

@@ -1,11 +1,9 @@
-#include "gearwright/gear/arc_gear.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include "gearwright/base/error.hpp"
 #include "gearwright/gear/finished_gear.hpp"
-#include "gearwright/math/polynomial.hpp"
 #include "gearwright/math/root.hpp"
 
 namespace gearwright::detail {

@@ -1,7 +1,7 @@
 // Tests gears with circular-arc teeth: which data they have, which data they lack, flags and
 // errors.
-#include "gearwright/gear/arc_gear.hpp"
 #include "gearwright/base/testing/violation.hpp"
+#include "gearwright/gear/finished_gear.hpp"
 #include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"

@@ -13,8 +13,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/result.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/math/involute.hpp"
 
@@ -88,5 +91,22 @@ ReferenceInput<T> as_rack(const BaseGear<T>& gear, const T& alpha_n) {
   rack.profile_shift = (s_n / rack.normal_module - pi / T(2)) / (T(2) * tan(alpha_n));
   return rack;
 }
+
+// The rack that cuts a given root diameter and root form diameter. It is used for gears that are given
+// by their base cylinder.
+//
+//   d_f, d_Ff             root and root form diameter, mm
+//   h_fP*, ρ_fP*, h_Ff*   dedendum, tip rounding and flank depth of the rack, in modules
+//                                              theory: docs/theory/04-conjugate-action.md, 4.2
+
+/// The rack of `spec`, with the dedendum that gives d_f and, if d_Ff is given, with the tip rounding
+/// whose fillet ends at d_Ff.
+///
+/// Formula   h_fP* = x_E ± (d − d_f)/(2 m_n), h_Ff* = x_E − (ρ_F − ρ_C) sin α_t/m_n,
+///           ρ_fP* = (h_fP* − h_Ff*)/(1 − sin α_n); [T4.4]
+/// Errors    `root_diameter`, `root_form_diameter` with the allowed range; for an internal gear
+///           `root_form_diameter` is not supported, because a rack does not cut its fillet
+Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_diameter,
+                                       std::optional<double> root_form_diameter);
 
 }  // namespace gearwright

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "gearwright/base/testing/numbers.hpp"
-#include "gearwright/gear/basic_root.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 
 namespace gearwright {

@@ -27,13 +27,8 @@ std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   return std::nullopt;
 }
 
-}  // namespace
-
-double bore_reach(const Bore& bore) {
-  const double r = bore.diameter / 2.0;
-  return bore.has_keyway() ? std::hypot(bore.keyway_width / 2.0, r + bore.keyway_depth) : r;
-}
-
+// The error of a bore that is too large or invalid; empty if there is none. `room` is the radius, mm,
+// that the bore and its keyway must not exceed.
 std::optional<Error> bore_error(const Bore& bore, double room) {
   if (!(bore.diameter > 0.0)) {
     return refused("bore.diameter", bore.diameter,
@@ -64,6 +59,13 @@ std::optional<Error> bore_error(const Bore& bore, double room) {
                 "the bore{} must be at most {:.3f} mm, so that it lies inside the root circle",
                 with, printed)
           : fmt::format("no bore{} fits inside the root circle", with));
+}
+
+}  // namespace
+
+double bore_reach(const Bore& bore) {
+  const double r = bore.diameter / 2.0;
+  return bore.has_keyway() ? std::hypot(bore.keyway_width / 2.0, r + bore.keyway_depth) : r;
 }
 
 std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits,

@@ -21,9 +21,6 @@ struct Bore {
 
 /// Largest distance of the bore from the axis, mm: the distance of the keyway's corner, or the bore radius.
 double bore_reach(const Bore& bore);
-/// The error of a bore that is too large or invalid; empty if there is none. `room` is the radius, mm,
-/// that the bore and its keyway must not exceed.
-std::optional<Error> bore_error(const Bore& bore, double room);
 
 /// The cylinders of a gear that limit its bore or its rim.
 struct HoleLimits {

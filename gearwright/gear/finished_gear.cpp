@@ -1,12 +1,15 @@
 #include "gearwright/gear/finished_gear.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
-#include "gearwright/gear/tip_bulge.hpp"
+#include <fmt/format.h>
+#include <boost/math/tools/minima.hpp>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/math/lowest.hpp"
 
 namespace gearwright::detail {
 
@@ -134,6 +137,54 @@ void warn_about_tooth(Gear& gear) {
                      "below the tip diameter of the blank, {:.4f} mm.",
                      2 * tooth.tip_radius, gear.tip_diameter));
   }
+}
+
+// A tip that projects beyond the involute of its flank.
+//
+// A pinion cutter with undercut or protuberance lacks the part of its flank that would cut the tip of
+// the gear. The remaining material projects beyond the involute and can collide with other mating gears.
+//
+//   δ = r_b (θ − θ_i)   projection along the normal of the involute, mm [T2.35]
+//   θ, θ_i              polar angles of the outline and of the involute at one radius
+
+constexpr double kNoise = 1e-9;  // modules
+constexpr int kHalfDigits = std::numeric_limits<double>::digits / 2;
+
+double beyond_involute(const Gear& gear, const Vec2& p) {
+  const double r_b = gear.base_radius();
+  const double rho = std::max(r_b, p.norm());
+  const double involute =
+      tooth_thickness_transverse(gear.spec.teeth, 2 * r_b, gear.reference().base_tooth_thickness,
+                                 2 * rho) /
+      (2 * rho);
+  return r_b * (std::atan2(p.y(), p.x()) - involute);
+}
+
+double greatest(const Gear& gear, const Arc& arc) {
+  const auto less = [&](double u) { return -beyond_involute(gear, arc.point(u)); };
+  const auto [lo, hi, least] = least_node(less, 16);
+  return -std::min(least, boost::math::tools::brent_find_minima(less, lo, hi, kHalfDigits).second);
+}
+
+// The projection of the tip; none if no arc beyond the flank projects by more than 1e-9 modules. The
+// result is the greatest δ of each arc, to rounding if δ has only one maximum.
+std::optional<TipBulge> tip_bulge(const Gear& gear) {
+  GW_EXPECTS(gear.involute() && gear.exists());
+  if (!gear.tooth || !gear.tooth->form_radius) return std::nullopt;
+  double most = kNoise * gear.spec.normal_module;
+  bool any = false;
+  bool past_the_flank = false;
+  for (const Arc& arc : gear.tooth->outline.arcs) {
+    if (arc.name == ArcName::flank) {
+      past_the_flank = true;
+    } else if (past_the_flank && arc.name == ArcName::tip_fillet) {
+      const double d = greatest(gear, arc);
+      any = any || d > most;
+      most = std::max(most, d);
+    }
+  }
+  if (!any) return std::nullopt;
+  return TipBulge{most, 2 * gear.tip_form_radius()};
 }
 
 void find_tip_bulge(Gear& gear) {

@@ -2,6 +2,7 @@
 // and tip, root and warnings afterwards. Internal to gear/.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "gearwright/gear/gear.hpp"
@@ -16,5 +17,21 @@ Gear described(const CylindricalSpec& spec);
 void finish(Gear& gear);
 
 void warn(Gear& gear, WarningCode code, std::string message);
+
+// A gear with circular-arc (Wildhaber-Novikov) teeth of any kind, cut by a rack of arcs.
+
+/// The normal angle τ at which the envelope of the circle has the cusp nearest to the root. The cutter
+/// undercuts a convex tooth below this angle, and a concave tooth above it. None if there is no cusp on
+/// the quarter circle.
+///
+/// Formula   F(sin τ) = 0, [T3.9]; [T7.12]
+std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& circle);
+
+/// Makes the gear from the arcs of its rack. make_gear() calls this function.
+///
+/// Domain    check_limits() returns no error
+/// Errors    the error of `rack`; `teeth` for an internal gear; `profile_shift`, `root_fillet`,
+///           `tip_fillet`, which these teeth do not have; `tip_diameter`
+Result<Gear> make_arc_gear(const CylindricalSpec& spec, const Result<RackOfArcs>& rack);
 
 }  // namespace gearwright::detail

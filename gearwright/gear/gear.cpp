@@ -9,7 +9,6 @@
 
 #include "gearwright/base/error.hpp"
 #include "gearwright/base/overloaded.hpp"
-#include "gearwright/gear/arc_gear.hpp"
 #include "gearwright/gear/finished_gear.hpp"
 
 namespace gearwright {

@@ -5,10 +5,12 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/base/error.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/bore.hpp"
 #include "gearwright/gear/reference.hpp"
@@ -41,7 +43,7 @@ struct PinionCutting {
   int cutter_teeth;           ///< z_0
   double distance;            ///< E  mm
   double tip_rounding = 0.0;  ///< ρ_a0  mm, radius of the cutter's tip corners; 0 if sharp
-  bool by_default = false;    ///< true if gear/ring_cutter.hpp chose the cutter
+  bool by_default = false;    ///< true if gear/pinion_cut.hpp chose the cutter
 };
 
 /// The data of involute gears only.
@@ -63,7 +65,7 @@ struct ArcTeeth {
   std::optional<Angle> undercut_limit;        ///< τ of the cusp of this arc, if it has a cusp
 };
 
-/// The projection of a tip beyond the involute (gear/tip_bulge.hpp).
+/// The projection of a tip beyond the involute (gear/finished_gear.hpp).
 struct TipBulge {
   double amount;         ///< mm, along the involute's normal
   double from_diameter;  ///< mm, where the flank ends
@@ -121,5 +123,18 @@ std::optional<Error> check_limits(const CylindricalSpec& spec);
 /// Errors    the member of CylindricalSpec ("teeth", "normal_module", "rack.dedendum", …). Undercut,
 ///           pointed and severed teeth are not errors but data and warnings
 Result<Gear> make_gear(const CylindricalSpec& spec);
+
+// Names of the members of gear 1 and gear 2 in errors, such as "gear1.teeth".
+
+/// "gear1" or "gear2"
+inline std::string gear_field(int which) { return "gear" + std::to_string(which); }
+
+/// "gear1.teeth"
+inline std::string gear_field(int which, std::string_view member) {
+  return gear_field(which) + "." + std::string(member);
+}
+
+/// Adds the prefix "gear1" or "gear2" to the field of an error.
+inline Error of_gear(int which, Error error) { return within(gear_field(which), std::move(error)); }
 
 }  // namespace gearwright

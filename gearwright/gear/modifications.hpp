@@ -28,7 +28,6 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "gearwright/base/result.hpp"

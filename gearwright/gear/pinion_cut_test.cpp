@@ -13,7 +13,6 @@
 #include "gearwright/base/testing/draw.hpp"
 #include "gearwright/base/testing/named_limit.hpp"
 #include "gearwright/base/testing/taken.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/math/involute.hpp"

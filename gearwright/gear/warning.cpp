@@ -1,7 +1,5 @@
 #include "gearwright/gear/warning.hpp"
 
-#include <cstddef>
-
 namespace gearwright {
 
 namespace {

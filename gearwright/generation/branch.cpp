@@ -10,7 +10,6 @@
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/error.hpp"
 #include "gearwright/curve/basic_curves.hpp"
-#include "gearwright/generation/chain.hpp"
 #include "gearwright/math/root.hpp"
 
 namespace gearwright::detail {

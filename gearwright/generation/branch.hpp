@@ -11,7 +11,6 @@
 #include <functional>
 #include <vector>
 
-#include "gearwright/curve/arc_name.hpp"
 #include "gearwright/curve/curve.hpp"
 #include "gearwright/generation/generate.hpp"
 
@@ -64,5 +63,21 @@ struct ToothEnds {
 ///           of a pinion cutter do not join; `root_fillet.offset_mm` or `tip_fillet` if no flank is left
 Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const ToothEnds& ends,
                                     GeneratedTooth tooth);
+
+// Joins branches to the outline of the tooth.
+// end of the preceding branch, so the chain represents the half angle as a function of the height.
+//                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
+
+/// Returns the chain up to the tip, for branches in the order of the cutter's edge from root to tip. The
+/// chain is empty if the ends of two neighbouring branches do not meet.
+std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height);
+
+/// Returns the chain up to the tip, for branches in any order. The chain begins at the root with the
+/// first branch and follows the lowest half angle at every height [T6.13]. This function is slower
+/// than assemble() and is used for cutters whose path turns back.
+std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double tip_height);
+
+/// Returns true if every branch begins at the end of the preceding branch.
+bool is_continuous(const std::vector<Branch>& chain);
 
 }  // namespace gearwright::detail

@@ -1,8 +1,7 @@
-#include "gearwright/generation/chain.hpp"
+#include "gearwright/generation/branch.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "gearwright/math/root.hpp"
 

@@ -1,5 +1,5 @@
 // Tests the lower envelope of branches whose half angles are given by formulas.
-#include "gearwright/generation/chain.hpp"
+#include "gearwright/generation/branch.hpp"
 
 #include <gtest/gtest.h>
 

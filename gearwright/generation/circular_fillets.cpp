@@ -10,7 +10,6 @@
 #include "gearwright/base/error.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/math/involute.hpp"
-#include "gearwright/math/newton.hpp"
 #include "gearwright/math/root.hpp"
 
 namespace gearwright {

@@ -6,7 +6,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/generation/branch.hpp"
-#include "gearwright/math/polynomial.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 

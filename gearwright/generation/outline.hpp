@@ -8,7 +8,6 @@
 
 #include <vector>
 
-#include "gearwright/curve/arc_name.hpp"
 #include "gearwright/curve/curve.hpp"
 
 namespace gearwright {

@@ -9,7 +9,6 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/math/involute.hpp"
-#include "gearwright/math/polynomial.hpp"
 #include "gearwright/math/root.hpp"
 
 namespace gearwright {

@@ -1,10 +1,9 @@
 #include "gearwright/generation/rack_envelope.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include "gearwright/math/involute.hpp"
-#include "gearwright/math/polynomial.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 

@@ -15,7 +15,6 @@
 #pragma once
 
 #include <cmath>
-#include <complex>
 #include <vector>
 
 #include "gearwright/curve/basic_curves.hpp"

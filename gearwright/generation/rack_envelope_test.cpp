@@ -9,7 +9,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/numbers.hpp"
-#include "gearwright/math/polynomial.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 

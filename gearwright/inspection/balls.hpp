@@ -14,11 +14,10 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/gear.hpp"
-#include "gearwright/inspection/usable_flank.hpp"
+#include "gearwright/inspection/evaluation_ranges.hpp"
 
 namespace gearwright {
 

@@ -1,10 +1,10 @@
 #include "gearwright/inspection/chordal_thickness.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numbers>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "gearwright/base/units.hpp"
 
@@ -80,6 +80,23 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
                    fmt::format("the tooth spans {} degrees about the axis, which is too much for a "
                                "calliper; use a greater diameter, which must be {}",
                                format_number(2 * arc.half_angle * kDegPerRad), range->ends));
+}
+
+std::optional<ConstantChord> constant_chord(const Gear& gear) {
+  const auto flank = usable_flank(gear);
+  if (!flank) return std::nullopt;
+  const double half = gear.reference().reference_tooth_thickness_normal / 2;
+  const double sin_a = std::sin(gear.spec.normal_pressure_angle.rad());
+  const double cos_a = std::cos(gear.spec.normal_pressure_angle.rad());
+  const double side = gear.side();
+  const double across =
+      half * cos_a * cos_a;                // from the middle of the tooth, in the normal section
+  const double up = half * sin_a * cos_a;  // from the reference cylinder towards the tip
+  // The component of `across` in the transverse section is cos β times its length. [T10.14]
+  const double radius = std::hypot(gear.reference_diameter / 2 + side * up,
+                                   across * std::cos(gear.spec.helix_angle.rad()));
+  const double addendum = side * (2 * gear.actual_tip_radius() - gear.reference_diameter) / 2;
+  return ConstantChord{2 * across, addendum - up, 2 * radius, flank->place(2 * radius)};
 }
 
 }  // namespace gearwright

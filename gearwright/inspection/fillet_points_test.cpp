@@ -8,7 +8,7 @@
 
 #include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/base/testing/taken.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/inspection/nominal_points.hpp"
 

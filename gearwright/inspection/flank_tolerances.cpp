@@ -1,6 +1,5 @@
 #include "gearwright/inspection/flank_tolerances.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -9,9 +9,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/generation/outline.hpp"
-#include "gearwright/inspection/identify_fit.hpp"
 #include "gearwright/inspection/identify_model.hpp"
-#include "gearwright/inspection/standard_racks.hpp"
 
 namespace gearwright {
 

@@ -42,4 +42,41 @@ std::optional<double> reading_of(const GearNumbers& gear, const Observation& o);
 /// is due to wear and different racks.
 std::optional<double> residual(const GearNumbers& gear, const Observation& o);
 
+// Fits the unknowns of one hypothesis by least squares: the profile shift, and also helix angle and
+// module if they are free.
+// times the fraction of the prior volume that agrees with the readings.
+
+struct Unknowns {
+  bool shift = true, helix = false, module = false;
+};
+
+struct RackFit {
+  GearNumbers gear;
+  double misfit;                                  ///< χ² of the exact readings
+  double sigma_shift, sigma_helix, sigma_module;  ///< 0 if not fitted
+  int free;                                       ///< number of fitted values
+  double log_evidence;
+};
+/// Fits the unknowns by the Gauss–Newton method from `start`, and computes the evidence [T10.25]. None if
+/// a tool does not touch the flanks, or if the readings do not determine the unknowns.
+std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknowns,
+                                const std::vector<Observation>& readings);
+
+// The standard racks that identify() tries, with their prior probabilities.
+
+struct StandardRack {
+  double module;  ///< m_n  mm
+  double alpha;   ///< α_n  rad
+  ModuleSeries series;
+  std::optional<double> diametral_pitch;  ///< 1/in
+  double log_prior;                       ///< logarithm of its prior probability
+};
+
+/// Modules of ISO 54 and diametral pitches, each with the usual pressure angles.
+const std::vector<StandardRack>& standard_racks();
+/// The measurement that distinguishes best between the likeliest gear and another one. None if only one
+/// gear is left, or if no measurement distinguishes between the gears.
+std::optional<NextMeasurement> next_measurement(const IdentifyProblem& problem,
+                                                const std::vector<IdentifiedGear>& candidates);
+
 }  // namespace gearwright::detail

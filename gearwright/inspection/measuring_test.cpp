@@ -15,7 +15,6 @@
 #include "gearwright/inspection/balls.hpp"
 #include "gearwright/inspection/chord_series.hpp"
 #include "gearwright/inspection/chordal_thickness.hpp"
-#include "gearwright/inspection/constant_chord.hpp"
 #include "gearwright/inspection/evaluation_ranges.hpp"
 #include "gearwright/inspection/span.hpp"
 

@@ -9,7 +9,6 @@
 // normals.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "gearwright/base/vector.hpp"

@@ -16,7 +16,7 @@
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/gear.hpp"
-#include "gearwright/inspection/usable_flank.hpp"
+#include "gearwright/inspection/evaluation_ranges.hpp"
 
 namespace gearwright {
 

@@ -1,4 +1,3 @@
-#include "gearwright/inspection/standard_racks.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // The options for work in numbered chunks that several processes may share, and the queue of chunks
 // of one process.
 //
-// job/campaign.hpp opens the folder of finished chunks.
+// job/search_files.hpp opens the folder of finished chunks.
 #pragma once
 
 #include <algorithm>

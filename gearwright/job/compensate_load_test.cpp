@@ -1,6 +1,5 @@
 // Corrections under load are compared with a dense scan of all permitted values, and their laws are
 // tested.
-#include "gearwright/job/compensate_load.hpp"
 
 #include <gtest/gtest.h>
 

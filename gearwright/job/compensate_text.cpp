@@ -1,13 +1,11 @@
-#include "gearwright/job/compensate_text.hpp"
-
-#include <nlohmann/json.hpp>
-
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/base/torque.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/listing.hpp"
 
 namespace gearwright {

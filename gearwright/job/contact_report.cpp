@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/base/parallel.hpp"

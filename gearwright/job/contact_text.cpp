@@ -1,5 +1,3 @@
-#include "gearwright/job/contact_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +7,8 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/listing.hpp"
-#include "gearwright/job/result_json.hpp"
 #include "gearwright/report/contact_report.hpp"
 
 namespace gearwright {

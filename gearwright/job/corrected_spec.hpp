@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
-#include "gearwright/job/job_contact.hpp"
+#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/spec/json.hpp"
 
 namespace gearwright {

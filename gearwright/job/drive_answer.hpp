@@ -1,10 +1,14 @@
 // The answer of the verb drive. Internal to job/ and its tests.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "gearwright/drive/drive.hpp"
+#include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/verbs.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
@@ -21,5 +25,37 @@ Result<Answer> answer_drive(const JobSpec& spec, Progress* progress = nullptr);
 /// Errors    the errors of solve_drive() and load_drive(); `rating.…` for the errors of
 ///           rate_meshes() and material_of()
 Result<Answer> answer_drive_rating(const JobSpec& spec, Progress* progress = nullptr);
+
+// The answer of a search for drives.
+
+/// Default number of drives in an answer.
+inline constexpr std::size_t kDefaultDrives = 100;
+
+/// True if the spec has a [search] for drives.
+bool searches_drives(const JobSpec& spec);
+
+/// The best drives of the search, each computed by the verb drive. `specs` contains their specs.
+///
+/// Domain    a spec with a search for drives (contract)
+/// Errors    the errors of search_drives(), with the keys of the spec
+Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top = kDefaultDrives,
+                                   int threads = 0);
+
+// A mesh of a drive as a spec of its own, so that every verb for pairs applies to it.
+
+struct MeshSpec {
+  Json tables;
+  std::vector<std::string> notes;  ///< sentences: the origin of the spec, faults of the drive,
+                                   ///< and tables that are left out
+};
+
+/// The spec of a mesh has its two gears at their centre distance, with the shifts and tip diameters
+/// in the drive. If the mesh carries load, it also has the torque, the speed relative to the
+/// carrier, the driving gear and the rating. The tables for errors, contact, drawing and scatter
+/// are copied from the drive. If one gear is a rack, the rack is gear 2.
+///
+/// Laws      the pair of this spec has the same numbers as the mesh in the drive
+/// Domain    expanded = expanded_spec() of the drive (contract)
+MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh);
 
 }  // namespace gearwright

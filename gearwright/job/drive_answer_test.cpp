@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/job/drive_job.hpp"
-#include "gearwright/job/drive_search_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
 #include "gearwright/spec/toml_text.hpp"

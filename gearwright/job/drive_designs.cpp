@@ -14,7 +14,7 @@
 #include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/spec/parse_spec.hpp"
-#include "gearwright/spec/read_drive_search.hpp"
+#include "gearwright/spec/read_search.hpp"
 
 namespace gearwright {
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "gearwright/catalogue/drive_search_quantities.hpp"
 #include "gearwright/spec/json.hpp"

@@ -1,15 +1,9 @@
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
-#include "gearwright/base/output_file.hpp"
-#include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/run_folder.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/report/drive_report.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/arrange/body.hpp"
 #include "gearwright/arrange/judge_drive.hpp"
+#include "gearwright/arrange/notes.hpp"
 #include "gearwright/arrange/two_halves.hpp"
-#include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/cad/gear_body.hpp"
+#include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
-#include "gearwright/drive/drive_error.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -47,12 +45,9 @@ Result<ToothedBody> body_of(const DriveJob& job, const PlacedGear& placed) {
   const DriveGear& named = job.drive.graph.gears[placed.gear];
   const Gear& gear = *job.drive.geometry.gears[placed.gear];
   const int count = job.drive.graph.bodies[named.body].count;
-  ToothedBody body{count > 1 ? fmt::format("{} {}", named.name, placed.copy + 1) : named.name,
-                   gear.tooth->outline,
-                   gear.twist(),
-                   gear.spec.face_width,
-                   gear.internal() ? rim(gear) : gear.bore,
-                   Eigen::Isometry3d::Identity()};
+  const std::string name =
+      count > 1 ? fmt::format("{} {}", named.name, placed.copy + 1) : named.name;
+  ToothedBody body = gear_body(gear, name, gear.internal() ? rim(gear) : gear.bore).value();
   if (named.double_helical) {
     const auto halves = halves_of(gear, *named.double_helical);
     if (!halves) return within(named.name, halves.error());

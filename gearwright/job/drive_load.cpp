@@ -5,13 +5,12 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
-#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/drive/loaded_drive.hpp"
+#include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/load_answer.hpp"
-#include "gearwright/job/mesh_spec.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
 

@@ -1,4 +1,4 @@
-#include "gearwright/job/drive_search_answer.hpp"
+#include "gearwright/job/drive_answer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,9 +13,8 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_designs.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
-#include "gearwright/spec/read_drive_search.hpp"
+#include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {

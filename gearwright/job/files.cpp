@@ -3,36 +3,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "gearwright/arrange/body.hpp"
+#include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/cad/dxf.hpp"
-#include "gearwright/cad/gear_body.hpp"
 #include "gearwright/cad/mesh_files.hpp"
-#include "gearwright/cad/step.hpp"
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/walls.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/compensate_text.hpp"
+#include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/contact_report.hpp"
-#include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/judgement.hpp"
-#include "gearwright/job/k_diagrams.hpp"
-#include "gearwright/job/load_report.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/nominal_csv.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/run_folder.hpp"
 #include "gearwright/job/scatter_answer.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/report/report.hpp"
 #include "gearwright/spec/unit_tree.hpp"
@@ -262,12 +256,7 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
   if (!gear.exists()) {
     return refused(name + ".profile_shift", gear.spec.profile_shift, gear.warnings.back().message);
   }
-  ToothedBody body{name,
-                   gear.tooth->outline,
-                   gear.twist(),
-                   gear.spec.face_width,
-                   gear.internal() ? rim(gear) : gear.bore,
-                   Eigen::Isometry3d::Identity()};
+  ToothedBody body = gear_body(gear, name, gear.internal() ? rim(gear) : gear.bore).value();
   if (const auto& halves = job.halves[static_cast<std::size_t>(which - 1)]) {
     auto helices = two_helices_of(gear, *halves, which);
     if (!helices) return within(name, helices.error());

@@ -36,4 +36,9 @@ Json fit_json(const FitAnswer& answer);
 /// A table for users.
 std::string fit_listing(const FitAnswer& answer, UnitSystem units);
 
+// The verb fit for a pinion with few teeth and the wheel that it cuts ([fit] few_teeth = true).
+
+/// Errors    keys of the spec that are not allowed here, or are missing
+Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress = nullptr);
+
 }  // namespace gearwright

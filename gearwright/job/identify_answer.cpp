@@ -5,10 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/identify_quantities.hpp"
-#include "gearwright/gear/gear_field.hpp"
-#include "gearwright/job/value_json.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {

@@ -6,7 +6,7 @@
 
 #include "gearwright/arrange/judge.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/contact_report.hpp"
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/system.hpp"
@@ -12,7 +11,6 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
-#include "gearwright/job/interval.hpp"
 #include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
@@ -50,6 +48,18 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
   text += "  " + (note.empty() ? std::string(unit) : pad(std::string(unit), kUnitWidth) + note);
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
+}
+
+// The values that vary within the tolerances. The listing is empty if there are none.
+std::string pair_interval_listing(const SolvedJob& job) {
+  if (!job.ends || !job.pair) return {};
+  // Each end has a listing of its own, because the values of two gears already need two columns.
+  const auto both = differing(pair_quantities().of(*job.ends->lower.pair),
+                              pair_quantities().of(*job.ends->upper.pair));
+  return "\nValues with the thinnest teeth and the most backlash\n" +
+         quantity_listing(job.spec.units(), pair_quantities().table(), {both[0]}, {}) +
+         "\nValues with the thickest teeth and the least backlash\n" +
+         quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {});
 }
 
 }  // namespace
@@ -144,17 +154,6 @@ std::string pair_listing(const Pair& pair, UnitSystem units) {
   return fmt::format("\n{}{}\n", kind,
                      halves ? "; contact ratios and axial force are those of one half" : "") +
          quantity_listing(units, pair_quantities().table(), {pair_quantities().of(pair)}, {});
-}
-
-std::string pair_interval_listing(const SolvedJob& job) {
-  if (!job.ends || !job.pair) return {};
-  // Each end has a listing of its own, because the values of two gears already need two columns.
-  const auto both = differing(pair_quantities().of(*job.ends->lower.pair),
-                              pair_quantities().of(*job.ends->upper.pair));
-  return "\nValues with the thinnest teeth and the most backlash\n" +
-         quantity_listing(job.spec.units(), pair_quantities().table(), {both[0]}, {}) +
-         "\nValues with the thickest teeth and the least backlash\n" +
-         quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {});
 }
 
 std::string warning_listing(const std::vector<Warning>& warnings, UnitSystem units) {

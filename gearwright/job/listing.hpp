@@ -13,8 +13,6 @@ namespace gearwright {
 std::string title_listing(const JobSpec& spec, std::string_view before = "");
 std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair, UnitSystem units);
-/// The values that vary within the tolerances. The listing is empty if there are none.
-std::string pair_interval_listing(const SolvedJob& job);
 /// The pair and its range within the tolerances. The listing is empty without a pair.
 std::string pair_listing(const SolvedJob& job);
 /// Lists records side by side, in these units, under the headings `columns`. Without `columns`

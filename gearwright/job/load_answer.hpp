@@ -1,9 +1,13 @@
 // The verb `load`: the pair of a spec under torque, and probes of its teeth.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/catalogue/load_quantities.hpp"
-#include "gearwright/job/job_contact.hpp"
+#include "gearwright/figure/load_scene.hpp"
+#include "gearwright/job/contact_answer.hpp"
 
 namespace gearwright {
 
@@ -15,5 +19,20 @@ Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress = nullptr);
 Result<LoadTask> load_task(SolvedJob& job);
 
 LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer);
+
+// The load part of `run`: the result of `load`, and its part of the report.
+
+/// The report contains pointers into the job. Its positions always cover one pitch, even if the
+/// result has other rotations.
+struct LoadPart {
+  LoadAnalysis answer;
+  std::optional<LoadScene> report;  ///< none if only probes were requested
+};
+
+/// The load part, or nothing if [load] requests neither torques nor probes. For gears that loaded
+/// contact does not support, there is no part either, and the job gets a warning.
+///
+/// Errors    the errors of answer_load that are about a wrong number of the spec
+Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -1,6 +1,5 @@
 // Teeth under load in extreme cases: pointed teeth, corners that carry load, positions without a
 // result, slices that are too fine.
-#include "gearwright/job/load_answer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/judgement.hpp"
-#include "gearwright/job/load_text.hpp"
 
 namespace gearwright {
 namespace {

@@ -4,9 +4,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gearwright/inspection/nominal_points.hpp"
 #include "gearwright/job/solved_job.hpp"
+#include "gearwright/report/k_diagram.hpp"
 
 namespace gearwright {
 
@@ -25,5 +27,11 @@ std::optional<PointGrid> parse_grid(const std::string& text);
 /// Errors    `gearN.modifications.…`; a gear without involute flanks, or without a root fillet
 Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
                                 const std::optional<int>& fillet_points = {});
+
+// The K-diagrams of all flanks that have modifications or an accuracy grade, for the page.
+
+/// One diagram for each gear if both flanks are equal, otherwise one for each flank. A modification
+/// that does not fit its flank is omitted, because the verb contact reports it.
+std::vector<KDiagram> k_diagrams(const SolvedJob& job);
 
 }  // namespace gearwright

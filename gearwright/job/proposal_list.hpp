@@ -8,6 +8,7 @@
 
 #include "gearwright/catalogue/propose_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
@@ -37,5 +38,13 @@ struct ProposalList {
 ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
                             const PairCompliance& compliance, const LeadProposal& lead,
                             double pitch_deviation);
+
+// The spec of a proposal: that of the job with other flank modifications.
+
+/// The tree with the modifications of the proposal. Its reliefs replace all profile modifications
+/// of both gears. Its crowning and slope replace all helix modifications. Either of these also
+/// replaces a topography. The slope applies to the loaded flank of gear 1, which is the left flank
+/// if gear 2 drives.
+Json with_proposal(const Json& tree, const Proposal& proposal, bool gear2_drives);
 
 }  // namespace gearwright

@@ -8,13 +8,11 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/base/torque.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/proposal_list.hpp"
-#include "gearwright/job/proposal_spec.hpp"
-#include "gearwright/job/value_json.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {

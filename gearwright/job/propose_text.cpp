@@ -4,8 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/base/torque.hpp"
-#include "gearwright/base/units.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"

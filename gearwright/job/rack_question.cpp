@@ -10,7 +10,7 @@
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
-#include "gearwright/job/value_json.hpp"
+#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 

@@ -1,7 +1,7 @@
 #include "gearwright/job/rating_answer.hpp"
 
 #include "gearwright/arrange/loaded_halves.hpp"
-#include "gearwright/job/job_contact.hpp"
+#include "gearwright/job/contact_answer.hpp"
 
 namespace gearwright {
 

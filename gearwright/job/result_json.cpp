@@ -1,15 +1,15 @@
 #include "gearwright/job/result_json.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
-#include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
-#include "gearwright/job/interval.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
@@ -82,6 +82,136 @@ Json files_json(const std::vector<JobFile>& files) {
 
 Json error_json(const Error& error) {
   return {{"error", {{"key", error.field}, {"value", error.value}, {"message", error.message()}}}};
+}
+
+namespace {
+
+// True if the values differ by more than rounding errors, which also occur in numbers that do not
+// depend on the tolerance.
+bool differ(double a, double b) {
+  constexpr double kRounding = 1e-13;
+  return std::abs(a - b) > kRounding * std::max(std::abs(a), std::abs(b));
+}
+
+Json interval_of(const Value& lower, const Value& upper) {
+  const auto a = lower.number(), b = upper.number();
+  if (a && b) return differ(*a, *b) ? Json{*a, *b} : Json();
+  if (lower.record() && upper.record()) {
+    Json inner = interval_json(*lower.record(), *upper.record());
+    return inner.empty() ? Json() : inner;
+  }
+  const ValueList *list = lower.list(), *other = upper.list();
+  if (!list || !other || list->size() != other->size()) return {};
+  Json values = Json::array();
+  bool any = false;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    if ((*list)[i].record()) return {};
+    values.push_back(interval_of((*list)[i], (*other)[i]));
+    any = any || !values.back().is_null();
+  }
+  return any ? values : Json();
+}
+
+template <class Record>
+auto same_quantity(Record& record, const QuantityInfo* info) -> decltype(&record.front()) {
+  const auto it =
+      std::find_if(record.begin(), record.end(), [&](const Member& m) { return m.info == info; });
+  return it == record.end() ? nullptr : &*it;
+}
+
+// Hides the values that are equal in both records. Returns true if any other values remain.
+bool keep_differing(ValueRecord& lower, ValueRecord& upper) {
+  bool any = false;
+  for (Member& m : lower) {
+    Member* const other = same_quantity(upper, m.info);
+    bool kept = false;
+    if (other && m.value.record() && other->value.record()) {
+      ValueRecord a = *m.value.record(), b = *other->value.record();
+      kept = keep_differing(a, b);
+      m.value = std::move(a);
+      other->value = std::move(b);
+    } else if (other) {
+      kept = !interval_of(m.value, other->value).is_null();
+    }
+    m.shown = m.shown && kept;
+    if (other) other->shown = other->shown && kept;
+    any = any || m.shown;
+  }
+  for (Member& m : upper) m.shown = m.shown && same_quantity(lower, m.info);
+  return any;
+}
+
+}  // namespace
+
+Json interval_json(const ValueRecord& lower, const ValueRecord& upper) {
+  Json j = Json::object();
+  for (const Member& m : lower) {
+    const Member* other = same_quantity(upper, m.info);
+    if (!other) continue;
+    Json value = interval_of(m.value, other->value);
+    if (!value.is_null()) j[m.info->key] = std::move(value);
+  }
+  return j;
+}
+
+std::vector<ValueRecord> differing(ValueRecord lower, ValueRecord upper) {
+  keep_differing(lower, upper);
+  return {std::move(lower), std::move(upper)};
+}
+
+namespace {
+
+struct JsonWriter {
+  Json operator()(std::monostate) const { return nullptr; }
+  Json operator()(const ValueList& list) const {
+    Json j = Json::array();
+    for (const Value& v : list) j.push_back(to_json(v));
+    return j;
+  }
+  Json operator()(const ValueRecord& record) const {
+    Json j = Json::object();
+    for (const Member& m : record) {
+      if (m.info->doors & kJson) j[m.info->key] = to_json(m.value);
+    }
+    return j;
+  }
+  Json operator()(const ValueMap& map) const {
+    Json j = Json::object();
+    for (const auto& [name, value] : map) j[name] = to_json(value);
+    return j;
+  }
+  template <class T>
+  Json operator()(const T& plain) const {
+    return plain;
+  }
+};
+
+}  // namespace
+
+Json to_json(const Value& value) { return std::visit(JsonWriter(), value.variant()); }
+
+Value to_value(const Json& json) {
+  switch (json.type()) {
+    case Json::value_t::boolean: return json.get<bool>();
+    case Json::value_t::number_integer:
+    case Json::value_t::number_unsigned: return json.get<long long>();
+    case Json::value_t::number_float: return json.get<double>();
+    case Json::value_t::string: return json.get<std::string>();
+    case Json::value_t::array: {
+      ValueList list;
+      for (const Json& j : json) list.push_back(to_value(j));
+      return list;
+    }
+    case Json::value_t::object: {
+      ValueMap map;
+      for (const auto& [key, j] : json.items()) map.emplace_back(key, to_value(j));
+      return map;
+    }
+    case Json::value_t::null:
+    case Json::value_t::binary:
+    case Json::value_t::discarded: return {};
+  }
+  return {};
 }
 
 }  // namespace gearwright

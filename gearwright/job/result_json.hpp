@@ -1,6 +1,10 @@
 // The result as JSON with every key in the order of the interface. Internal to job/ and its tests.
 #pragma once
 
+#include <vector>
+
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/catalogue/value.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/solved_job.hpp"
@@ -23,5 +27,25 @@ Json outline_json(const Outline& outline, int n);
 Json files_json(const std::vector<JobFile>& files);
 Json error_json(const Error& error);
 Json verdict_json(const Verdict& verdict);
+
+// The range of a record within tolerances: the numbers that differ between the two ends, in JSON and
+// for users.
+
+/// {key: [at lower, at upper]} for the numbers that differ. It contains the quantities of all
+/// interfaces, also the thickness allowance, which otherwise appears on the page only. An inner
+/// record becomes a record. In a list, null replaces a number that does not differ. Lists of
+/// records are omitted.
+Json interval_json(const ValueRecord& lower, const ValueRecord& upper);
+
+/// Both ends as records for a listing. The listing shows only the rows that differ.
+std::vector<ValueRecord> differing(ValueRecord lower, ValueRecord upper);
+
+// Converts a value of the catalogue to JSON, with the keys for JSON, and back.
+
+/// Reading the JSON gives the same doubles. An absent value, NaN and infinity become null.
+Json to_json(const Value& value);
+
+/// A tree of JSON as a value, for example a spec inside a result.
+Value to_value(const Json& json);
 
 }  // namespace gearwright

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/spec/rexs_file.hpp"
 
 namespace gearwright {
@@ -111,8 +111,7 @@ class Writer {
       const int z0 = gear.cut_by->cutter_teeth;
       const double reference =
           z0 * gear.spec.normal_module / std::cos(gear.spec.helix_angle.rad()) / 2;
-      const double tip =
-          std::abs(gear.root_diameter / 2 - (gear.internal() ? 1 : -1) * gear.cut_by->distance);
+      const double tip = std::abs(gear.root_diameter / 2 + gear.side() * gear.cut_by->distance);
       tool.set("number_of_teeth", z0, "none");
       tool.set("addendum_coefficient_reference_profile",
                (tip - reference) / gear.spec.normal_module, "none");

@@ -7,10 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "gearwright/base/missing.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/key_hint.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/load_answer.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "gearwright/catalogue/scatter_quantities.hpp"
-#include "gearwright/job/job_contact.hpp"
+#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/spec/json.hpp"
 
 namespace gearwright {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -13,12 +12,11 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/system.hpp"
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
-#include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/study_campaign.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
@@ -97,26 +95,10 @@ std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
   return std::nullopt;
 }
 
-}  // namespace
-
-std::string text_of_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  if (!file) throw IoError("cannot read " + native_text(path));
-  return bytes.str();
-}
-
-std::size_t ranking_percentile(const JobSpec& spec) {
-  const std::vector<double>& all = spec.scatter.percentiles;
-  return static_cast<std::size_t>(std::max_element(all.begin(), all.end()) - all.begin());
-}
-
-bool loses_contact(const JobSpec& spec, const Json& row) {
-  const double left_out = 100.0 - spec.scatter.percentiles[ranking_percentile(spec)];
-  return 100.0 * row["probability"]["contact_lost"]["value"].get<double>() > left_out;
-}
-
+// The designs of the result of a search: its folder, its search.json or the output of --json.
+//
+// Throws    IoError
+// Errors    "--designs": a file of another kind, a search that is not finished
 Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
   std::error_code error;
   const bool folder = fs::is_directory(given, error);
@@ -161,6 +143,26 @@ Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
                     std::array{d["teeth"][0].get<int>(), d["teeth"][1].get<int>()}});
   }
   return list;
+}
+
+}  // namespace
+
+std::string text_of_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  if (!file) throw IoError("cannot read " + native_text(path));
+  return bytes.str();
+}
+
+std::size_t ranking_percentile(const JobSpec& spec) {
+  const std::vector<double>& all = spec.scatter.percentiles;
+  return static_cast<std::size_t>(std::max_element(all.begin(), all.end()) - all.begin());
+}
+
+bool loses_contact(const JobSpec& spec, const Json& row) {
+  const double left_out = 100.0 - spec.scatter.percentiles[ranking_percentile(spec)];
+  return 100.0 * row["probability"]["contact_lost"]["value"].get<double>() > left_out;
 }
 
 Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDesign& listed,

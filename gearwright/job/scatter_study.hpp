@@ -53,12 +53,6 @@ struct StudyRun {
   std::vector<std::filesystem::path> files;
 };
 
-/// The designs of the result of a search: its folder, its search.json or the output of --json.
-///
-/// Throws    IoError
-/// Errors    "--designs": a file of another kind, a search that is not finished
-Result<std::vector<ListedDesign>> listed_designs(const std::filesystem::path& path);
-
 /// The row of one design.
 ///
 /// Throws    WorkStopped

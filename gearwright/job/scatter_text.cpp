@@ -6,14 +6,13 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
-#include "gearwright/base/torque.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {

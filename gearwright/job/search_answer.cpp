@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +11,6 @@
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/report/search_report.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/unit_tree.hpp"
@@ -147,6 +145,41 @@ Json rating_of(const Json& tree, const SearchLimits& limits) {
   return rating;
 }
 
+// The conditions that all designs satisfy:
+// "every design runs without interference, form clearance ≥ 0.02 modules, …"
+std::string margin_line(const SearchLimits& limits) {
+  std::string text =
+      limits.avoid_interference
+          ? fmt::format(
+                "every design runs without interference and has a form clearance ≥ {:g} modules",
+                limits.form_clearance)
+          : "the list includes designs with interference";
+  if (limits.tip_clearance)
+    text += fmt::format(", tip clearance ≥ {:g} modules", *limits.tip_clearance);
+  return text;
+}
+
+// One line for each limit that rejected candidates, "tip clearance: 2698", in the order of the
+// limits.
+std::vector<std::string> rejected_lines(const SearchCounts& counts) {
+  constexpr const char* kWords[kLimits] = {
+      "limits of the profile shifts (undercut, tip, given limits)",
+      "centre distance",
+      "contact ratio",
+      "overlap ratio",
+      "specific sliding",
+      "tip clearance",
+      "interference",
+      "safety against pitting at the profile shifts of the design",
+      "safety against root breakage at the profile shifts of the design",
+      "verdict on the drawing of the pair at all tolerance ends"};
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < counts.rejected.size(); ++i)
+    if (counts.rejected[i] > 0)
+      lines.push_back(fmt::format("{}: {}", kWords[i], counts.rejected[i]));
+  return lines;
+}
+
 }  // namespace
 
 Json design_row_json(const Search& search, const DesignRow& row, bool with_edges) {
@@ -211,37 +244,6 @@ Json unfinished_json(const SearchRun& run) {
             {"chunks_done", run.chunks_done},
             {"chunks", run.chunks}}},
           {"warnings", Json::array()}};
-}
-
-std::vector<std::string> rejected_lines(const SearchCounts& counts) {
-  constexpr const char* kWords[kLimits] = {
-      "limits of the profile shifts (undercut, tip, given limits)",
-      "centre distance",
-      "contact ratio",
-      "overlap ratio",
-      "specific sliding",
-      "tip clearance",
-      "interference",
-      "safety against pitting at the profile shifts of the design",
-      "safety against root breakage at the profile shifts of the design",
-      "verdict on the drawing of the pair at all tolerance ends"};
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < counts.rejected.size(); ++i)
-    if (counts.rejected[i] > 0)
-      lines.push_back(fmt::format("{}: {}", kWords[i], counts.rejected[i]));
-  return lines;
-}
-
-std::string margin_line(const SearchLimits& limits) {
-  std::string text =
-      limits.avoid_interference
-          ? fmt::format(
-                "every design runs without interference and has a form clearance ≥ {:g} modules",
-                limits.form_clearance)
-          : "the list includes designs with interference";
-  if (limits.tip_clearance)
-    text += fmt::format(", tip clearance ≥ {:g} modules", *limits.tip_clearance);
-  return text;
 }
 
 std::string rating_line(const SearchProblem& problem) {

@@ -28,10 +28,6 @@ Json unfinished_json(const SearchRun& run);
 std::string search_listing(const Search& search, const SearchRun& run, UnitSystem units,
                            std::size_t most = kListedDesigns);
 
-/// The conditions that all designs satisfy:
-/// "every design runs without interference, form clearance ≥ 0.02 modules, …"
-std::string margin_line(const SearchLimits& limits);
-
 /// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H ≥ 1.1"; empty if the
 /// designs are not rated.
 std::string rating_line(const SearchProblem& problem);
@@ -41,10 +37,6 @@ std::string drawing_line(const SearchProblem& problem);
 
 /// One line for each change, such as "search.contact_ratio_min = 1.17 instead of 1.2".
 std::vector<std::string> change_lines(const SearchRun& run, UnitSystem units);
-
-/// One line for each limit that rejected candidates, "tip clearance: 2698", in the order of the
-/// limits.
-std::vector<std::string> rejected_lines(const SearchCounts& counts);
 
 /// The search as an HTML page.
 std::string search_page(const JobSpec& spec, const Search& search, const SearchRun& run);

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "gearwright/job/campaign.hpp"
-#include "gearwright/job/search_closing.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_record.hpp"
 #include "gearwright/job/search_workers.hpp"

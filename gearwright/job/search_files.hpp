@@ -8,10 +8,15 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "gearwright/base/result.hpp"
+#include "gearwright/job/chunk_queue.hpp"
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/job/search_record.hpp"
+#include "gearwright/store/chunk_store.hpp"
 
 namespace gearwright {
 
@@ -29,5 +34,21 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
                                                       const std::filesystem::path& folder,
                                                       std::optional<std::size_t> top,
                                                       const FindSource& source);
+
+// The folder of a campaign, a search or a study whose finished chunks stay on disk, opened as its
+// options say.
+
+/// The store, or nothing if the first process could not open the folder. If `refused` is set, the
+/// folder must not be used, and `refused` is the error.
+///
+/// Throws    IoError
+/// Errors    `refused`; the errors of ChunkStore::open
+Result<std::optional<ChunkStore>> open_campaign(const Campaign& campaign,
+                                                const std::vector<std::string>& count_names,
+                                                const CampaignOptions& options,
+                                                const std::optional<Error>& refused);
+
+/// The missing chunks of this process, in ascending order.
+std::vector<std::int64_t> own_chunks(const ChunkStore& store, const CampaignOptions& options);
 
 }  // namespace gearwright

@@ -11,7 +11,6 @@
 
 #include "gearwright/base/version.hpp"
 #include "gearwright/job/search_campaign.hpp"
-#include "gearwright/job/search_closing.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/search_workers.hpp"
@@ -73,8 +72,7 @@ SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t 
   return run;
 }
 
-}  // namespace
-
+// The number of trials in a chunk, for a search with this number of trials.
 std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
   constexpr std::int64_t kChunks = 4096;
   const std::int64_t size = std::clamp((trials + kChunks - 1) / kChunks, kMinChunk, kMaxChunk);
@@ -85,6 +83,8 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
   const double step = *problem.shift_step;
   return std::clamp<std::int64_t>(static_cast<std::int64_t>(kPoints * step * step), 1, size);
 }
+
+}  // namespace
 
 SearchRun begun(const JobSpec& spec, const Search& search) {
   SearchRun run;

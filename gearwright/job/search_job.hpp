@@ -85,9 +85,6 @@ inline constexpr std::int64_t kMaxChunks = 1'000'000;
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
 
-/// The number of trials in a chunk, for a search with this number of trials.
-std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials);
-
 /// All inputs that determine the result, as lines "key = value". `more` names further tables of the
 /// spec that a search does not need.
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk,

@@ -43,4 +43,13 @@ class SearchWorkers {
   std::atomic<std::int64_t> trials_done_{0}, chunks_done_{0};
 };
 
+// The work after all trials of a search: finding changes that would help if nothing is feasible,
+// and computing the regions of the listed designs.
+
+/// Computes changes that would make designs feasible, unless there are feasible designs.
+bool look_for_changes(const Search& search, const SearchOptions& options, SearchRun& run);
+
+/// Computes the regions of the listed designs.
+bool complete_regions(const Search& search, const SearchOptions& options, SearchRun& run);
+
 }  // namespace gearwright

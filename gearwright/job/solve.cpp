@@ -6,7 +6,7 @@
 
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/base/output_file.hpp"
 #include "gearwright/base/packing.hpp"
-#include "gearwright/job/campaign.hpp"
+#include "gearwright/job/search_files.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {

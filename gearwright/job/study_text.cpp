@@ -11,8 +11,7 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_study.hpp"
-#include "gearwright/job/value_json.hpp"
-#include "gearwright/report/study_report.hpp"
+#include "gearwright/report/search_report.hpp"
 
 namespace gearwright {
 

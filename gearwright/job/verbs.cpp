@@ -4,20 +4,17 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/compensate_text.hpp"
-#include "gearwright/job/contact_text.hpp"
+#include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/identify_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
-#include "gearwright/job/load_text.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/rating_answer.hpp"

@@ -6,11 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <vector>
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/cad/gear_sheet.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/sheet_files.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 

@@ -6,7 +6,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/load/gap_places.hpp"
 #include "gearwright/load/loaded_contact.hpp"

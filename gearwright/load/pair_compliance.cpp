@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "gearwright/base/parallel.hpp"
-#include "gearwright/gear/gear_field.hpp"
-#include "gearwright/math/roll_length.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/math/roll_length.hpp"
+#include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 

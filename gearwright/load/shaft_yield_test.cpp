@@ -12,7 +12,7 @@
 
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/load/testing/drive.hpp"
-#include "gearwright/rating/shaft_misalignment.hpp"
+#include "gearwright/rating/distribution.hpp"
 
 namespace gearwright {
 namespace {

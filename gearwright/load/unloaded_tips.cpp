@@ -8,7 +8,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/load/loaded_position.hpp"
-#include "gearwright/math/roll_length.hpp"
+#include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 

@@ -7,6 +7,7 @@
 // accuracy ledger. For double, small angles use a series, because tan α − α loses 3ε/α² to cancellation.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -94,6 +95,17 @@ T inverse_involute(const T& y) {
   }
   GW_ENSURES(abs(involute(alpha) - y) <= rounding * tolerance * (y + alpha));
   return alpha;
+}
+
+// Radius of curvature of an involute.              theory: docs/theory/02-involute-and-pair.md
+
+/// ρ = √(r² − r_b²), the radius of curvature of the involute at the radius r, which is also its rolling
+/// length r_b ξ; 0 inside the base circle.
+///
+/// Formula   [T2.2]
+/// Units     mm
+inline double roll_length(double radius, double base_radius) {
+  return std::sqrt(std::max(0.0, (radius - base_radius) * (radius + base_radius)));
 }
 
 }  // namespace gearwright

@@ -2,8 +2,30 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 namespace gearwright {
+
+/// The least of f at steps + 1 equally spaced points of [0, 1], and the interval from the left to the right
+/// neighbour of its point.
+struct LeastNode {
+  double lo, hi;
+  double least;
+};
+
+template <class F>
+LeastNode least_node(const F& f, int steps) {
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= steps; ++i) {
+    const double value = f(static_cast<double>(i) / steps);
+    if (!(value < least)) continue;
+    least = value;
+    best = i;
+  }
+  return {std::max(0, best - 1) / static_cast<double>(steps),
+          std::min(steps, best + 1) / static_cast<double>(steps), least};
+}
 
 /// The argument in [lo, hi] at which f is least.
 ///

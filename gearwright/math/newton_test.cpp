@@ -1,4 +1,4 @@
-#include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
 
 #include <gtest/gtest.h>
 

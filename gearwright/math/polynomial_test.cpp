@@ -1,5 +1,5 @@
 // Roots of polynomials that were constructed from known roots.
-#include "gearwright/math/polynomial.hpp"
+#include "gearwright/math/root.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Golden: values of printed tables (R. A. Fisher's and others) to the printed digits, and closed
 // forms.
 // Laws: (1) an inverse undoes its function   (2) I_x(p, q) = 1 − I_{1−x}(q, p).
-#include "gearwright/math/probability.hpp"
+#include "gearwright/math/statistics.hpp"
 
 #include <gtest/gtest.h>
 

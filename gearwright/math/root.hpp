@@ -4,7 +4,13 @@
 // stopping. Because of the bracket, it needs no start value and cannot diverge.
 #pragma once
 
+#include <cmath>
 #include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "gearwright/base/contract.hpp"
 
 namespace gearwright {
 
@@ -25,5 +31,88 @@ struct Root {
 
 /// Root of f in [lo, hi].   Domain: lo ≤ hi (contract)
 Root find_root(const std::function<double(double)>& f, double lo, double hi);
+
+// All real roots of a polynomial on an interval, separated exactly by the roots of its derivative.
+
+/// Σ c_i x^i.
+double evaluate_polynomial(std::span<const double> c, double x);
+
+/// The roots of Σ c_i x^i in [lo, hi] at which it changes sign, in ascending order.
+///
+/// A polynomial is monotone between two neighbouring roots of its derivative, so each piece
+/// contains at most one root. The recursion ends at degree 1. Nothing is sampled.
+///
+/// Accuracy  each root is bisected until its bracket is two neighbouring doubles
+/// Domain    lo ≤ hi, finite coefficients (contract)
+std::vector<double> polynomial_roots(std::span<const double> c, double lo, double hi);
+
+// Newton's iteration within a bracket, for smooth functions with a cheap derivative.
+//
+// Every evaluation narrows the bracket. If a step would leave the bracket, or is longer than half the
+// previous step, the bracket is bisected instead. The function is a template over the scalar, like
+// the formulas.
+
+template <class T>
+struct Slope {
+  T value;
+  T derivative;
+};
+
+enum class NewtonStop {
+  exact,      ///< f(x) = 0
+  step,       ///< the next step is below 2 ulp of x
+  bracket,    ///< the bracket has closed
+  iterations  ///< the budget of iterations was used up
+};
+
+template <class T>
+struct NewtonRoot {
+  T x;
+  T residual;
+  int iterations;
+  NewtonStop stop;
+  bool found() const { return stop != NewtonStop::iterations; }
+};
+
+/// The root of f in [lo, hi]. If `rising` is true, f(lo) ≤ 0 ≤ f(hi), otherwise f(lo) ≥ 0 ≥ f(hi). f is not evaluated
+/// at the ends, where it may be infinite. f(x) returns a Slope<T>.
+///
+/// Domain    lo ≤ start ≤ hi (contract)
+template <class T, class F>
+NewtonRoot<T> newton_in_bracket(const F& f, T lo, T hi, T start, bool rising) {
+  using std::abs;
+  GW_EXPECTS(!(start < lo) && !(hi < start));
+  constexpr int kBudget = 400;  // twice the 170 bisections that 50 digits need at most
+  const T ulps = T(2) * std::numeric_limits<T>::epsilon();
+  NewtonRoot<T> root{start, T(0), 0, NewtonStop::iterations};
+  T last = hi - lo;
+  while (root.iterations < kBudget) {
+    const Slope<T> s = f(root.x);
+    ++root.iterations;
+    root.residual = s.value;
+    if (s.value == T(0)) {
+      root.stop = NewtonStop::exact;
+      return root;
+    }
+    ((s.value < T(0)) == rising ? lo : hi) = root.x;
+    if (!(hi - lo > ulps * (abs(lo) + abs(hi)) / T(2))) {
+      root.stop = NewtonStop::bracket;
+      return root;
+    }
+    const T step = -s.value / s.derivative;
+    T next = root.x + step;
+    const bool inside = next > lo && next < hi;  // false for NaN
+    if (inside && !(abs(step) > ulps * abs(root.x))) {
+      root.x = next;
+      root.stop = NewtonStop::step;
+      return root;
+    }
+    const bool slow = !(T(2) * abs(step) < last) && root.iterations > 2;
+    if (!inside || slow) next = lo + (hi - lo) / T(2);
+    last = abs(next - root.x);
+    root.x = next;
+  }
+  return root;
+}
 
 }  // namespace gearwright

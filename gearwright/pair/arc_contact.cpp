@@ -1,6 +1,7 @@
 #include "gearwright/pair/arc_contact.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
@@ -33,6 +34,16 @@ double transverse_radius(const Mat2& k, double theta, double lambda) {
   const Vec2 d(std::sin(lambda), std::sin(theta) * std::cos(lambda));
   const double n_t = d.norm();
   return -n_t * n_t * n_t / d.dot(k * d);
+}
+
+// The difference ρ_2 − ρ_1 of the radii of two transverse profiles in line contact. ρ_1, l, the
+// pitch radii and sin ψ refer to the transverse section. [T7.10]
+double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
+                                      double sin_psi) {
+  // Δρ/((ρ_1 − l)(ρ_1 + Δρ − l)) = (r_1 + r_2)/(r_1 r_2 sin ψ)
+  const double q = (r_1 + r_2) / (r_1 * r_2 * sin_psi);
+  const double to_pitch = rho_1 - l;
+  return q * to_pitch * to_pitch / (1.0 - q * to_pitch);
 }
 
 }  // namespace
@@ -84,14 +95,6 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   return std::nullopt;
 }
 
-double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
-                                      double sin_psi) {
-  // Δρ/((ρ_1 − l)(ρ_1 + Δρ − l)) = (r_1 + r_2)/(r_1 r_2 sin ψ)
-  const double q = (r_1 + r_2) / (r_1 * r_2 * sin_psi);
-  const double to_pitch = rho_1 - l;
-  return q * to_pitch * to_pitch / (1.0 - q * to_pitch);
-}
-
 ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   ArcContact at{};
   const double theta = normal_angle.rad();
@@ -139,6 +142,28 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   at.line_contact_difference =
       line_contact_radius_difference(at.transverse_radius_convex, x / sin_t, r_v, r_c, sin_t);
   return at;
+}
+
+double tool_setting_change(const ArcMeshInput& in, Angle normal_angle, double delta_distance) {
+  const double theta = normal_angle.rad();
+  GW_EXPECTS(theta > 0.0 && theta < std::numbers::pi / 2);
+  const double c0 = in.pitch_radius_convex + in.pitch_radius_concave;
+  const double c = in.center_distance + delta_distance;
+  // (C0 + w)² + (w cot θ sin λ)² = C²
+  const double t = std::sin(in.lead_angle.rad()) / std::tan(theta);
+  const double k = 1.0 + t * t;
+  const double rest = (c - c0) * (c + c0);
+  const double w = rest / (c0 + std::sqrt(c0 * c0 + k * rest));
+  const double b = (in.convex.radius - in.concave.radius) * std::sin(theta) + in.concave.b - w;
+  return b - in.convex.b;
+}
+
+double thickness_change(const WorkingArc& convex, Angle normal_angle, double delta_b) {
+  const double theta = normal_angle.rad();
+  const double rho = convex.radius;
+  const double up = rho * std::sin(theta) + delta_b;  // x + b at the height of the original point
+  GW_EXPECTS(std::abs(up) < rho);
+  return 2.0 * (std::sqrt((rho - up) * (rho + up)) - rho * std::cos(theta));
 }
 
 }  // namespace gearwright

@@ -72,12 +72,28 @@ Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double
 /// Formula   exact, [T7.16]; solved in a bracket from the first-order angle [T7.17]
 std::optional<Angle> contact_angle(const ArcMeshInput& in);
 
-/// The difference ρ_2 − ρ_1 of the radii of two transverse profiles in line contact. ρ_1, l, the
-/// pitch radii and sin ψ refer to the transverse section. [T7.10]
-double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
-                                      double sin_psi);
-
 /// All quantities of the contact at the normal angle θ.
 ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
+
+// The setting b_F of the rack that cuts the convex teeth of circular-arc gears. The functions
+// compute the setting that restores the contact after a change of the centre distance, and the
+// effect of a changed setting on the tooth thickness.
+//
+//   θ   normal angle at the contact       C   centre distance       C0 = r_F + r_P
+//   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   distance of the points of the two racks, mm
+//                                         theory: docs/theory/08-contact.md, [T8.20], [T8.21]
+
+/// The change Δb_F with which the contact has the angle θ at `in.center_distance` + ΔC.
+///
+/// Formula   exact, a quadratic equation in w; the first order is −ΔC (Litvin and Tsay, Eq. 34)
+/// Units     mm
+/// Domain    0 < θ < π/2 (contract)
+double tool_setting_change(const ArcMeshInput& in, Angle theta, double delta_distance);
+
+/// Increase of the normal thickness of the convex tooth caused by Δb_F, at the height of the point
+/// with the angle θ, mm; < 0 if the tooth becomes thinner.
+///
+/// Formula   2 (√(ρ² − (x + b)²) − ρ cos θ), exact; slope [T8.23]
+double thickness_change(const WorkingArc& convex, Angle theta, double delta_b);
 
 }  // namespace gearwright

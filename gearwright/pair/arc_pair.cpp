@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/interference.hpp"
 
 namespace gearwright {

@@ -1,5 +1,5 @@
 #include "gearwright/pair/clearing_tip.hpp"
-#include "gearwright/math/roll_length.hpp"
+#include "gearwright/math/involute.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,7 @@
 #include "gearwright/pair/closed_forms.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <numbers>
 
 #include "gearwright/pair/leaf_formulas.hpp"

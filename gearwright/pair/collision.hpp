@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "gearwright/pair/outline_gap.hpp"
@@ -37,5 +38,16 @@ struct Collision {
                                       ///< circle instead of the outlines
   std::string message;                ///< one sentence
 };
+
+// The table of the causes of a collision, with the name of each in results and a sentence for
+// documents.
+
+struct CauseMeaning {
+  CollisionCause cause;
+  const char* text;      ///< its name in results
+  const char* sentence;  ///< the sentence of docs/spec.md
+};
+
+std::span<const CauseMeaning> collision_causes();
 
 }  // namespace gearwright

@@ -13,7 +13,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include "gearwright/gear/basic.hpp"
 

@@ -1,6 +1,6 @@
 // Tests that zones follow each other without a gap, and that the number of pairs in each zone is
 // the contact ratio rounded up or down.
-#include "gearwright/pair/contact_zones.hpp"
+#include "gearwright/pair/efficiency.hpp"
 
 #include <gtest/gtest.h>
 

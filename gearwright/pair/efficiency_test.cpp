@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/pair/contact_zones.hpp"
 #include "gearwright/pair/testing/spur_mesh.hpp"
 
 namespace gearwright {

@@ -18,6 +18,7 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/math/lowest.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -79,18 +80,7 @@ constexpr double kFoot = 1e-6;  // accuracy of the foot of p, relative to the le
 // Distance from p to an arc, > 0 on the side of the space.
 double signed_distance(const Arc& arc, const Vec2& p) {
   const auto distance = [&](double u) { return (arc.point(u) - p).norm(); };
-  constexpr int kSteps = 8;
-  int best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= kSteps; ++i) {
-    const double d = distance(static_cast<double>(i) / kSteps);
-    if (d < least) {
-      least = d;
-      best = i;
-    }
-  }
-  const double lo = std::max(0, best - 1) / static_cast<double>(kSteps);
-  const double hi = std::min(kSteps, best + 1) / static_cast<double>(kSteps);
+  const auto [lo, hi, at_node] = least_node(distance, 8);
   const double u = boost::math::tools::brent_find_minima(distance, lo, hi, kHalfDigits).first;
   const CurvePoint foot = arc.at(u);
   const Vec2 away = p - foot.point;
@@ -102,7 +92,7 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   // right on a tooth of an internal gear.
   if (std::abs(beside) <= kFoot * (arc.end_point - arc.begin_point).norm())
     return arc.begin_point.norm() < arc.end_point.norm() ? above : -above;
-  least = std::min(least, distance(u));
+  const double least = std::min(at_node, distance(u));
   const double r_begin = arc.begin_point.norm();
   const double r_end = arc.end_point.norm();
   const bool outward = r_begin < r_end;
@@ -120,19 +110,8 @@ constexpr double kFarAway = 1e9;  // mm, value if the corner does not reach the 
 
 // The least of f on [0, 1].
 std::optional<double> min_on(const std::function<double(double)>& f) {
-  constexpr int kSteps = 8;
-  int best = 0;
-  double least = f(0.0);
-  for (int i = 1; i <= kSteps; ++i) {
-    const double v = f(static_cast<double>(i) / kSteps);
-    if (v < least) {
-      least = v;
-      best = i;
-    }
-  }
+  const auto [lo, hi, least] = least_node(f, 8);
   if (least == kFarAway) return std::nullopt;
-  const double lo = std::max(0, best - 1) / static_cast<double>(kSteps);
-  const double hi = std::min(kSteps, best + 1) / static_cast<double>(kSteps);
   constexpr int kQuarterDigits = std::numeric_limits<double>::digits / 4;
   return std::min(least, boost::math::tools::brent_find_minima(f, lo, hi, kQuarterDigits).second);
 }
@@ -169,20 +148,9 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
         const double w = from + s * (w_end - from);
         return signed_distance(arc, orbit.place(corner, kind == Orbit::external ? -w : w));
       };
-      const int steps = kind == Orbit::ring ? 48 : 24;
-      int best = 0;
-      double found = std::numeric_limits<double>::infinity();
-      for (int i = 0; i <= steps; ++i) {
-        const double g = gap(static_cast<double>(i) / steps);
-        if (g < found) {
-          found = g;
-          best = i;
-        }
-      }
-      const double lo = std::max(0, best - 1) / static_cast<double>(steps);
-      const double hi = std::min(steps, best + 1) / static_cast<double>(steps);
-      found =
-          std::min(found, boost::math::tools::brent_find_minima(gap, lo, hi, kHalfDigits).second);
+      const auto [lo, hi, at_node] = least_node(gap, kind == Orbit::ring ? 48 : 24);
+      const double found =
+          std::min(at_node, boost::math::tools::brent_find_minima(gap, lo, hi, kHalfDigits).second);
       if (!least || found < *least) least = found;
     }
     return least;

@@ -7,7 +7,6 @@
 //          the arm of the normal of the outline about the axis, and −q/s is the slope dθ/d ln ρ
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "gearwright/generation/outline.hpp"

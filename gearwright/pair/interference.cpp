@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/math/involute.hpp"
 #include "gearwright/math/lowest.hpp"
-#include "gearwright/math/roll_length.hpp"
 
 namespace gearwright::detail {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/interference.hpp"
 #include "gearwright/pair/saddle_gap.hpp"

@@ -52,7 +52,7 @@ struct Motion {
   Table& table;
   double a;
   bool first_moves;  ///< A is gear 1
-  bool internal;
+  double side;       ///< σ of the pair, −1 if one gear is internal
   double k, epsilon, kappa;
   double pitch_radius;  ///< pitch radius of A
   double half_pitch;    ///< π/z_B
@@ -61,12 +61,12 @@ struct Motion {
 
   Motion(const GapProfile& m, const GapProfile& b, Table& t, double distance, bool first)
       : mover(m), asked(b), table(t), a(distance), first_moves(first) {
-    internal = m.ring() || b.ring();
+    side = m.ring() || b.ring() ? -1.0 : 1.0;
     const double ratio = static_cast<double>(m.teeth()) / b.teeth();
     k = m.ring() ? -1.0 : 1.0;
-    epsilon = internal ? 1.0 : -1.0;
-    kappa = internal ? -ratio : ratio;
-    const double sum = internal ? std::abs(b.teeth() - m.teeth()) : b.teeth() + m.teeth();
+    epsilon = -side;
+    kappa = side * ratio;
+    const double sum = std::abs(b.teeth() + side * m.teeth());
     pitch_radius = a * m.teeth() / sum;
     half_pitch = kPi / b.teeth();
     unit = first ? 1.0 : 1.0 / ratio;
@@ -112,12 +112,12 @@ struct Motion {
     double phi_1 = phi;
     if (first_moves) {
       t.turn_2 = turn;
-      t.point = internal ? Vec2(-in_mesh) : in_mesh;
+      t.point = side * in_mesh;
       t.places = {of_mover, of_asked};
     } else {
       // Both gears are turned back until gear 1 is at its original rotation.
       phi_1 = -kappa * phi + half_pitch + turn;
-      t.turn_2 = (internal ? -unit : unit) * turn;
+      t.turn_2 = side * unit * turn;
       t.point = Vec2(a - in_mesh.x(), -in_mesh.y());
       t.places = {of_asked, of_mover};
     }

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "gearwright/gear/pinion_cut.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/gear/testing/made.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/pair/testing/mounted.hpp"

@@ -9,13 +9,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/pair/collision_causes.hpp"
+#include "gearwright/pair/collision.hpp"
 #include "gearwright/pair/crossed_gap.hpp"
 #include "gearwright/pair/interference.hpp"
 

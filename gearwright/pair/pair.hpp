@@ -5,6 +5,8 @@
 //   if (pair) use(pair->center_distance(), pair->involute()->mesh.backlash.normal);
 #pragma once
 
+#include <array>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -77,5 +79,18 @@ Result<Kind> mount_as(Gear gear_1, Gear gear_2, const PairSpec& spec = {}) {
   GW_EXPECTS(pair->template as<Kind>() != nullptr);
   return *pair->template as<Kind>();
 }
+
+// The backlash of any pair, of involutes or circular arcs, in its four forms.
+
+struct PairBacklash {
+  double normal_base;                        ///< j_bn  mm, along the common normal
+  double normal;                             ///< j_n   mm
+  std::array<double, 2> circumferential;     ///< j_wt  mm, at the working pitch circles
+  std::array<Angle, 2> rotation;             ///< j_φ   of each gear, with the other one held
+  std::optional<std::array<Angle, 2>> free;  ///< the part of the rotation without collisions
+};
+
+/// The backlash of a pair; none for arcs without a point of contact.
+std::optional<PairBacklash> backlash_of(const Pair& pair);
 
 }  // namespace gearwright

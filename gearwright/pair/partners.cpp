@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
 

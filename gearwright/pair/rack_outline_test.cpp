@@ -6,7 +6,7 @@
 //     of the normal section that is tangent to land and flank.
 // (3) If the rack rolls along the pinion, it envelops the flank of the pinion: at every rotation,
 //     some flank of the rack touches the pinion, and no point of the pinion is inside the rack.
-#include "gearwright/pair/rack_outline.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gearwright/pair/tool_setting.hpp"
+#include "gearwright/pair/arc_contact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,12 +13,11 @@
 // reaches 90°. They are not smooth functions of α_n there.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
-#include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
 #include "gearwright/pair/common_rack.hpp"
 
 namespace gearwright {

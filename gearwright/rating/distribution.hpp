@@ -6,8 +6,11 @@
 //   F_m          mean transverse force F_t K_A K_γ K_v, N
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
+#include "gearwright/compliance/shaft.hpp"
 #include "gearwright/rating/factor.hpp"
 #include "gearwright/rating/material.hpp"
 #include "gearwright/rating/rated_pair.hpp"
@@ -34,11 +37,6 @@ struct FaceLoad {
   std::optional<Factor> f_sh, F_betax, F_betay;  ///< µm, if the factor follows from the mounting
   bool offset_in_range = true;                   ///< true if s/l is below the limit of the figure
 };
-
-/// Reduction of the misalignment f by running-in, µm, as the mean of both materials.
-///
-/// Formula   ISO 6336-1, 7.5.2.4, by kind of material and pitch line velocity
-double running_in_misalignment(const std::array<Material, 2>& materials, double f, double velocity);
 
 /// K_Hβ without helix modification, from the mounting.
 ///
@@ -69,5 +67,39 @@ struct TransverseLoad {
 /// Formula   [T11.15]; ISO 6336-1, 8.3, with both branches of ε_γ and both limits
 TransverseLoad transverse_load(const RatedPair& pair, double c_gamma_alpha, double deviation,
                                double load, double Z_epsilon);
+
+// Deviation of the flanks along the face, due to the deflections of both shafts under the mesh force.
+//
+//   F_t        transverse force at the reference cylinder of the pinion, N
+//   F_bt       force in the transverse plane of action, N       T_i   torque on gear i, N mm
+//   w_i, φ_i   bending of shaft i along the line of action, and twist over the face
+//   f(z)       Σ (w_i + r_bi φ_i), displacement of the flanks at z, µm
+//   f_sh       greatest minus least f over the common face, µm
+//                                                          theory: docs/theory/11-rating.md
+//
+// The bending of a shaft is computed with its given diameters, and the twist over the face with a solid
+// body of the root diameter.
+
+/// The shafts of gear 1 and gear 2 of the spec. A gear without a shaft is rigid.
+struct MeshShafts {
+  std::array<std::optional<Shaft>, 2> of;
+  double hand1 = 0.0;         ///< sign of β of gear 1, > 0 for right hand
+  bool gear2_drives = false;  ///< true if gear 2 drives, so that the trailing flanks carry the load
+                              /// True if at least one gear has a shaft.
+  bool any() const { return of[0] || of[1]; }
+};
+
+/// Number of equally spaced points of the common face, including both ends, at which f is computed.
+constexpr int kShaftPoints = 257;
+/// f at kShaftPoints points, by ascending z, under F_t.
+///
+/// Formula   [T11.48]…[T11.52]
+/// Domain    a gear with a shaft is external (contract)
+/// Laws      (1) f is linear in F_t
+///           (2) if the gears are mirrored at z = 0, with the other hand, f is reversed
+std::vector<double> shaft_deviation(const RatedPair& pair, const MeshShafts& shafts, double F_t);
+
+/// f_sh under F_t, µm.
+double shaft_misalignment(const RatedPair& pair, const MeshShafts& shafts, double F_t);
 
 }  // namespace gearwright

@@ -25,6 +25,14 @@ bool steel_without_hard_surface(const Material& m) {
   return m.kind == MaterialKind::through_hardened || m.kind == MaterialKind::normalized;
 }
 
+// Radius of relative curvature at the pitch point, ρ_red, mm.
+double pitch_curvature(const RatedPair& pair) {
+  const double t = std::tan(pair.alpha_wt) / 2;
+  const double rho1 = pair.gears[0].base_diameter * t;
+  const double rho2 = pair.gears[1].base_diameter * t * pair.gears[1].side();
+  return rho1 * rho2 / (rho1 + rho2);
+}
+
 }  // namespace
 
 Factor zone_factor(const RatedPair& pair) {
@@ -81,13 +89,6 @@ Factor contact_ratio_factor(const RatedPair& pair) {
 
 Factor flank_helix_factor(const RatedPair& pair) {
   return {1 / std::sqrt(std::cos(pair.beta)), "ISO 6336-2, clause 9", ""};
-}
-
-double pitch_curvature(const RatedPair& pair) {
-  const double t = std::tan(pair.alpha_wt) / 2;
-  const double rho1 = pair.gears[0].base_diameter * t;
-  const double rho2 = pair.gears[1].base_diameter * t * pair.gears[1].side();
-  return rho1 * rho2 / (rho1 + rho2);
 }
 
 Factor lubricant_factor(const Film& film) {

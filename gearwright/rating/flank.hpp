@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "gearwright/rating/factor.hpp"
-#include "gearwright/rating/life.hpp"
 #include "gearwright/rating/material.hpp"
 #include "gearwright/rating/rated_pair.hpp"
 
@@ -21,9 +20,6 @@ FactorPair single_contact_factors(const RatedPair& pair);
 Factor elasticity_factor(const std::array<Material, 2>& materials);  ///< Z_E  √(N/mm²) [T11.19]
 Factor contact_ratio_factor(const RatedPair& pair);                  ///< Z_ε [T11.20]
 Factor flank_helix_factor(const RatedPair& pair);                    ///< Z_β [T11.21]
-
-/// Radius of relative curvature at the pitch point, ρ_red, mm.
-double pitch_curvature(const RatedPair& pair);
 
 /// Inputs of the lubricant film factors; the lower σ_Hlim of the two materials determines their
 /// constants.

@@ -1,8 +1,6 @@
-#include "gearwright/rating/missing_inputs.hpp"
+#include "gearwright/rating/rating.hpp"
 
 #include <string>
-
-#include "gearwright/base/missing.hpp"
 
 namespace gearwright {
 

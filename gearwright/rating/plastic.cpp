@@ -6,12 +6,10 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/missing.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/rating/rating.hpp"
 
 namespace gearwright {
@@ -69,22 +67,10 @@ const char* strength_branch(const Material& m, const ByTemperature& list) {
   return list.empty() ? "as given, for this life and temperature" : "as given, at its temperature";
 }
 
-}  // namespace
-
-double tooth_loss(const RatedPair& pair) {
-  const double pitch = std::numbers::pi * pair.gears[0].base_diameter / pair.gears[0].teeth;
-  double squares = 0.0, sum = 0.0;
-  for (const RatedGear& g : pair.gears) {
-    const double tip = std::sqrt(
-        std::max(0.0, g.tip_diameter * g.tip_diameter - g.base_diameter * g.base_diameter));
-    const double part = (tip - g.base_diameter * std::tan(pair.alpha_wt)) / 2 / pitch;
-    squares += part * part;
-    sum += part;
-  }
-  return std::numbers::pi * (pair.u + 1) / (pair.gears[0].teeth * pair.u * std::cos(pair.beta_b)) *
-         (1 - sum + squares);
-}
-
+// The temperatures of the teeth, as given or computed.
+//
+// Formula   [T11.43]; power in W, pitch line velocity in m/s
+// Domain    temperatures given, or ambient temperature and friction (contract)
 ToothTemperatures tooth_temperatures(const RatedPair& pair, const PlasticInput& input,
                                      const std::array<Material, 2>& materials, double power,
                                      double velocity) {
@@ -111,6 +97,22 @@ ToothTemperatures tooth_temperatures(const RatedPair& pair, const PlasticInput& 
   };
   return {warm(input.flank_temperature, input.flank_heat_transfer.value_or(k.flank)),
           warm(input.root_temperature, input.root_heat_transfer.value_or(k.root))};
+}
+
+}  // namespace
+
+double tooth_loss(const RatedPair& pair) {
+  const double pitch = std::numbers::pi * pair.gears[0].base_diameter / pair.gears[0].teeth;
+  double squares = 0.0, sum = 0.0;
+  for (const RatedGear& g : pair.gears) {
+    const double tip = std::sqrt(
+        std::max(0.0, g.tip_diameter * g.tip_diameter - g.base_diameter * g.base_diameter));
+    const double part = (tip - g.base_diameter * std::tan(pair.alpha_wt)) / 2 / pitch;
+    squares += part * part;
+    sum += part;
+  }
+  return std::numbers::pi * (pair.u + 1) / (pair.gears[0].teeth * pair.u * std::cos(pair.beta_b)) *
+         (1 - sum + squares);
 }
 
 std::vector<Error> missing_plastic_inputs(const RatingInput& in) {

@@ -35,13 +35,6 @@ struct PlasticInput {
 struct ToothTemperatures {
   FactorPair flank, root;
 };
-/// The temperatures of the teeth, as given or computed.
-///
-/// Formula   [T11.43]; power in W, pitch line velocity in m/s
-/// Domain    temperatures given, or ambient temperature and friction (contract)
-ToothTemperatures tooth_temperatures(const RatedPair& pair, const PlasticInput& input,
-                                     const std::array<Material, 2>& materials, double power,
-                                     double velocity);
 
 /// H_V of a pair, from its partial contact ratios.
 ///

@@ -5,14 +5,14 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 
 namespace {
 
 // The tool that determines the root of a gear. For an internal gear without a given cutter,
-// gear/ring_cutter.hpp has chosen a cutter without profile shift, rounded like the rack of the gear. A
+// gear/pinion_cut.hpp has chosen a cutter without profile shift, rounded like the rack of the gear. A
 // given cutter has the profile shift of its reference data and the rounding of its tip corners.
 RootTool root_tool(const Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
@@ -126,6 +126,19 @@ Result<RatedPair> rated_pair(const Pair& pair) {
 
 Result<RatedPair> rated_pair(const Pair& pair, std::array<double, 2> bore) {
   return pair.visit([&](const auto& p) { return rated(p, bore); });
+}
+
+FlankTolerances tolerance_edition(RatingEdition edition) {
+  return edition == RatingEdition::iso_2006 ? FlankTolerances::iso_1995 : FlankTolerances::iso_2013;
+}
+
+Tolerances tolerances(RatingEdition edition, int grade, const RatedGear& gear, double normal_module,
+                      double alpha_t) {
+  // None of these tolerances depends on the helix angle, so it is 0 here.
+  const ToleranceSubject subject{gear.reference_diameter, normal_module, gear.face_width,
+                                 std::abs(gear.teeth),    0.0,           alpha_t};
+  const FlankToleranceValues t = flank_tolerances(tolerance_edition(edition), grade, subject);
+  return {t.single_pitch, *t.base_pitch, t.profile_form, t.helix_slope};
 }
 
 }  // namespace gearwright

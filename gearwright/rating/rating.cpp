@@ -6,8 +6,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/gear/gear_field.hpp"
-#include "gearwright/rating/elasticity.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 

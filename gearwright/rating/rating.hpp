@@ -16,14 +16,13 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/rating/accuracy.hpp"
+#include "gearwright/base/error.hpp"
 #include "gearwright/rating/distribution.hpp"
 #include "gearwright/rating/dynamic.hpp"
 #include "gearwright/rating/flank.hpp"
 #include "gearwright/rating/plastic.hpp"
+#include "gearwright/rating/rated_pair.hpp"
 #include "gearwright/rating/root.hpp"
-#include "gearwright/rating/shaft_misalignment.hpp"
-#include "gearwright/rating/stiffness.hpp"
 
 namespace gearwright {
 
@@ -97,5 +96,11 @@ std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
 ///               numbers do not change
 /// Domain    torque > 0 (contract)
 Result<Rating> rate(const RatedPair& pair, const RatingInput& input);
+
+// The missing inputs of a rating, as a list. User interfaces add missing loads and materials to it.
+
+/// The errors that missing_input() joins into one. `halves` is 2 for double-helical gears, for which a
+/// mounting does not give the face load factor.
+std::vector<Error> missing_inputs(const RatingInput& input, int halves = 1);
 
 }  // namespace gearwright

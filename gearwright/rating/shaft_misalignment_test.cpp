@@ -1,6 +1,6 @@
 // The deviation of the flanks is compared with forces and moments as vectors in the housing frame
 // and with bending in the planes of x and y. K_Hβ of a rating with shafts is tested too.
-#include "gearwright/rating/shaft_misalignment.hpp"
+#include "gearwright/rating/distribution.hpp"
 
 #include <gtest/gtest.h>
 

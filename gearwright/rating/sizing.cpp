@@ -1,7 +1,6 @@
 #include "gearwright/rating/sizing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>

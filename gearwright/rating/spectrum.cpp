@@ -1,6 +1,5 @@
 #include "gearwright/rating/spectrum.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"

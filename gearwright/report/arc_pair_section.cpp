@@ -1,9 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <vector>
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/figure/figure_svg.hpp"

@@ -8,9 +8,9 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/figure/gear_shape.hpp"
-#include "gearwright/report/arc_contact_figures.hpp"
+#include "gearwright/figure/markup.hpp"
 #include "gearwright/report/gear_figures.hpp"
-#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/pair_figures.hpp"
 #include "gearwright/report/report_sections.hpp"
 
 namespace gearwright {

@@ -1,5 +1,5 @@
 #include "gearwright/gear/testing/plain_spec.hpp"
-#include "gearwright/report/arc_contact_figures.hpp"
+#include "gearwright/report/pair_figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
-#include "gearwright/report/arc_contact_figures.hpp"
 #include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/pair_figures.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/table_builder.hpp"
 

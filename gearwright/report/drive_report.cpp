@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "gearwright/base/contract.hpp"
@@ -14,12 +13,11 @@
 #include "gearwright/report/drive_pictures.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/key_figures.hpp"
 #include "gearwright/report/page_parts.hpp"
-#include "gearwright/report/rack_section.hpp"
 #include "gearwright/report/report_sections.hpp"
+#include "gearwright/report/report_sections.hpp"
+#include "gearwright/report/report_tables.hpp"
 #include "gearwright/report/table_builder.hpp"
-#include "gearwright/report/turning.hpp"
 
 namespace gearwright {
 

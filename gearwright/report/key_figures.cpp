@@ -1,10 +1,9 @@
-#include "gearwright/report/key_figures.hpp"
+#include "gearwright/report/report_tables.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"

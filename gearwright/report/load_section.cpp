@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "gearwright/base/contract.hpp"
@@ -10,9 +9,9 @@
 #include "gearwright/load/load_summary.hpp"
 #include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/table_builder.hpp"
-#include "gearwright/report/turning.hpp"
 
 namespace gearwright {
 

@@ -7,8 +7,8 @@
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/mesh.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/pair_figures.hpp"
-#include "gearwright/report/turning.hpp"
 
 namespace gearwright {
 

@@ -1,12 +1,14 @@
 // Parts that all pages share: the head, the style, the hint about pictures, and the spec.
 //
 // Style sheets and scripts are files in report/page/. The build converts each file into a function
-// with the name of the file (cmake/gw_embed.cmake). The scripts of turning.hpp and search_table.hpp
+// with the name of the file (cmake/gw_embed.cmake). The scripts for rotation and for search tables
 // are also such functions.
 #pragma once
 
 #include <string>
 #include <string_view>
+
+#include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
 
@@ -40,5 +42,19 @@ std::string spec_section(const std::string& spec);
 
 /// The sections of a page, preceded by a list of links to their headings. Short pages have no list.
 std::string with_contents(const std::string& sections);
+
+// The control that turns the gears of a picture (figure/mesh.hpp), and its script.
+//
+//   t    rotation of gear 1 from the drawn position, in pitches, from 0 to 1. After one pitch, the
+//        next tooth takes the place of the first, and the picture repeats.
+//
+// Without the script, and on paper, the picture is static at t = 0.
+
+/// A button and a slider (HTML) for all pictures in the same group of figures. They are hidden
+/// until the script makes them visible.
+std::string turn_control(const InvolutePair& pair);
+
+/// The script of this control, report/page/turn_script.js.
+std::string_view turn_script();
 
 }  // namespace gearwright

@@ -14,7 +14,6 @@
 #include "gearwright/report/testing/sample_load.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
-#include "gearwright/report/turning.hpp"
 
 namespace gearwright {
 namespace {

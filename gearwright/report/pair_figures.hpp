@@ -7,8 +7,12 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
+#include "gearwright/curve/curve.hpp"
 #include "gearwright/figure/figure.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -37,5 +41,35 @@ bool centrodes_are_worth_a_picture(const InvolutePair& pair);
 /// Two figures: the reference circles at the reference centre distance, and the working pitch
 /// circles at the centre distance of the pair. Empty if centrodes_are_worth_a_picture() is false.
 std::string centrode_figures(const InvolutePair& pair);
+
+// Draws circular-arc teeth at their contact point.
+//
+//   ρ, a, b   radius of an arc and position of its centre, mm, as in pair/arc_contact.hpp
+//   ψ_c       angle of the common normal to the pitch line, where the racks touch
+//                                              theory: docs/theory/07-circular-arc.md, 7.1, 7.4
+
+/// Half a tooth of the gear's rack in the normal section, from the middle of the space to the
+/// middle of the tooth. Each point is (height above the datum line, distance from the middle of the
+/// tooth), mm. The tooth ends at the addendum, and its thickness includes the thickness allowance.
+///
+/// Domain    a gear with arcs (contract)
+std::vector<Vec2> rack_half_tooth(const Gear& gear);
+
+/// The plane through the contact point, normal to the tooth. The origin is the contact point, x
+/// points towards axis 2, and y points across the tooth.
+struct NormalPlane {
+  Vec3 origin, across, along;  ///< `along` is normal to the plane
+};
+NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact);
+
+/// The intersection of the plane with the flanks and roots of gear i, in mm, for `teeth` teeth on
+/// either side of the tooth in contact. The gears are in the rotational position of the contact.
+std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& contact, std::size_t i,
+                                 int teeth);
+
+/// Two figures: the racks that cut the teeth, in one normal section, and the teeth in the plane
+/// normal to them through the contact point. If the arcs touch, but not at the reference centre
+/// distance, only the second figure exists. If the arcs do not touch, there is no figure.
+std::vector<Figure> arc_contact_figures(const ArcPair& pair);
 
 }  // namespace gearwright

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "gearwright/figure/designs.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/report/search_figures.hpp"
-#include "gearwright/report/search_words.hpp"
+#include "gearwright/report/search_table.hpp"
 
 namespace gearwright {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "gearwright/report/search_words.hpp"
+#include "gearwright/report/search_table.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/pair/contact_zones.hpp"
-#include "gearwright/report/html_text.hpp"
+#include "gearwright/figure/markup.hpp"
+#include "gearwright/pair/efficiency.hpp"
 #include "gearwright/report/line_marks.hpp"
 #include "gearwright/report/pair_figures.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/base/torque.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/figure/contact_scene.hpp"
 #include "gearwright/figure/designs.hpp"
 #include "gearwright/figure/figure_svg.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 
 #include "gearwright/base/contract.hpp"
@@ -13,13 +12,10 @@
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/key_figures.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/pair_figures.hpp"
-#include "gearwright/report/rack_section.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/report_tables.hpp"
-#include "gearwright/report/turning.hpp"
 
 namespace gearwright {
 

@@ -1,15 +1,17 @@
 #include "gearwright/report/report_sections.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
+#include "gearwright/catalogue/rack_pair_quantities.hpp"
+#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/report_tables.hpp"
 #include "gearwright/report/table_builder.hpp"
@@ -226,6 +228,51 @@ std::string halves_part(std::string_view shared, std::string_view alike,
   for (std::size_t i = 0; i < pictures.size(); ++i)
     text += fmt::format("<h3 class=\"half\">{}</h3>\n", kNames[i]) + pictures[i];
   return text;
+}
+
+namespace {
+
+constexpr double kRackWidth = 640.0;  // px
+constexpr double kRackAspect = 640.0 / 560.0;
+
+std::string rack_figure(const RackPair& pair, const std::array<std::string, 2>& shapes) {
+  auto definition = rack_definition(pair, shapes[1]);
+  if (!definition) {
+    return fmt::format("<p><strong>The rack has no outline</strong>: {}</p>\n",
+                       escaped(definition.error().message()));
+  }
+  const RackScene scene{&pair, shapes};
+  Figure figure = rack_mesh_figure(scene, rack_window(scene, MeshFrame::mesh, kRackAspect));
+  figure.definitions = std::move(definition).take();
+  figure.caption = fmt::format(
+      " C, with the pinion driving clockwise and the rack moving down. {} {} Tip circle and tip "
+      "line are full, pitch circle and datum line dash-dotted, and the base circle is dashed. T is "
+      "the base tangent point.",
+      caption_key("action", "path of contact A–E"),
+      caption_key("trailing", "line of action of the trailing flanks"));
+  return figure_html(figure, kRackWidth);
+}
+
+std::string rack_table(const RackPair& pair, UnitSystem units) {
+  TableBuilder rack("Rack data, symbols of ISO 21771", {"Rack"});
+  rack.groups(
+      text_groups(rack_quantities().table(), {rack_quantities().of(pair.rack)}, kPage, units));
+  return rack.str();
+}
+
+std::string rack_pair_table(const RackPair& pair, UnitSystem units) {
+  TableBuilder mesh("Rack and pinion, symbols of ISO 21771", {"Pinion", "Rack"});
+  mesh.groups(
+      text_groups(rack_pair_quantities().table(), {rack_pair_quantities().of(pair)}, kPage, units));
+  return mesh.str();
+}
+
+}  // namespace
+
+std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
+                         UnitSystem units) {
+  return "<section class=\"pair\">\n<h2>Rack and pinion</h2>\n" + rack_figure(pair, shapes) +
+         rack_pair_table(pair, units) + rack_table(pair, units) + "</section>\n";
 }
 
 }  // namespace gearwright

@@ -11,9 +11,11 @@
 #include "gearwright/catalogue/propose_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/figure/distribution_figures.hpp"
 #include "gearwright/figure/load_scene.hpp"
 #include "gearwright/pair/arc_pair.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 #include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/k_diagram.hpp"
 #include "gearwright/report/report.hpp"
@@ -101,5 +103,14 @@ std::vector<Figure> scatter_figures(const ScatterView& view);
 
 /// Strength: inputs, factors, stresses and safeties, each with its clause of the standard.
 std::string rating_section(const RatingView& view, UnitSystem units);
+
+// The section of the report about a rack and its pinion: a picture of the mesh, and the quantities
+// of both.
+
+/// Returns the section in HTML. `shapes` are the names of the SVG definitions of pinion and rack, of which the
+/// page contains that of the pinion. If the rack has no outline, a paragraph with the reason replaces the
+/// picture.
+std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
+                         UnitSystem units);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-#include "gearwright/report/search_words.hpp"
+#include "gearwright/report/search_table.hpp"
 
 #include <gtest/gtest.h>
 

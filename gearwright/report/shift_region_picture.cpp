@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/markup.hpp"
 #include "gearwright/figure/shift_region.hpp"
-#include "gearwright/report/html_text.hpp"
 #include "gearwright/report/search_figures.hpp"
-#include "gearwright/report/search_words.hpp"
+#include "gearwright/report/search_table.hpp"
 
 namespace gearwright {
 

@@ -6,7 +6,7 @@
 
 #include "gearwright/figure/shift_region.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/search_words.hpp"
+#include "gearwright/report/search_table.hpp"
 #include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
 #include "gearwright/report/testing/strict_html.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/report/html_text.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 

@@ -1,4 +1,4 @@
-#include "gearwright/report/turning.hpp"
+#include "gearwright/report/page_parts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/math/probability.hpp"
-
 namespace gearwright {
 
 namespace {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/catalogue/material_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_drive.hpp"
 #include "gearwright/spec/table_reader.hpp"

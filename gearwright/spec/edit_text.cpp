@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "gearwright/catalogue/material_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/toml_text.hpp"
 

@@ -1,16 +1,11 @@
 #include "gearwright/spec/inherit.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/material_keys.hpp"
-#include "gearwright/spec/read_measured.hpp"
+#include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {

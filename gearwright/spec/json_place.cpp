@@ -1,7 +1,6 @@
 #include "gearwright/spec/json_place.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace gearwright {
 

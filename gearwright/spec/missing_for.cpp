@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <variant>
 
-#include "gearwright/base/missing.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/gear/gear_field.hpp"
-#include "gearwright/rating/missing_inputs.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/rating/rating.hpp"
 #include "gearwright/spec/spec.hpp"
 
 namespace gearwright {

@@ -8,11 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/drive_keys.hpp"
-#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/drive/short_forms.hpp"
 #include "gearwright/spec/inherit.hpp"
-#include "gearwright/spec/read_drive_graph.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/table_reader.hpp"
 

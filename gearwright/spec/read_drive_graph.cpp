@@ -1,4 +1,4 @@
-#include "gearwright/spec/read_drive_graph.hpp"
+#include "gearwright/spec/read_drive.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,7 +13,6 @@
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/drive/rack_pitch.hpp"
-#include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_gear.hpp"
 
 namespace gearwright {

@@ -1,4 +1,3 @@
-#include "gearwright/spec/read_drive_search.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +5,8 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/catalogue/drive_keys.hpp"
-#include "gearwright/catalogue/drive_search_keys.hpp"
 #include "gearwright/spec/read_drive.hpp"
-#include "gearwright/spec/read_search_rating.hpp"
+#include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {

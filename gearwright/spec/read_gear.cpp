@@ -7,11 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "gearwright/catalogue/rack_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/gear/basic_root.hpp"
-#include "gearwright/spec/read_modifications.hpp"
-#include "gearwright/tool/agma_rack.hpp"
+#include "gearwright/gear/basic.hpp"
+#include "gearwright/tool/straight_rack.hpp"
 
 namespace gearwright {
 
@@ -185,6 +184,85 @@ Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
 // The default addendum of a cutter is sufficient for the tip clearance.
 constexpr double kCutterAddendum = 1.25;
 
+// The rack in [gearN], by default ISO53-A. `module`, in mm, selects one of the racks of GB/T 12759.
+Rack read_rack(TableReader& gear, std::optional<double> module) {
+  const Json* node = gear.any("rack");
+  if (node && *node == "GBT12759") {
+    refuse_involute_keys(gear);
+    if (!module) {
+      gear.lacks_one_of("normal_module_mm", "module");
+      gear.finish();  // fails with the reason
+    }
+    auto rack = gbt12759_rack(*module);
+    if (!rack) throw SpecError{spelled(within(gear.name(), rack.error()))};
+    return *rack;
+  }
+  if (!node || !node->is_object()) return read_straight_rack(gear);
+  const std::string path = gear.name("rack");
+  const KeyTable& keys = kind_of_table(*gear.keys().find("rack"), *node, path);
+  if (&keys == &straight_rack_keys()) return read_straight_rack(gear);
+  refuse_involute_keys(gear);
+  if (&keys == &arc_rack_keys()) return read_table<ArcRack>(keys, *node, path);
+  if (&keys == &double_arc_rack_keys()) return read_table<DoubleArcRack>(keys, *node, path);
+  return read_table<RackOfArcs>(keys, *node, path);
+}
+
+// Reads `cut_by` and `profile_shift_pair`. `node` is the table of the gear, and `mate` that of the other gear or null.
+void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInput& g) {
+  const auto total = gear.number("profile_shift_pair");
+  const Json* by = gear.any("cut_by");
+  if (!by) {
+    if (total) gear.fail("profile_shift_pair", "is allowed only for a gear with cut_by");
+    return;
+  }
+  CutByInput cut;
+  cut.profile_shift_pair = total;
+  if (by->is_string()) {
+    const auto name = by->get<std::string>();
+    if (name != "gear1" && name != "gear2")
+      gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table that describes a cutter");
+    cut.gear = name == "gear1" ? 1 : 2;
+  } else if (by->is_object()) {
+    const std::string path = gear.name("cut_by");
+    for (const auto& [key, why] :
+         {std::pair{
+              "cut_by",
+              "is not allowed, because the cutter itself is cut by a rack; leave out this key"},
+          std::pair{"profile_shift_pair", "must be in the table of the gear, not in cut_by"},
+          std::pair{"modifications",
+                    "is not allowed, because a cutter has no flank modifications; give the "
+                    "modifications in the table of the gear"}}) {
+      if (by->contains(key)) gear.fail(std::string("cut_by.") + key, why);
+    }
+    GearInput cutter = read_gear(cutter_keys(), with_shared_keys(*by, node, mate), path);
+    if (cutter.cylindrical.teeth < 0)
+      gear.fail("cut_by.teeth",
+                "must be positive, because an internal gear cannot be a pinion cutter");
+    if (!by->contains("rack")) cutter.cylindrical.straight_rack().addendum = kCutterAddendum;
+    if (cutter.tip_clearance || cutter.tip_clearance_by_rule) {
+      gear.fail("cut_by.tip_fillet",
+                "a clearance is not allowed here, because a cutter has no mating gear that "
+                "determines it; give corner_radius_mm, radius_mm or l_mm");
+    }
+    cut.cutter = std::make_shared<GearInput>(std::move(cutter));
+  } else {
+    gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table that describes a cutter");
+  }
+  for (const char* key : {"rack", "root_fillet", "tip_fillet", "basic", "thickness_allowance_mm"}) {
+    if (gear.has(key)) {
+      gear.fail(key,
+                "cannot be combined with cut_by, because the cutter and the generating centre "
+                "distance determine the tooth");
+    }
+  }
+  if (total && g.profile_shift) {
+    gear.fail("profile_shift_pair",
+              "cannot be combined with profile_shift, because both keys determine the depth of the "
+              "cutter; leave one of them out");
+  }
+  g.cut_by = std::move(cut);
+}
+
 }  // namespace
 
 GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& path,
@@ -256,83 +334,6 @@ std::optional<double> rack_angle(TableReader& gear, std::optional<double> given)
                                   "angle of {:.6g}°; leave out the pressure angle",
                                   own, *given));
   return own;
-}
-
-Rack read_rack(TableReader& gear, std::optional<double> module) {
-  const Json* node = gear.any("rack");
-  if (node && *node == "GBT12759") {
-    refuse_involute_keys(gear);
-    if (!module) {
-      gear.lacks_one_of("normal_module_mm", "module");
-      gear.finish();  // fails with the reason
-    }
-    auto rack = gbt12759_rack(*module);
-    if (!rack) throw SpecError{spelled(within(gear.name(), rack.error()))};
-    return *rack;
-  }
-  if (!node || !node->is_object()) return read_straight_rack(gear);
-  const std::string path = gear.name("rack");
-  const KeyTable& keys = kind_of_table(*gear.keys().find("rack"), *node, path);
-  if (&keys == &straight_rack_keys()) return read_straight_rack(gear);
-  refuse_involute_keys(gear);
-  if (&keys == &arc_rack_keys()) return read_table<ArcRack>(keys, *node, path);
-  if (&keys == &double_arc_rack_keys()) return read_table<DoubleArcRack>(keys, *node, path);
-  return read_table<RackOfArcs>(keys, *node, path);
-}
-
-void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInput& g) {
-  const auto total = gear.number("profile_shift_pair");
-  const Json* by = gear.any("cut_by");
-  if (!by) {
-    if (total) gear.fail("profile_shift_pair", "is allowed only for a gear with cut_by");
-    return;
-  }
-  CutByInput cut;
-  cut.profile_shift_pair = total;
-  if (by->is_string()) {
-    const auto name = by->get<std::string>();
-    if (name != "gear1" && name != "gear2")
-      gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table that describes a cutter");
-    cut.gear = name == "gear1" ? 1 : 2;
-  } else if (by->is_object()) {
-    const std::string path = gear.name("cut_by");
-    for (const auto& [key, why] :
-         {std::pair{
-              "cut_by",
-              "is not allowed, because the cutter itself is cut by a rack; leave out this key"},
-          std::pair{"profile_shift_pair", "must be in the table of the gear, not in cut_by"},
-          std::pair{"modifications",
-                    "is not allowed, because a cutter has no flank modifications; give the "
-                    "modifications in the table of the gear"}}) {
-      if (by->contains(key)) gear.fail(std::string("cut_by.") + key, why);
-    }
-    GearInput cutter = read_gear(cutter_keys(), with_shared_keys(*by, node, mate), path);
-    if (cutter.cylindrical.teeth < 0)
-      gear.fail("cut_by.teeth",
-                "must be positive, because an internal gear cannot be a pinion cutter");
-    if (!by->contains("rack")) cutter.cylindrical.straight_rack().addendum = kCutterAddendum;
-    if (cutter.tip_clearance || cutter.tip_clearance_by_rule) {
-      gear.fail("cut_by.tip_fillet",
-                "a clearance is not allowed here, because a cutter has no mating gear that "
-                "determines it; give corner_radius_mm, radius_mm or l_mm");
-    }
-    cut.cutter = std::make_shared<GearInput>(std::move(cutter));
-  } else {
-    gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table that describes a cutter");
-  }
-  for (const char* key : {"rack", "root_fillet", "tip_fillet", "basic", "thickness_allowance_mm"}) {
-    if (gear.has(key)) {
-      gear.fail(key,
-                "cannot be combined with cut_by, because the cutter and the generating centre "
-                "distance determine the tooth");
-    }
-  }
-  if (total && g.profile_shift) {
-    gear.fail("profile_shift_pair",
-              "cannot be combined with profile_shift, because both keys determine the depth of the "
-              "cutter; leave one of them out");
-  }
-  g.cut_by = std::move(cut);
 }
 
 }  // namespace gearwright

@@ -4,10 +4,16 @@
 // Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include "gearwright/gear/modifications.hpp"
+#include "gearwright/inspection/identify.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec.hpp"
 #include "gearwright/spec/table_reader.hpp"
 #include "gearwright/tool/rack.hpp"
@@ -20,18 +26,46 @@ namespace gearwright {
 GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& path,
                     const Json* mate = nullptr, const std::filesystem::path& folder = {});
 
-/// The rack in [gearN], by default ISO53-A. `module`, in mm, selects one of the racks of GB/T
-/// 12759.
-Rack read_rack(TableReader& gear, std::optional<double> module);
-
 /// Reads a rack for which only straight flanks are allowed.
 StraightRack read_straight_rack(TableReader& gear);
 
 /// The normal pressure angle in degrees. It is the given angle or the angle of a rack of AGMA.
 std::optional<double> rack_angle(TableReader& gear, std::optional<double> given);
 
-/// Reads `cut_by` and `profile_shift_pair`. `node` is the table of the gear. `mate` is the table of
-/// the other gear, or null.
-void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInput& g);
+// Reads [gearN.measured] and the other data that are known about the gear.
+
+/// True if the table of a gear gives a module, a base cylinder or a cutter.
+bool has_module(const Json& gear);
+
+/// True if the table of a gear has readings but no module, which `identify` has to find.
+bool is_unknown_gear(const Json& gear);
+
+/// The readings of gear 1 or 2, or null if its table is absent or has no readings. The number of
+/// teeth of the mating gear is added to the readings of an unknown gear if the spec gives it and a
+/// centre distance is known. If the readings have no centre distance, the distance of [pair] is
+/// added too.
+///
+/// Throws    SpecError
+std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which);
+
+// Reads [gearN.modifications] for the right and the left flank.
+//
+// A key sets both flanks. With the prefix right_ or left_ it sets one flank and takes precedence.
+
+constexpr std::size_t kMaxTopography = 4 << 20;  ///< in bytes, enough for 200 000 points
+
+/// The modifications of the right and the left flank. They remove nothing if the gear has no such
+/// table. make_removal_field checks the conditions on the finished gear.
+///
+/// Throws    IoError if the file of a topography exists and cannot be read
+std::array<FlankModifications, 2> read_modifications(TableReader& gear,
+                                                     const std::filesystem::path& folder);
+
+/// Reads a topography from CSV with the columns diameter_mm, z_mm and removed_um. The rows may have
+/// any order, and every diameter must occur once with every z. A first line with these names, empty
+/// lines and comments after # are allowed.
+///
+/// Errors    line and reason, without a key
+Result<Topography> topography_from_csv(std::string_view csv);
 
 }  // namespace gearwright

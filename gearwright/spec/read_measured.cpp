@@ -1,13 +1,12 @@
-#include "gearwright/spec/read_measured.hpp"
+#include "gearwright/spec/read_gear.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/inspection_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/table_reader.hpp"
 

@@ -1,4 +1,4 @@
-#include "gearwright/spec/read_modifications.hpp"
+#include "gearwright/spec/read_gear.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // [gearN.modifications] as written in a spec, and topographies in CSV.
-#include "gearwright/spec/read_modifications.hpp"
+#include "gearwright/spec/read_gear.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gearwright/spec/read_scatter.hpp"
+#include "gearwright/spec/read_search.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -11,7 +11,7 @@
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search_space.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/spec/read_gear.hpp"
 
 namespace gearwright {

@@ -4,7 +4,10 @@
 // Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
 
+#include "gearwright/catalogue/scatter_keys.hpp"
+#include "gearwright/design/drive_search.hpp"
 #include "gearwright/design/search_problem.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
@@ -15,5 +18,43 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
 
 /// The modules of ISO 54, series I (1) or series II (2), in mm.
 const std::vector<double>& iso54_modules(int series);
+
+// Reads the inputs of a search that are outside its own table. If [search] requires safety, these
+// are the inputs for rating the designs, from [rating] and the materials. For a search that checks
+// its designs as drawings, they are the tolerances, the verdict on the drawings, and default limits
+// that exclude impractical designs.
+
+/// True if the search needs a rating, either for a safety or, if [rating] is given, for the mass.
+bool wants_rating(const SearchProblem& problem, const RatingTable& rating);
+
+/// Adds the densities of the materials to the problem, and the inputs of a rating if one is needed.
+/// If the problem is incomplete, only the missing inputs of a rating are collected.
+void read_search_rating(const Json& tree, JobSpec& spec);
+
+/// Checks the name of a series of thickness allowances, the key `thickness_series`. "none" becomes
+/// an empty name.
+void check_series(const TableReader& t, std::string& series);
+
+/// The default series of thickness allowances for a search.
+inline constexpr const char* kUsualSeries = "cd25";
+
+/// Sets the check of drawings if the search has a rating, face widths or allowances, unless designs
+/// with interference are also listed. `search` is the table. Its rating must have been read before.
+void read_search_drawing(const Json& search, SearchProblem& problem);
+
+// Reads a table [search] with the key `kind`, which is a search for drives.
+
+/// True if the table is a search for drives.
+bool is_drive_search(const Json& search);
+
+DriveSearchProblem read_drive_search(const Json& search);
+
+/// The keys of [search] that are copied to [planetary] of every set, or to every stage of a train.
+Json shared_keys(const Json& search, bool train);
+
+// Reads [scatter]: the groups of inputs and the toleranced numbers, each a list of two numbers or a
+// table.
+
+ScatterInput read_scatter(const Json& table);
 
 }  // namespace gearwright

@@ -1,11 +1,11 @@
-#include "gearwright/spec/read_search_rating.hpp"
+#include "gearwright/spec/read_search.hpp"
 
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/arrange/design_drawing.hpp"
-#include "gearwright/base/missing.hpp"
+#include "gearwright/arrange/judge.hpp"
+#include "gearwright/base/error.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/spec/missing_for.hpp"

@@ -3,25 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/base/missing.hpp"
+#include "gearwright/base/error.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
-#include "gearwright/catalogue/spec_keys.hpp"
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
-#include "gearwright/spec/read_drive_search.hpp"
 #include "gearwright/spec/read_gear.hpp"
-#include "gearwright/spec/read_measured.hpp"
-#include "gearwright/spec/read_modifications.hpp"
-#include "gearwright/spec/read_scatter.hpp"
 #include "gearwright/spec/read_search.hpp"
-#include "gearwright/spec/read_search_rating.hpp"
 #include "gearwright/spec/table_reader.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 

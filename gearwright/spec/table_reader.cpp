@@ -6,11 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "gearwright/base/missing.hpp"
+#include "gearwright/base/error.hpp"
 #include "gearwright/catalogue/key_hint.hpp"
-#include "gearwright/catalogue/not_supported.hpp"
 #include "gearwright/catalogue/unit_system.hpp"
 
 namespace gearwright {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <utility>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/output_file.hpp"

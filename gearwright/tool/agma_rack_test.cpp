@@ -1,4 +1,4 @@
-#include "gearwright/tool/agma_rack.hpp"
+#include "gearwright/tool/straight_rack.hpp"
 
 #include <gtest/gtest.h>
 

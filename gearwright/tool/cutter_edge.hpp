@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/curve/arc_name.hpp"
 #include "gearwright/curve/curve.hpp"
 
 namespace gearwright {

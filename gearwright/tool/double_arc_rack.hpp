@@ -13,8 +13,6 @@
 // are computed here, and the tests compare them with the table.
 #pragma once
 
-#include <optional>
-
 #include "gearwright/tool/rack_of_arcs.hpp"
 
 namespace gearwright {

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "gearwright/base/angle.hpp"
@@ -47,5 +46,23 @@ struct StraightRackEdge {
 /// Errors    the member of `rack`, such as `rack.dedendum`, with its value and the allowed range
 Result<StraightRackEdge> make_edge(const StraightRack& rack, double normal_module,
                                    Angle normal_pressure_angle);
+
+// The basic racks of North American practice, whose names include the pressure angle.
+//
+//   AGMA-20, AGMA-25   full depth      ANSI B6.1-1968 (AGMA 201.02)
+//   AGMA-14.5          full depth      ASA B6.1-1932, for gears in service
+//   AGMA-stub          stub, 20°       ASA B6.1-1932
+//
+// Lengths are in 1/P, which is a module. The tip rounding is 0.3 for AGMA-20 and AGMA-25, 4/3 of the clearance for
+// AGMA-14.5 and 3/2 of the clearance for AGMA-stub.
+
+struct AgmaRack {
+  std::string_view name;
+  StraightRack rack;
+  Angle normal_pressure_angle;  ///< α_n
+};
+
+/// The rack with this name, or null if there is none.
+const AgmaRack* agma_rack(std::string_view name);
 
 }  // namespace gearwright

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gearwright/verdict/verdict.hpp"
@@ -19,5 +20,15 @@ std::vector<Finding> backlash_findings(double j_n, std::optional<double> recomme
 /// Findings for contact at edges, and for a contact pattern away from the middle of the face.
 std::vector<Finding> contact_findings(const ContactResult& contact,
                                       const std::array<double, 2>& face_widths);
+
+// Findings for safety factors that are too low, and changes that would raise them sufficiently.
+
+/// A sentence with the changes that raise all safety factors to their required values: "6 mm more
+/// face width, or 17CrNiMo6 would be sufficient." If no single change is sufficient, the sentence
+/// states the greatest permissible torque.
+std::string rating_remedy(const JudgedRating& rating);
+
+/// One finding for each safety factor below its requirement: red if it is below 1, otherwise amber.
+std::vector<Finding> rating_findings(const JudgedRating& rating);
 
 }  // namespace gearwright::detail

@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "gearwright/verdict/rating_findings.hpp"
+#include "gearwright/verdict/margins.hpp"
 #include "gearwright/verdict/remedy_table.hpp"
 
 namespace gearwright::detail {

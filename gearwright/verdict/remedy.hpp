@@ -6,8 +6,6 @@
 // fewest remaining findings is used. If no change succeeds, the remedy contains no number.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "gearwright/pair/pair.hpp"

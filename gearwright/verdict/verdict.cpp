@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/verdict/margins.hpp"
-#include "gearwright/verdict/rating_findings.hpp"
 #include "gearwright/verdict/remedy.hpp"
 
 namespace gearwright {

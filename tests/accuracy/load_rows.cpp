@@ -10,7 +10,7 @@
 
 #include "gearwright/compliance/probe.hpp"
 #include "gearwright/contact/contact.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "tests/accuracy/ledger.hpp"

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/job/compensate_text.hpp"
-#include "gearwright/job/contact_text.hpp"
+#include "gearwright/job/answer_text.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/toml_text.hpp"
 #include "tests/fuzz/fuzzing.hpp"

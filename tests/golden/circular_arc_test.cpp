@@ -16,7 +16,7 @@
 #include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/base/testing/taken.hpp"
-#include "gearwright/gear/arc_gear.hpp"
+#include "gearwright/gear/finished_gear.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 

@@ -5,7 +5,7 @@ turns those into keys. In their string literals must not stand:
 
     key     a key of a spec that says a unit, "tip_diameter_mm": docs/schema/spec.schema.json has them all
     table   the header of a table, "[gear1" or "[pair]", or the words table, key (of a file), spec file, TOML
-    gear    a path that begins with gear1. or gear2., which gear/gear_field.hpp puts together
+    gear    a path that begins with gear1. or gear2., which gear/gear.hpp puts together
     tick    a member between backticks that no key has: doors could not spell it
 
 Each rule is first tried on a snippet that breaks it.

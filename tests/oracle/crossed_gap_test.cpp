@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "tests/oracle/engine_curves.hpp"
 #include "tests/oracle/numbers.hpp"
 #include "tests/property/random_crossed.hpp"

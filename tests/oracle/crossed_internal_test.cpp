@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "gearwright/contact/contact_point.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/pair/saddle_gap.hpp"
 #include "tests/oracle/contact_gears.hpp"
 #include "tests/property/random_crossed.hpp"

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "gearwright/gear/modifications.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "tests/oracle/contact_gears.hpp"
 #include "tests/property/random_pair.hpp"

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "tests/oracle/random_pinion_cut.hpp"

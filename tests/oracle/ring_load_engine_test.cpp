@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gearwright/compliance/probe.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "tests/oracle/plane_pair.hpp"

@@ -2,7 +2,6 @@
 // errors. Verbs that need files or folders are not available in a page.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 

@@ -11,7 +11,7 @@
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/curve/arc_name.hpp"
+#include "gearwright/curve/curve.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/rack_mesh.hpp"
 

@@ -5,12 +5,11 @@
 
 #include "apps/web/engine/stopwatch.hpp"
 #include "apps/web/engine/work.hpp"
-#include "gearwright/arrange/stiffness_reasons.hpp"
+#include "gearwright/arrange/load_standard.hpp"
 #include "gearwright/figure/load_figures.hpp"
+#include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/judgement.hpp"
-#include "gearwright/job/load_report.hpp"
-#include "gearwright/job/load_text.hpp"
-#include "gearwright/job/value_json.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/load/load_summary.hpp"
 
 namespace gearwright::web {

@@ -6,8 +6,8 @@
 #include "apps/web/engine/answering.hpp"
 #include "apps/web/engine/stopwatch.hpp"
 #include "gearwright/job/search_answer.hpp"
-#include "gearwright/job/search_closing.hpp"
 #include "gearwright/job/search_refusal.hpp"
+#include "gearwright/job/search_workers.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright::web {

@@ -5,9 +5,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "apps/web/engine/work.hpp"
 #include "gearwright/job/search_job.hpp"

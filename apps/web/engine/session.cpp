@@ -14,7 +14,6 @@
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/value_json.hpp"
 #include "gearwright/report/contact_report.hpp"
 
 namespace gearwright::web {

@@ -1,6 +1,4 @@
 // The files of a session, with the same bytes as those of the program.
-#include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 

@@ -1,13 +1,11 @@
 // Computes the scatter of a session's pair in two ways: an estimate to first order while the user
 // moves a slider, and the result of the verb scatter with fewer samples.
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/session.hpp"
 #include "apps/web/engine/stopwatch.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/figure/distribution_figures.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/math/statistics.hpp"

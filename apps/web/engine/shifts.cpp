@@ -8,13 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/session.hpp"
-#include "gearwright/catalogue/search_keys.hpp"
-#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search.hpp"
 #include "gearwright/design/shift_region.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/shift_region.hpp"
-#include "gearwright/report/search_words.hpp"
+#include "gearwright/report/search_table.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/table_reader.hpp"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "gearwright/generation/outline.hpp"
 
@@ -28,6 +29,16 @@ inline double distance_to_arc(const Arc& arc, const Vec2& q) {
     best = std::min({best, d_a, d_b});
   }
   return best;
+}
+
+/// Area between an arc and its chord, mm². It is positive if the arc lies to the right of the
+/// chord, which means a counter-clockwise bulge.
+inline double bulge_area(const Vec2& from, const Vec2& to, double bulge) {
+  if (bulge == 0.0) return 0.0;
+  const double half = 2.0 * std::atan(bulge);  // half the sweep angle, with its sign
+  const double chord = (to - from).norm();
+  const double radius = chord / (2.0 * std::sin(half));
+  return 0.5 * radius * radius * (2.0 * half - std::sin(2.0 * half));
 }
 
 }  // namespace gearwright::testing

@@ -20,7 +20,6 @@
 #include <utility>
 
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/cad/gear_body.hpp"
 #include "gearwright/cad/testing/odd_outlines.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/gear/pinion_cut.hpp"

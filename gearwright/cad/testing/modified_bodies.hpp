@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/cad/gear_body.hpp"
+#include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "gearwright/contact/contact_pair.hpp"
-#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/pair.hpp"
 

@@ -1,6 +1,6 @@
-#include "gearwright/arrange/arc_checks.hpp"
+#include "gearwright/arrange/given_pair.hpp"
 
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 

@@ -1,11 +1,10 @@
-#include "gearwright/cad/gear_body.hpp"
+#include "gearwright/cad/toothed_body.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include "gearwright/cad/modified_teeth.hpp"
 #include "gearwright/contact/contact_setup.hpp"
-#include "gearwright/pair/rack_outline.hpp"
 
 namespace gearwright {
 

@@ -1,9 +1,8 @@
-#include "gearwright/arrange/given_material.hpp"
+#include "gearwright/arrange/given_gear.hpp"
 
 #include <fmt/format.h>
 
 #include "gearwright/base/error.hpp"
-#include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
 

@@ -1,13 +1,12 @@
-#include "gearwright/gear/basic_root.hpp"
-
-#include <fmt/format.h>
+#include "gearwright/gear/basic.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/gear/reference.hpp"
+#include <fmt/format.h>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/gear/reference.hpp"
 
 namespace gearwright {
 
