@@ -20,8 +20,8 @@
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/pair_figures.hpp"
-#include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/report.hpp"
+#include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/report_tables.hpp"
 
 namespace gearwright::python {

@@ -15,7 +15,6 @@
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/report_sections.hpp"
-#include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/report_tables.hpp"
 #include "gearwright/report/table_builder.hpp"
 
@@ -198,7 +197,7 @@ std::string mesh_parts(const Drive& drive, UnitSystem units) {
         escaped(drive.graph.gear(mesh, 0).name), escaped(drive.graph.gear(mesh, 1).name));
     const std::array<std::string, 2> shapes{shape_name(mesh.gears[0]), shape_name(mesh.gears[1])};
     std::string section =
-        rack ? rack_section(*rack, shapes[0], units) : pair_section(*parallel, shapes, units);
+        rack ? rack_section(*rack, shapes, units) : pair_section(*parallel, shapes, units);
     const std::string head = rack ? "<h2>Rack and pinion</h2>\n" : "<h2>Pair</h2>\n";
     const std::size_t at = section.find(head);
     GW_EXPECTS(at != std::string::npos);
