@@ -91,7 +91,7 @@ const Quantities<DriveError>& drive_error_quantities() {
              })
         .unit(Unit::arcsec);
     q.number(
-         "output_um_peak_to_peak", "transmission error of the rack", "",
+         "output_peak_to_peak_um", "transmission error of the rack", "",
          "the same of an output that is a rack, along its travel",
          [](const E& e) { return e.lever ? Value(kUmPerMm * *e.lever * e.peak_to_peak) : Value(); })
         .unit(Unit::um);
@@ -366,9 +366,7 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
         .when([](const V& v) { return v.drive->geometry.racks[v.mesh].has_value(); })
         .doors(kJson);
     q.record<rating_quantities>(
-         "rating",
-         "rating by ISO 6336 of one of the copies of the mesh; only with the verb "
-         "rate; null for a mesh without power",
+         "rating", "of one copy of the mesh; only with the verb rate; null without power",
          rating_of)
         .when([](const V& v) { return !v.drive->ratings.empty(); })
         .doors(kJson);
@@ -427,7 +425,7 @@ const Quantities<PlanetSet>& phasing_quantities() {
        return phases(p.ring_phases);
      }).list({0});
     q.number("sun_ring_phase", "phase of the ring relative to the sun", "γ_rs",
-             "for one planet [T13.17]", &P::sun_ring_phase);
+             "of a planet [T13.17]", &P::sun_ring_phase);
     q.record<resultant_quantities>(
          "resultants", "remaining share of harmonics 1, 2, … [T13.18]",
          [](const P& p) -> const auto& { return p.phasing.resultants; })

@@ -77,7 +77,7 @@ const Quantities<std::array<Value, 2>>& two_gears() {
 }
 
 const Quantities<std::array<Value, 2>>& two_gears_mm() {
-  static const auto kAll = two_gears_in(Unit::mm, "two gears, lengths");
+  static const auto kAll = two_gears_in(Unit::mm, "two lengths");
   return kAll;
 }
 

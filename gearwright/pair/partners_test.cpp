@@ -50,7 +50,7 @@ TEST(Partners, unequal_base_pitches_say_what_would_fit) {
   const std::string why = refused(spec(20, 0_deg), spec(30, 0_deg, 2.1));
   EXPECT_TRUE(has(why, "gear2.normal_module = 2.1"));
   EXPECT_TRUE(has(why, "0.29521")) << why;  // the difference, 0.1 π cos 20°
-  EXPECT_TRUE(has(why, "2 mm at its pressure angle")) << why;
+  EXPECT_TRUE(has(why, "2\u00a0mm at its pressure angle")) << why;
 }
 
 TEST(Partners, rings_run_on_parallel_axes) {

@@ -95,7 +95,7 @@ class Gears(Asked):
         self.assertEqual(self.ok("gear", table), self.ok("gear", named))
         for m in (8, 20):
             self.refused(named.replace("normal_module_mm = 4", f"normal_module_mm = {m}"), "gear1.rack",
-                         f"{m} mm", "double_circular_arc", verb="gear")
+                         f"{m}\u00a0mm", "double_circular_arc", verb="gear")
         for key in ("concave_radius", "concave_height", "space_width"):
             lines = "\n".join(line for line in table.splitlines() if not line.startswith(key))
             self.refused(lines, f"gear1.rack.{key}", "missing", verb="gear")
