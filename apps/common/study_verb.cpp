@@ -19,15 +19,17 @@ void add_study_options(CLI::App* sub, StudyCommand& c) {
       "Rank the designs of a search: its --out folder, its search.json or the output of "
       "search --json; without it, the search of the spec is run");
   sub->add_option("--top", c.top,
-                  "For a search: number of its best designs to study (default: all)")
+                  "Number of the best designs of a search that are studied (default: all)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
-  sub->add_option("--out", c.out,
-                  "For a search: folder for scatter.json, scatter.csv, scatter.html, and for the "
-                  "finished designs");
-  sub->add_flag("--resume", c.resume, "For a search: continue the study in --out");
-  sub->add_option("--shard", c.shard,
-                  "For a search: i/N, compute every Nth design, starting with the ith; all shards "
-                  "share one --out");
+  sub->add_option(
+      "--out", c.out,
+      "Folder for the study of a search: scatter.json, scatter.csv, scatter.html and the "
+      "finished designs");
+  sub->add_flag("--resume", c.resume, "Continue the study of a search in the folder --out");
+  sub->add_option(
+      "--shard", c.shard,
+      "i/N, study every Nth design of a search, starting with the ith; all shards share "
+      "one --out");
   sub->add_option("--threads", c.threads, "Threads (default: as many as the machine has)")
       ->check(CLI::Range(1, 1024));
 }

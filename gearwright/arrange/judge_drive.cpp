@@ -209,7 +209,7 @@ std::string running(const Drive& drive) {
   for (const auto& rating : drive.ratings)
     if (rating) ratings.push_back(&rating->rating);
   text += safety_words(ratings);
-  if (least > kNoBacklash) return text + fmt::format(" The least backlash is {:.3f} mm.", least);
+  if (least >= kNoBacklash) return text + fmt::format(" The least backlash is {:.3f} mm.", least);
   const auto& pair = drive.geometry.pairs[*tight];
   if (!pair) return text + " There is no backlash between the rack and its pinion.";
   const CylindricalSpec& spec = pair->gear(1).spec;
@@ -220,9 +220,9 @@ std::string running(const Drive& drive) {
   const double thinner = std::ceil(recommended / per_allowance * 100) / 100;
   return text + fmt::format(
                     " There is no backlash. A thickness allowance of {} mm on all gears gives "
-                    "{:.3f} mm in the mesh {}; ISO/TR 10064-2 recommends at least {:.2f} mm.",
+                    "{:.3f} mm in the mesh {}; {}.",
                     format_number(-thinner), per_allowance * thinner,
-                    drive.graph.meshes[*tight].name, recommended);
+                    drive.graph.meshes[*tight].name, recommendation(recommended));
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 //
 //   W(u)   arc of the transverse outline, a complex number x + iy, mm; u in [0, 1]
 //   φ      rotation angle of the section, rad; over one slice φ runs from −Δ/2 to Δ/2
-//   C(u)   spline of the section, C ≈ W        H(v)   spline of the rotation, H ≈ e^{iφ}, φ
-//          linear in v
+//   C(u)   spline of the section, C ≈ W
+//   H(v)   spline of the rotation, H ≈ e^{iφ} with φ linear in v
 //   S      the surface: S_xy(u, v) = H(v) C(u), z linear in v; its poles are the products h_j c_i
 //
 // The exact surface is e^{iφ} W, so interpolation on the grid of Greville points gives exactly the

@@ -101,7 +101,8 @@ double height_for(const std::vector<Cell>& cells, double height, double largest)
   return height;
 }
 
-// Draws a row of cells upwards from `lo`. The label of a cell is above its text.
+// Draws a row of cells from left to right. `lo` is its lower left corner. The label of a cell is
+// above its text.
 void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cell>& cells,
               double largest) {
   double x = lo.x();

@@ -15,7 +15,7 @@ const KeyTable& drive_body_keys();
 const KeyTable& drive_gear_keys();
 const KeyTable& drive_mesh_keys();
 
-// The keys of a [search] for whole drives, which has the key `kind`.
+// The keys of a [search] for whole drives. Such a search has the key `kind`.
 
 const KeyTable& drive_search_keys();
 

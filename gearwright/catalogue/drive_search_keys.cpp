@@ -126,13 +126,13 @@ const KeyTable& drive_search_keys() {
        Key::positive(
            "face_width_diameters_max", "b/d", &Problem::face_diameters, "1.2",
            "greatest face width within a band, in reference diameters of the smallest gear"),
-       Key::positive("safety_flank_min", "S_Hmin", &Problem::safety_flank,
-                     "value of `[rating]`, otherwise 1",
-                     "least safety against pitting of every mesh; designs are rated if this key, "
-                     "`safety_root_min` or a table `[rating]` is given"),
+       Key::positive(
+           "safety_flank_min", "S_Hmin", &Problem::safety_flank, "value of `[rating]`, otherwise 1",
+           "least permitted safety against pitting, for every mesh; designs are rated if this key, "
+           "`safety_root_min` or a table `[rating]` is given"),
        Key::positive("safety_root_min", "S_Fmin", &Problem::safety_root,
                      "value of `[rating]`, otherwise 1",
-                     "least safety against root breakage of every mesh"),
+                     "least permitted safety against root breakage, for every mesh"),
        of_set("mesh_efficiency"),
        of_set("friction_coefficient"),
        of_set("speed_rpm"),

@@ -70,7 +70,8 @@ std::optional<std::size_t> error_index(std::string_view key) {
 
 const KeyTable& error_keys() {
   static const KeyTable table = [] {
-    KeyTable t{"errors", "Errors of mounting and of the teeth, which act together", {}};
+    KeyTable t{
+        "errors", "Errors of mounting and of the teeth; all of them act at the same time", {}};
     for (std::size_t i = 0; i < kErrorCount; ++i) {
       const ErrorEntry& e = error_entries()[i];
       KeyRange range;

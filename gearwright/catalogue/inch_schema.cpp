@@ -57,7 +57,7 @@ void add_properties(Json& properties) {
   properties = std::move(all);
 }
 
-// Adds the inch names of those permitted words that are names of keys.
+// If a permitted word is the metric name of a key, adds the inch name of this key.
 void add_words(Json& words) {
   const Json given = words;
   for (const Json& word : given)

@@ -181,12 +181,13 @@ std::vector<Key> limit_keys() {
           .with_fields({"limits.avoid_interference"}),
       limit("safety_flank_min", "S_Hmin", Range::positive(), &SearchLimits::safety_flank,
             "value of `[rating]` if designs are rated, otherwise no limit",
-            "least safety against pitting of both gears at the profile shifts of the design, "
+            "least permitted safety against pitting of both gears at the profile shifts of the "
+            "design, "
             "computed as in `rate` with `[rating]` and `[gearN.material]`")
           .with_also({"sh_min", "safety_flank"}),
       limit("safety_root_min", "S_Fmin", Range::positive(), &SearchLimits::safety_root,
             "value of `[rating]` if designs are rated, otherwise no limit",
-            "least safety against root breakage of both gears")
+            "least permitted safety against root breakage of both gears")
           .with_also({"sf_min", "safety_root"}),
       Key::flag("coprime", &P::coprime, "false",
                 "tooth numbers without a common factor (hunting tooth), if true")};

@@ -45,7 +45,8 @@ SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, do
 /// The trace ε_x + ε_y of each displacement field, averaged at the nodes and stored as a field of
 /// w. It is 0 at the bore.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
-/// Computes waves along the face with a given wave number k. Only unconstrained nodes are included.
+/// Solves for displacements that vary along the face as waves with the wave number k. Only
+/// unconstrained nodes are included.
 /// [T12.6], [T12.18]
 ///
 ///   double                K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0

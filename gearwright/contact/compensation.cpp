@@ -20,8 +20,8 @@ constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
 // The value of f if contact is lost, rad. It is far above all other values, but finite, because the
 // optimiser requires finite values.
 constexpr double kLost = 1e3;
-// For a search with an aim (CompensationAim): the change at which the search ends, and the value
-// for lost contact. Both are multiples of CompensationAim::same.
+// If the search has an aim (CompensationAim), these numbers replace kLastGain_rad and kLost. Both
+// are multiples of CompensationAim::same.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
 // Cost per unit by which the peak to peak exceeds its limit. The cost of the pattern without
 // corrections is added, so that corrections beyond the limit are never better than no correction.

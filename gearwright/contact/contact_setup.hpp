@@ -102,9 +102,9 @@ Error of_flank(int which, int side, Error error);
 /// Domain  a gear with a root form radius (contract)
 FlankExtent flank_extent(const Gear& gear);
 
-/// The error that no teeth touch at any position, with the reason, such as tips that do not reach
-/// each other. The second function also names the corner of [compensate.range] that has these
-/// errors.
+/// The error for a pair whose teeth touch at no position. Its text gives the reason, for example tips
+/// that do not reach each other. The second function is for the errors at a corner of
+/// [compensate.range], and its text also has the name of this corner.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);

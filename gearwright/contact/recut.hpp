@@ -1,7 +1,8 @@
-// A flank cut with a changed lead angle. The pitch cylinder is unchanged, but lead and transverse
-// section change.
+// A flank cut with a changed lead angle. The pitch cylinder is unchanged, but the lead and the
+// transverse section change.
 //
-//   λ = π/2 − |β|   lead angle        Δλ   change of λ, rad, as `cutter_lead1_deg`
+//   λ = π/2 − |β|   lead angle        Δλ   change of λ, rad; the key `cutter_lead1_deg` gives it in
+//                                          degrees
 //                                     theory: docs/theory/08-contact.md, [T8.14]
 #pragma once
 

@@ -19,7 +19,7 @@ using detail::raise;
 
 namespace {
 
-// Keeps only the tightest bounds of a line.
+// Stores the tightest bounds of x1 on a line Σx = const, without the names of their limits.
 struct Tightest : LineEnds {
   static constexpr bool kNamed = false;
   double& lo_of(ShiftEdge) { return lo; }
@@ -53,9 +53,11 @@ void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, doubl
   }
 }
 
-// The tip of the mating gear must keep the distance c_F from the start of the flank: ρ_1A ≥ ρ_F1 +
-// c_F and ρ_2E ≥ ρ_F2 + c_F. As a function of the mating gear's tip radius u, each condition is w
-// q(u) ≤ c + s u. This is a quadratic, and the condition is violated between its roots. [T9.9]
+// The contact of the mating gear's tip must stay at least c_F, along the line of action, away from
+// the start of the flank: ρ_1A ≥ ρ_F1 + c_F and ρ_2E ≥ ρ_F2 + c_F. For a given sum of the profile
+// shifts, each condition has the form w q(u) ≤ c + s u in the tip radius u of the mating gear.
+// Squaring it gives a quadratic in u. For an external pair, the condition is violated between the
+// roots. [T9.9]
 void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2,
                                     double& hi_1) const {
   const auto greater_root = [](double w, double c, double s, double b) {

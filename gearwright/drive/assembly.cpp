@@ -14,8 +14,8 @@ namespace gearwright {
 
 namespace {
 
-/// Allowed difference of a given angle from its place, degrees. Drawings give angles with two
-/// decimals.
+/// The greatest allowed difference between a given angle and the nearest place at which a planet can
+/// be assembled, degrees. Drawings give angles with two decimals.
 constexpr double kSamePlace = 0.01;
 /// The greatest change of a tooth number that is tried for a proposal.
 constexpr int kMostTeethChanged = 12;

@@ -193,7 +193,8 @@ class Placing {
     return false;
   }
 
-  // Each mesh gets the first free slot that is not before the slot of an earlier mesh on its axes.
+  // Assigns to each mesh the first free slot that is not before the slot of an earlier mesh with
+  // which it shares an axis.
   void find_slots() {
     made_.slots.assign(graph_.gears.size(), {-1, -1});
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {

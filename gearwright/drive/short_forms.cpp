@@ -87,9 +87,8 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
     return absent_input("planetary.ring", "; planets need a sun or a ring to mesh with");
   for (const M m : kMembers) {
     if (!has(m) || is_ring(m) || *spec.z(m) > 0) continue;
-    return refused(
-        fmt::format("planetary.{}", to_string(m)), *spec.z(m),
-        "must be a number of teeth of at least 1; only the number of a ring may be negative");
+    return refused(fmt::format("planetary.{}", to_string(m)), *spec.z(m),
+                   "must be at least 1; only a ring may have a negative number of teeth");
   }
   for (const SetMesh& mesh : meshes_of(spec)) {
     if (!is_ring(mesh.second) || std::abs(*spec.z(mesh.second)) > *spec.z(mesh.first)) continue;

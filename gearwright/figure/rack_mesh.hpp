@@ -34,7 +34,7 @@ Figure rack_mesh_figure(const RackScene& scene, const Bounds& window);
 /// Errors    those of rack_outline()
 Result<std::string> rack_definition(const RackPair& pair, const std::string& name);
 
-/// The section of the rack as one closed line in its own frame (pair/rack_outline.hpp), mm. A rack whose number
+/// The section of the rack as one closed line in its own frame (pair/rack_pair.hpp), mm. A rack whose number
 /// of teeth is not given has an odd number of teeth, at least those of its pinion.
 ///
 /// Accuracy  fillets are chords within kOutlineTolerance modules

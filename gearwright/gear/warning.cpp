@@ -303,7 +303,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::no_backlash, "no_backlash", kNote,
      "the teeth have no backlash at this centre distance; the gears of a textbook are computed in "
      "this way, but gears that are made need a backlash",
-     "", "Give thickness allowances, a series of DIN 3967 or a backlash of the pair."},
+     "", "Give thickness allowances or a series of DIN 3967."},
 }};
 
 constexpr bool each_has_its_row() {

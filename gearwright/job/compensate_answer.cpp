@@ -168,7 +168,8 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
       0};
 }
 
-// The worst scores over the scenarios, at the reported positions, without and with the corrections.
+// For each torque, the worst score over the scenarios without and with the corrections, computed at
+// the reported positions.
 std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask& task,
                                    const std::vector<double>& found) {
   std::vector<AimedLoad> loads;

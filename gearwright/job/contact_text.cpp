@@ -112,6 +112,12 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const UnitSystem units = job.spec.units();
   const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 4); };
   const std::string_view unit = unit_text(units, Unit::mm);
+  // The error of a rack is a travel.
+  const std::string_view error_unit = r.rack ? unit_text(units, Unit::um) : "arcsec";
+  const auto error_text = [&](Angle te, int decimals) {
+    return r.rack ? text_in(units, Unit::um, kUmPerMm * r.rack.of(te), decimals)
+                  : fixed_decimals(te.arcsec(), decimals);
+  };
   std::string out = title_listing(job.spec);
   std::vector<ValueRecord> records{contact_record(job, answer)};
   std::vector<std::string> columns;
@@ -134,9 +140,8 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   if (!r.harmonics.empty()) {
     std::string waves;
     for (std::size_t i = 0; i < std::min<std::size_t>(5, r.harmonics.size()); ++i)
-      waves += fmt::format("{}{:.4f}", i ? ", " : "",
-                           r.rack ? kUmPerMm * r.rack.of(r.harmonics[i]) : r.harmonics[i].arcsec());
-    row("Harmonics 1 to 5, amplitudes", waves + (r.rack ? " µm" : " arcsec"));
+      waves += (i ? ", " : "") + error_text(r.harmonics[i], 4);
+    row("Harmonics 1 to 5, amplitudes", fmt::format("{} {}", waves, error_unit));
   }
   if (!answer.halves.empty()) return out + halves_listing(answer, units);
   const RackTravel rack = r.rack;
@@ -146,7 +151,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   };
   out += "\n" + line("rotation1", "TE", "tooth", "kind", "diam. 1", rack ? "height 2" : "diam. 2",
                      "z 1", "z 2", "major", "minor");
-  out += line("°", rack ? "µm" : "arcsec", "", "", unit, unit, unit, unit, unit, unit);
+  out += line("°", error_unit, "", "", unit, unit, unit, unit, unit, unit);
   // The rows are limited to one page. --json has all positions.
   const std::size_t step = std::max<std::size_t>(1, r.positions.size() / 32);
   for (std::size_t i = 0; i < r.positions.size(); i += step) {
@@ -157,9 +162,8 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
     }
     const std::string major = p.ellipse && p.ellipse->semi_major ? mm(*p.ellipse->semi_major) : "-";
     const std::string minor = p.ellipse ? mm(p.ellipse->semi_minor) : "-";
-    const double te = rack ? kUmPerMm * rack.of(p.te) : p.te.arcsec();
     out +=
-        line(fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(te, 5), p.pair, to_string(p.kind),
+        line(fixed_decimals(p.rotation1.deg(), 4), error_text(p.te, 5), p.pair, to_string(p.kind),
              mm(p.diameter[0]), mm(p.diameter[1]), mm(p.height[0]), mm(p.height[1]), major, minor);
   }
   return out + "\n  " + legend_of(r) + "\n";

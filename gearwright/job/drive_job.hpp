@@ -42,7 +42,8 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
 /// Errors    `rating.…` for a missing load; the errors of material_of() and rate_meshes()
 std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive);
 
-/// The drive of a spec with rated meshes, and the verdict on the drive and the ratings.
+/// The drive of a spec, with a rating for each mesh and with the verdict on the drive and the
+/// ratings.
 ///
 /// Errors    the errors of solve_drive() and rate_drive()
 Result<DriveJob> solve_rated_drive(const JobSpec& spec);

@@ -114,7 +114,7 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
     if (f.result.rejected[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kWords[i], f.result.rejected[i]);
   if (designs.computed > 0)
-    text += fmt::format("{} sets were computed with their teeth, and {} of them can be used\n",
+    text += fmt::format("The teeth of {} sets were computed, and {} of these sets can be used.\n",
                         designs.computed, designs.list.size());
   constexpr const char* kFaults[] = {
       "teeth that cannot be made or mounted",

@@ -27,8 +27,9 @@ std::optional<Error> not_made_for(const SolvedJob& job) {
   if (job.pair->arcs()) {
     error.field = "gear1.rack";
     error.rule =
-        "cuts circular arcs, which touch at points. Proposals are made for involute teeth on "
-        "parallel axes, whose reliefs and crownings follow from the load along the contact lines";
+        "cuts circular arcs, which touch at points. Proposals are made only for involute teeth "
+        "on parallel axes, because reliefs and crownings follow from the load along the contact "
+        "lines";
     return error;
   }
   if (!job.pair->parallel()) {

@@ -74,7 +74,8 @@ struct LoadedPosition {
   bool solved() const { return kind != TouchKind::none; }
 };
 
-/// Values over the solved positions; NaN if no position is solved.
+/// The contact under one torque. Means and extremes are those of the solved positions. If no position
+/// is solved, they keep their initial values.
 struct LoadedTorque {
   double torque = 0.0;  ///< N mm
   std::vector<LoadedPosition> positions;

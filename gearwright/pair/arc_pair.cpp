@@ -71,10 +71,10 @@ bool of_one_lead(const std::array<Gear, 2>& gears) {
 // Transforms the contact from the frame of arc_contact.hpp to the housing.
 void place(ArcContact& at, const Gear& convex, bool by_gear_2, double a) {
   if (by_gear_2) {
-    // The frame of arc_contact.hpp then lies on axis 2, and its x axis points towards axis 1. At
-    // rotation 0, a space of the convex gear is on the centre line, half a pitch from its tooth.
-    // Contacts repeat with the axial pitch, and the contact nearest to the middle of the face is
-    // chosen.
+    // The frame of arc_contact.hpp lies on axis 2, and its x axis points towards axis 1. There, a
+    // tooth of the convex gear is on the centre line at rotation 0. In the housing, a space of
+    // gear 2 is on the centre line, so the contacts lie half an axial pitch away. Of the two
+    // neighbouring contacts, the one nearer to the middle of the face is chosen.
     const double half = at.advance * kPi / convex.spec.teeth;
     at.point.z() += at.point.z() > 0.0 ? -half : half;
     at.point = {a - at.point.x(), -at.point.y(), at.point.z()};

@@ -93,9 +93,10 @@ struct Limits {
 };
 std::optional<Limits> limits_of(MaterialKind kind, double hardness_HV);
 
-/// The material of the table with this name, at the given or at its usual hardness.
+/// The material of the table with this name, at the given hardness or, if none is given, at its usual
+/// hardness.
 ///
-/// None      if the name is not in the table, or if the hardness is outside the line of the kind
+/// None      if the name is not in the table, or if the hardness is outside the range of limits_of()
 std::optional<Material> material_named(std::string_view name,
                                        std::optional<double> hardness_HV = std::nullopt);
 

@@ -17,8 +17,8 @@ std::string shape_name(std::size_t gear);
 /// The SVG definitions of the shapes of all gears.
 std::string drive_definitions(const Drive& drive);
 
-/// A figure for each axial section, true to scale, with the control, and below them the phases of
-/// the planets.
+/// A figure for each axial section, true to scale, followed by the phases of the planets. The first
+/// figure has the control that turns the gears.
 std::string drive_section_figures(const Drive& drive, const DriveLayout& layout);
 
 }  // namespace gearwright

@@ -114,6 +114,11 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
     own.fail_absent("teeth", "; give the number of teeth, which is negative for a ring");
   if (!gear.rack)
     own.refuse("height_mm", "is a key of a rack; add form = \"rack\" if the gear is a rack");
+  for (const auto& [key, value] : node.items())
+    if (gear.rack && key != "name" && key != "body" && !rack_bar_keys().find(key))
+      own.refuse(key,
+                 "does not apply to a rack, which has the basic rack, the module and the helix "
+                 "angle of its pinion");
   refuse_in_drive(node, path);
   Json whole = node;
   const auto has_module = has_any(node, drive_gear_keys().ways("normal_module_mm"));

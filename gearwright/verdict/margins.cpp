@@ -77,12 +77,12 @@ std::vector<Finding> margin_findings(const Pair& pair) {
 }
 
 std::vector<Finding> backlash_findings(double j_n, std::optional<double> recommended) {
-  if (std::abs(j_n) > kNoBacklash) return {};
+  if (std::abs(j_n) >= kNoBacklash) return {};
   Finding finding{WarningCode::no_backlash, Level::green, 0, "There is no backlash."};
   finding.values = {{"backlash", j_n, true}};
   if (recommended) {
     finding.message.pop_back();
-    finding.message += fmt::format("; ISO/TR 10064-2 recommends at least {:.2f} mm.", *recommended);
+    finding.message += "; " + recommendation(*recommended) + ".";
     finding.values.push_back({"threshold", *recommended, true});
   }
   return {std::move(finding)};

@@ -26,6 +26,11 @@ double recommended_backlash(double center_distance, double normal_module) {
   return 2.0 / 3.0 * (0.06 + 0.0005 * center_distance + 0.03 * normal_module);
 }
 
+std::string recommendation(double recommended_backlash) {
+  const double hundredths = std::ceil(100 * recommended_backlash - 1e-6);
+  return fmt::format("ISO/TR 10064-2 recommends at least {:.2f} mm", hundredths / 100);
+}
+
 namespace {
 
 // The distinct reasons of the findings of one level, in the order of the findings. Findings before
@@ -51,15 +56,14 @@ std::string joined(const std::vector<std::string>& list) {
   return text;
 }
 
-// A backlash that would be printed as 0.0000 mm is called "no backlash".
 std::string backlash_words(double j) {
-  return std::abs(j) < 0.5e-4 ? "no backlash" : fmt::format("a backlash of {:.4f} mm", j);
+  return std::abs(j) < kNoBacklash ? "no backlash" : fmt::format("a backlash of {:.4f} mm", j);
 }
 // The recommended value for running gears is added.
 std::string backlash_words(double j, double center_distance, double normal_module) {
-  if (std::abs(j) >= 0.5e-4) return backlash_words(j);
-  return fmt::format("{} (ISO/TR 10064-2 recommends at least {:.2f} mm)", backlash_words(j),
-                     recommended_backlash(center_distance, normal_module));
+  if (std::abs(j) >= kNoBacklash) return backlash_words(j);
+  return fmt::format("{} ({})", backlash_words(j),
+                     recommendation(recommended_backlash(center_distance, normal_module)));
 }
 
 std::string running(const ArcPair& pair) {

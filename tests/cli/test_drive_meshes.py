@@ -124,7 +124,7 @@ speed_rpm = 60
 torque_Nm = 10
 body = [{ name = "shaft" }, { name = "bar" }]
 gear = [{ name = "p", body = "shaft", teeth = 20, normal_module_mm = 2, helix_angle_deg = 10 },
-        { name = "r", body = "bar", form = "rack", teeth = 30, height_mm = 18, normal_module_mm = 2 }]
+        { name = "r", body = "bar", form = "rack", teeth = 30, height_mm = 18 }]
 mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
 """
 

@@ -44,8 +44,8 @@ struct ContactCurve {
 
 Json shape(const ContactCurve& curve);
 Json shape(const FlankRaster& raster);
-/// A figure `width` px wide, with its caption as HTML and its data. Gears in section have no
-/// caption.
+/// A figure `width` px wide, with its caption as HTML and its data. Figures of gears in
+/// section have no caption.
 Json shape(const Figure& figure, double width);
 
 }  // namespace gearwright::web

@@ -276,7 +276,7 @@ export class SearchView implements Tab {
   private branch(branch: Design, i: number, table: string): HTMLElement {
     const facts = Object.entries(branch).flatMap(([key, value]) => {
       const info = quantity(table, key);
-      // Records are not listed. The spec itself is one of them.
+      // Records, such as the spec of the design, are not listed.
       const record = typeof value === "object" && !Array.isArray(value);
       if (record || !info || info.type === "record") return [];
       const texts = (Array.isArray(value) ? value : [value]).map((one) => textOf(info, one)).join(" / ");
