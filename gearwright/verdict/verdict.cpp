@@ -27,8 +27,7 @@ double recommended_backlash(double center_distance, double normal_module) {
 }
 
 std::string recommendation(double recommended_backlash) {
-  const double hundredths = std::ceil(100 * recommended_backlash - 1e-6);
-  return fmt::format("ISO/TR 10064-2 recommends at least {:.2f} mm", hundredths / 100);
+  return fmt::format("ISO/TR 10064-2 recommends at least {:.3f} mm", recommended_backlash);
 }
 
 namespace {

@@ -149,10 +149,12 @@ TEST(Verdict, no_backlash_is_a_note) {
   const auto found = std::find_if(none.findings.begin(), none.findings.end(), [](const Finding& f) {
     return f.code == WarningCode::no_backlash;
   });
-  EXPECT_EQ(found->message, "There is no backlash; ISO/TR 10064-2 recommends at least 0.10 mm.");
+  EXPECT_EQ(found->message, "There is no backlash; ISO/TR 10064-2 recommends at least 0.100 mm.");
   EXPECT_NEAR(found->values[1].value, 0.30100 / 3, 1e-12);
   EXPECT_FALSE(found->remedy.empty());
-  EXPECT_FALSE(finds(mounted_with(-1e-6), WarningCode::no_backlash, Level::green));
+  // A backlash that is printed as 0.0000 mm is called none.
+  EXPECT_TRUE(finds(mounted_with(-2e-5), WarningCode::no_backlash, Level::green));
+  EXPECT_FALSE(finds(mounted_with(-1e-4), WarningCode::no_backlash, Level::green));
   EXPECT_TRUE(judged(helical_pair()).findings.empty());
 }
 
