@@ -16,15 +16,6 @@ constexpr const char* kMotion = "Motion";
 constexpr const char* kPower = "Power";
 constexpr const char* kGeometry = "Geometry";
 
-// [p, q] in lowest terms, or null if one of the two numbers has more than 63 bits.
-Value fraction(const Rational& r) {
-  const auto p = r.numerator(), q = r.denominator();
-  if (!p || !q) return {};
-  return ValueList{Value(*p), Value(*q)};
-}
-
-Value degrees_of(const Rational& turns) { return Value(360 * turns.value()); }
-
 bool flows(const Drive& d) { return d.flow && !d.flow->self_locking(); }
 
 Value rating_of(const DriveMeshView& v) {
@@ -104,46 +95,6 @@ const Quantities<DriveError>& drive_error_quantities() {
   return kAll;
 }
 
-const Quantities<Resultant>& resultant_quantities() {
-  using R = Resultant;
-  static const Quantities<R> kAll("drive.phasing.resultant", [](Quantities<R>& q) {
-    q.number("torque", "torque and axial force", "R_k",
-             "remaining share of harmonic k in the sum over all planets [T13.18]", &R::torque)
-        .always();
-    q.number("force_forward", "transverse force that turns with the sun", "F_k^+", "[T13.18]",
-             &R::force_forward)
-        .always();
-    q.number("force_backward", "transverse force that turns against the sun", "F_k^-", "[T13.18]",
-             &R::force_backward)
-        .always();
-  });
-  return kAll;
-}
-
-const char* words_of(PhasingClass kind) {
-  switch (kind) {
-    case PhasingClass::in_phase: return "in_phase";
-    case PhasingClass::sequential: return "sequential";
-    case PhasingClass::counter: return "counter";
-    case PhasingClass::mixed: return "mixed";
-  }
-  return "";
-}
-
-Value phases(const std::vector<Rational>& list) {
-  if (list.empty()) return {};
-  ValueList values;
-  for (const Rational& r : list) values.emplace_back(r.value());
-  return values;
-}
-
-template <class Show>
-Value each(const std::vector<Rational>& list, Show show) {
-  ValueList values;
-  for (const Rational& r : list) values.push_back(show(r));
-  return values;
-}
-
 // True if the power flow is self-locking, or null if there is no power flow.
 Value locks(const std::optional<PowerFlow>& flow) {
   return flow ? Value(flow->self_locking()) : Value();
@@ -159,7 +110,7 @@ void say_motion(Quantities<Drive>& q) {
       "ratio", "ratio", "i", "n_in/n_out, signed; null with several inputs [T13.3]",
       [](const Drive& d) { return d.motion.ratio ? Value(d.motion.ratio->value()) : Value(); });
   q.whole("ratio_exact", "exact ratio", "i", "[p, q] in lowest terms",
-          [](const Drive& d) { return d.motion.ratio ? fraction(*d.motion.ratio) : Value(); })
+          [](const Drive& d) { return d.motion.ratio ? exact_fraction(*d.motion.ratio) : Value(); })
       .list({2})
       .doors(kJson);
   q.whole("degrees_of_freedom", "degrees of freedom", "f", "[T13.2]", [](const Drive& d) {
@@ -282,7 +233,7 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
     q.whole("speed_ratio_exact", "exact speed ratio", "", "[p, q]; null with several inputs",
             [](const V& v) -> Value {
               if (v.drive->graph.inputs.size() != 1) return {};
-              return fraction(v.drive->motion.speeds[v.body][0]);
+              return exact_fraction(v.drive->motion.speeds[v.body][0]);
             })
         .list({2})
         .doors(kJson);
@@ -374,66 +325,10 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
   return kAll;
 }
 
-const Quantities<PlanetSet>& assembly_quantities() {
-  using P = PlanetSet;
-  static const Quantities<P> kAll("drive.assembly", [](Quantities<P>& q) {
-    q.whole("positions", "possible positions per turn", "N*",
-            "number of positions in a turn at which a planet can be assembled; 0 if every position "
-            "is possible [T13.12]",
-            [](const P& p) { return p.assembly.places; })
-        .always();
-    q.flag("equal", "equal pitch", "true if the planets are at equal pitch",
-           [](const P& p) { return p.assembly.equal; });
-    q.number("angles_deg", "positions of the planets", "",
-             "counter-clockwise from the first planet [T13.13]",
-             [](const P& p) { return each(p.assembly.turns, degrees_of); })
-        .always()
-        .list({0});
-    q.whole("angles_exact", "positions of the planets", "", "[p, q] in turns",
-            [](const P& p) { return each(p.assembly.turns, fraction); })
-        .always()
-        .list({0, 2})
-        .doors(kJson);
-    q.number("clocking_deg", "clocking", "δ",
-             "rotation of the second gear of each stepped planet on its shaft; null if all stepped "
-             "planets are equal [T13.14]",
-             [](const P& p) {
-               return p.assembly.clocking.empty() ? Value() : each(p.assembly.clocking, degrees_of);
-             })
-        .list({0});
-    q.whole("planets_max", "greatest number of planets", "", "at equal pitch [T13.15b]",
-            [](const P& p) { return p.neighbours ? Value(p.neighbours->most) : Value(); });
-    q.number("neighbour_clearance_mm", "clearance of neighbouring planets", "c",
-             "least distance of their tip circles [T13.15b]",
-             [](const P& p) { return p.neighbours ? Value(p.neighbours->clearance) : Value(); });
-  });
-  return kAll;
-}
-
-const Quantities<PlanetSet>& phasing_quantities() {
-  using P = PlanetSet;
-  static const Quantities<P> kAll("drive.phasing", [](Quantities<P>& q) {
-    q.word("class", "class of phasing", "for the first harmonic [T13.19]",
-           [](const P& p) { return words_of(p.phasing.kind); })
-        .always()
-        .one_of({"in_phase", "sequential", "counter", "mixed"});
-    q.number("sun_phase", "phases of the sun's meshes", "γ",
-             "phase by which each mesh follows the first mesh, in periods [T13.16]",
-             [](const P& p) { return phases(p.sun_phases); })
-        .list({0});
-    q.number("ring_phase", "phases of the ring's meshes", "γ", "as `sun_phase`", [](const P& p) {
-       return phases(p.ring_phases);
-     }).list({0});
-    q.number("sun_ring_phase", "phase of the ring relative to the sun", "γ_rs",
-             "of a planet [T13.17]", &P::sun_ring_phase);
-    q.record<resultant_quantities>(
-         "resultants", "remaining share of harmonics 1, 2, … [T13.18]",
-         [](const P& p) -> const auto& { return p.phasing.resultants; })
-        .always()
-        .list({0})
-        .doors(kJson);
-  });
-  return kAll;
+Value exact_fraction(const Rational& r) {
+  const auto p = r.numerator(), q = r.denominator();
+  if (!p || !q) return {};
+  return ValueList{Value(*p), Value(*q)};
 }
 
 const Quantities<Drive>& drive_quantities() {

@@ -47,9 +47,13 @@ std::optional<double> mesh_load_factor(const Drive& drive);
 /// The mesh load factor K_γ of the rating of planet meshes. There is no value without a rating.
 std::optional<double> rated_mesh_load_factor(const Drive& drive);
 
+/// [p, q] in lowest terms, or null if one of the two numbers has more than 63 bits.
+Value exact_fraction(const Rational& r);
+
 /// The rating of a mesh, with the same quantities as for a pair. A mesh without power has no
 /// rating.
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh);
+
 const Quantities<PlanetSet>& assembly_quantities();
 const Quantities<PlanetSet>& phasing_quantities();
 
