@@ -21,15 +21,16 @@ constexpr int kPerWave = 6;      // nodes
 constexpr int kLeastNodes = 7;
 constexpr double kBeyondPath = 0.2;  // of the path of contact: range searched beyond each end
 
-// The length L = √(ρ² − r_b²) at ln ρ = u. On a gear without a field, L is the radius ρ.
-double roll_at(const FlankPatch& f, double u) {
-  const double r0 = f.removal ? f.removal->base_radius() : 0.0;
-  return std::sqrt(std::max(0.0, std::exp(2 * u) - r0 * r0));
-}
-
 double base_radius(const FlankPatch& f) {
+  if (f.removal) return f.removal->base_radius();
   const double s = 0.5 * (f.s_lo + f.s_hi);
   return std::abs(f.profile.at(s).factor) / std::hypot(1.0, s);
+}
+
+// The length L = √(ρ² − r_b²) at ln ρ = u.
+double roll_at(const FlankPatch& f, double u) {
+  const double r_b = base_radius(f);
+  return std::sqrt(std::max(0.0, std::exp(2 * u) - r_b * r_b));
 }
 
 // Phase of a wave per mm, along L (direction 0) or along z (direction 1); 0 without such a wave.

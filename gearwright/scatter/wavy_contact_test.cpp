@@ -119,6 +119,27 @@ TEST(WavyContact, FollowsTheGreatestCrestOverTwoPatches) {
   }
 }
 
+// A gear without any deviation has no field. Its involute still has its base circle.
+TEST(WavyContact, OneGearMayHaveNoWaves) {
+  for (const std::size_t plain : {0, 1}) {
+    testing::SamplePair sample = wavy(0.008, 3, 3, 0.9);
+    sample.removal[plain] = nullptr;
+    const ContactPair pair = sample.pair();
+    Transmission transmission(pair);
+    ASSERT_TRUE(transmission.wavy());
+    constexpr int n = 32;
+    const auto touches = one_pitch(transmission, -0.5 * pair.pitch(), n);
+    EXPECT_LT(transmission.count().evaluations, 20 * n) << plain;
+    for (int i = 2; i < n; i += 4) {
+      const double phi = -0.5 * pair.pitch() + pair.pitch() * i / n;
+      constexpr double kParabola = 0.02 * kRadPerArcsec;
+      EXPECT_GE(touches[static_cast<std::size_t>(i)].te(),
+                greatest_on_a_grid(pair, phi) - kParabola)
+          << plain << " position " << i;
+    }
+  }
+}
+
 // With 32 positions, the curve costs less than 20 evaluations per position, and 1000 without the
 // closed form of the waves. The extremes do not depend on the number of positions.
 TEST(WavyContact, NeedsFewEvaluations) {
