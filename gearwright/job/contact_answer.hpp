@@ -1,4 +1,6 @@
-// The verb `contact`: both flanks of a pair under its errors and modifications.
+// The verb `contact`: both flanks of a pair, of a rack and its pinion, or of both halves of a
+// double-helical pair, under the errors and modifications of the spec. The influences of these
+// errors have names.
 #pragma once
 
 #include <array>

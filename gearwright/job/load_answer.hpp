@@ -1,4 +1,4 @@
-// The verb `load`: the pair of a spec under torque, and probes of its teeth.
+// The verb `load`: the pair of a spec under torque, and probes of its teeth. Their part of `run`.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Nominal points of all flanks for a measuring machine, as a table.
+// Nominal points of all flanks for a measuring machine, as a table, and the K-diagrams of all flanks.
 // Internal to job/ and the program.
 #pragma once
 

@@ -1,4 +1,5 @@
-// The result as JSON with every key in the order of the interface. Internal to job/ and its tests.
+// Results as JSON: the whole result with every key in the order of the interface, single values of
+// the catalogue, and the range of a record within tolerances. Internal to job/ and its tests.
 #pragma once
 
 #include <vector>

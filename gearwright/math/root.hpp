@@ -1,4 +1,5 @@
-// One-dimensional roots with a bracket: TOMS 748 (Alefeld, Potra, Shi 1995) by Boost.Math.
+// One-dimensional roots with a bracket: TOMS 748 (Alefeld, Potra, Shi 1995) by Boost.Math, and
+// Newton's iteration within a bracket. All real roots of a polynomial on an interval.
 //
 // A solver returns its final x, the residual, the number of evaluations and the reason for
 // stopping. Because of the bracket, it needs no start value and cannot diverge.

@@ -1,4 +1,5 @@
-// Estimates of a distribution from samples, with their confidence.
+// Estimates of a distribution from samples, with their confidence, and distribution functions with
+// their inverses.
 //
 //   n   samples          R   replicates, independent of each other      α   1 − confidence
 //   V   variance         S_g, S_Tg   first and total Sobol index of a group g of inputs

@@ -1,4 +1,4 @@
-// Gear materials, classified as in ISO 6336-5, and a table of common materials.
+// Gear materials, classified as in ISO 6336-5, a table of common materials, and their life factors.
 //
 //   σ_Hlim, σ_Flim   allowable stress numbers of the reference test gears, N/mm²
 //   HV, HB           hardness of the surface, Vickers and Brinell; HB ≈ 0.95 HV

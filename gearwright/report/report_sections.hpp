@@ -1,5 +1,6 @@
-// The sections of the page, each in HTML from <section> to </section>. `shapes` are the names of
-// the SVG definitions of the gears (gear_shape.hpp).
+// The sections of the report, each in HTML from <section> to </section>: a gear, a pair, a rack and
+// its pinion, ratings and other results. `shapes` are the names of the SVG definitions of the gears
+// (gear_shape.hpp).
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
-// Reads [search] of a spec, and the keys of [gear1] and [gear2] that a search does not choose:
-// pressure angle, rack, helix, face width.
+// Reads [search] of a spec for pairs or for drives, and the inputs of a search in other tables: keys
+// of [gear1] and [gear2] that a search does not choose (pressure angle, rack, helix, face width), and
+// the load of [rating]. Reads [scatter].
 //
 // Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once

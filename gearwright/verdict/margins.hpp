@@ -1,4 +1,5 @@
-// Findings other than warnings: clearances that are too small, and the position of the contact.
+// Findings other than warnings: clearances and backlash that are too small, the position of the
+// contact, and safety factors that are too low.
 // Internal to verdict/.
 #pragma once
 
