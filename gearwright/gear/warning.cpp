@@ -77,6 +77,13 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a safety factor against pitting is below the required one; below 1 the level is red",
      "the safety against pitting is too small"},
     // The gears run, but not as intended.
+    {C::samples_jam, "samples_jam", kCaution,
+     "verb scatter: the gears jam in some samples; the message gives the least play among them",
+     "the gears jam at some deviations within the tolerances",
+     "Give thickness allowances or a series of DIN 3967, or narrower tolerances."},
+    {C::samples_lose_contact, "samples_lose_contact", kCaution,
+     "verb scatter: no tooth pair touches at some positions of some samples",
+     "contact is lost at some deviations within the tolerances"},
     {C::contact_lost_to_undercut, "contact_lost", kCaution,
      "if the warning names a gear: the tip of the mating gear passes a part of the flank that "
      "undercut has removed; nothing collides, but contact ends earlier",

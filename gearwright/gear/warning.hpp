@@ -40,6 +40,8 @@ enum class WarningCode {
   root_safety,
   flank_safety,
   // The gears run, but not as intended.
+  samples_jam,
+  samples_lose_contact,
   contact_lost_to_undercut,  ///< a gear loses contact where undercut has removed the flank
   beyond_flank,
   saddle_gap,
