@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gearwright/spec/json.hpp"
@@ -23,6 +24,10 @@ struct Inherited {
 
 /// True if the table describes a rack, form = "rack".
 bool is_rack(const Json& gear);
+/// The reason for rejecting a key of a gear in the table of a rack.
+inline constexpr std::string_view kNotOfRack =
+    "does not apply to a rack, which has the basic rack, the module and the helix angle of its "
+    "pinion";
 
 /// The spec with every material that is only a name, material = "16MnCr5", replaced by a table
 /// [material] with this name.

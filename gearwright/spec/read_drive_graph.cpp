@@ -13,6 +13,7 @@
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/drive/rack_pitch.hpp"
+#include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_gear.hpp"
 
 namespace gearwright {
@@ -116,9 +117,7 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
     own.refuse("height_mm", "is a key of a rack; add form = \"rack\" if the gear is a rack");
   for (const auto& [key, value] : node.items())
     if (gear.rack && key != "name" && key != "body" && !rack_bar_keys().find(key))
-      own.refuse(key,
-                 "does not apply to a rack, which has the basic rack, the module and the helix "
-                 "angle of its pinion");
+      own.refuse(key, std::string(kNotOfRack));
   refuse_in_drive(node, path);
   Json whole = node;
   const auto has_module = has_any(node, drive_gear_keys().ways("normal_module_mm"));

@@ -156,6 +156,8 @@ void refuse_planets(const Json& tree) {
 // Reads a rack as gear 2. [pair] may then contain only the centre distance and the speed.
 RackBar read_rack_bar(const Json& rack, const Json& tree) {
   TableReader t(rack_bar_keys(), rack, "gear2");
+  for (const auto& [key, value] : rack.items())
+    if (gear_keys().find(key) && !rack_bar_keys().find(key)) t.fail(key, std::string(kNotOfRack));
   RackBar bar;
   t.read(bar);
   t.finish();

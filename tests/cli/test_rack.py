@@ -89,7 +89,8 @@ class ARack(unittest.TestCase):
                 ("export --gear 2 --drawing rack.pdf", "teeth = 9\nheight_mm = 9\n", "gear2.form", "--dxf"),
                 ("run", "teeth = 9\nheight_mm = 9\n[rating]\ntorque_Nm = 50\n", "rating", "gear 2 is a rack"),
                 ("pair", "[pair]\nbacklash_mm = 0.1\n", "pair.backlash_mm", "thickness allowances"),
-                ("pair", "profile_shift = 0.2\n", "gear2.profile_shift", "unknown key"),
+                ("pair", "profile_shift = 0.2\n", "gear2.profile_shift", "does not apply to a rack"),
+                ("pair", "tip_relief = 9\n", "gear2.tip_relief", "unknown key"),
                 ("pair", "teeth = 0\n", "gear2.teeth", "1")):
             with self.subTest(verb=verb, extra=extra):
                 verb, *options = verb.split()
