@@ -69,17 +69,9 @@ std::optional<Error> modify(ToothedBody& body, const Gear& gear,
 }
 
 Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name) {
-  if (!rack.bar.teeth)
-    return absent_input(
-        "gear2.teeth",
-        "; give the number of teeth, which determines the length of the rack in its files");
   const double least = rack.dedendum + kRackBack_mm;
-  if (!rack.bar.height)
-    return absent_input(
-        "gear2.height",
-        "; give the height, the distance from the back of the rack to its datum line");
-  if (*rack.bar.height < least) {
-    return refused("gear2.height", *rack.bar.height, {least},
+  if (rack.height < least) {
+    return refused("gear2.height", rack.height, {least},
                    "is too small, because the back would lie above the roots of the teeth; it must "
                    "be at least {} mm");
   }
@@ -89,7 +81,7 @@ Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name)
   body.name = name;
   body.outline = std::move(outline).take();
   body.face_width = rack.face_width;
-  body.rack = RackBlock{rack.transverse_pitch, *rack.bar.height, std::tan(rack.helix_angle.rad()),
+  body.rack = RackBlock{rack.transverse_pitch, rack.height, std::tan(rack.helix_angle.rad()),
                         rack.fillet_radius};
   return body;
 }

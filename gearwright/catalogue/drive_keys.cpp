@@ -216,7 +216,7 @@ const KeyTable& drive_gear_keys() {
                      "number of teeth, negative for a ring"),
          Key::word("form", {"gear", "rack"}, KeyPlace::unused(), "\"gear\"",
                    "`\"rack\"` makes the gear a rack, whose body moves along a line"),
-         Key::positive("height_mm", "", KeyPlace::unused(), "no mounting distance",
+         Key::positive("height_mm", "", KeyPlace::unused(), "3 modules below the roots",
                        "height of a rack from its back to its datum line")
              .with_also({"height", "back"})}};
     for (const Key& key : stage_gear_keys().keys)

@@ -97,13 +97,13 @@ const KeyTable& rack_bar_keys() {
       "A rack as gear 2, with the profile of the basic rack of gear 1",
       {Key::word("form", {"rack"}, KeyPlace::unused(), kRequired, "makes gear 2 a rack"),
        Key::number("teeth", "z", KeyRange::between(1, 100'000), &RackBar::teeth,
-                   "a rack as long as required",
+                   "an odd number of at least one turn of the pinion and 15, for pictures and files",
                    "number of teeth, which determines the length of the rack")
            .with_also({"number_of_teeth", "length"}),
        Key::positive("face_width_mm", "b", &RackBar::face_width, "face width of gear 1",
                      "face width")
            .with_also({"width", "face"}),
-       Key::positive("height_mm", "", &RackBar::height, "no mounting distance",
+       Key::positive("height_mm", "", &RackBar::height, "3 modules below the roots",
                      "height from the back of the rack to its datum line")
            .with_also({"height", "back"}),
        Key::number("thickness_allowance_mm", "E_sn", {}, &RackBar::thickness_allowance, "0",

@@ -45,8 +45,8 @@ void say_mounting(Quantities<V>& q) {
          "distance from the pinion axis to the datum line of the rack [T2.36]", &V::center_distance)
       .always();
   q.number("mounting_distance_mm", "mounting distance", "",
-           "distance from the pinion axis to the back of the rack; null without `height_mm`",
-           &V::mounting_distance);
+           "distance from the pinion axis to the back of the rack", &V::mounting_distance)
+      .always();
   q.term("backlash_free_center_distance_mm", "for the teeth as cut, including allowances [T2.36]",
          &V::backlash_free_center_distance)
       .always();
@@ -148,8 +148,8 @@ const Quantities<RackGeometry>& rack_quantities() {
              "length n p_t, with half a tooth space at both ends; null without `teeth`",
              &R::length);
     q.number("height_mm", "height", "",
-             "height from the back of the rack to the datum line; null if not given",
-             [](const R& r) { return r.bar.height; });
+             "height from the back of the rack to the datum line", &R::height)
+        .always();
     q.number("addendum_mm", "addendum", "h_a", "height above the datum line", &R::addendum)
         .always();
     q.number("dedendum_mm", "dedendum", "h_f", "depth below the datum line", &R::dedendum).always();

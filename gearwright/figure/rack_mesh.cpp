@@ -18,9 +18,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kDrawnBack = 2.0;  // modules below the roots, for a rack whose height is not given
-constexpr int kFewestDrawn = 15;    // teeth of a rack whose number of teeth is not given
-
 double pitch_radius(const RackPair& pair) { return pair.pinion.reference_diameter / 2; }
 
 double alpha_of(const RackPair& pair) { return pair.pinion.reference().transverse_pressure_angle; }
@@ -29,14 +26,6 @@ double alpha_of(const RackPair& pair) { return pair.pinion.reference().transvers
 // the trailing line.
 Vec2 on_action(const RackPair& pair, double g, double side = 1.0) {
   return {pitch_radius(pair) + g * std::sin(alpha_of(pair)), -side * g * std::cos(alpha_of(pair))};
-}
-
-int drawn_teeth(const RackPair& pair) {
-  return pair.rack.bar.teeth.value_or(std::max(pair.pinion.spec.teeth, kFewestDrawn) | 1);
-}
-
-double back_of(const RackGeometry& rack) {
-  return -rack.bar.height.value_or(rack.dedendum + kDrawnBack * rack.normal_module);
 }
 
 }  // namespace
@@ -56,7 +45,7 @@ Result<std::vector<Vec2>> rack_section(const RackPair& pair) {
     tooth.insert(tooth.end(), part.begin() + (tooth.empty() ? 0 : 1), part.end());
   }
   std::vector<Vec2> points;
-  const int n = drawn_teeth(pair);
+  const int n = rack.teeth;
   for (int k = 0; k < n; ++k) {
     const double middle = (k - (n - 1) / 2.0) * rack.transverse_pitch;
     for (const Vec2& p : tooth) points.emplace_back(p.x(), middle - p.y());
@@ -64,8 +53,8 @@ Result<std::vector<Vec2>> rack_section(const RackPair& pair) {
       points.emplace_back(p->x(), middle + p->y());
   }
   const double first = points.front().y(), last = points.back().y();
-  points.emplace_back(back_of(rack), last);
-  points.emplace_back(back_of(rack), first);
+  points.emplace_back(-rack.height, last);
+  points.emplace_back(-rack.height, first);
   points.push_back(points.front());
   return points;
 }
@@ -83,7 +72,7 @@ Vec2 rack_place(const RackPair& pair) {
   const double half = (rack.thickness / 2 - (pair.center_distance - pitch_radius(pair)) *
                                                 std::tan(rack.normal_pressure_angle.rad())) /
                       std::cos(rack.helix_angle.rad());
-  const bool odd = drawn_teeth(pair) % 2 == 1;
+  const bool odd = pair.rack.teeth % 2 == 1;
   return {pair.center_distance, (odd ? 0.0 : rack.transverse_pitch / 2) - half};
 }
 
@@ -94,12 +83,12 @@ Bounds rack_window(const RackScene& scene, MeshFrame frame, double aspect) {
   Bounds box;
   if (frame == MeshFrame::whole) {
     const double tip = pair.pinion.actual_tip_radius();
-    const double along = drawn_teeth(pair) * pair.rack.transverse_pitch / 2;
+    const double along = pair.rack.teeth * pair.rack.transverse_pitch / 2;
     const Vec2 origin = rack_place(pair);
     box.cover({-tip, -tip});
     box.cover({tip, tip});
     box.cover(origin + Vec2(-pair.rack.addendum, -along));
-    box.cover(origin + Vec2(-back_of(pair.rack), along));
+    box.cover(origin + Vec2(pair.rack.height, along));
   } else if (frame == MeshFrame::flank && pair.approach + pair.recess > 0.0) {
     box.cover(on_action(pair, -pair.approach));
     box.cover(on_action(pair, pair.recess));
@@ -151,7 +140,7 @@ Figure rack_mesh_figure(const RackScene& scene, const Bounds& window) {
   for (const NamedCircle& c : circles)
     f.circle(Vec2::Zero(), c.radius, std::string("thin g1") + c.style, 0,
              symbol_svg(symbol_of(c, 0)), c.words);
-  const double reach = drawn_teeth(pair) * pair.rack.transverse_pitch;
+  const double reach = pair.rack.teeth * pair.rack.transverse_pitch;
   const auto upright = [&](double x, const char* style, const char* words) {
     f.line({{x, -reach}, {x, reach}}, style, words);
   };

@@ -99,7 +99,7 @@ TEST(RackMeshFigure, windows_contain_their_parts) {
 // Without a number of teeth, the rack has at least the teeth of its pinion, and one of them is in the middle.
 TEST(RackMeshFigure, endless_rack_has_teeth_about_its_middle) {
   RackPair p = drawn_pair(0.1, 0, 0.05);
-  p.rack.bar.teeth.reset();
+  p = testing::taken(mount_rack(std::move(p.pinion), {}));
   const std::vector<Vec2> section = testing::taken(rack_section(p));
   const auto [first, last] = std::minmax_element(
       section.begin(), section.end(), [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });

@@ -95,6 +95,7 @@ enum class WarningCode {
   full_radius_root,
   tip_cut_by_rack,
   default_face_width,
+  default_rack_body,
   default_cutter,
   inherited,
   profile_shifts_chosen,

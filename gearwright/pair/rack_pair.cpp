@@ -19,6 +19,12 @@ constexpr double kNoLength = 1e-9;  // modules: smaller values are rounding erro
 // radii of ISO 53 are rounded to two digits (0.38 for 0.37993).
 constexpr double kRoundedFillet = 1e-4;
 
+// A rack without a number of teeth has at least this number in pictures and files.
+constexpr int kFewestTeeth = 15;
+// The default thickness of a rack below its roots, modules. ISO 6336-3 reduces the bending strength
+// for a rim below 1.2 tooth depths, which are 2.7 modules for the basic rack of ISO 53.
+constexpr double kRimModules = 3.0;
+
 double alpha_t(const Gear& g) { return g.reference().transverse_pressure_angle; }
 double alpha_n(const Gear& g) { return g.spec.normal_pressure_angle.rad(); }
 
@@ -36,6 +42,7 @@ RackGeometry geometry(const Gear& pinion, const RackBar& bar) {
   const StraightRack& profile = pinion.spec.straight_rack();
   RackGeometry r;
   r.bar = bar;
+  r.teeth = bar.teeth.value_or(std::max(pinion.spec.teeth, kFewestTeeth) | 1);
   r.normal_module = m;
   r.helix_angle = Angle::radians(-pinion.spec.helix_angle.rad());
   r.normal_pressure_angle = pinion.spec.normal_pressure_angle;
@@ -44,6 +51,7 @@ RackGeometry geometry(const Gear& pinion, const RackBar& bar) {
   r.transverse_pitch = std::numbers::pi * pinion.transverse_module;
   r.addendum = profile.addendum * m;
   r.dedendum = profile.dedendum * m;
+  r.height = bar.height.value_or(r.dedendum + kRimModules * m);
   r.thickness = r.normal_pitch / 2 + bar.thickness_allowance;
   r.fillet_radius = fillet_that_fits(pinion, r);
   return r;
@@ -63,6 +71,17 @@ void clip(RackPair& p) {
 
 void warn(RackPair& p, WarningCode code, int gear, std::string message) {
   p.warnings.push_back({code, std::move(message), gear});
+}
+
+void note_defaults(RackPair& p) {
+  const RackGeometry& rack = p.rack;
+  if (!rack.bar.teeth)
+    warn(p, WarningCode::default_rack_body, 2,
+         fmt::format("`teeth` is not given; pictures and files contain {} teeth.", rack.teeth));
+  if (!rack.bar.height)
+    warn(p, WarningCode::default_rack_body, 2,
+         fmt::format("`height` is not given; {} mm ({:g} modules below the roots) is used.",
+                     format_number(rack.height), kRimModules));
 }
 
 void find_faults(RackPair& p) {
@@ -113,10 +132,6 @@ double RackGeometry::form_depth() const {
   return dedendum - fillet_radius * (1 - std::sin(normal_pressure_angle.rad()));
 }
 
-std::optional<double> RackPair::mounting_distance() const {
-  return rack.bar.height ? std::optional(center_distance + *rack.bar.height) : std::nullopt;
-}
-
 Pose<Housing, Gear1> RackPair::pose_1() const {
   return Pose<Housing, Gear1>(Eigen::Isometry3d::Identity());
 }
@@ -126,7 +141,7 @@ Pose<Housing, Gear2> RackPair::pose_2() const {
   // rack is a tooth, so the rack is displaced by half a pitch.
   Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
   x.linear().diagonal() << -1.0, -1.0, 1.0;
-  const bool odd = rack.bar.teeth.value_or(1) % 2 == 1;
+  const bool odd = rack.teeth % 2 == 1;
   x.translation() = Vec3(center_distance, odd ? rack.transverse_pitch / 2 : 0.0, 0.0);
   return Pose<Housing, Gear2>(x);
 }
@@ -193,6 +208,7 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
     p.contact_root_diameter = 2 * std::hypot(start, r_b);
   if (const auto r_Ff = g.root_form_radius(); r_Ff && p.contact_root_diameter)
     p.form_clearance = *p.contact_root_diameter / 2 - *r_Ff;
+  note_defaults(p);
   find_faults(p);
   return p;
 }
@@ -243,7 +259,7 @@ Result<Outline> rack_outline(const RackGeometry& rack) {
   const double x_c = rho - rack.dedendum;
   const double n_c = half + (rho - x_c * std::sin(alpha)) / std::cos(alpha);
   const double tip = half - rack.addendum * tan_n;
-  OutlineOfArcs arcs(rack.bar.teeth.value_or(1), {-rack.dedendum, k * middle});
+  OutlineOfArcs arcs(rack.teeth, {-rack.dedendum, k * middle});
   // A full radius leaves no root land, and a pointed tooth has no tip land.
   if (middle - n_c > none) arcs.line(ArcName::root_land, {-rack.dedendum, k * n_c});
   if (rho > none)

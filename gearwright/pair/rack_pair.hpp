@@ -23,15 +23,18 @@ namespace gearwright {
 
 /// A rack as a part. Its teeth have the profile of the basic rack of its pinion.
 struct RackBar {
-  std::optional<int> teeth{};          ///< n; by default not limited
+  std::optional<int> teeth{};          ///< n; by default not limited, see RackGeometry::teeth
   std::optional<double> face_width{};  ///< b    mm; by default the face width of the pinion
-  std::optional<double> height{};      ///< mm, from the back of the rack to the datum line
+  std::optional<double> height{};      ///< mm, from the back of the rack to the datum line;
+                                       ///< by default 3 modules more than the dedendum
   double thickness_allowance = 0.0;    ///< E_sn mm at the datum line, < 0 thins the teeth
 };
 
 /// The geometry of a rack, from its pinion and its RackBar.
 struct RackGeometry {
   RackBar bar;
+  int teeth;       ///< of its body and pictures; by default an odd number for one turn of the pinion
+  double height;   ///< mm, from the back of the rack to the datum line
   double normal_module;         ///< m_n  mm
   Angle helix_angle;            ///< β    with the hand opposite to the pinion
   Angle normal_pressure_angle;  ///< α_n
@@ -67,7 +70,7 @@ struct RackPair {
   std::optional<double> speed_rpm;       ///< n_1  1/min
   std::vector<Warning> warnings;
 
-  std::optional<double> mounting_distance() const;  ///< H + height  mm
+  double mounting_distance() const { return center_distance + rack.height; }  ///< mm
   /// Poses of pinion and rack (frame: rack_outline()) in the housing at rotation 0. Tooth 0 of
   /// the pinion points into the space of the rack that is nearest to the middle of its length.
   Pose<Housing, Gear1> pose_1() const;

@@ -87,7 +87,7 @@ TEST(RackPair, lengths_scale_with_the_module) {
       testing::taken(mount_rack(pinion(19, 2, 0.2, 20), {.teeth = 30, .height = 10}));
   EXPECT_NEAR(two.center_distance, 2 * one.center_distance, 1e-12);  // (4)
   EXPECT_NEAR(*two.rack.length(), 2 * *one.rack.length(), 1e-12);
-  EXPECT_NEAR(*two.mounting_distance(), 2 * *one.mounting_distance(), 1e-12);
+  EXPECT_NEAR(two.mounting_distance(), 2 * one.mounting_distance(), 1e-12);
   EXPECT_NEAR(two.transverse_contact_ratio(), one.transverse_contact_ratio(), 1e-12);
   EXPECT_NEAR(two.true_contact_ratio(), one.true_contact_ratio(), 1e-12);
 }
