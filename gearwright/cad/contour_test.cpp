@@ -135,7 +135,8 @@ TEST(Contour, SliversMakeNoPiece) {
 }
 
 TEST(Contour, ARoughLandIsAnOrdinaryArc) {
-  // A straight "land" across the tip consists of one half of the tooth and its mirror image.
+  // The tip "land" is a straight line, not a circle about the axis. Its two halves are therefore
+  // two pieces, the arc and its mirror image.
   ToothedBody body = testing::plain_body(12, 20.0, 0.2, 24.0, 0.05);
   body.outline.arcs.pop_back();
   const Vec2 p = body.outline.arcs.back().end_point;

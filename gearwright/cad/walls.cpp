@@ -159,7 +159,7 @@ Outline tidied(const Outline& outline) {
     end = on_ray;
   };
   move(tidy.arcs.front().begin_point, sincos_turn(1, 2LL * std::abs(outline.teeth)), kLaw_mm);
-  // Several slivers at the tip may be omitted, each nearly as long as the shortest arc.
+  // The tolerance is greater at the tip, because several slivers may be omitted there.
   move(tidy.arcs.back().end_point, {0.0, 1.0}, 4.0 * kLaw_mm);
   return tidy;
 }
