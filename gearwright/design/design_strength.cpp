@@ -37,7 +37,8 @@ bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::si
   return row.cut_shift(i, graph.problem()) >= undercut && row.tip_thickness[i] >= 0.0;
 }
 
-// The cut of an internal gear; absent if the tip of the pinion reaches the fillet.
+// The cut of an internal gear whose pair has a closed form. Absent if the tip of the pinion reaches
+// the fillet, if the tips are shortened, or if the internal gear has an allowance.
 std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
   const auto& rating = graph.problem().rating;
   if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0 || row.allowance[1] != 0.0)
@@ -152,7 +153,8 @@ struct Safeties {
   std::array<std::optional<double>, 2> flank{}, root{};
 };
 
-// The safety factors for one state of the teeth. `input` contains the gear body of the design.
+// The safety factors for one state of the teeth: the design itself, or the pair at one combination
+// of tolerance ends. `input` contains the gear body of the design.
 Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
   const auto rating = rate(pair, input);
   if (!rating) return {};

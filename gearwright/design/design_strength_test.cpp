@@ -139,8 +139,7 @@ TEST(DesignStrength, IsThatOfTheMountedPair) {  // (1)
   expect_mounted(steep, 50);
 }
 
-// Work counter: an internal gear is cut once for all modules and pinions. An earlier version cut it
-// for every design.
+// Work counter: an internal gear is cut once for all modules and pinions, not for every design.
 TEST(DesignStrength, RingsAreCutOnce) {
   SearchProblem p = wish();
   p.ratio = {-4.0, -2.5};
@@ -229,7 +228,7 @@ bool thin_teeth_hold(const SearchProblem& p, const RatedPair& pair) {
   return rating && holds(*rating, {*p.limits.safety_flank, *p.limits.safety_root});
 }
 
-// An earlier version did not terminate if only the verdict rejected a width.
+// The search for a face width also terminates if only the verdict rejects a width.
 TEST(DesignStrength, AFaceIsAsWideAsItsWorstTeethNeed) {  // (5)
   SearchProblem p = wish(100.0);
   p.helix = {Angle::degrees(12)};

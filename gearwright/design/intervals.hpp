@@ -164,7 +164,8 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i].value < 0.0) continue;
     Interval piece{at[i].x, at[i].x};
-    // Because of rounding, the computed root may lie outside the interval. The inner node does not.
+    // Because of rounding, the computed root may lie beyond the inner node. The interval always
+    // includes this node.
     const auto end = [&](const Node& outside, const Node& inside) {
       if (detail::is_root(outside.x, outside.value, inside.x, inside.value)) return outside.x;
       return find_root([&f](double x) { return f(x); }, std::min(outside.x, inside.x),

@@ -177,7 +177,8 @@ TEST(ShiftGraph, CentreDistancesAreThoseOfThePair) {
   }
 }
 
-// At tight centres, k = y − Σ restores the clearance h_f − h_a of the racks.
+// At tight centres, the tip alteration k = a − (r_1 + r_2) − Σ restores the clearance h_f − h_a of
+// the racks.
 TEST(ShiftGraph, ShortenedTipsKeepTheClearance) {
   SearchProblem p;
   p.mounting = Mounting::tight;

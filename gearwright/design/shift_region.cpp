@@ -34,7 +34,7 @@ ShiftEdge edge_of(const ShiftSlice& s, Side side) {
 }
 double value_of(const ShiftSlice& s, Side side) { return side == Side::lo ? s.lo : s.hi; }
 
-// A function of Σ that is zero at sums for which the edges a and b impose the same bound on x1.
+// The difference between the bounds of x1 that the edges a and b impose at a given Σ.
 double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, double sum) {
   const ShiftBounds bounds = graph.bounds_before_path(sum);
   // If an edge imposes no bound, its value is infinite. The root finder needs a finite value, so a
