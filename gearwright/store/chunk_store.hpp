@@ -52,7 +52,7 @@ enum class OpenAs {
 /// Every member may be called from several threads at once. A store does not survive fork().
 ///
 /// Throws    IoError from every member if a folder cannot be read or written, if the disk is full, or
-///           with SQLite's message and the path of the journal
+///           if SQLite fails (with its message and the path of the journal)
 class ChunkStore {
  public:
   /// Opens `folder` and checks every chunk file in it against its checksum. A broken file is renamed
