@@ -19,8 +19,8 @@ constexpr int kVouching = 256;  // number of points per biarc at which the toler
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// Returns the tangent of half the angle from the start tangent to the chord. This is the bulge of
-// an arc that starts in the direction of the tangent and ends at the end of the chord.
+// Returns the bulge of an arc that starts in the direction `tangent` and ends at the end of the
+// chord. It is tan(φ/2), where φ is the angle from the start direction to the chord.
 double bulge_of(const Vec2& tangent, const Vec2& chord) {
   const double length = chord.norm();
   const double bulge = cross(tangent, chord) / (length + tangent.dot(chord));

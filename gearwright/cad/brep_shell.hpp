@@ -45,7 +45,7 @@ struct Rims {
   Rim top;
 };
 
-/// The direction of a face's normal relative to that of its surface.
+/// The direction of a face's normal relative to the normal of its surface.
 enum class Side { along, against };
 
 std::string spline_curve(const Ids& poles, const WallKnots& knots);

@@ -98,7 +98,7 @@ TEST(Contour, ToothKIsToothZeroTurned) {
       EXPECT_EQ(contour.pieces[static_cast<std::size_t>(6 * k) + i].begin, q);
     }
   }
-  // Quarter turns are exact, so tooth 5 of 20 has the coordinates of tooth 0 exchanged.
+  // Quarter turns are exact, so a point (x, y) of tooth 0 is (−y, x) on tooth 5 of 20.
   const Vec2 a = contour.pieces[1].begin;
   EXPECT_EQ(contour.pieces[31].begin, Vec2(-a.y(), a.x()));
 }

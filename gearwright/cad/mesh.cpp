@@ -31,9 +31,9 @@ constexpr double kWallMin_mm = 1e-3;
 // this fraction of the wall thickness.
 constexpr double kWallShare = 0.25;
 
-// A mesh beyond these limits is rejected. They correspond to a file of 200 MB, which printers
-// cannot read, and to a few seconds for triangulating the cap of a tooth, whose cost is quadratic
-// in the number of points.
+// A mesh beyond these limits is rejected. The limit of vertices corresponds to a file of 200 MB,
+// which printers cannot read. With the limit of points, it takes a few seconds to triangulate the
+// cap of a tooth, because the cost is quadratic in the number of points.
 constexpr double kVerticesMax = 2e6;
 constexpr std::size_t kHalfPointsMax = 20000;
 

@@ -39,7 +39,7 @@ std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   });
 }
 
-// Fits one side of the teeth. The parameter of each arc is either its own or its relative length.
+// Fits one side of the teeth. Each arc has either its own parameter or its relative arc length.
 class SideFitter {
  public:
   explicit SideFitter(const ModifiedSide& side) : side_(side) {

@@ -164,7 +164,7 @@ Vec3 normal_at(const ModifiedSide& side, std::size_t arc, double u, const Rows& 
 
 struct HalfPoint {
   Vec2 point;
-  Vec3 root, tip;  // unit normals on the two sides of a crease
+  Vec3 root, tip;  // unit normals towards the root and towards the tip; they differ at a crease
 };
 
 // The half section of a side at a level, in the frame of the side.

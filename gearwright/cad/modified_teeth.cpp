@@ -59,7 +59,7 @@ std::vector<double> starts(const std::array<std::shared_ptr<const RemovalField>,
   return rho;
 }
 
-// Appends the arc, divided at those of the given radii that lie on it.
+// Appends the arc, divided at each of the given radii that it contains.
 void append_divided(const Arc& arc, std::vector<double> rho, std::vector<Arc>& arcs) {
   const double begin = arc.begin_point.norm(), end = arc.end_point.norm();
   if (end < begin) std::reverse(rho.begin(), rho.end());

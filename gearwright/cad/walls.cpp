@@ -39,7 +39,7 @@ Extent look_at(const Outline& outline, Complex space) {
       const Complex w = as_complex(arc.point(static_cast<double>(i) / kWallLooks));
       extent.inner = std::min(extent.inner, std::abs(w));
       extent.outer = std::max(extent.outer, std::abs(w));
-      // Distances from the two lines. If z = 1, both lie on the x axis.
+      // Distances from the two centre lines. If z = 1, both lie on the x axis.
       if (w.imag() < -kLaw_mm) extent.tooth_crossed = true;
       if ((w * std::conj(space)).imag() > kLaw_mm) extent.space_crossed = true;
     }
