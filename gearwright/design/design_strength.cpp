@@ -26,8 +26,8 @@ double root_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t 
   return 2 * row.trial.module * std::abs(g.r - g.dedendum + row.cut_shift(i, graph.problem()));
 }
 
-// True if the tip of the mating gear begins to touch the flank of gear i on its involute, which is
-// the part cut by the straight flank of the rack.
+// True if the tip of the mating gear touches the flank of gear i only on its involute, which is the
+// part cut by the straight flank of the rack.
 bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::size_t i) {
   const TrialGear& g = graph.gears()[i];
   const auto& clearance = row.form_clearance[i];
@@ -171,7 +171,7 @@ Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
 }
 
 // The smallest ratio of a safety factor to its limit; 0 if a safety factor has no value. If
-// drawings are checked, a limit that is not given is 1, because the verdict requires this value.
+// drawings are checked, a limit that is not given counts as 1, because the verdict requires this.
 double share_of(const SearchProblem& problem, const Safeties& found) {
   double share = std::numeric_limits<double>::infinity();
   const auto keep = [&](const std::optional<double>& safety, std::optional<double> least) {

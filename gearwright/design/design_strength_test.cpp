@@ -127,7 +127,7 @@ TEST(DesignStrength, IsThatOfTheMountedPair) {  // (1)
   small.pinion_teeth = {17, 18};
   small.center_distance.reset();
   expect_mounted(small, 10);
-  // With 25°, the fillet radius of the default rack is too large for the rack.
+  // With a pressure angle of 25°, the fillet radius of the default rack does not fit.
   rings.normal_pressure_angle = Angle::degrees(25);
   rings.ratio = {-3.5, -3.3};
   rings.helix = {Angle::degrees(8)};

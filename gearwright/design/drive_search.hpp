@@ -65,8 +65,8 @@ struct DriveSearchProblem {
   double size_max = kInfinity;  ///< upper limit of DriveCandidate::size  mm; requires modules
   std::optional<std::array<double, 2>> face_width;  ///< b  mm, band of the face widths from which
                                                     ///<    the search chooses, both ends included
-  double face_diameters = 1.2;                      ///< if the face width is chosen: greatest b/d
-                                                    ///< of the smallest gear
+  double face_diameters = 1.2;                      ///< greatest b/d of the smallest gear, if the
+                                                    ///< search chooses the face width
   std::optional<double> safety_flank, safety_root;  ///< lower limits of S_H and S_F of every mesh
   std::string
       series;  ///< tolerance series of DIN 3967, such as "cd25", for the allowances of all gears;

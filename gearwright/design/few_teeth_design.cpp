@@ -25,7 +25,7 @@ constexpr double kSameRatio = 0.02;
 // Sums of shifts count as equal if they differ by less than this, modules. The grid has steps of
 // 0.001.
 constexpr double kSameSum = 1e-6;
-// Helix angles are rounded to this fraction of a degree, so that drawings show them exactly.
+// Helix angles are rounded to 1/kHelixSteps of a degree, so that drawings show them exactly.
 constexpr double kHelixSteps = 1e9;
 // Relative difference between the least centre distance and the sum of the base radii.
 constexpr double kOffBase = 1e-9;

@@ -1,11 +1,10 @@
-// Design of a pinion with few teeth and its wheel. The profile shifts are those with the longest
-// path of contact among all that cause no undercut, cusp, pointed tooth or interference.
+// Design of a pinion with few teeth and its wheel. Among the profile shifts that cause no undercut,
+// cusp, pointed tooth or interference, those with the longest path of contact are chosen.
 //
 //   x1, x2   profile shifts of pinion and wheel, the two unknowns       C    clearance at both tips, mm
 //
-// The wheel is cut by the pinion itself, with its tip lengthened by C. The wheel is therefore
-// conjugate to the tip fillet and the root fillet of the pinion. Both gears are then shortened by
-// C.
+// A pinion whose tip is longer by C cuts the wheel. The wheel is therefore conjugate to the tip
+// fillet and the root fillet of the pinion. The tips of both gears are then shortened by C.
 //                                  theory: docs/theory/06-few-teeth.md, 6.7
 //
 // The teeth of every candidate are generated exactly. The shifts are searched on a grid with steps

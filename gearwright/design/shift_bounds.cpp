@@ -159,8 +159,8 @@ void ShiftGraph::bound(const SumPlace& at, double sum, int limits, Line& line) c
     const ShiftEdge below = internal_ ? ShiftEdge::interference1 : ShiftEdge::interference2;
     bound_interference(at, sum, line.lo_of(below), line.hi_of(ShiftEdge::interference1));
   }
-  // If tips are shortened, these bounds are roots of equations. They are computed only if they may
-  // be the tightest.
+  // If tips are shortened, equations must be solved for these bounds. They are computed only if
+  // they may be the tightest.
   double& hi = line.hi_of(ShiftEdge::s1max);
   if (Line::kNamed || least_max_shift(*problem_, g_1, at.k) < hi)
     lower(hi, max_shift(*problem_, g_1, at.k));
