@@ -20,7 +20,7 @@ namespace gearwright {
 namespace {
 
 constexpr int kSteepestHelix = 75;     // degrees; greatest helix angle
-constexpr double kMinTipFillet = 0.1;  // modules; a cutter with a smaller tip radius r_t overheats
+constexpr double kMinTipFillet = 0.1;  // modules; a cutter with a smaller tip radius overheats
 constexpr double kSameRatio = 0.02;
 // Sums of shifts count as equal if they differ by less than this, modules. The grid has steps of
 // 0.001.
