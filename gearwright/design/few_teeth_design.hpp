@@ -37,7 +37,7 @@ struct FewTeethProblem {
                                           ///< root
   double root_offset = 0.0;               ///< distance between the root fillet and the undercut
                                           ///< limit
-  double min_tip_land = 0.0;              ///< normal thickness at both tips
+  double min_tip_land = 0.0;              ///< least normal thickness at both tips
   double min_gap = 0.0;                   ///< smallest chord of both tooth spaces at the start of
                                           ///< the flanks
   double clearance = 0.0;                 ///< C

@@ -1,6 +1,6 @@
 // The folder of a large search: numbered chunks of work, each saved as soon as it is finished.
 //
-//   out/chunks/000123.chunk         a finished chunk: header with its counts, bytes
+//   out/chunks/000123.chunk         a finished chunk: header with its counts, then its bytes
 //   out/chunks/….part.HOST.PID      a chunk that is being written; it is renamed when it is whole
 //   out/chunks/….chunk.damaged      a chunk that was found broken; it counts as missing
 //   out/journal.sqlite              tables `campaign` and `chunks`
