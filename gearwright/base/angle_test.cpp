@@ -68,10 +68,11 @@ TEST(SincosTurn, LiesOnTheUnitCircle) {
   }
 }
 
-// The reference is the long double functions of 2πk/n without reduction. The reduced argument is at
-// most π/4 and carries three roundings (quotient, constant, product), together below 1.5 ε relative,
-// and the functions add 0.55 ε. Because x cot x <= 1 and x tan x <= 1 there, the sum is 2.05 ε
-// relative. The reference's own argument, below 2π, has an error of 2⁻⁶² at most.
+// The reference values are the long double sine and cosine of 2πk/n, which is not reduced. The
+// reduced argument is at most π/4. Its three roundings (quotient, constant, product) are together
+// below 1.5 ε relative, and the functions add 0.55 ε. Because x cot x <= 1 and x tan x <= 1 there,
+// the sum is 2.05 ε relative. The argument of the reference, below 2π, has an error of at most
+// 2⁻⁶².
 TEST(SincosTurn, AgreesWithTheUnreducedAngle) {
   static_assert(std::numeric_limits<long double>::digits >= 64, "the reference needs more digits");
   std::mt19937_64 random(20240);

@@ -13,13 +13,14 @@ namespace {
 constexpr double kStraight = 1e-9;  // mm, greatest sagitta at which an arc is written as a line
 // Greatest angle, rad, between the tangents at the joint of two arcs that are merged into one.
 constexpr double kOneCircle = 1e-9;
-constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};  // as shares of the arc's parameter
+// Shortest biarc, relative to the range of the arc's parameter; accuracy, relative to the biarc.
+constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};
 constexpr int kVouching = 256;  // number of points per biarc at which the tolerance is verified
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// Returns the tangent of half the angle from the start tangent to the chord. This is the bulge of
-// an arc that starts in the direction of the tangent and ends at the end of the chord.
+// Returns the bulge of an arc that starts in the direction `tangent` and ends at the end of the
+// chord. It is tan(φ/2), where φ is the angle from the start direction to the chord.
 double bulge_of(const Vec2& tangent, const Vec2& chord) {
   const double length = chord.norm();
   const double bulge = cross(tangent, chord) / (length + tangent.dot(chord));
@@ -135,14 +136,14 @@ class Fitter {
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
   GW_EXPECTS(arc.begin_point != arc.end_point);
-  // If the error has one or two humps, 24 samples locate its maximum to 1 %. They do not if the
-  // parameter is very uneven. The verification detects this case, and four times as many samples
-  // are then used.
+  // If the error has one or two humps, 24 samples locate its maximum to 1 %, unless the speed of
+  // the parametrization varies strongly. The verification detects this case, and the fit is then
+  // repeated with more samples.
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);
-    // If the excess is large, the number of samples is not the cause. Then 4096 steps are too few,
-    // or rounding errors are too large.
+    // More samples cannot correct an error above twice the tolerance. In that case, the curve needs
+    // more than 4096 steps, or rounding errors are too large.
     if (chain.deviation_mm <= tolerance_mm || chain.deviation_mm > 2.0 * tolerance_mm) break;
   }
   return chain;

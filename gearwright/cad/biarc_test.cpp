@@ -42,8 +42,8 @@ struct Circle {
   C from, to;
   double bulge;
 
-  // The tangents at both ends follow from the centre. They are i (p − c), or the opposite on a
-  // clockwise arc.
+  // The unit tangent at the point p of the arc. Its direction is i (p − centre), or the opposite on
+  // a clockwise arc.
   C tangent(C p) const {
     const C t = C(0, bulge > 0 ? 1 : -1) * (p - centre);
     return t / std::abs(t);

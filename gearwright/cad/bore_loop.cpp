@@ -115,8 +115,8 @@ Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double 
   const double half = body.bore->keyway_width / 2.0;
   if (half == 0.0) return std::optional(BoreContour{r, false, {{r, 0.0}, {-r, 0.0}}, {1.0, 1.0}});
 
-  // Without further division, the arc below the keyway would exceed half a turn. Two arcs are
-  // therefore used, which meet at (0, −r).
+  // The circular part of the bore exceeds half a turn. It is therefore divided into two arcs, which
+  // meet at (0, −r).
   const double y = std::sqrt((r - half) * (r + half));
   const double floor = r + body.bore->keyway_depth;
   const double bulge = std::tan((pi - std::asin(half / r)) / 4.0);

@@ -23,7 +23,7 @@ namespace gearwright {
 ///
 /// Accuracy  chords deviate from the circle by at most `chord` mm, and each turns by at most
 ///           `facet_turn` rad
-/// Domain    a bore for which bore_error() returns no error (contract)
+/// Domain    a bore for which hole_error() returns no error (contract)
 std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_turn);
 
 /// A single wall around the full circle, starting on the +y axis.
@@ -31,7 +31,7 @@ WallLoop circle_loop(double radius);
 
 /// The loop of the walls. The keyway is omitted if its sides would be slivers.
 ///
-/// Errors    those of hole_error
+/// Errors    those of hole_error() (gear/bore.hpp)
 /// Units     inner, outer: extreme radii of the outline, mm
 Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer);
 

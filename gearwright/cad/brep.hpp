@@ -1,16 +1,17 @@
 // Writes a toothed body as an advanced B-rep of a STEP file. Internal to cad/.
 //
 //   u, v   parameters of the face of a wall: u runs counter-clockwise about the axis, v upwards
+//   h_j c_i   poles of a wall, see cad/walls.hpp
 //
-//   shape     surface                            edges in a level
+//   shape     surface                            edges in a plane z = const
 //   spline    B-spline, poles h_j c_i            B-spline
 //   circle    cylinder about the axis            circle
 //   line      plane                              line
 //
-// Edges along the face are lines, or B-splines that follow the helix. Every vertex, edge and pole
+// Edges along the teeth are lines, or B-splines that follow the helix. Every vertex, edge and pole
 // is written once: the boundary poles of a face are identical to those of its edges and of the
-// neighbouring faces. The only deviation at an edge is that of the helix spline from a true
-// cylinder, which is less than kHelixTarget_mm. The x direction of each circle points away from the
+// neighbouring faces. An edge lies exactly on its faces, except that a helix spline deviates from a
+// true cylinder by less than kHelixTarget_mm. The x direction of each circle points away from the
 // middle of its wall. Walls that span less than a full turn therefore never cross the seam at u =
 // 0.
 //
@@ -70,8 +71,9 @@ Brep add_rack_brep(Part21& out, const ToothedBody& body);
 
 // Writes teeth with flank modifications as an advanced B-rep of a STEP file.
 //
-//   layer   between two levels; levels are planes, and the lines at which end reliefs begin
-//   slice   between two planes
+//   level   a plane z = const, or the line of a flank at which an end relief begins
+//   layer   the part of the teeth between two levels
+//   slice   the part of the teeth between two planes; it may contain several layers
 //
 // Flanks and fillets have one B-spline face per arc and layer (cad/modified_fit.hpp). Lands are
 // true cylinders with one face per slice. Each side of such a face consists of one edge per layer.

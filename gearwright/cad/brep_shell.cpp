@@ -137,9 +137,9 @@ Id ShellWriter::vector(const Vec3& d) {
   return id;
 }
 
-// A coordinate system on the gear's axis. Each statement writes one instance. Several in one
-// expression would be numbered in an order that depends on the compiler, because C++ does not
-// define the evaluation order of arguments.
+// A coordinate system on the gear's axis. No call has two arguments that write instances, because
+// C++ does not define the evaluation order of arguments. The numbers of instances would otherwise
+// depend on the compiler.
 Id ShellWriter::frame(double z, const Vec3& x) {
   const Id origin = centre(z);
   const Id up = direction(Vec3::UnitZ());

@@ -1,7 +1,7 @@
 // Writes the faces, edges and vertices of a solid about the axis. Internal to cad/.
 //
-// The boundary poles of a face are the points of its edges. Circles and cylinders are centred on
-// the axis.
+// The poles on the boundary of a face are the same points in the file as the poles of its edges.
+// Circles and cylinders are centred on the axis.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ struct Rims {
   Rim top;
 };
 
-/// The direction of a face's normal relative to that of its surface.
+/// The direction of a face's normal relative to the normal of its surface.
 enum class Side { along, against };
 
 std::string spline_curve(const Ids& poles, const WallKnots& knots);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kShortestArc = 1e-6;   // mm, a hundredth of the resolution of manufacturing
                                         // machines
-constexpr double kOnItsRay = 1e-6;      // mm
+constexpr double kOnItsRay = 1e-6;      // mm, tolerance for points on a centre line
 constexpr double kCircleRadius = 1e-8;  // mm, variation of the radius up to which a land counts as
                                         // a circle
 constexpr int kArcLooks = 32;           // number of points per arc that are examined
@@ -77,8 +77,8 @@ Result<Contour> closed_contour(const Outline& outline) {
       const Vec2 p = arc.point(static_cast<double>(i) / kArcLooks);
       contour.inner_radius = std::min(contour.inner_radius, p.norm());
       contour.outer_radius = std::max(contour.outer_radius, p.norm());
-      // A single tooth has no neighbour, and the middle of its space is the negative x axis. The
-      // outline crosses a middle line only if y < 0.
+      // For a single tooth, the middle of the space is the negative x axis. The condition y < 0
+      // then covers both centre lines.
       if (p.y() < -kOnItsRay || (z > 1 && beyond_space(p) > kOnItsRay)) {
         return Error{"teeth", std::to_string(outline.teeth),
                      "the outline of the tooth crosses the centre line of the tooth or the tooth "
@@ -107,7 +107,8 @@ Result<Contour> closed_contour(const Outline& outline) {
     root_sweep = 2.0 * (std::numbers::pi / z - std::atan2(p.y(), p.x()));
   }
 
-  // A joint on the centre line of a tooth or space belongs to the upper half that leads to it.
+  // Without a land, two halves meet on the centre line of the tooth or space. The upper half gives
+  // the coordinates of this joint for both.
   const Vec2 tip = links.back().end;
   const Vec2 root = links.front().begin;
   for (int k = 0; k < z; ++k) {
@@ -152,8 +153,8 @@ std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
   points.reserve(root_to_tip.size());
   for (const Vec2& p : root_to_tip) points.push_back(put(piece.mirrored ? mirrored(p) : p));
   if (!piece.mirrored) std::reverse(points.begin(), points.end());
-  // The ends may be moved, by no more than the tolerance, where slivers are omitted and where the
-  // outline meets a centre line.
+  // The ends of the piece may differ from those of the arc, because slivers are omitted and because
+  // joints are moved to the centre lines.
   GW_EXPECTS((points.front() - piece.begin).norm() < 3 * kShortestArc);
   GW_EXPECTS((points.back() - piece.end).norm() < 3 * kShortestArc);
   points.front() = piece.begin;

@@ -49,8 +49,8 @@ struct Contour {
   std::optional<RackBlock> rack{};
 };
 
-/// Connects the teeth to a closed contour. Arcs shorter than 1e-6 mm give no piece. The next piece
-/// then begins at the start of the omitted arc.
+/// Connects the teeth to a closed contour. An arc shorter than 1e-6 mm gives no piece. The next
+/// piece then begins at the start of this arc.
 ///
 /// Errors    if the outline crosses the centre line of the tooth or of the space (severed tooth)
 /// Domain    teeth ≠ 0; at least one arc; arcs joined without any gap; the first point on the ray

@@ -98,7 +98,7 @@ TEST(Contour, ToothKIsToothZeroTurned) {
       EXPECT_EQ(contour.pieces[static_cast<std::size_t>(6 * k) + i].begin, q);
     }
   }
-  // Quarter turns are exact, so tooth 5 of 20 has the coordinates of tooth 0 exchanged.
+  // Quarter turns are exact, so a point (x, y) of tooth 0 is (−y, x) on tooth 5 of 20.
   const Vec2 a = contour.pieces[1].begin;
   EXPECT_EQ(contour.pieces[31].begin, Vec2(-a.y(), a.x()));
 }
@@ -135,7 +135,8 @@ TEST(Contour, SliversMakeNoPiece) {
 }
 
 TEST(Contour, ARoughLandIsAnOrdinaryArc) {
-  // A straight "land" across the tip consists of one half of the tooth and its mirror image.
+  // The tip "land" is a straight line, not a circle about the axis. Its two halves are therefore
+  // two pieces, the arc and its mirror image.
   ToothedBody body = testing::plain_body(12, 20.0, 0.2, 24.0, 0.05);
   body.outline.arcs.pop_back();
   const Vec2 p = body.outline.arcs.back().end_point;

@@ -12,9 +12,9 @@
 //
 // without a division by κ and without cancellation for large radii.
 //
-// An interval is covered by steps, each as long as a condition allows. Suppose that once the
-// condition fails for a step, it also fails for every longer one. This holds for an error that
-// grows with the length. Then the number of steps is the smallest possible.
+// An interval is covered by steps, each as long as a condition allows. This gives the smallest
+// number of steps if the condition, once it fails, also fails for every longer step. The bound of
+// an error that grows with the length of the step has this property.
 #pragma once
 
 #include <algorithm>

@@ -13,8 +13,8 @@
 
 namespace gearwright {
 
-/// Triangulates a simple polygon by repeatedly cutting off the ear whose smallest angle is
-/// greatest.
+/// Triangulates a simple polygon by ear clipping. Each step cuts off the ear that is least acute,
+/// which means that its smallest angle is the largest among all ears.
 ///
 /// Work      O(n²) for n corners
 /// Returns   n − 2 counter-clockwise triangles as corner indices; nothing if the polygon crosses

@@ -23,9 +23,8 @@ double polygon_area(const std::vector<Vec2>& p) {
   return sum;
 }
 
-// All triangles are counter-clockwise, and their areas add up to the area of the region. Partial
-// sums of both sides are at most `whole`, so N additions have a rounding error of at most N ε times
-// `whole`.
+// All triangles are counter-clockwise, and their areas add up to the area of the region. No partial
+// sum of areas exceeds `whole`, so N additions have a rounding error of at most N ε times `whole`.
 void expect_covers(const std::vector<Triangle>& triangles, const std::vector<Vec2>& points,
                    double region, double whole) {
   double sum = 0.0;

@@ -16,9 +16,9 @@ namespace gearwright {
 namespace {
 
 constexpr auto kOutline = SheetLayer::outline;
-// Lengths in mm on paper: projection of centre lines beyond the part; distance from the view to the
-// first dimension line, and between dimension lines; distance between the views, and from the views
-// to the frame; projection of the leader beyond the gear.
+// Lengths in mm on paper. kAxis: projection of centre lines beyond the part. kFirst, kNext: from
+// the view to the first dimension line, and between dimension lines. kGap, kInner: between the
+// views, and from the views to the frame. kShelf: projection of the leader beyond the gear.
 constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kInner = 6, kShelf = 5;
 // Distance from the base line of the caption to the transverse view above it, mm.
 constexpr double kCaption = 9;
@@ -218,7 +218,7 @@ class Views {
   const BiarcContour& outline_;
   const std::optional<BoreContour>& bore_;
   double k_;                              // mm on paper per mm on the gear
-  double tip_ = 0, root_ = 0, body_ = 0;  // radii, mm; body_ is that of the outermost circle
+  double tip_ = 0, root_ = 0, body_ = 0;  // radii of tip, root and outermost circle, mm
   double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;  // mm on paper
   Sheet* sheet_ = nullptr;
   Vec2 origin_ = Vec2::Zero();

@@ -19,9 +19,9 @@ namespace gearwright {
 
 namespace {
 
-// The height of a level satisfies ρΔ² = 2ε at the largest radius ρ. On the tip land, κ = 1/ρ. The
-// three terms of (M1), multiplied by 8, are then 2ε, 4ε and 2ε at a = ρΔ, which gives the fewest
-// triangles.
+// The turn Δ of a level satisfies ρΔ² = 2ε, with the chord tolerance ε and the largest radius ρ. On
+// the tip land, d = a²/(8ρ). A chord a = ρΔ then makes the three terms of (M1), multiplied by 8,
+// equal to 2ε, 4ε and 2ε, which gives the fewest triangles.
 constexpr double kLevelShare = 2.0;
 
 // Smallest thickness between the root and the bore or rim, mm.
@@ -31,9 +31,9 @@ constexpr double kWallMin_mm = 1e-3;
 // this fraction of the wall thickness.
 constexpr double kWallShare = 0.25;
 
-// A mesh beyond these limits is rejected. They correspond to a file of 200 MB, which printers
-// cannot read, and to a few seconds for triangulating the cap of a tooth, whose cost is quadratic
-// in the number of points.
+// A mesh beyond these limits is rejected. The limit of vertices corresponds to a file of 200 MB,
+// which printers cannot read. With the limit of points, it takes a few seconds to triangulate the
+// cap of a tooth, because the cost is quadratic in the number of points.
 constexpr double kVerticesMax = 2e6;
 constexpr std::size_t kHalfPointsMax = 20000;
 
@@ -75,9 +75,9 @@ double polygon_reach_min(const std::vector<SectionPoint>& half) {
   return reach;
 }
 
-// The band of the wall of an internal gear that follows a circle in the middle of the body. The
-// columns of this wall meet those of the teeth at both ends. The wall therefore has the screw
-// motion of the teeth. For a double-helical gear, it has the rotation between the two screws.
+// The band of a circular wall of an internal gear: the rim or the groove. At both ends, the columns
+// of this wall must have the rotation of the teeth. The wall therefore has the screw motion of the
+// teeth. For a double-helical gear, it turns evenly from one end rotation to the other.
 Band around(const ToothedBody& body, double width) {
   if (!body.two_helices) return body.bands().front();
   const double stagger = body.two_helices->stagger;

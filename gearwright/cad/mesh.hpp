@@ -2,17 +2,17 @@
 //
 //   S(u, ζ)   screw surface: the section point P(u), turned by τζ about z, at the height ζ, mm
 //   Δ = τh    turn of one step h along the face, rad      a   chord of a section segment, mm
-//   d         largest distance of the section from its chord, mm
+//   d         largest distance of the section from its chord, mm     ρ   largest radius, mm
 //
 // The walls are grids of vertices that lie on S. A triangle of such a grid deviates from S by at
 // most
 //
 //     d + (2 a |Δ| + ρ Δ²) / 8                                                               (M1)
 //
-// P deviates by at most d from its chord C. In addition, the map R(τζ) C(u) is interpolated
-// linearly over a triangle with legs a and h, with an error of at most (a²|C_uu| + 2ah|C_uζ| +
-// h²|C_ζζ|)/8 (Filip, Magedson and Markot, 1986), where C_uu = 0, |C_uζ| = |τ|, |C_ζζ| ≤ ρτ². Both
-// diagonals obey (M1).
+// P deviates by at most d from its chord C. In addition, the screw surface T(u, ζ) of this chord is
+// interpolated linearly over a triangle with legs a and h. The error is at most (a²|T_uu| +
+// 2ah|T_uζ| + h²|T_ζζ|)/8 (Filip, Magedson and Markot, 1986), where T_uu = 0, |T_uζ| = |τ|, |T_ζζ|
+// ≤ ρτ². (M1) holds for both diagonals of a grid cell.
 //
 // Modified flanks are meshed by grids on the modified surface (cad/modified_mesh.hpp).
 //

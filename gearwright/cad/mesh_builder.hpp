@@ -22,7 +22,7 @@ struct Column {
   Vec2 point;   ///< mm, in the section ζ = 0 of the first copy
   Vec2 before;  ///< unit normal of the section, pointing out of the material, on the side of the
                 ///< previous column (clockwise)
-  Vec2 after;   ///< the same for the side of the next column (counter-clockwise)
+  Vec2 after;   ///< unit normal on the side of the next column (counter-clockwise)
 };
 
 struct Levels {
@@ -46,7 +46,7 @@ struct Ring {
   std::vector<RingPoint> points;
 };
 
-/// Data of the quads of a wall: which of their edges are creases, and how they are divided.
+/// Data of the quads of a wall: which columns are creases, and which diagonal divides each quad.
 struct WallEdges {
   std::vector<char> crease;  ///< per column
   std::vector<char> rising;  ///< per column: true if the diagonal of the next quad rises from this

@@ -23,8 +23,8 @@ struct Circle {
   int q;
 };
 
-/// The circle halfway between the roots and the hole or the groove. Its angular step δ satisfies R
-/// cos δ ≥ r, which zip_ring requires.
+/// The circle halfway between the roots and the hole or the groove. Its angular step is small
+/// enough for zip_ring (cad/flat_cap.hpp).
 Circle hub_circle(double hole_reach, double root_reach, int copies);
 
 /// The outer circle of the material of an internal gear. Its step follows from (M1) with d =
@@ -66,7 +66,7 @@ class Cap {
   std::size_t n_ = 0;
   Circle circle_{};
   std::vector<Column> pitch_;  // columns on the circle with normals pointing away from the axis
-  std::array<std::vector<Triangle>, 2> half_;  // of the lower and of the upper halves of the teeth
+  std::array<std::vector<Triangle>, 2> half_;  // triangles at the lower and the upper half tooth
 };
 
 }  // namespace gearwright

@@ -24,7 +24,7 @@ void append(std::string& out, const Eigen::Vector3f& v) {
   for (int i = 0; i < 3; ++i) append_f32(out, v[i]);
 }
 
-// The file contains the normal of the triangle with rounded corners.
+// Returns the normal of the triangle whose corners are rounded to float32, as in the file.
 Eigen::Vector3f facet_normal(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                              const Eigen::Vector3f& c) {
   const Vec3 edge = (b - a).cast<double>();

@@ -327,7 +327,7 @@ TEST(Mesh, GrowsInProportionToTheTeeth) {
     const std::size_t z = static_cast<std::size_t>(copies);
     const TriangleMesh mesh = counts(copies);
     const std::size_t walls = 2 * 2 * n * z;
-    // the points between the outline and the 2z points of the hub circle
+    // triangles of a cap between the outline and the 2z points of the hub circle
     const std::size_t ring = 2 * n * z + 2 * z;
     const std::size_t fan = 2 * z;
     EXPECT_EQ(mesh.triangles.size(), walls + 2 * (ring + fan)) << copies;

@@ -40,8 +40,8 @@ class ModifiedShell : public brep::ShellWriter {
     Corners below = corners_at(0);
     Edges floor = level_edges_at(0, below);
     Rims rims{{below, floor}, {}};
-    std::vector<Edges> chain(n);  // for the start of each wall: the edges along the face since the
-                                  // last plane
+    std::vector<Edges> chain(n);  // per wall: the upright edges at its start, one for each layer
+                                  // above the last plane
     std::size_t plane = 0;
     Edges plane_floor = floor;
     for (std::size_t l = 0; l + 1 < fit_.levels.size(); ++l) {
@@ -142,8 +142,8 @@ class ModifiedShell : public brep::ShellWriter {
     return w.left ? backward(knots) : knots;
   }
 
-  // Pole b of the line along the face at the start of wall i. For a land, this line is the end of
-  // the previous wall.
+  // Pole b of the upright edge at the start of wall i. For a land, this edge is the end of the
+  // previous wall.
   Vec3 upright_pole(std::size_t i, std::size_t layer, std::size_t b) const {
     if (wall(i).arc) return pole(i, layer, 0, b);
     return pole(i - 1, layer, poles_u(i - 1, layer) - 1, b);

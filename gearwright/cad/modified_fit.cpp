@@ -28,7 +28,7 @@ constexpr int kMoreSlices = 5;
 
 using Point = std::function<Vec3(double)>;
 
-// For each span, the greatest error of the spline through the points of a line.
+// Returns the greatest distance, per span, between an exact line and the spline through its points.
 std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   Eigen::MatrixXd samples(basis.poles(), 3);
   for (int i = 0; i < basis.poles(); ++i)
@@ -39,7 +39,7 @@ std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   });
 }
 
-// Fits one side of the teeth. The parameter of each arc is either its own or its relative length.
+// Fits one side of the teeth. Each arc has either its own parameter or its relative arc length.
 class SideFitter {
  public:
   explicit SideFitter(const ModifiedSide& side) : side_(side) {
@@ -124,9 +124,9 @@ BSplineBasis basis_along(const std::array<SideFitter, 2>& fitters, const Layer& 
   return {5, kMaxPoles};
 }
 
-// Computes the poles of a face. `begin` and `below` are the first row and the lower edge as the
-// neighbouring faces have them. They replace the face's own samples, so common edges are exactly
-// equal.
+// Computes the poles of a face. `begin` and `below` are the poles of the first row and of the lower
+// edge that the neighbouring faces already have. They replace the face's own samples, so that
+// common edges are exactly equal.
 ModifiedFace fit_face(const SideFitter& fitter, std::size_t arc,
                       const std::vector<ModifiedSide::Row>& rows, const BSplineBasis& along_v,
                       const std::vector<Vec3>* begin, const std::vector<Vec3>* below,

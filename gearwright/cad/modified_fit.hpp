@@ -36,8 +36,8 @@ struct ModifiedFit {
 };
 
 /// The levels from bottom to top: the planes that cut the teeth into slices, and the heights at
-/// which end reliefs begin. If a plane used for the teeth as cut would cross the line at which a
-/// relief begins, more slices are used.
+/// which end reliefs begin. `slices` is the number for the teeth as cut. A few more slices are used
+/// if one of their planes would be too near to the start of a relief.
 std::vector<ToothLevel> tooth_levels(const ModifiedTeeth& teeth, int slices, double face_width);
 
 /// Fits the teeth between these levels.

@@ -84,7 +84,7 @@ class GridMaker {
     return teeth_.side(left).field().at(std::log(rho), z).c;
   }
 
-  // The greatest error in the middle of a segment. The curvature of the arc as cut is not included.
+  // The greatest error of c in the middle of a segment, without the error of the chord as cut.
   double missed(const Segment& s) const {
     const double middle = 0.5 * (s.u_0 + s.u_1);
     double worst = 0.0;
@@ -145,8 +145,7 @@ class GridMaker {
   std::vector<ProbedRow> rows_;  // heights at which segments are examined
 };
 
-// The row at a level, and the rows just below and above it. The normals at the level follow from
-// them.
+// The row at a level, and the rows just below and above it, from which the normals are computed.
 struct Rows {
   ModifiedSide::Row here, below, above;
 };
@@ -165,7 +164,7 @@ Vec3 normal_at(const ModifiedSide& side, std::size_t arc, double u, const Rows& 
 
 struct HalfPoint {
   Vec2 point;
-  Vec3 root, tip;  // unit normals on the two sides of a crease
+  Vec3 root, tip;  // unit normals towards the root and towards the tip; they differ at a crease
 };
 
 // The half section of a side at a level, in the frame of the side.
@@ -212,8 +211,8 @@ std::vector<Ring> modified_rings(const ModifiedTeeth& teeth, const ModifiedGrid&
   for (const double z : grid.levels) {
     const std::vector<HalfPoint> right = half_ring(teeth.side(false), grid, z);
     const std::vector<HalfPoint> left = half_ring(teeth.side(true), grid, z);
-    // The centre lines of space and tooth lie on lands or at the ends of fades. Their points are as
-    // cut.
+    // The modifications do not move the points on the centre lines of space and tooth. These points
+    // lie on lands or at the ends of fades.
     const SinCos screw = sincos_of(teeth.side(true).twist() * z);
     Ring ring{z, {}};
     ring.points.push_back({turned(mirrored(root.point), screw),

@@ -2,11 +2,11 @@
 //
 //   ε    chord tolerance of the mesh, mm        c   material removed from the flank, mm
 //
-// The grid starts as that of the teeth as cut, which uses the fraction kCutShare of ε, with an
-// additional line of vertices where each relief begins. Segments and steps along the face are
-// halved until the value of c in the middle of a facet is sufficiently close to the mean of its
-// corners. The difference must be below the rest of ε and below a tenth of the greatest c. A mesh
-// with ε = 5 µm therefore shows a crowning of 5 µm.
+// The first grid is that of the teeth as cut, computed with the fraction kCutShare of ε. A line of
+// vertices is added where each relief begins. Segments and steps along the face are then halved
+// until c in the middle of each facet differs from the mean of its corners by less than the rest of
+// ε, and by less than a tenth of the greatest c. A mesh with ε = 5 µm therefore shows a crowning of
+// 5 µm.
 #pragma once
 
 #include <vector>
@@ -35,7 +35,7 @@ ModifiedGrid modified_grid(const ModifiedTeeth& teeth, std::vector<SectionPoint>
 /// The rings of one pitch, counter-clockwise from the middle of a tooth space.
 std::vector<Ring> modified_rings(const ModifiedTeeth& teeth, const ModifiedGrid& grid, int copies);
 
-/// Marks those columns of the divided outline as creases at which a relief begins.
+/// Marks the columns at which a relief begins as creases.
 void crease_at_reliefs(const ModifiedTeeth& teeth, const ModifiedGrid& grid, WallEdges& edges);
 
 /// The half section of one side at the height z, from root to tip, turned back by the twist.
@@ -44,8 +44,8 @@ std::vector<Vec2> modified_half(const ModifiedSide& side, const ModifiedGrid& gr
 // The closed triangle mesh of a rack.
 //
 // Every strip of the plan view (cad/rack_plan.hpp) is a plane quadrilateral. A fillet is divided
-// into strips that deviate from its cylinder by no more than the tolerance. The back, the ends and
-// the sides have one vertex below each vertex of the teeth.
+// into strips that deviate from its cylinder by no more than the tolerance. The back has one vertex
+// below each vertex on the border of the teeth, and the ends and sides connect the two.
 
 /// Works like tessellate() (cad/mesh.hpp), for a body that is a rack.
 ///

@@ -91,8 +91,8 @@ TEST(ModifiedMesh, is_closed) {
 }
 
 // The normals for shading point out of their triangles. They differ from the normals of the
-// triangles by at most 0.26, the permitted change over a facet, plus half of 0.075 rad. The latter
-// is the angle at the edge where an end relief begins; the normal there is the mean of both sides.
+// triangles by at most 0.26 rad, the permitted change over a facet, plus half of 0.075 rad, the
+// angle at the edge where an end relief begins. On this edge, the normal is the mean of both sides.
 TEST(ModifiedMesh, normals_are_those_of_the_surface) {
   for (const ModifiedGear& g : modified_gears(6.0)) {
     const TriangleMesh mesh = tessellated(g.body, 0.001);
@@ -220,7 +220,7 @@ TEST(ModifiedMesh, a_relief_begins_at_a_crease) {
   std::map<std::uint32_t, std::vector<Vec3>> normals;
   for (std::size_t i = 0; i < mesh.normals.size(); ++i)
     normals[mesh.shaded_vertices[i]].push_back(mesh.normals[i]);
-  // c as a function of the roll length L. On an arc of the involute, dL = r_b/L per unit of length.
+  // Slope of c along the involute. L is the roll length, and dL/ds = r_b/L for the arc length s.
   const double r_b = g.gear.reference().base_diameter / 2;
   const auto roll = [&](double rho) { return std::sqrt(rho * rho - r_b * r_b); };
   const double slope = 0.05 / (roll(tip) - roll(start)) * r_b / roll(start);

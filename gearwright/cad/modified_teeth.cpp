@@ -23,7 +23,7 @@ constexpr double kSameStart_mm = 1e-6;
 // Step along the arc for the slope of the curvature at its end, as a fraction of the arc's
 // parameter.
 constexpr double kCurvatureStep = 1e-3;
-// Number of heights at which the teeth are examined.
+// Numbers of heights, and of points per arc, at which the teeth are examined.
 constexpr int kExaminedRows = 33;
 constexpr int kExaminedPoints = 16;
 
@@ -59,7 +59,7 @@ std::vector<double> starts(const std::array<std::shared_ptr<const RemovalField>,
   return rho;
 }
 
-// Appends the arc, divided at those of the given radii that lie on it.
+// Appends the arc, divided at each of the given radii that it contains.
 void append_divided(const Arc& arc, std::vector<double> rho, std::vector<Arc>& arcs) {
   const double begin = arc.begin_point.norm(), end = arc.end_point.norm();
   if (end < begin) std::reverse(rho.begin(), rho.end());
@@ -206,7 +206,7 @@ Vec3 ModifiedSide::point(std::size_t arc, double u, const Row& row) const {
   Vec2 p = a.point(u);
   double z = row.z;
   if (arc == last_ + 1 && has_edge_) {
-    // The part from the edge to the centre line of the tooth.
+    // The tip land, from the edge of the flank to the centre line of the tooth.
     const Vec2 edge = outline_->arcs[last_].end_point + row.shift[1];
     const double angle = std::atan2(edge.y(), edge.x()) * (1 - u);
     p = a.begin_point.norm() * Vec2(std::cos(angle), std::sin(angle));

@@ -1,8 +1,8 @@
 // The surfaces of teeth with flank modifications. Internal to cad/.
 //
-//   c(u, ζ)   removed along the normal, mm, at the diameter and the height of the nominal point
-//             (gear/modifications.hpp)
-//   M(a, ζ)   R(τζ) p(a) + ζ k − c n, the modified flank [T10.27]; p the outline, n its normal there
+//   c(u, ζ)   material removed along the normal, mm, at the nominal point with the radius e^u mm
+//             and the height ζ (gear/modifications.hpp)
+//   M(a, ζ)   R(τζ) p(a) + ζ k − c n, the modified flank [T10.27]; p the outline, n its normal
 //   ζ, z      heights of the nominal and of the moved point, mm; z = ζ − c n_z
 //   w         weight of a fade, from 1 at the form diameter to 0 at the root or the tip
 //
@@ -29,8 +29,8 @@
 
 namespace gearwright {
 
-/// A level of the body: the plane at the height z. If `kink` is true, it is the displaced line of
-/// the flank that was at z.
+/// A level of the body: the plane at the height z. If `kink` is true, the level is the line into
+/// which the modification moves the line of the nominal flank at z.
 struct ToothLevel {
   double z;
   bool kink = false;
@@ -100,8 +100,8 @@ class ModifiedTeeth {
  public:
   /// Makes the teeth of a body from the removal fields of their right and left flanks.
   ///
-  /// Errors    the rule gives the reason why teeth with these modifications cannot be made: pointed
-  ///           teeth, flanks in pieces, no root fillet, flanks that would cross
+  /// Errors    `modifications`, with the reason why these teeth cannot be made: pointed teeth,
+  ///           flanks in pieces, no root fillet, flanks that would cross
   static Result<ModifiedTeeth> of(
       const ToothedBody& body, const std::array<std::shared_ptr<const RemovalField>, 2>& removal);
 
@@ -113,8 +113,8 @@ class ModifiedTeeth {
 
   /// Volume removed from all teeth, mm³.
   ///
-  /// Accuracy  1e-6 of the volume of the body; replacing the outlines by polygons changes the
-  ///           removed volume by 5e-5
+  /// Accuracy  1e-6 of the volume of the body; the polygons that replace the outlines change the
+  ///           removed volume by 5e-5 of its value
   double removed_volume(double face_width) const;
 
  private:

@@ -58,11 +58,11 @@ class Part21 {
   Part21Id last_ = 0;
 };
 
-/// "(#4,#5)", broken into lines of twelve references
+/// Appends references, such as "(#4,#5)", with at most twelve in a line.
 void append_ids(std::string& text, const std::vector<Part21Id>& ids);
-/// "(0.,0.25,1.)"
+/// Appends reals, such as "(0.,0.25,1.)".
 void append_reals(std::string& text, const std::vector<double>& values);
-/// "(6,1,6)"
+/// Appends integers, such as "(6,1,6)".
 void append_integers(std::string& text, const std::vector<int>& values);
 
 }  // namespace gearwright

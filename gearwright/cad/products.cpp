@@ -80,8 +80,8 @@ class ProductWriter {
     return out_.placement(origin, z, out_.direction(pose.linear().col(0)));
   }
 
-  // If two representations have different contexts, a relationship with a transformation connects
-  // them.
+  // Every representation has its own context, because a relationship with a transformation can only
+  // connect representations with different contexts.
   Id representation_context(const std::string& name) {
     return add(
         "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#{}))"

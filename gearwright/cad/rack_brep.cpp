@@ -47,7 +47,7 @@ class RackShell {
     RackLoop low, high;  // along the border, from the first line of constant s to the last
     std::optional<RackUse> first_line, line;
     if (spur) first_line = line = straight(before.low, before.high);
-    // Number of corners of the bar on each side, without those on the first and the last line.
+    // Number of border pieces in `low` and in `high` before the corner of the bar.
     std::size_t low_cut = 0, high_cut = 0;
     std::optional<RackNode> low_corner, high_corner;
     for (const RackStrip& strip : plan_.strips()) {
@@ -230,7 +230,7 @@ class RackShell {
         out_.add(fmt::format("ADVANCED_FACE('',(#{}),#{},{})", bound, surface, sense)));
   }
 
-  // A wall below the part of the border from `a` to `b`. The metal is on its left.
+  // The lower end of an upright edge of the bar, and this edge.
   struct Foot {
     RackNode at;
     RackUse down;  // runs from the teeth down to the back
@@ -239,6 +239,8 @@ class RackShell {
     const RackNode at = node({-body_.rack->height, top.at.y(), top.at.z()});
     return {at, straight(top, at)};
   }
+  // Adds the wall below the part `top` of the border, which leads from above `a` to above `b` with
+  // the metal on its left. Returns the lower edge of the wall.
   RackUse add_wall(const RackLoop& top, const Foot& a, const Foot& b, const Vec3& normal) {
     const RackUse floor = straight(a.at, b.at);
     RackLoop loop = reversed(top);

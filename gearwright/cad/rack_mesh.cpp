@@ -144,7 +144,7 @@ class RackMesher {
     return made;
   }
 
-  // A wall of the border. Its normal follows from its position on the border.
+  // Adds a wall below the border. Its outward normal is ±z on a side and ±y on an end of the bar.
   void border(std::uint32_t a, std::uint32_t b, std::uint32_t back_b, std::uint32_t back_a) {
     const Vec3 &p = mesh_.vertices[a], &q = mesh_.vertices[b];
     const bool side = p.z() == q.z() && std::abs(p.z()) == plan_.width() / 2;

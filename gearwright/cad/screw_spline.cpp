@@ -41,10 +41,10 @@ std::vector<Complex> interpolate(const BSplineBasis& basis, const std::vector<Co
   return poles;
 }
 
-// Returns the normal distance from q to the curve near its parameter t. The foot point is moved
-// along the tangent on the osculating circle; the result is what remains of q − W. The error is of
-// third order in this movement. If the movement is not short compared with the radius of curvature,
-// the function returns the whole distance, which is larger.
+// Returns the normal distance from q to the curve near its parameter t: the distance from q to the
+// tangent at t, minus the sagitta κ s²/2 of the osculating circle. s is the offset of q along the
+// tangent, and the error is of third order in s. If |κ s| ≥ 0.01, the function returns the distance
+// from q to the point at t, which is larger.
 double normal_distance(const Curve& curve, double t, Complex q) {
   const CurvePoint w = curve.at(t);
   const Vec2 d = Vec2(q.real(), q.imag()) - w.point;

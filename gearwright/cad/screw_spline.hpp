@@ -9,8 +9,8 @@
 //
 // The exact surface is e^{iφ} W, so interpolation on the grid of Greville points gives exactly the
 // product of the two interpolants. The section is fitted only once for all helices, and the
-// distance to the exact surface follows from that of two plane curves. With H = e^{iφ}(1 + ε), a
-// point of S becomes C(1 + ε) when it is turned back by φ. Its distance from W is at most e +
+// distance to the exact surface follows from the errors of two plane curves. With H = e^{iφ}(1 +
+// ε), a point of S becomes C(1 + ε) when it is turned back by φ. Its distance from W is at most e +
 // |C||ε|, where e is the normal distance from C to W. The distance in space is even smaller,
 // because the surface normal is inclined to the plane of the section.
 #pragma once
@@ -32,8 +32,9 @@ using Complex = std::complex<double>;
 /// is returned.
 inline constexpr double kSectionTarget_mm = 2e-5;
 inline constexpr double kSectionMax_mm = 1e-4;
-/// The target of R|ε|, mm. It is half of 1e-7, the tolerance for all edges and vertices, because
-/// the spline of a helix is the common edge of a flank and a true cylinder.
+/// The target of R|ε|, mm, at the greatest radius R. It is half of 1e-7, the tolerance for all
+/// edges and vertices, because the spline of a helix is the common edge of a flank and a true
+/// cylinder.
 inline constexpr double kHelixTarget_mm = 5e-8;
 
 struct SectionSpline {
@@ -49,21 +50,21 @@ struct SectionSpline {
 ///
 /// Both the curve's own parameter and its arc length are tried, and the one with fewer poles is
 /// used. A trochoid needs fewer poles with the arc length, and an involute near its base circle
-/// with the roll angle. The own parameter is used only if its slowest speed exceeds 1/100 of the
-/// mean. Otherwise the spline would have no normal at its ends. If uniform knots do not converge,
-/// spans that miss the target are halved.
+/// with the roll angle. The curve's own parameter is used only if its slowest speed exceeds 1/100
+/// of the mean. Otherwise the spline would have no normal at its ends. If uniform knots do not
+/// converge, spans that miss the target are halved.
 ///
 /// Units     mm
 /// Domain    the ends of the arc lie within 1e-5 mm of its curve
 /// Accuracy  deviation_mm ≤ target, or the best value reached with kMaxPoles, which the caller must
-///           check. The error has at most 5 extrema between two knots. The nearest of the 24 points
-///           is at most half a step, π/9.6, from an extremum, so the true maximum is below 1.06
-///           deviation_mm
+///           check. The error has at most 5 half waves between two knots, so half a step of the 24
+///           points is a phase of π/9.6, and the true maximum is below deviation_mm/cos(π/9.6) <
+///           1.06 deviation_mm
 SectionSpline fit_section(const Arc& arc, double target_mm = kSectionTarget_mm);
 
 inline constexpr int kMaxPoles = 240;
 
-/// Points between the knots that are not Greville points: (k + ½)/n of each span.
+/// The points (k + ½)/n of each span between two knots, k = 0 … n − 1.
 std::vector<double> places_between_knots(const BSplineBasis& basis, int n);
 
 /// The greatest error at these points, per span.

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kNodes = 16;
 constexpr int kMaxPanels = 64;
-// The sum over one panel has an error of about 1e-14. If two sums agree to this tolerance, the
-// integral has converged.
+// Relative change of the integral below which it has converged. It exceeds the rounding error of
+// the sum over one panel, about 1e-14.
 constexpr double kStandsStill = 1e-13;
 
 struct Rule {

@@ -20,8 +20,8 @@ namespace gearwright {
 struct SectionPoint {
   Vec2 point;        ///< mm
   Vec2 root_normal;  ///< unit vector, out of the material, for the side towards the root
-  Vec2 tip_normal;   ///< the same for the side towards the tip; it differs at a corner of the
-                     ///< outline
+  Vec2 tip_normal;   ///< unit vector for the side towards the tip; it differs from root_normal at
+                     ///< a corner of the outline
   std::size_t arc;   ///< index of the arc of the outline on which the point lies
   double u;          ///< position on that arc, from 0 to 1
 };

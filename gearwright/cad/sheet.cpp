@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kArrow = 2.5;      // mm, length
 constexpr double kArrowHalf = 0.4;  // mm, half width
-// Size of a subscript relative to the text, and the offsets of its base line.
+// Size of a subscript or superscript relative to the text, and offsets of their base lines.
 constexpr double kIndex = 0.7, kBelow = 0.3, kAbove = 0.45;
 
 using Place = SymbolPiece::Place;

@@ -109,7 +109,7 @@ SheetLetter letter_of(char32_t code);
 inline constexpr double kCapital = 0.718;
 inline constexpr double kDescent = 0.21 / kCapital;
 
-/// Units  mm; `height` is that of capitals; `text` is UTF-8
+/// Units  mm; `height` is the height of capitals; `text` is UTF-8
 double text_width(std::string_view text, double height);
 
 }  // namespace gearwright

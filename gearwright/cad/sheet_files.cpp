@@ -36,14 +36,14 @@ void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
     append_arc(out, a, middle, half);
     append_arc(out, middle, b, half);
   } else {
-    // The handles are a third of the end tangents, which are c (1 + b²)/3 long.
+    // The handles lie on the end tangents. Their length is c (1 + b²)/3 for a chord c.
     const Vec2 along = (1 - bulge * bulge) * chord / 3, across = 2 * bulge * left / 3;
     out +=
         fmt::format("{} {} {} c\n", point(a + along - across), point(b - along - across), point(b));
   }
 }
 
-// Writes only the settings that differ from the current ones.
+// The content of a PDF page. Line settings are written only if they differ from the current ones.
 class Content {
  public:
   explicit Content(const Sheet& sheet) {

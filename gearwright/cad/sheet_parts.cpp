@@ -81,8 +81,8 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
   const Vec2 forward = at(1, 0);
   sheet.arrow(kLayer, at(d.begin, d.line), inside ? Vec2(-forward) : forward);
   sheet.arrow(kLayer, at(d.end, d.line), inside ? forward : Vec2(-forward));
-  // Upright text is to the left of its line, which is above the line when it is read from the
-  // right.
+  // Upright text is to the left of its dimension line. Seen from the right, from where it is read,
+  // it is above the line.
   const double base = up ? d.line - kOverLine : d.line + kOverLine;
   const auto words = [&](double along, Along where) {
     if (up)

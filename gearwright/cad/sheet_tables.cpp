@@ -72,7 +72,8 @@ void draw_group(Sheet& sheet, double x, double& y, const DataGroup& group) {
     sheet.line(SheetLayer::data, {x + column, top}, {x + column, y});
 }
 
-// mm, ISO 5457; the left margin is wider for filing
+// Left margin (wider than the others, for filing), other margins, and length of the centring marks,
+// mm (ISO 5457).
 constexpr double kFiling = 20, kMargin = 10, kMark = 5;
 constexpr double kWidth = 180;  // width of a title block, ISO 7200
 constexpr double kFieldRow = 9, kTitle = 16;

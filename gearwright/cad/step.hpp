@@ -50,8 +50,8 @@ struct StepReport {
   std::vector<StepFace> faces;    ///< faces of one half tooth from root to tip, body by body
   double max_deviation_mm = 0.0;  ///< greatest deviation of all faces
   double volume_mm3 = 0.0;        ///< volume of all bodies: exact section area times face width,
-                                  ///< minus the volume removed by modifications, with an error of
-                                  ///< 1e-6 of the body
+                                  ///< minus the volume removed by modifications, which has an error
+                                  ///< of 1e-6 of the body's volume
   std::size_t face_count = 0;     ///< faces of all solids; a shape that several parts share is
                                   ///< counted once
   std::size_t edge_count = 0;     ///< each shared edge once

@@ -42,7 +42,7 @@ TEST(StepMeasured, balls_rest_where_they_are_said_to) {
     ASSERT_TRUE(sizes);
     const BallSeat seat = testing::taken(ball_in_space(gear, sizes->metric));
     const int z = std::abs(spec.teeth);
-    // The space opposite to the first one, or one of the two nearest to the opposite position.
+    // The first tooth space, and the space opposite to it or next to the opposite position.
     for (const int space : {0, z / 2}) {
       const double angle = (2 * space + 1) * std::acos(-1.0) / z;
       const double r = seat.center_diameter / 2;

@@ -58,8 +58,8 @@ TEST(StepModified, flanks_lie_on_the_modified_surface) {
       if (surface.IsNull()) continue;
       double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
       surface->Bounds(u0, u1, v0, v1);
-      // If a face follows a flank, its middle lies beyond a form diameter. The teeth are turned
-      // copies of each other, so only those near the x axis are measured.
+      // Faces that are not flanks are skipped: their middle lies beyond a form diameter. The teeth
+      // are turned copies of each other, so only those near the x axis are measured.
       const gp_Pnt m = surface->Value((u0 + u1) / 2, (v0 + v1) / 2);
       const double foot = read_flank(g, {m.X(), m.Y(), m.Z()}).foot;
       if (foot < 0.0 || foot > 1.0 || std::abs(std::atan2(m.Y(), m.X())) > 0.4) continue;

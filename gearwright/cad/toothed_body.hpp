@@ -63,7 +63,7 @@ struct Band {
   double twist;   ///< rad/mm
   double width;   ///< mm
   double middle;  ///< mm
-  double turn;    ///< rad, rotation of the outline at z = 0, which may lie outside the band
+  double turn;    ///< rad, rotation at z = 0; the plane z = 0 may lie outside the band
 
   double angle(double z) const { return twist * z + turn; }
 };
@@ -134,7 +134,7 @@ inline Error not_a_body(int teeth, const std::string& why) {
 /// `pose_2()`.
 ///
 /// Errors    `cut_by` for an internal gear without a pinion cutter; `teeth` for a gear whose tooth
-///           cannot exist (severed, or through the axis)
+///           cannot exist (severed by undercut, or with a root beyond the axis)
 Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
                               const std::optional<Bore>& bore = {});
 

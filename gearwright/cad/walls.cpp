@@ -39,7 +39,7 @@ Extent look_at(const Outline& outline, Complex space) {
       const Complex w = as_complex(arc.point(static_cast<double>(i) / kWallLooks));
       extent.inner = std::min(extent.inner, std::abs(w));
       extent.outer = std::max(extent.outer, std::abs(w));
-      // Distances from the two lines. If z = 1, both lie on the x axis.
+      // Distances from the two centre lines. If z = 1, both lie on the x axis.
       if (w.imag() < -kLaw_mm) extent.tooth_crossed = true;
       if ((w * std::conj(space)).imag() > kLaw_mm) extent.space_crossed = true;
     }
@@ -159,7 +159,7 @@ Outline tidied(const Outline& outline) {
     end = on_ray;
   };
   move(tidy.arcs.front().begin_point, sincos_turn(1, 2LL * std::abs(outline.teeth)), kLaw_mm);
-  // Several slivers at the tip may be omitted, each nearly as long as the shortest arc.
+  // The tolerance is greater at the tip, because several slivers may be omitted there.
   move(tidy.arcs.back().end_point, {0.0, 1.0}, 4.0 * kLaw_mm);
   return tidy;
 }

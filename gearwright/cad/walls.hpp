@@ -15,7 +15,7 @@
 //             The same applies to a root land. Any other arc is a spline, and so is its mirror
 //             image.
 //   slivers   an arc shorter than kShortestArc_mm gives no wall. The next wall begins at the start
-//             of this arc. At the centre line of a tooth or space, two walls end on that line.
+//             of this arc. If a whole land is omitted, its two neighbours meet on the centre line.
 //   slices    the number is the smallest for which a slice turns by at most π, and this turn plus
 //             the angle of the widest circle is at most 3π/2. No face then meets itself, and the u
 //             range of a cylinder is always less than a full turn.
@@ -93,7 +93,7 @@ Error no_spline(std::string_view face, double deviation);
 
 /// Cuts a body into walls.
 ///
-/// Errors    a bore that bore_error rejects (`bore.diameter_mm` and the keys of its keyway); an
+/// Errors    a bore that hole_error rejects (`bore.diameter_mm` and the keys of its keyway); an
 ///           internal gear without a rim around its roots (its bore is the rim) or with a keyway;
 ///           flanks that cross or a root beyond the axis (`teeth`); an arc for which no spline is
 ///           within kSectionMax_mm
@@ -113,8 +113,8 @@ struct WallLevel {
   Complex turn;  ///< e^{iφ}
 };
 
-/// The layer between two levels. Its helix is the helix of the body, turned to the middle of the
-/// slice.
+/// The layer between two levels. Its helix is the helix of the body, turned by the mean angle of
+/// the two levels.
 struct WallSlice {
   WallLevel low;
   WallLevel high;

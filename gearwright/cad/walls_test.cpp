@@ -163,12 +163,9 @@ TEST(Walls, RefusesWhatIsNoBody) {
   ring.bore = Bore{50.0};
   EXPECT_EQ(make_walls(ring).error().field, "bore.diameter");
 
-  EXPECT_EQ(make_walls(plain_body(12, 20.0, -0.01, 25.0, 0.08)).error().field, "teeth");  // crosses
-                                                                                          // the
-                                                                                          // tooth
-  EXPECT_EQ(make_walls(plain_body(12, 20.0, 0.30, 25.0, 0.08)).error().field, "teeth");   // crosses
-                                                                                          // the
-                                                                                          // space
+  // The outline crosses the centre line of the tooth, and that of the space.
+  EXPECT_EQ(make_walls(plain_body(12, 20.0, -0.01, 25.0, 0.08)).error().field, "teeth");
+  EXPECT_EQ(make_walls(plain_body(12, 20.0, 0.30, 25.0, 0.08)).error().field, "teeth");
 }
 
 // The flank has a jump of 0.01 mm in its middle, so no spline approximates it.

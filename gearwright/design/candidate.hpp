@@ -1,5 +1,6 @@
-// Batches of candidates. For each candidate, the values of a pair that a search compares with its
-// limits are computed with vector instructions and stored in columns.
+// Computes with vector instructions what a search compares with its limits. A candidate is a pair
+// of gears with its profile shifts, and its values are stored in columns. A trial is a pair without
+// shifts. The filter (`sieve`) decides whether any shifts within given ranges can meet the limits.
 //
 // The formulas are written once (design/candidate_formulas.inc) and compiled for double and for
 // every instruction set. At run time, the best available instruction set is used. The last bits of
@@ -17,7 +18,7 @@
 
 namespace gearwright {
 
-/// Number of candidates in a batch. It is so small that the columns stay in the cache.
+/// Number of candidates in a batch, small enough for the columns to stay in the cache.
 inline constexpr std::size_t kBatch = 1024;
 
 /// Data that all candidates of a batch share. Axes are parallel, and lengths are in normal modules.
@@ -28,8 +29,8 @@ struct CandidateConstants {
   bool tight = false, shorten = false;
 };
 
-/// The input columns are z1, z2 (< 0 for an internal gear), sin β, x1 and x2. The output columns are in
-/// normal modules.
+/// The input columns are z1, z2 (< 0 for an internal gear), sin β, x1 and x2. The output columns
+/// are in normal modules.
 struct CandidateBatch {
   enum In { z1, z2, sin_beta, x1, x2, kIn };
   enum Out {
@@ -64,8 +65,8 @@ void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch)
 /// Distance from a limit, modules, within which the vector result is not used.
 inline constexpr double kSieveDoubt = 1e-10;
 /// Verdicts of the filter for a trial. The first three name the limit that certainly rejects the
-/// trial. kSievePass means that the point with the longest path meets these limits, and kSieveAsk
-/// that the filter cannot decide. In the last two cases, the graph decides.
+/// trial. kSievePass means that the point with the longest path meets these three limits. kSieveAsk
+/// means that the filter cannot decide. In the last two cases, the graph decides.
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
                         kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
 
@@ -73,8 +74,8 @@ inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
 struct SieveConstants {
   double cos_transverse = 1.0;       ///< cos α_t
   double involute_transverse = 0.0;  ///< inv α_t
-  double sum_per_involute = 0.0;     ///< Σ/(R Δinv α) = cos β/tan α_n, for tight centres
-  double min_path = 0.0;             ///< K
+  double sum_per_involute = 0.0;     ///< Σ/(R Δinv α) = cos β/tan α_n, R = r_1 + r_2
+  double min_path = 0.0;             ///< K, least length of the path of contact
   std::array<double, 2> addendum{};
   bool tight = false, internal = false;
   bool path = false;  ///< true if the third limit is evaluated, which requires an external pair at

@@ -1,5 +1,5 @@
 // Chooses the profile shifts of a design within its region. If possible, the point lies on the line
-// of Eq. 11 and away from the borders.
+// of balanced strength (Eq. 11, design/shift_region.hpp) and away from the borders.
 //                                              theory: docs/theory/09-design-search.md, 9.4
 #include <algorithm>
 #include <limits>
@@ -42,8 +42,8 @@ constexpr double kFarOff = 1e9;  // modules; greater than the distance of any po
 // Distances from a border below this value, modules, are rounding errors.
 constexpr double kSameEnd = 1e-9;
 
-// The greatest value of f over [a, b]. It is found at nodes and by golden section around the
-// highest node. If it does not exceed 0, any value of f may be returned.
+// The greatest value of f over [a, b], found at nodes and by golden section around the highest
+// node. If it is negative, the result may be another value of f.
 template <class F>
 double greatest(const F& f, double a, double b, double bend) {
   if (!(a < b)) return f(a);
@@ -65,9 +65,10 @@ double greatest(const F& f, double a, double b, double bend) {
   return std::max(top, f(x));
 }
 
-// Finds the point of the line of Eq. 11 that has Σ nearest 0 among the points that keep a distance
-// from the borders and, if requested, do not cut into a fillet.
+// `asked` means that points at which a tip cuts into a fillet are excluded.
 enum class Fillets { asked, left_out };
+// Considers the points on the line of balanced strength that keep a distance from the borders, and
+// returns the one with Σ nearest 0.
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
   if (!(range.lo <= range.hi) || line_is_outside(graph, range.lo, range.hi)) return std::nullopt;
@@ -172,8 +173,8 @@ Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const Vec2 inside{x1, sum - x1};
   const Vec2 middle = (region.lo + region.hi) / 2.0;
   const bool runs = graph.problem().limits.avoid_interference;
-  // If the slice at one end is a single point, the distance is exactly half. A tolerance is
-  // therefore subtracted.
+  // The middle must keep at least half the distance of `inside` from the borders. If the slice at
+  // one end of the region is a point, it keeps exactly half, so a tolerance is subtracted.
   const double enough =
       (runs ? std::max(0.0, graph.wall_distance(inside[0], inside[1]) / 2.0) : 0.0) - kTouching;
   const bool one = region.sums.size() == 1;

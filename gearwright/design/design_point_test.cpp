@@ -1,7 +1,7 @@
-// The point of a design. Laws: (1) it is within all limits and away from the borders; (2) if Σ = 0
-// lies well inside, it is the point of Eq. 11 with Σ = 0; (3) the row does not depend on whether
-// the region is computed; (4) a gap is negative if and only if a corner of the mounted pair cuts
-// into a fillet.
+// The point of a design. Laws: (1) it is within all limits and away from the borders; (2) if the
+// point of balanced strength (Eq. 11) with Σ = 0 lies well inside, it is chosen; (3) the row does
+// not depend on whether the region is computed; (4) a gap is negative if and only if a corner of
+// the mounted pair cuts into a fillet.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -92,7 +92,6 @@ Gear gear(const TrialGear& g, Angle helix, double x) {
 
 // Random shifts at tight and extended centres, for spur and helical gears. If the gap is near 0,
 // both results are accepted.
-// 0, both results are accepted.
 TEST(FilletGap, HasTheSignOfThePairsClearance) {  // (4)
   int cut = 0;
   int clear = 0;

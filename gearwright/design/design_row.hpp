@@ -21,8 +21,8 @@ struct DesignRow {
   std::array<double, 2> shift{};          ///< x1, x2
   std::array<double, 2> allowance{};      ///< E_sn, the mean of upper and lower allowance
   double face_width = 0.0;                ///< b, common to both gears
-  bool balanced = false;                  ///< true if the point lies on the line of Eq. 11; false
-                                          ///< if it is that of chosen_point()
+  bool balanced = false;                  ///< true if the point lies on the line of balanced
+                                          ///< strength (Eq. 11, design/shift_region.hpp)
   double center_distance = 0.0;           ///< a
   Angle working_angle;                    ///< α_wt; α_n of the rack on crossed axes
   double ratio = 0.0;                     ///< z2/z1
@@ -60,21 +60,21 @@ struct DesignRow {
 };
 
 /// The row of a trial, if the trial is feasible. With RegionDetail::point, the values of the region
-/// are omitted, which take a hundred times as long as the rest. The shifts are the same in both
-/// cases.
+/// are omitted. They take a hundred times as long as all other values. The shifts are the same in
+/// both cases.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
 /// The row for a known region.
 std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region);
 
 /// True if a design exists. This requires a region and, if fillets are checked, a point in it at
-/// which the tips do not cut into the fillets. If designs are rated or drawn, the design must also
-/// meet these limits.
+/// which the tips do not cut into the fillets. The design must also meet the limits of the safety
+/// factors if it is rated, and of the verdict if it is drawn.
 bool has_design(const ShiftGraph& graph);
 /// The row at any point of the graph.   Domain: a working angle exists there (contract)
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
-/// The cost of a design for one objective; a smaller cost is better. Only rows on the line of Eq.
-/// 11 have costs. All other rows come last.
+/// The cost of a design for one objective; a smaller cost is better. Only rows on the line of
+/// balanced strength have costs. All other rows come last.
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row, Objective objective);
 /// The key by which rows are sorted: the objective, then contact ratio, module, z1, z2 and trial
 /// number. The order is total, and the smaller key comes first.

@@ -26,8 +26,8 @@ double root_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t 
   return 2 * row.trial.module * std::abs(g.r - g.dedendum + row.cut_shift(i, graph.problem()));
 }
 
-// True if the tip of the mating gear begins to touch the flank of gear i on its involute, which is
-// the part cut by the straight flank of the rack.
+// True if the tip of the mating gear touches the flank of gear i only on its involute, which is the
+// part cut by the straight flank of the rack.
 bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::size_t i) {
   const TrialGear& g = graph.gears()[i];
   const auto& clearance = row.form_clearance[i];
@@ -37,7 +37,8 @@ bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::si
   return row.cut_shift(i, graph.problem()) >= undercut && row.tip_thickness[i] >= 0.0;
 }
 
-// The cut of an internal gear; absent if the tip of the pinion reaches the fillet.
+// The cut of an internal gear whose pair has a closed form. Absent if the tip of the pinion reaches
+// the fillet, if the tips are shortened, or if the internal gear has an allowance.
 std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
   const auto& rating = graph.problem().rating;
   if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0 || row.allowance[1] != 0.0)
@@ -152,7 +153,8 @@ struct Safeties {
   std::array<std::optional<double>, 2> flank{}, root{};
 };
 
-// The safety factors for one state of the teeth. `input` contains the gear body of the design.
+// The safety factors for one state of the teeth: the design itself, or the pair at one combination
+// of tolerance ends. `input` contains the gear body of the design.
 Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
   const auto rating = rate(pair, input);
   if (!rating) return {};
@@ -169,7 +171,7 @@ Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
 }
 
 // The smallest ratio of a safety factor to its limit; 0 if a safety factor has no value. If
-// drawings are checked, a limit that is not given is 1, because the verdict requires this value.
+// drawings are checked, a limit that is not given counts as 1, because the verdict requires this.
 double share_of(const SearchProblem& problem, const Safeties& found) {
   double share = std::numeric_limits<double>::infinity();
   const auto keep = [&](const std::optional<double>& safety, std::optional<double> least) {

@@ -39,17 +39,17 @@ std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row
 /// The smallest of S_H/S_Hmin and S_F/S_Fmin of both gears. A limit that is not given counts as 1.
 /// Absent if the row has no safety factors.
 std::optional<double> least_safety(const SearchProblem& problem, const DesignRow& row);
-/// Mass of both gears, kg. An external gear is a full cylinder of the mean diameter (d_a + d_f)/2, as
-/// for the reduced mass of ISO 6336-1. An internal gear extends from the mean diameter to 2.5 m_n
-/// outside its root circle. [T9.12]
+/// Mass of both gears, kg. An external gear is a full cylinder of the mean diameter (d_a + d_f)/2,
+/// as for the reduced mass of ISO 6336-1. An internal gear extends from the mean diameter to 2.5
+/// m_n outside its root circle. [T9.12]
 double mass_of(const ShiftGraph& graph, const DesignRow& row);
 
 // Stores the pinion cutters chosen for the internal gears of a search.
 //
 // The strength of an internal gear depends on the number of teeth of its cutter. Its path of
-// contact depends on the radius at which its fillet begins. Both follow only from a generated
-// tooth, which takes as long as a hundred ratings. In modules, they are equal for all designs with
-// the same wheel.
+// contact depends on the radius at which its fillet begins. Both are known only after a tooth has
+// been generated, which takes as long as a hundred ratings. Measured in modules, they are equal for
+// all designs with the same wheel.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 
 /// The cutter of an internal gear. There is no cutter if every cutter would remove a part of the

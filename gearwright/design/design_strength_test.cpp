@@ -127,7 +127,7 @@ TEST(DesignStrength, IsThatOfTheMountedPair) {  // (1)
   small.pinion_teeth = {17, 18};
   small.center_distance.reset();
   expect_mounted(small, 10);
-  // With 25°, the fillet radius of the default rack is too large for the rack.
+  // With a pressure angle of 25°, the fillet radius of the default rack does not fit.
   rings.normal_pressure_angle = Angle::degrees(25);
   rings.ratio = {-3.5, -3.3};
   rings.helix = {Angle::degrees(8)};
@@ -139,8 +139,7 @@ TEST(DesignStrength, IsThatOfTheMountedPair) {  // (1)
   expect_mounted(steep, 50);
 }
 
-// Work counter: an internal gear is cut once for all modules and pinions. An earlier version cut it
-// for every design.
+// Work counter: an internal gear is cut once for all modules and pinions, not for every design.
 TEST(DesignStrength, RingsAreCutOnce) {
   SearchProblem p = wish();
   p.ratio = {-4.0, -2.5};
@@ -229,7 +228,7 @@ bool thin_teeth_hold(const SearchProblem& p, const RatedPair& pair) {
   return rating && holds(*rating, {*p.limits.safety_flank, *p.limits.safety_root});
 }
 
-// An earlier version did not terminate if only the verdict rejected a width.
+// The search for a face width also terminates if only the verdict rejects a width.
 TEST(DesignStrength, AFaceIsAsWideAsItsWorstTeethNeed) {  // (5)
   SearchProblem p = wish(100.0);
   p.helix = {Angle::degrees(12)};

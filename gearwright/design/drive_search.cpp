@@ -279,8 +279,8 @@ void search_sets(const DriveSearchProblem& problem, const Ends& ends, int thread
       threads);
 }
 
-// Replaces every candidate, whose size is in modules, by one candidate for each module for which
-// its size is permissible.
+// Replaces every candidate by one candidate per module, whose size is in mm instead of modules. If
+// the size is not permissible, the candidate is rejected.
 void give_modules(const DriveSearchProblem& problem, DriveSearchResult& result) {
   const std::vector<double>& modules = problem.modules;
   if (modules.empty()) return;

@@ -52,9 +52,9 @@ struct DriveSearchProblem {
   std::array<std::optional<TeethBand>, kSetMembers> teeth{};
   TeethBand stages{2, 2};  ///< number of stages of a train, all with one module
   TeethBand pinion{17, 40}, wheel{17, 150};
-  /// Greatest permissible difference between the sums of teeth of meshes on one circle. The default
-  /// is 1, or the number of planets if two rings mesh with one planet gear. For a train, the
-  /// default is no limit.
+  /// Greatest permissible difference between the sums of teeth of meshes with a common centre
+  /// distance. The default is 1, or the number of planets if two rings mesh with one planet gear.
+  /// For a train, the default is no limit.
   std::optional<int> coaxial_teeth;
   double neighbour_clearance = 1.0;   ///< lower limit of c  modules
   std::vector<PhasingClass> phasing;  ///< allowed classes; all if empty
@@ -65,12 +65,12 @@ struct DriveSearchProblem {
   double size_max = kInfinity;  ///< upper limit of DriveCandidate::size  mm; requires modules
   std::optional<std::array<double, 2>> face_width;  ///< b  mm, band of the face widths from which
                                                     ///<    the search chooses, both ends included
-  double face_diameters = 1.2;                      ///< if the face width is chosen: greatest b/d
-                                                    ///< of the smallest gear
+  double face_diameters = 1.2;                      ///< greatest b/d of the smallest gear, if the
+                                                    ///< search chooses the face width
   std::optional<double> safety_flank, safety_root;  ///< lower limits of S_H and S_F of every mesh
   std::string
-      series;  ///< of DIN 3967, "cd25", for the allowances of all gears; if empty, `base` has
-               ///< them
+      series;  ///< tolerance series of DIN 3967, such as "cd25", for the allowances of all gears;
+               ///< if empty, the allowances of `base` apply
   /// Helix angle, losses, spacing, and the fixed and driving members. Its numbers of teeth are
   /// ignored.
   PlanetarySpec base;
@@ -113,8 +113,8 @@ struct DriveSearchResult {
 
 /// All candidates that meet the limits.
 ///
-/// Formula   the sums of teeth of all meshes on one circle differ by at most `coaxial_teeth`,
-///           because all meshes of a set have the same module
+/// Formula   the sums of teeth of all meshes with a common centre distance differ by at most
+///           `coaxial_teeth`, because all meshes of a set have the same module
 /// Domain    bands from 1 to kMostDriveTeeth (contract)
 /// Errors    `drive.fixed`, `drive.input` or `drive.output` if the set has no such member, or if
 ///           one member has two of these functions
@@ -129,8 +129,8 @@ PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& ca
 /// The greatest face width that the search may choose, mm. It follows from the band and from b/d.
 double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate);
 
-/// The mean thickness allowance of a gear by the series of the problem, mm. It is 0 for a gear that the
-/// series does not contain.
+/// The mean thickness allowance of a gear by the series of the problem, mm. It is 0 for a gear that
+/// the series does not contain.
 double mean_allowance(const DriveSearchProblem& problem, const DriveCandidate& candidate,
                       int teeth);
 

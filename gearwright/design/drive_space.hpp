@@ -10,7 +10,8 @@ namespace gearwright {
 
 using TeethOfSet = std::array<int, kSetMembers>;
 
-/// Greatest permissible difference between the sums of teeth on one circle.
+/// Greatest permissible difference between the sums of teeth of meshes with a common centre
+/// distance.
 inline int coaxial_slack(const DriveSearchProblem& problem) {
   if (problem.coaxial_teeth) return *problem.coaxial_teeth;
   const bool one_gear = !problem.teeth[static_cast<std::size_t>(SetMember::planet2)];

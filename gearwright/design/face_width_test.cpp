@@ -52,8 +52,8 @@ TEST(FaceWidth, TheNextOneIsGreater) {  // (1)
   }
 }
 
-// In an earlier version, the next width could be smaller than the previous one, for example 12 mm
-// after 60 mm, if the required width was far below the previous one.
+// The required width may be far below the previous one. The next width must still be greater than
+// the previous one, or the loop would not end.
 TEST(FaceWidth, ABandEnds) {  // (2)
   const Band b = band(10.0, 120.0, 0.1);
   for (const double share : {0.2, 0.9, 1.0, 1.01}) {

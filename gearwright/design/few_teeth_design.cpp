@@ -20,21 +20,21 @@ namespace gearwright {
 namespace {
 
 constexpr int kSteepestHelix = 75;     // degrees; greatest helix angle
-constexpr double kMinTipFillet = 0.1;  // modules; a cutter with a smaller tip radius r_t overheats
+constexpr double kMinTipFillet = 0.1;  // modules; a cutter with a smaller tip radius overheats
 constexpr double kSameRatio = 0.02;
 // Sums of shifts count as equal if they differ by less than this, modules. The grid has steps of
 // 0.001.
 constexpr double kSameSum = 1e-6;
-// Helix angles are rounded to this fraction of a degree, so that drawings show them exactly.
+// Helix angles are rounded to 1/kHelixSteps of a degree, so that drawings show them exactly.
 constexpr double kHelixSteps = 1e9;
 // Relative difference between the least centre distance and the sum of the base radii.
 constexpr double kOffBase = 1e-9;
 // Relative rounding error between two computations of the same radius.
 constexpr double kSameRadius = 1e-9;
 
-// The rank of a feasible candidate: the contact ratio in steps of 0.02, then the sum of the shifts.
-// If the contact ratios of two candidates fall into the same step, the candidate with the centre
-// distance nearer to the reference centre distance is better.
+// The rank of a feasible candidate: the contact ratio in steps of 0.02, then |x1 + x2|. If the
+// contact ratios of two candidates fall into the same step, the candidate with the smaller
+// |x1 + x2| is better.
 struct Rank {
   double ratio, sum;  // in whole steps
 
@@ -143,7 +143,6 @@ class Search {
     });
     // Candidates are mounted in parallel in groups of 1, 2, 4 and so on, because usually one of the
     // first is accepted.
-    // first is accepted.
     begin_stage(p_.progress, "pairs mounted", static_cast<std::int64_t>(order.size()));
     std::size_t together = 1;
     for (std::size_t from = 0; from < order.size(); from += together, together *= 2) {
@@ -241,8 +240,8 @@ class Search {
     return std::nullopt;
   }
 
-  // The generating centre distance E for a given helix angle and centre distance: E + j/(2 tan
-  // α_wt) = a. The shift of the wheel follows from E.
+  // The generating centre distance E for a given helix angle and centre distance a, from the
+  // equation E + σ j/(2 tan α_wt) = a. The shift of the wheel follows from E.
   std::optional<double> distance_within(const Gear& cutter) const {
     const double r =
         cutter.base_radius() * std::abs(1.0 + static_cast<double>(p_.teeth[1]) / p_.teeth[0]);
@@ -252,7 +251,8 @@ class Search {
       return e + side_ * p_.backlash * r / (2 * std::sqrt((e - r) * (e + r))) - a;
     };
     const double lo = r * (1 + kOffBase);
-    // Away from the base circles, the backlash changes the distance only slightly.
+    // Away from the base circles, the backlash changes the distance only slightly. E therefore lies
+    // close to a.
     const double hi = side_ > 0.0 ? a : 2 * a;
     if (!(lo < hi)) return std::nullopt;
     const double from = side_ > 0.0 ? std::max(lo, a - 0.5 * (a - r)) : a;
@@ -380,8 +380,8 @@ class Search {
     return {15, 0.0, "", std::move(design)};
   }
 
-  // True if the concave root of the pinion cuts a cusp. The flank of the wheel then ends before the
-  // point that is conjugate to the start of the pinion's flank.
+  // True if the concave root of the pinion cuts a cusp into the wheel, whose flank then ends before
+  // the point that is conjugate to the start of the pinion's flank.
   bool has_cusp(const Gear& cutter, const Gear& whole, double distance) const {
     const Arc& flank = *cutter.tooth->outline.find(ArcName::flank);
     const auto& involute = curve_as<Involute>(*flank.curve);

@@ -1,11 +1,10 @@
-// Design of a pinion with few teeth and its wheel. The profile shifts are those with the longest
-// path of contact among all that cause no undercut, cusp, pointed tooth or interference.
+// Design of a pinion with few teeth and its wheel. Among the profile shifts that cause no undercut,
+// cusp, pointed tooth or interference, those with the longest path of contact are chosen.
 //
 //   x1, x2   profile shifts of pinion and wheel, the two unknowns       C    clearance at both tips, mm
 //
-// The wheel is cut by the pinion itself, with its tip lengthened by C. The wheel is therefore
-// conjugate to the tip fillet and the root fillet of the pinion. Both gears are then shortened by
-// C.
+// A pinion whose tip is longer by C cuts the wheel. The wheel is therefore conjugate to the tip
+// fillet and the root fillet of the pinion. The tips of both gears are then shortened by C.
 //                                  theory: docs/theory/06-few-teeth.md, 6.7
 //
 // The teeth of every candidate are generated exactly. The shifts are searched on a grid with steps
@@ -38,7 +37,7 @@ struct FewTeethProblem {
                                           ///< root
   double root_offset = 0.0;               ///< distance between the root fillet and the undercut
                                           ///< limit
-  double min_tip_land = 0.0;              ///< normal thickness at both tips
+  double min_tip_land = 0.0;              ///< least normal thickness at both tips
   double min_gap = 0.0;                   ///< smallest chord of both tooth spaces at the start of
                                           ///< the flanks
   double clearance = 0.0;                 ///< C

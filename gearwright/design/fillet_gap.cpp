@@ -66,7 +66,8 @@ class Fillet {
 double least_gap(const Fillet& fillet, const Corner& corner) {
   constexpr int kNodes = 12;
   const auto node = [&](int i) { return fillet.end() * i / kNodes; };
-  // The nodes range from the flank to the greatest depth that the corner reaches.
+  // The gap is computed at nodes, from the flank down to the greatest depth that the corner
+  // reaches.
   std::array<double, kNodes + 1> at;
   at.fill(kInfinite);
   int best = kNodes;

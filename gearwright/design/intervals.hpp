@@ -40,7 +40,7 @@ inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals
 
 /// Known properties of a function. They reduce the number of evaluations.
 struct Hump {
-  /// Upper limit of f″, not counting creases, at which f changes from one smooth function to
+  /// Upper limit of f″. It does not apply at creases, where f changes from one smooth function to
   /// another.
   double bend = std::numeric_limits<double>::infinity();
   double below = -1e-9;  ///< maxima below this value are ignored
@@ -97,8 +97,8 @@ double climb(const F& f, double a, double b, const Hump& hump = {}) {
   return f_x > f_y ? x : y;
 }
 
-/// True if the node x is a root except for rounding, which is the case if the chord to the next
-/// node crosses zero there. An example is a corner of the shift limits. Bracketing would not
+/// True if the node x is a root except for rounding: the chord to the next node then crosses zero
+/// within the rounding error of x. An example is a corner of the shift limits. Bracketing would not
 /// improve such a root.
 inline bool is_root(double x, double f_x, double next, double f_next) {
   const double away = std::abs(next - x) * -f_x;
@@ -149,8 +149,8 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
     at.insert(at.begin() + static_cast<std::ptrdiff_t>(top > at[i].x ? i + 1 : i), {top, value});
     ++i;
   }
-  // A node with f = 0 is a root, for example at a corner of the shift limits. First, a positive
-  // maximum between this node and a negative neighbour is searched for.
+  // A node with f = 0 is a root, for example at a corner of the shift limits. It is not the end of
+  // the interval if f has a positive maximum between this node and a negative neighbour.
   for (std::size_t i = 0; i + 1 < at.size(); ++i) {
     const double l = at[i].value;
     const double r = at[i + 1].value;
@@ -164,7 +164,8 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i].value < 0.0) continue;
     Interval piece{at[i].x, at[i].x};
-    // Because of rounding, the computed root may lie outside the interval. The inner node does not.
+    // Because of rounding, the computed root may lie beyond the inner node. The interval always
+    // includes this node.
     const auto end = [&](const Node& outside, const Node& inside) {
       if (detail::is_root(outside.x, outside.value, inside.x, inside.value)) return outside.x;
       return find_root([&f](double x) { return f(x); }, std::min(outside.x, inside.x),

@@ -167,8 +167,8 @@ TEST(Intervals, AHumpBesideANodeThatIsZeroIsFound) {
 }
 
 // (4) Work counter: 25 nodes, plus a dozen evaluations for a hump whose maximum is −0.07. A golden
-// section down to rounding would need sixty. Humps that reach zero are found with exactly the same
-// result as before.
+// section down to rounding would need sixty. Humps that reach zero give the same intervals as
+// without the known `bend`.
 TEST(Intervals, HopelessHumpsAreLeftSoon) {
   const Hump known{.bend = 100.0};
   for (const double top : {-0.07, -1.0, 1e-9, 0.3}) {

@@ -1,5 +1,5 @@
-// Helix angles and shifts of the pairs whose minimum centre distance for the given Σ is the given
-// a.
+// Computes the helix angles and shifts of the pairs for which the given a is the minimum centre
+// distance at the given Σ.
 //
 //   β_w1   the only unknown; all other values follow in closed form:
 //          β_w2 = σ (Σ − β_w1), H, cos α_wn = H m_n cos α_n/(2a), sin β = sin β_w cos α_wn/cos α_n,

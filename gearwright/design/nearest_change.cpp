@@ -72,7 +72,7 @@ class Least {
     }
     return false;
   }
-  // Evaluates one trial with a given value of the knob.
+  // Evaluates one trial with a given value of the member.
   bool feasible(const Trial& t, double value) {
     ++questions_;
     knob_->set(problem_, value);
@@ -87,8 +87,7 @@ class Least {
   }
   bool lets_through(double value) {
     if (knob_->kind == Knob::Kind::limit) return feasible(*witness_, value);
-    // The band must include the exact ratio of the trial that was found. The rule of SearchSpace
-    // applies.
+    // The band of ratios must include the trial that was found, with the tolerance of SearchSpace.
     knob_->set(problem_, value);
     const auto [first, last] = wheels_of(problem_, witness_->z1);
     return first <= witness_->z2 && witness_->z2 <= last;

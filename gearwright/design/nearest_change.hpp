@@ -4,9 +4,9 @@
 // Each number is changed separately, by the smallest amount with which a design exists. Numbers
 // that do not help at any value are omitted. There are two kinds of numbers:
 //   limits          A change widens the region of every trial. The result is the smallest change
-//                   over all trials. They are evaluated in random order, each first slightly below
-//                   the best change so far. Only a trial that is feasible there (about ln n of n
-//                   trials) is bisected.
+//                   over all trials. They are evaluated in random order, each first with a change
+//                   slightly smaller than the best one so far. Only a trial that is then feasible
+//                   (about ln n of n trials) is bisected.
 //   ratio, teeth    A change adds trials with the same limits. The nearest feasible one is used.
 //
 // For rated designs, the load, the face width and the steel are changed as well. A bisection of the
@@ -27,9 +27,9 @@ struct NearestChange {
       ///< "rating.torque", "rating.power", or "gear1.material.name" for the steel of both gears
   std::string from;  ///< the given value, such as "1.2" or "[99, 101]"
   std::string to;    ///< value with which a design exists, rounded towards feasible values
-  /// |to − from|, relative to the value itself (distance, ratio, teeth), to 1, or to 2 (sliding).
-  /// The effort of `coprime` is 0.5. The effort of permitting interference is 100, because designs
-  /// with interference do not run.
+  /// Size of the change: |to − from| divided by the value itself (distance, ratio, teeth), by 2
+  /// (sliding) or by 1 (others). The effort of `coprime` is 0.5. The effort of permitting
+  /// interference is 100, because designs with interference do not run.
   double effort;
 };
 

@@ -94,7 +94,8 @@ class Sieve {
       a_lo = (*distance)[0] / t.module;
       a_hi = (*distance)[1] / t.module;
     }
-    // Shortened tips are thicker. The greatest shifts must then be computed by the graph.
+    // Shortened tips are thicker, so x_max is not the greatest shift. The filter then uses only the
+    // limit of the problem, and the graph computes the greatest shift.
     const double hi_1 = shortened_ ? ceiling_ : g_1.x_max;
     const double hi_2 = shortened_ ? ceiling_ : g_2.x_max;
     const double values[] = {g_1.r, g_1.x_min, hi_1, g_2.r, g_2.x_min, hi_2, a_lo, a_hi};
@@ -201,8 +202,8 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
              rows.back() = *design_row(graph, wish.detail);
            return true;
          }
-         // If every single limit leaves a region, the reason is that the tips cut into the fillets
-         // at its candidate points.
+         // If a region remains, the reason is that the tips cut into the fillets at all points that
+         // were tried.
          const Limit limit = graph.what_kills().value_or(Limit::interference);
          ++result.rejected[static_cast<std::size_t>(limit)];
          return true;

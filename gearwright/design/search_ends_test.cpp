@@ -9,9 +9,8 @@
 namespace gearwright {
 namespace {
 
-// At some sums of shifts, the limits on interference no longer give a bound, which means that the
-// bound lies at infinity. An earlier version searched endlessly for a corner between such an edge
-// and the edge of sliding.
+// At some sums of shifts, the limits on interference give no bound, which means that the bound lies
+// at infinity. The search for a corner between such an edge and the edge of sliding must still end.
 TEST(SearchEnds, WhereAnEdgeStopsBounding) {
   SearchProblem p;
   p.ratio = {2.0, 6.0};

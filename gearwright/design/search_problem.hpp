@@ -62,8 +62,8 @@ inline constexpr std::array<std::string_view, 9> kObjectiveNames{
 /// The racks of both gears, and the depths of the straight edges below the datum line, modules.
 struct SearchRacks {
   std::array<StraightRack, 2> rack;
-  std::array<double, 2> undercut_depth{1.0, 1.0};  ///< used for the undercut limit
-  std::array<double, 2> flank_depth{1.0, 1.0};     ///< used for the starts of the flanks
+  std::array<double, 2> undercut_depth{1.0, 1.0};  ///< for undercut and the clipped path
+  std::array<double, 2> flank_depth{1.0, 1.0};     ///< for interference and form clearance
 };
 
 struct SearchLimits {
@@ -153,7 +153,7 @@ struct SearchProblem {
   bool shorten_tips = false;  ///< if true, tips are shortened by the clearance that is lost at
                               ///< tight centres
   SearchLimits limits;
-  double lambda = 0.625;      ///< λ of the line of Eq. 11
+  double lambda = 0.625;      ///< λ of the line of balanced strength (Eq. 11)
   double target_ratio = 0.0;  ///< for the objective `ratio`
   std::vector<Objective> objectives{Objective::contact_ratio};
   std::optional<double> shift_step;  ///< step of the grid of shifts, if its points are requested
@@ -198,8 +198,8 @@ struct Trial {
   int rack = 0;                  ///< index in SearchProblem::racks
 };
 
-/// The rack of gear i. It is marked as a named rack: if its fillet radius does not fit at this
-/// pressure angle, it is reduced to the full radius.
+/// The rack of gear i, marked as a named rack. A fillet radius that does not fit at this pressure
+/// angle is then reduced to the full radius.
 inline StraightRack rack_of(const SearchProblem& problem, const Trial& trial, std::size_t i) {
   StraightRack rack = problem.racks[static_cast<std::size_t>(trial.rack)].rack[i];
   rack.named = true;

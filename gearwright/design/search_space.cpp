@@ -41,8 +41,8 @@ SearchSpace::SearchSpace(const SearchProblem& problem) : problem_(&problem) {
     min_wheel_ = max_wheel_ == 0 ? near : std::min(min_wheel_, near);
     max_wheel_ = std::max({max_wheel_, std::abs(first), std::abs(last)});
   }
-  constexpr double kMaxInt64 = 9e18;  // less than 2⁶³ − 1; the difference exceeds the rounding
-                                      // error of the product
+  constexpr double kMaxInt64 = 9e18;  // less than 2⁶³ − 1 by more than the rounding error of the
+                                      // approximate size
   if (approximate_size() < kMaxInt64) {
     size_ = per_module_ * static_cast<std::int64_t>(problem.modules.size()) *
             static_cast<std::int64_t>(problem.helix.size()) *

@@ -14,8 +14,8 @@
 
 namespace gearwright {
 
-inline constexpr int kMaxSearchTeeth = 20'000;  ///< of a wheel; for each number of teeth up to the
-                                                ///< largest, the shift limits are stored in a table
+inline constexpr int kMaxSearchTeeth = 20'000;  ///< greatest number of teeth of a wheel, because
+                                                ///< shift limits are stored for every number
 
 class SearchSpace {
  public:

@@ -54,8 +54,8 @@ TEST(SearchSpace, EveryNumberIsATrialOnce) {  // (1)
   }
 }
 
-// each() gives the same sequence of trials between any two numbers and stops when its function
-// returns false.
+// If the range of numbers is divided anywhere, each() gives the same sequence of trials. It stops
+// when its function returns false.
 TEST(SearchSpace, PartsOfTheLineAreTheLine) {
   SearchProblem p = space_problem();
   p.coprime = true;

@@ -55,9 +55,9 @@ void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, doubl
 
 // The contact of the mating gear's tip must stay at least c_F, along the line of action, away from
 // the start of the flank: ρ_1A ≥ ρ_F1 + c_F and ρ_2E ≥ ρ_F2 + c_F. For a given sum of the profile
-// shifts, each condition has the form w q(u) ≤ c + s u in the tip radius u of the mating gear.
-// Squaring it gives a quadratic in u. For an external pair, the condition is violated between the
-// roots. [T9.9]
+// shifts, each condition has the form w q(u) ≤ c + s u, where u is the tip radius of the mating
+// gear and q its curvature radius there. Squaring it gives a quadratic in u. For an external pair,
+// the condition is violated between the roots. [T9.9]
 void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2,
                                     double& hi_1) const {
   const auto greater_root = [](double w, double c, double s, double b) {
@@ -88,8 +88,8 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
                    s * (A_2 + sum);
   const double b = gears_[1].r_b;
   const double disc = c * c - (s * s - 1.0) * b * b;
-  // If disc < 0, the line lies above the whole branch, and the two ends are returned in reverse
-  // order. Their distance is 0 at disc = 0, so the width is a continuous function of Σ.
+  // If disc < 0, the condition is met nowhere, and the two ends are returned in reverse order. They
+  // coincide at disc = 0, so the width of the interval is a continuous function of Σ.
   const double middle = -s * c / (s * s - 1.0) + A_2 + sum;
   const double half = std::copysign(std::sqrt(std::abs(disc)), disc) / (s * s - 1.0);
   raise(lo_2, middle - half);
@@ -108,8 +108,8 @@ std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   const double path = min_path_ / weight_[i];
   double least = radius_of(path, g.r_b);
   double most = kInfinity;
-  // The condition q(u) ≥ s u + c holds between the roots. If the line is below 0 at the base
-  // circle, it holds up to the greater root.
+  // The condition q(u) ≥ s u + c for the tip radius u holds between the roots. If s u + c < 0 at
+  // the base circle, it holds up to the greater root.
   const double s = 1.0 / g.sin_transverse;
   const double c = path + g.r * g.sin_transverse - s * (g.edge_depth + A);
   const double disc = c * c - (s * s - 1.0) * g.r_b * g.r_b;
@@ -159,8 +159,8 @@ void ShiftGraph::bound(const SumPlace& at, double sum, int limits, Line& line) c
     const ShiftEdge below = internal_ ? ShiftEdge::interference1 : ShiftEdge::interference2;
     bound_interference(at, sum, line.lo_of(below), line.hi_of(ShiftEdge::interference1));
   }
-  // If tips are shortened, these bounds are roots of equations. They are computed only if they may
-  // be the tightest.
+  // If tips are shortened, equations must be solved for these bounds. They are computed only if
+  // they may be the tightest.
   double& hi = line.hi_of(ShiftEdge::s1max);
   if (Line::kNamed || least_max_shift(*problem_, g_1, at.k) < hi)
     lower(hi, max_shift(*problem_, g_1, at.k));

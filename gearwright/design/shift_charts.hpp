@@ -22,7 +22,7 @@ namespace gearwright {
 /// for through-hardened and for case-hardened gears.
 inline constexpr std::array<double, 3> kChartTips{0.0, 0.2, 0.4};
 
-/// The shifts of one tooth number, modules.
+/// The limits of the profile shift for one number of teeth, modules.
 struct ShiftLimits {
   int teeth = 0;
   double undercut = 0.0;        ///< x_u

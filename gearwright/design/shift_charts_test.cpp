@@ -17,7 +17,7 @@ namespace {
 
 using testing::search::number;
 
-constexpr double kAccuracy = 1e-12;  // that of the header, modules
+constexpr double kAccuracy = 1e-12;  // modules, as stated in the header
 
 const nlohmann::json& charts() {
   static const nlohmann::json file =

@@ -26,9 +26,9 @@
 
 namespace gearwright {
 
-/// Upper limit of the second derivatives of margins with respect to Σ, 1/modules. Those of the
-/// interference bounds are the greatest, a few 1/modules. The limit is generous, because it only
-/// determines when a search ends.
+/// Upper limit of the second derivatives of margins with respect to Σ, 1/modules. The interference
+/// bounds have the greatest second derivatives, a few 1/modules. The limit is generous, because it
+/// only determines when a search ends.
 inline constexpr double kMostBend = 100.0;
 
 /// The limit that defines a part of the boundary.
@@ -112,8 +112,8 @@ class ShiftGraph {
     return limits == kRegionLimits ? region_sums_ : all_sums(limits);
   }
 
-  /// The margin of those limits that depend on Σ alone but are not ranges of Σ, in units of Σ.
-  /// These limits are met if the margin is ≥ 0.
+  /// Some limits depend on Σ alone but do not directly give a range of Σ. This is their smallest
+  /// margin, in units of Σ. They are met if it is ≥ 0.
   struct SumMargin {
     double value;
     ShiftEdge edge;
@@ -146,7 +146,8 @@ class ShiftGraph {
   /// The first limit that leaves no region; absent if a region exists.
   std::optional<Limit> what_kills() const;
   /// The smallest margin of all limits at a point, modules, from the same bounds as the slices. If
-  /// it is ≥ 0, the point is inside the region. Outside sums(), it is the distance from that range.
+  /// it is ≥ 0, the point is inside the region. Outside sums(), it is minus the distance of Σ from
+  /// that range.
   double margin(double x1, double x2) const;
   /// The limits of each shift that do not depend on the other shift. The limits of shortened tips
   /// are not included.

@@ -34,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ShiftGraphOfKind, ::testing::ValuesIn(kKinds),
                            return name;
                          });
 
-// A random point near the rectangle of shifts and near the band of the sums that remain.
+// A random point near the rectangle of shifts and near the given range of sums.
 Vec2 place_near(Random& random, const ShiftGraph& g, const ShiftGraph::Sums& range) {
   const auto& [g_1, g_2] = g.gears();
   const double x1 = random.uniform(g_1.x_min - 0.1, g_1.x_max + 0.1);
@@ -177,7 +177,8 @@ TEST(ShiftGraph, CentreDistancesAreThoseOfThePair) {
   }
 }
 
-// At tight centres, k = y − Σ restores the clearance h_f − h_a of the racks.
+// At tight centres, the tip alteration k = a − (r_1 + r_2) − Σ restores the clearance h_f − h_a of
+// the racks.
 TEST(ShiftGraph, ShortenedTipsKeepTheClearance) {
   SearchProblem p;
   p.mounting = Mounting::tight;
@@ -251,9 +252,9 @@ TEST(ShiftGraph, OverlapIsThatOfTheFaceWidth) {
   EXPECT_EQ(graph(p, trial(p, 20, 40, 2.0)).what_kills(), Limit::overlap_ratio);
 }
 
-// The flank of gear 1 starts above its base circle. That of gear 2 is undercut below its base
-// circle. The path then runs from the start of flank 1 to the base tangent point of gear 2. No
-// other part of the path is too short.
+// The flank of gear 1 starts above its base circle. The flank of gear 2 is undercut, and ρ_F2 < 0.
+// The path then runs from the start of flank 1 to the base tangent point of gear 2. This path is
+// too short, and no other limit is violated.
 TEST(ShiftGraph, PathsEndAtOneStartAndOneBaseTangentPoint) {
   SearchProblem p;
   p.limits.undercut_margin = -1.5;

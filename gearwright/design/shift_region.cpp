@@ -27,14 +27,14 @@ bool is_straight(ShiftEdge edge, const SearchProblem& problem) {
   }
 }
 
-// One side of the region as a function of Σ.
+// A side of the region consists of the lower or of the upper ends x1 of all slices.
 using Side = LineSide;
 ShiftEdge edge_of(const ShiftSlice& s, Side side) {
   return side == Side::lo ? s.lo_edge : s.hi_edge;
 }
 double value_of(const ShiftSlice& s, Side side) { return side == Side::lo ? s.lo : s.hi; }
 
-// A function of Σ that is zero at sums for which the edges a and b impose the same bound on x1.
+// The difference between the bounds of x1 that the edges a and b impose at a given Σ.
 double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, double sum) {
   const ShiftBounds bounds = graph.bounds_before_path(sum);
   // If an edge imposes no bound, its value is infinite. The root finder needs a finite value, so a
@@ -172,9 +172,9 @@ double area_of(const ShiftGraph& graph, const SearchProblem& problem, const Inte
 // If both ends of a slice are roots of the same limit, the slice counts as a point up to this
 // width, modules. The error of coinciding roots is the square root of the rounding error of Σ.
 constexpr double kPinch = 2e-6;
-// A slice at an end of a piece. If both ends are roots of the path length, the slice is a point,
-// namely that of the longest path. This point is exact except for rounding, whereas the error of
-// the roots is the square root of the rounding error.
+// A slice at an end of a piece. If the limit of the path length determines both ends, the slice is
+// replaced by the point with the longest path. This point is exact except for rounding, whereas the
+// error of the two ends is the square root of the rounding error.
 ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   ShiftSlice s = graph.slice(sum);
   if (s.lo_edge == ShiftEdge::eps && s.hi_edge == ShiftEdge::eps) {

@@ -1,9 +1,9 @@
 // The feasible region of the s1–s2 graph: its ends, its area, its boundary, and the part of the
-// line of Eq. 11 that it contains.
+// line of balanced strength that it contains.
 //
 //   lo, hi   middles of the slices with the least and with the greatest Σ
-//   Eq. 11   x1 = (λ z2 + (Σ − λ) z1)/(z1 + z2), with which the strengths of both gears are balanced;
-//            x1 = Σ for an internal pair
+//   Eq. 11   x1 = (λ z2 + (Σ − λ) z1)/(z1 + z2), the line on which the strengths of both gears are
+//            balanced; x1 = Σ for an internal pair
 //                                              theory: docs/theory/09-design-search.md, 9.4
 //
 // Points are (x1, x2). Area, corners and roots are solved, not sampled. Curved edges are sampled
@@ -48,16 +48,17 @@ std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
                                         OffWalls off_walls = OffWalls::sought);
 
 /// The desired distance of a design from the borders of its region, modules. At a border, limits
-/// are only just met. If the line of Eq. 11 does not reach this distance, half of the greatest
-/// distance on the line is used. The band of centre distances does not count as a border.
+/// are only just met. If no point on the line of balanced strength keeps this distance, half of the
+/// greatest distance on the line is used. The band of centre distances does not count as a border.
 inline constexpr double kWallDistance = 0.05;
-/// Among the points of the line of Eq. 11 that keep a distance from the borders, the one with Σ
-/// nearest 0. Absent if there is no such point. If interference is permitted, the point need not
-/// keep the distance; if it lies at a border, the result is absent and ShiftRegion::balanced
-/// contains the point. If Σ = 0 is feasible, all limits are usually evaluated only once.
+/// Considers the points on the line of balanced strength that keep a distance from the borders, and
+/// returns the one with Σ nearest 0. Absent if there is no such point. If interference is
+/// permitted, the point need not keep the distance. If it then lies at a border, the result is
+/// absent, and ShiftRegion::balanced contains the point. If Σ = 0 is feasible, all limits are
+/// usually evaluated only once.
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
-/// True if the line of Eq. 11 between the sums a and b violates a limit that is a straight line in
-/// the plane. No point of it then needs to be evaluated.
+/// True if the line of balanced strength between the sums a and b violates a limit that is a
+/// straight line in the plane. No point of it then needs to be evaluated.
 bool line_is_outside(const ShiftGraph& graph, double a, double b);
 /// The boundary of each piece, counter-clockwise. If only one centre distance is possible, the
 /// boundary is a segment that is traversed in both directions.
@@ -67,11 +68,10 @@ std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
 /// The point of a design: the first that exists of `off_walls`, `balanced` and middle_point().
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region);
 /// The middle between lo and hi. If the region consists of several pieces, or if this middle is too
-/// close to a border, the result is another point: the middle of that slice of the longest piece
-/// whose Σ is in the middle of the piece.
+/// close to a border, the result is the middle of the slice at the mean Σ of the longest piece.
 Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region);
 
-/// The point on the line of Eq. 11 with the given sum Σ.
+/// The point on the line of balanced strength (Eq. 11) with the given sum Σ.
 Vec2 balanced_point(int z1, int z2, double sum, double lambda);
 
 }  // namespace gearwright

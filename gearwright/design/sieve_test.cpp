@@ -220,9 +220,9 @@ TEST(Sieve, NoWorkingAngleIsNoContact) {
   EXPECT_EQ(graph(s.problem, s.trials[0]).what_kills(), Limit::contact_ratio);
 }
 
-// Tight centre distances are never below the sum of the base radii. If the band is close to that
-// sum, and if the lower limits add up to more than the last sum with a working angle, no centre
-// distance of the band is possible.
+// Tight centre distances are never below the sum of the base radii, and the bands lie close to it.
+// If the lower limits of the shifts add up to more than the greatest Σ with a working angle, no
+// centre distance of the band is possible.
 TEST(Sieve, BandsAboutTheBaseRadiiHaveOneVerdict) {
   SieveCase s;
   SearchProblem& p = s.problem;
@@ -242,7 +242,7 @@ TEST(Sieve, BandsAboutTheBaseRadiiHaveOneVerdict) {
   EXPECT_EQ(graph(p, s.trials[0]).what_kills(), Limit::center_distance);
 }
 
-// The undecided trials of a band are those that have a design, and only few of the others.
+// Less than 1 % of the trials of this search are left to the graph.
 TEST(Sieve, ItAsksForFewGraphs) {
   const auto& first = testing::search::reference().at("searches")[0];
   const Search search(testing::search::problem_of_search(first.at("input")));

@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-// Tries all numbers of teeth. Those of the last wheel follow from the ratio.
+// Tries all numbers of teeth of a train. The ratio determines the last wheel.
 class TrainSearch {
  public:
   TrainSearch(const DriveSearchProblem& problem, DriveSearchResult& result)

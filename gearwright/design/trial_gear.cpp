@@ -29,8 +29,8 @@ namespace {
 // external gear and the greatest one of an internal gear.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
-  // The thickness is evaluated at this shift. It is therefore moved by the rounding error to the
-  // side on which the tip is outside the base circle.
+  // The thickness is evaluated at this shift. The shift is therefore moved by the rounding error,
+  // so that the tip is certainly outside the base circle.
   const double ulp = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(g.r) + 2.0);
   return g.teeth > 0 ? x + ulp : x - ulp;
 }
@@ -40,7 +40,8 @@ struct Shifts {
   bool as_a_rule = false;  // true in the usual case: the tip is thick enough at x = 0 and too thin
                            // at a great x
 };
-// The interval of the greatest shifts for which the tip is thick enough.
+// The shifts for which the tip is thick enough. If they form several intervals, the last one is
+// returned.
 Shifts thick_enough(const TrialGear& g, double k) {
   const double edge = shift_of_base_circle(g, k);
   // The range of the search. Beyond x = |z|, all tips of external gears are pointed. For an
@@ -77,7 +78,7 @@ Slope<double> tip_thickness_and_slope(const TrialGear& g, double x, double k) {
 }
 
 // The upper end of thick_enough() for k < 0. At x = thick_until − k, the tip has the same radius as
-// at thick_until, but the tooth is thicker. The root therefore lies slightly above this x.
+// at thick_until, but the tooth is thicker. The end therefore lies slightly above this x.
 double thick_until_with(const TrialGear& g, double k) {
   const auto margin = [&](double x) {
     Slope<double> s = tip_thickness_and_slope(g, x, k);

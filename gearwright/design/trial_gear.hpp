@@ -21,9 +21,9 @@ struct TrialGear {
   double r = 0.0, r_b = 0.0;       ///< signed
   double addendum = 0.0;           ///< h_a
   double dedendum = 0.0;           ///< h_f
-  double edge_depth = 0.0;         ///< h_F
-  double flank_depth = 0.0;        ///< depth at which the rack itself has a straight edge, even if
-                                   ///< h_F is given
+  double edge_depth = 0.0;         ///< h_F, for undercut and the clipped path
+  double flank_depth = 0.0;        ///< depth of the rack's own straight edge, even if h_F is given;
+                                   ///< for interference and form clearance
   double sin_transverse = 0.0;     ///< sin α_t
   double cos_base_helix = 1.0;     ///< cos β_b
   double tan_base_helix = 0.0;     ///< tan β_b, unsigned

@@ -1,6 +1,6 @@
-// The limits of a shift are compared with 40-digit values, and the tip thickness with that of the
-// room gear. Laws: (1) at an end of the range, one limit is reached exactly; (2) the hand of the
-// helix and the index in a table have no effect.
+// The limits of a shift are compared with 40-digit values, and the tip thickness with the reference
+// geometry of a gear (gear/). Laws: (1) at an end of the range, one limit is reached exactly; (2)
+// the hand of the helix and the index in a table have no effect.
 #include "gearwright/design/trial_gear.hpp"
 
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@ namespace gearwright {
 namespace {
 
 // The reduction of a misalignment by running-in, for one material, µm. It is a fraction of the
-// misalignment, with one maximum at 5 … 10 m/s and another one above 10 m/s.
+// misalignment, with one upper limit at 5 … 10 m/s and another one above 10 m/s.
 double helix_running_in(const Material& m, double f, double v) {
   using K = MaterialKind;
   if (m.surface_hardened()) return std::min(0.15 * f, 6.0);

@@ -55,7 +55,8 @@ FaceLoad face_load(const Factor& f_sh, double f_ma, const std::array<Material, 2
 
 /// K_Fβ from K_Hβ.
 ///
-/// Formula   [T11.14]; ISO 6336-1, 7.6: K_Hβ^(N_F), where N_F follows from the lesser b/h, at least 3
+/// Formula   [T11.14]; ISO 6336-1, 7.6: K_Hβ^(N_F); N_F follows from the lesser b/h of both gears,
+///           but at least from b/h = 3
 Factor face_load_root(const RatedPair& pair, double K_Hbeta);
 
 struct TransverseLoad {
@@ -85,7 +86,8 @@ struct MeshShafts {
   std::array<std::optional<Shaft>, 2> of;
   double hand1 = 0.0;         ///< sign of β of gear 1, > 0 for right hand
   bool gear2_drives = false;  ///< true if gear 2 drives, so that the trailing flanks carry the load
-                              /// True if at least one gear has a shaft.
+
+  /// True if at least one gear has a shaft.
   bool any() const { return of[0] || of[1]; }
 };
 

@@ -13,8 +13,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kSlow = 5.0,
-                 kFast = 10.0;  // m/s, above which the first and the second limit apply
-// Fraction of a deviation that running-in removes, and the greatest removal in two ranges of speed, µm.
+                 kFast = 10.0;  // m/s; above kSlow `most_medium` applies, above kFast `most_fast`
+// Fraction of a deviation that running-in removes, and its upper limits in two ranges of the pitch
+// line velocity, µm.
 struct RunningIn {
   double share, most_medium, most_fast;
 };

@@ -1,8 +1,8 @@
 // A number of a strength rating with its clause in the standard and the branch of its formula, so
 // that users can compare it with another report.
 //
-// Both texts are string literals, so they cost no time, and the design search can use the same
-// functions.
+// Clause and branch are string literals, so they cost no time. The design search can therefore use
+// the same functions.
 #pragma once
 
 #include <array>

@@ -48,7 +48,7 @@ FactorPair single_contact_factors(const RatedPair& pair) {
     const Factor one{1.0, formula, "helical, ε_β ≥ 1"};
     return {one, one};
   }
-  // Roll angles at the tip, and the pitch angle, which is negative for an internal gear.
+  // Roll angles at the tip, and the angular pitch, which is negative for an internal gear.
   std::array<double, 2> roll{}, step{};
   for (std::size_t i = 0; i < 2; ++i) {
     const RatedGear& g = pair.gears[i];

@@ -31,7 +31,7 @@ HeatTransfer heat_transfer(const std::array<Material, 2>& materials) {
                                                         : HeatTransfer{6300, 895};
 }
 
-// The number in the spec of the gear at a place in RatedPair::gears.
+// Returns 1 or 2: the number in the spec of the gear with the index `place` in RatedPair::gears.
 int gear_at(const RatedPair& pair, std::size_t place) { return pair.place(1) == place ? 1 : 2; }
 // The value of a material at a temperature. If the list is empty, the given number is returned.
 Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemperature& list,

@@ -70,7 +70,7 @@ struct RatedPair {
   /// The width that carries the load, 2 b_B for double-helical gears. [ISO 6336-1, 4.2]
   double carrying_width() const { return halves * face_width; }
   double epsilon_alpha_n() const;
-  /// The place in `gears` of gear 1 or 2 of the spec.
+  /// The index in `gears` of gear 1 or 2 of the spec.
   std::size_t place(int which) const { return static_cast<std::size_t>((which == 1) == exchanged); }
 };
 

@@ -312,7 +312,7 @@ TEST(RatingLaws, ExchangedGearsHaveTheSameNumbers) {
   EXPECT_NEAR(a.K_v.value, b.K_v.value, 1e-12);
 }
 
-// More load, longer life, rougher flanks or coarser teeth never increase a safety.
+// More load, longer life, rougher flanks or coarser teeth never increase a safety factor.
 TEST(RatingLaws, SafetiesFallWithEveryBurden) {
   const RatedPair pair = testing::helical_24_95();
   const RatingInput base = testing::helical_24_95_load();

@@ -38,8 +38,8 @@ struct CriticalSection {
 std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear,
                                                 LoadPoint at = LoadPoint::single_contact);
 
-/// The effective face width of a root, mm. If the gear is wider than the common face, at most one module
-/// more at each end counts.
+/// The effective face width of a root, mm. If the gear is wider than the common face width, at most
+/// one module of the excess counts at each end.
 double root_face_width(const RatedPair& pair, const RatedGear& gear);
 
 /// Y_F [T11.32]. In the edition of 2019 it includes the load distribution factor f_ε.

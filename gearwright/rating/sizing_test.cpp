@@ -14,9 +14,10 @@ namespace {
 
 // (1) the width is sufficient
 // (2) no smaller width is sufficient, as tested for many widths
-// (3) a slightly smaller width is insufficient, so one safety is exactly the required safety, unless
-//     it jumps there. A known width slightly exceeds the required safeties, so the result is not
-//     wider than this width.
+// (3) a slightly smaller width is insufficient, so one safety factor equals the required value,
+//     unless it jumps there
+// The required safety factors are slightly less than those of a known width, so the result is not
+// wider than this width.
 TEST(Sizing, FaceWidthOfSafetyIsTheLeast) {
   testing::Draw random(20261123);
   int answers = 0, gaps = 0;

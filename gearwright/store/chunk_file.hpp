@@ -2,7 +2,7 @@
 //
 //   offset   bytes
 //   0        8      "GWCHUNK1"
-//   8        4      stamp of the campaign, CRC-32
+//   8        4      stamp of the campaign: CRC-32 of its properties
 //   12       8      number of the chunk
 //   20       8 + 8  tested, feasible
 //   36       4      k, the number of constraints

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// If a lock is not free after this time, the other process hangs.
+// A call waits this long for a lock and then fails. A process that holds a lock longer hangs.
 constexpr int kBusyMilliseconds = 60'000;
 constexpr int kLongestNap = 5;  // ms
 

@@ -1,5 +1,5 @@
-// The journal of a campaign in SQLite, which serves users and progress output and coordinates
-// writers.
+// The journal of a campaign, which is a search cut into chunks. It is an SQLite database that
+// serves users and progress output and coordinates writers.
 //
 //   campaign(key, value)    `fingerprint`, `chunks`, `counts`
 //   chunks(chunk, tested, feasible, <one column for each constraint>, bytes, writer, finished)

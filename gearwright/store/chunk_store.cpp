@@ -101,8 +101,8 @@ Error refused_folder(const fs::path& folder, const std::string& why) {
   return {"--out", folder.string(), why};
 }
 
-// The reason why the folder cannot be opened as `as`, or nothing if it can. `old` is the content of the journal,
-// empty if there is none.
+// The reason why the folder cannot be opened in the mode `as`, or nothing if it can. `old` is the
+// content of the journal, empty if there is none.
 std::optional<Error> refusal(const fs::path& folder, const Record& old, const Record& now,
                              const ChunkFolder& files, OpenAs as) {
   const std::vector<std::int64_t> chunks = files.list();
@@ -175,7 +175,7 @@ struct ChunkStore::Impl {
 
   std::mutex mutex;  // protects all members below
   ChunkJournal journal;
-  std::vector<bool> counted;  // the chunks in `sum`
+  std::vector<bool> counted;  // per chunk, true if `sum` includes it
   ChunkCounts sum;
 };
 

@@ -1,6 +1,6 @@
 // The folder of a large search: numbered chunks of work, each saved as soon as it is finished.
 //
-//   out/chunks/000123.chunk         a finished chunk: header with its counts, bytes
+//   out/chunks/000123.chunk         a finished chunk: header with its counts, then its bytes
 //   out/chunks/….part.HOST.PID      a chunk that is being written; it is renamed when it is whole
 //   out/chunks/….chunk.damaged      a chunk that was found broken; it counts as missing
 //   out/journal.sqlite              tables `campaign` and `chunks`
@@ -52,7 +52,7 @@ enum class OpenAs {
 /// Every member may be called from several threads at once. A store does not survive fork().
 ///
 /// Throws    IoError from every member if a folder cannot be read or written, if the disk is full, or
-///           with SQLite's message and the path of the journal
+///           if SQLite fails (with its message and the path of the journal)
 class ChunkStore {
  public:
   /// Opens `folder` and checks every chunk file in it against its checksum. A broken file is renamed

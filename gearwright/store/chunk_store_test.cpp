@@ -61,8 +61,8 @@ TEST_F(ChunkStoreTest, a_whole_life) {
   EXPECT_EQ(query(folder_, "PRAGMA journal_mode")[0][0], "delete");
 }
 
-// A put must not wait for the disk. With three syncs for each row, all threads had to wait, and
-// longer when more chunks were not yet written to the disk.
+// A put must not wait for the disk. If each row were synced, all threads would wait until the
+// chunks of all threads are on the disk.
 TEST_F(ChunkStoreTest, a_put_waits_for_no_platter) {
   ChunkStore store = opened(OpenAs::fresh, campaign(40));
   const int before = testing::syncs;

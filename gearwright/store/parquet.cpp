@@ -145,7 +145,7 @@ std::size_t ParquetWriter::State::write_chunk(const ColumnChunk& chunk, Thrift& 
   write(content);
 
   group.open();
-  group.i64(2, 0);  // the metadata is in the footer only
+  group.i64(2, 0);  // file_offset; 0, because the metadata is in the footer only
   group.open(3);
   group.i32(1, physical_type(column.type));
   group.list(2, Thrift::Kind::i32, column.optional ? 2 : 1);

@@ -146,7 +146,8 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   const double y_c = flank.center_offset + (flank.radius + rho) * std::cos(flank.begin.rad());
   if (y_c > kHalfPi) {
     const double greatest = full_radius(rack);
-    // With a larger radius, the rounding of F moves outward and the rounding of P moves inward.
+    // The centre of the rounding moves outward on F and inward on P as the radius grows. A smaller
+    // radius therefore helps only if the full radius is less than the given radius.
     const bool smaller_fits = greatest >= 0.0 && greatest < rho;
     return smaller_fits
                ? refused("rack.root_fillet_radius", rho, {greatest},

@@ -44,7 +44,8 @@ TEST(ArcRack, F_and_P_touch_at_the_pressure_angle) {
   EXPECT_NEAR(on_F.y(), on_F.x() / std::tan(psi.rad()), 1e-15);
 }
 
-// With the greatest rounding, both sides of the cutter's tip meet, and a larger one is rejected.
+// With the full radius, the roundings of both sides of the cutter's tip meet. A larger radius is
+// rejected.
 TEST(ArcRack, full_radius) {
   for (const Cutter cutter : {Cutter::F, Cutter::P}) {
     ArcRack rack = rack_of(cutter);

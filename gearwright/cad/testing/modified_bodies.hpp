@@ -1,7 +1,7 @@
 // Gears with flank modifications, and the law that their flanks obey, for tests of the CAD rooms.
 //
 //   L, ξ    roll length r_b ξ of an involute, mm, and roll angle       d   distance of a point from
-//   c       removed along the normal, mm                                   the nominal flank, mm
+//   c       material removed along the normal, mm                          the nominal flank, mm
 //
 // An involute helicoid that is turned about its axis by δ is its own parallel surface at the
 // distance δ r_b cos β_b. Therefore d follows from the polar angle of a point, and the foot of its
