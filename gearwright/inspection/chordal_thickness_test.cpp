@@ -315,7 +315,8 @@ TEST(ChordalThickness, of_helical_gears_and_rings) {
   EXPECT_NEAR(c->tip_to_chord, 60 * std::cos(0.02011376820881157) - 59, 1e-13);
 }
 
-// A thinner tooth is narrower by the allowance times cos θ at the end of the chord.
+// A thickness allowance changes the chord of a spur gear by the allowance times cos θ_t, here
+// 0.999.
 TEST(ChordalThickness, sees_the_allowance) {
   auto s = spec_of(40, 2, 0, 0);
   const auto full = chordal_thickness(made(s), 80);
