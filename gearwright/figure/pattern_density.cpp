@@ -1,4 +1,4 @@
-// Draws how often each place of a flank is in contact, in steps of the share of the samples.
+// Draws the share of the samples in which each point of a flank is in contact, in shaded steps.
 #include <fmt/format.h>
 
 #include <algorithm>
