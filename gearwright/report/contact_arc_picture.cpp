@@ -87,8 +87,8 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
   const std::size_t convex = contact.convex_gear == 1 ? 0 : 1;
   Arcs best{};
   double least = 1e300;
-  // Among all pairs of a convex and a concave arc, finds the arcs whose points at the normal angle
-  // of the contact coincide.
+  // Finds the convex and the concave arc whose points at the normal angle of the contact coincide.
+  // For this pair of arcs, the computed distance of the points is least.
   for (const WorkingArc& v : convex_arcs(pair.gears[convex])) {
     for (const WorkingArc& c : concave_arcs(pair.gears[1 - convex])) {
       const double apart = std::abs((v.radius - c.radius) * std::sin(theta) - (v.b - c.b));

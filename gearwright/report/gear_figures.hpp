@@ -77,15 +77,15 @@ struct ShiftedTooth {
 /// undercut. Only then does the choice of the shift need a picture.
 bool shift_is_worth_a_picture(const Gear& gear);
 
-/// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and at its own shift, sorted by x, with the tips that
-/// the rack leaves. The root fillet is that of the gear if given, otherwise one that begins at the
-/// undercut limit. The tip fillet of the gear is included if it fits.
+/// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and at its own shift, sorted by x, with the tip
+/// diameters that the rack leaves. It has its own root fillet, or else one that begins at the
+/// undercut limit, and its own tip fillet if this fits.
 ///
 /// Domain    shift_is_worth_a_picture (contract)
 std::vector<ShiftedTooth> shifted_teeth(const Gear& gear);
 
-/// The tooth at each of these shifts, with the root cut by the rack and with a circular root
-/// fillet, at the same scale. Empty if shift_is_worth_a_picture() is false.
+/// The teeth of shifted_teeth(), with the root cut by the rack and with a circular root fillet, at
+/// the same scale. Empty if shift_is_worth_a_picture() is false.
 std::string shift_figures(const Gear& gear, const std::string& shape, const std::string& name);
 
 }  // namespace gearwright

@@ -43,7 +43,7 @@ struct ReportInput {
   std::optional<Pair> pair;        ///< none if the gears are not mounted
   const RackPair* rack = nullptr;  ///< null if there is no rack; with a rack, the only gear is its
                                    ///< pinion
-  /// At the ends of the tolerances, with the least and with the greatest backlash; may be empty.
+  /// Quantities of the pair at both ends of the tolerances, least backlash first; may be empty.
   std::vector<ValueRecord> pair_ends;
   std::vector<ValueRecord> measures;                   ///< one for each gear; may be empty
   std::vector<std::vector<ValueRecord>> measure_ends;  ///< values at the ends of the tolerances;

@@ -108,9 +108,9 @@ std::string rating_section(const RatingView& view, UnitSystem units);
 // The section of the report about a rack and its pinion: a picture of the mesh, and the quantities
 // of both.
 
-/// Returns the section in HTML. `shapes` are the names of the SVG definitions of pinion and rack, of which the
-/// page contains that of the pinion. If the rack has no outline, a paragraph with the reason replaces the
-/// picture.
+/// Returns the section in HTML. `shapes` are the names of the SVG definitions of pinion and rack.
+/// The page must contain the definition of the pinion, and the section contains the definition of
+/// the rack. If the rack has no outline, a paragraph with the reason replaces the picture.
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
                          UnitSystem units);
 
