@@ -182,8 +182,8 @@ TEST(Catalogue, ValuesAreWhatIsSaidOfThem) {
   }
 }
 
-// A tip circle inside the base circle has no involute and no form diameter. The listing once
-// printed a form diameter, while JSON and the page did not.
+// If the tip circle lies inside the base circle, the gear has no involute, and no interface shows a
+// tip form diameter.
 TEST(Catalogue, WhatIsNotThereIsADashAtEveryDoor) {
   const SolvedJob job =
       solved("[gear1]\nteeth = 10\nnormal_module_mm = 2\ntip_diameter_mm = 17.5\n");
