@@ -74,7 +74,7 @@ function titleOf(name: string): string {
   return kTitles[name] ?? name.charAt(0).toUpperCase() + name.slice(1).replaceAll("_", " ");
 }
 
-/** The name of the table at a place. The table of a rack depends on the kind of the rack. */
+/** The name of the table for a key. The table of a rack depends on the kind of the rack. */
 function tableAt(key: InputKey, value: Json | undefined): string {
   if (key.tables.length < 2) return key.tables[0] ?? "";
   const kind = at(value ?? null, "kind");
