@@ -86,7 +86,7 @@ class KeyPlace {
   /// array of two.
   template <class T, class M, class E>
   static KeyPlace mean_and_ends(M mean, E ends);
-  /// A place for a value that is checked but not stored.
+  /// A KeyPlace for a value that is checked but not stored.
   static KeyPlace unused();
 
   explicit operator bool() const { return put_ || part_; }

@@ -1,5 +1,5 @@
 // Makes the figures of tooth contact: transmission error, its spectrum, developed flanks with their
-// contact, and maps over two errors.
+// contact, and maps of the transmission error over two errors of mounting.
 #pragma once
 
 #include <optional>

@@ -42,8 +42,8 @@ Result<std::string> rack_definition(const RackPair& pair, const std::string& nam
 /// Errors    those of rack_outline()
 Result<std::vector<Vec2>> rack_section(const RackPair& pair);
 
-/// The origin of the rack, turned by 180°, if its flank touches the leading flank of the pinion at
-/// C.
+/// The origin of the rack, turned by 180°, in the position in which its flank touches the leading
+/// flank of the pinion at C.
 Vec2 rack_place(const RackPair& pair);
 
 /// Rotation of the pinion, counter-clockwise, at which its leading flank passes through C.

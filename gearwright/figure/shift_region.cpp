@@ -35,7 +35,7 @@ constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"least shift of gear 1", "e
 
 constexpr double kPadding = 0.17;      // margin around the rectangle
 constexpr double kZoomPadding = 0.42;  // margin around a region, with room for its labels
-constexpr double kMinWindow = 1e-3;    // modules, a hundredth of the setting accuracy of a cutter
+constexpr double kMinWindow = 1e-3;    // modules; cutters are set a hundred times less accurately
 constexpr double kMap = 0.19;          // size of the overview map, relative to the width
 constexpr double kMapGap = 0.015;      // between the map and the corner of the plot, relative to
                                        // the width

@@ -249,7 +249,8 @@ TEST(ShortestChord, of_a_spur_gear_is_the_transverse_one_exactly) {
   EXPECT_NEAR(b.chord, 2 * 17.3 * 1.5 * std::cos(89.999 * kDegree), 1e-9);
 }
 
-// θ* remains in its range where the branches of the equation meet, and also far beyond real gears.
+// θ* remains in its range at the limits between the branches of the equation, and far beyond real
+// gears.
 TEST(ShortestChord, half_angle_at_the_edges_of_its_domain) {
   const double half = kPi / 2;
   for (const double theta_t : {kMinHalfAngle, 1e-20, 0.5, std::nextafter(half, 0.0), half,

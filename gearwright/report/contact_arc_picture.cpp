@@ -213,8 +213,8 @@ std::vector<Vec2> rack_half_tooth(const Gear& gear) {
 }
 
 NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact) {
-  // The teeth of a rack lie in the pitch plane at the helix angle. This direction also lies in the
-  // flank.
+  // The tooth traces of the rack are inclined by the helix angle, in one of two directions. The
+  // right one lies in the flank and is therefore perpendicular to the normal.
   const double beta = pair.gears[0].spec.helix_angle.rad();
   const Vec3& n = contact.at.normal;
   Vec3 best(0, std::sin(beta), std::cos(beta));
@@ -246,8 +246,8 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
     for (const Vec2& p : tooth) {
       const double radius = p.norm();
       const double polar = turned + std::atan2(p.y(), p.x());
-      // The helix through the point r meets the plane where (r − p)·t = 0. Newton's method starts
-      // in the transverse section of the contact point.
+      // The helix through the point r intersects the plane where (r − p)·t = 0. Newton's method
+      // starts in the transverse section of the contact point.
       double z = plane.origin.z();
       Vec3 r;
       for (int step = 0; step < 50; ++step) {

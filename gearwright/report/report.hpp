@@ -70,7 +70,7 @@ struct ReportInput {
 ///             (3) title, spec, findings and file names may contain any text
 /// Units     lengths in mm to 0.1 µm, angles in degrees to 0.00001°; missing values are “–”
 /// Accuracy  outlines within 1e-4 normal modules (kOutlineTolerance in figure/gear_shape.hpp)
-/// Domain    one or two gears, none null; exactly two if there is a pair (contract)
+/// Domain    one or two gears, none null; two if there is a pair, one if there is a rack (contract)
 std::string report_html(const ReportInput& input);
 
 }  // namespace gearwright
