@@ -31,7 +31,7 @@ struct Options {
   bool drawing_splines = false;
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // for gear: "module,angle"
-  std::optional<int> take;             // number of the proposal of which only the spec is printed
+  std::optional<int> take;             // number of the design or proposal whose spec is printed
   bool expand = false;                 // if true, the graph of a drive is printed
   std::optional<int> harmonics;        // for drive: number of harmonics
   std::optional<std::string> grid;     // for measure: grid of nominal points of the flanks, "9x5"

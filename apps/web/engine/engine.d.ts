@@ -271,8 +271,8 @@ export interface MeshView {
 export interface ShiftView {
   width: number; // px
   aspect: number; // width over height of the plot
-  window: [number, number, number, number] | null; // visible range x0, x1, y0, y1 of the shifts; null for
-  // that of the region
+  // Lower and upper end of x1, then of x2. If it is null, the window is around the region.
+  window: [number, number, number, number] | null;
 }
 
 /** Designs as dots over two of their quantities, in the order of drawing. The values must be finite. */

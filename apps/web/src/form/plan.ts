@@ -136,7 +136,8 @@ export function planOf(spec: Json): Section[] {
   const sections: (Section | null)[] = [];
   const add = (one: Section | null) => sections.push(one);
   if (searching) add(section("search", "search", "search", ["search"], spec));
-  // A search computes the gears, and a drive names its own, so the form shows only those that the text contains.
+  // A search computes the gears, and the gears of a drive have other tables, so the form shows only
+  // the gears that the text contains.
   const drive = ["planetary", "stage", "drive"].some((name) => at(spec, name) !== undefined);
   const fixed = searching || drive ? gears.filter((gear) => at(spec, gear) !== undefined) : gears;
   const gear = section("gear", "gear", "gear", fixed, spec);
