@@ -279,8 +279,8 @@ CylindricalSpec spec_of(int z, double m, double beta_deg, double x) {
 }
 
 // KHK, Elements of metric gear technology: m 10, z 12, x 0.3, chord 17.8256, distance from the tip
-// 13.9431. The distance is h_a + s² cos β/(4 d), to first order, so only the chord is compared. For
-// z 18, x 0.4, both values are exact.
+// 13.9431. KHK computes the distance by h_a + s² cos β/(4 d), which is of first order, so only the
+// chord is compared. For z 18, x 0.4, both values are exact.
 TEST(ChordalThickness, of_spur_gears) {
   const auto khk = chordal_thickness(made(spec_of(12, 10, 0, 0.3)), 120);
   ASSERT_TRUE(khk) << khk.error().message();

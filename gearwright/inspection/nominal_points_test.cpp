@@ -63,7 +63,8 @@ TEST(NominalPoints, lie_on_the_unwound_flank) {
           EXPECT_NEAR(p.normal.norm(), 1.0, 1e-15);
           const Vec3 around = Vec3(0, 0, 1).cross(p.point);
           EXPECT_GT(p.normal.dot(around) * (side == FlankSide::left ? 1 : -1), 0.0);
-          // The normal is perpendicular to both directions of the surface, by difference quotients.
+          // The normal is perpendicular to both tangents of the surface, which are difference
+          // quotients.
           const double h = 1e-6;
           const Vec3 du =
               unwound(gear, side, roll + h, p.height) - unwound(gear, side, roll - h, p.height);

@@ -49,8 +49,8 @@ Figure tooth_figure(const Gear& gear, const std::string& shape, const std::strin
 /// HTML with the figure of the tooth. If there is no outline, a paragraph gives the reason.
 std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name);
 
-/// True if the picture of the root is useful. The gear must have an outline and be cut by a rack.
-/// It must also have a circular root fillet, undercut, or at most 12 teeth.
+/// True if the picture of the root is useful. The gear must be an external involute gear with an
+/// outline, cut by a rack. It must also have a circular root fillet, undercut, or at most 12 teeth.
 bool root_is_worth_a_picture(const Gear& gear);
 
 /// The gear of the same spec without circular fillets, as cut by its rack. None if the spec has no

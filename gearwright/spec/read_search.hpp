@@ -39,8 +39,9 @@ void check_series(const TableReader& t, std::string& series);
 inline constexpr const char* kUsualSeries = "cd25";
 
 /// Makes a search check its designs as drawings if it has a rating, face widths or allowances.
-/// Designs are not checked if designs with interference are also listed. `search` is the table
-/// [search]. read_search_rating() must be called before.
+/// Designs are not checked on crossed axes, on a grid of profile shifts, or if designs with
+/// interference are also listed. `search` is the table [search]. read_search_rating() must be
+/// called before.
 void read_search_drawing(const Json& search, SearchProblem& problem);
 
 // Reads a table [search] with the key `kind`, which is a search for drives.
