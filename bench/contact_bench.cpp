@@ -1,8 +1,8 @@
 // Measures tooth contact and compares it with a solution of the five equations by Newton steps with
 // an analytic Jacobian (tests/oracle/five_equation_fast.hpp). Both methods start each position from
-// the preceding ones. The counter `ratio` is the time per position for gearwright/contact divided
-// by that for the five equations, measured in the same run. If it is below 1, gearwright/contact is
-// faster.
+// the preceding ones. The counter `ratio` is the time per position of gearwright/contact divided by
+// the time per position of the five equations, measured in the same run. If it is below 1,
+// gearwright/contact is faster.
 //
 // In the comparison of curves, a position computed by gearwright/contact includes all tooth pairs
 // and all edges. A position computed by the five equations is always one tooth pair without edges.
@@ -204,7 +204,8 @@ void contact_analysis_circular_arcs(benchmark::State& state) {
 }
 BENCHMARK(contact_analysis_circular_arcs)->Unit(benchmark::kMicrosecond);
 
-// Computes 100 × 100 curves of 64 positions over two errors. The argument is the number of threads.
+// Computes a map of 100 × 100 pairs of errors. Each node is a transmission error curve with 64
+// positions. The argument is the number of threads.
 void contact_map_of_two_errors(benchmark::State& state, const ContactSet& set) {
   std::vector<double> x, y;
   for (int i = 0; i < 100; ++i) x.push_back(4e-6 * (i - 50)), y.push_back(1e-3 * (i - 50));

@@ -1,6 +1,6 @@
-// Measures teeth under load: the compliance tables of a gear pair, and one position of the pair. The
-// pair has 17:43 teeth and m_n = 2.5 mm. One position is solved on one thread. The tables are made on
-// all available threads, so the CPU time of the process is measured for them.
+// Measures teeth under load: the compliance tables of a gear pair, and one position of the pair.
+// The pair has 17:43 teeth and m_n = 2.5 mm. One position is solved on one thread. The tables are
+// made on all available threads, so the CPU time of the process is measured for them.
 #include <benchmark/benchmark.h>
 
 #include <utility>

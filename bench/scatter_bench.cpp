@@ -73,8 +73,9 @@ void members(benchmark::State& state) {
 }
 BENCHMARK(members)->ArgsProduct({{32, 128}, {0, 1}})->Unit(benchmark::kMicrosecond);
 
-// Members of a family of grade 6, with all its form waves and without them, in the same run. The counter
-// `ratio` is the time per wavy member divided by the time per smooth member.
+// Measures the members of a family of grade 6 with waves of profile and helix, and without them, in
+// the same run. The counter `ratio` is the time per member with waves divided by the time per
+// member without waves.
 void wavy_members(benchmark::State& state) {
   const ContactSetup pair = setup(state.range(0) != 0);
   std::vector<ScatterTolerance> smooth = housing();

@@ -36,7 +36,7 @@ double seconds_of(const F& f) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Reports the time of the scalar code divided by that of the vector code.
+// Reports the time of the scalar code divided by the time of the vector code.
 template <class Scalar, class Fast>
 void paired(benchmark::State& state, double candidates, const Scalar& slow, const Fast& fast) {
   std::vector<double> ratios;
@@ -109,9 +109,9 @@ void search_one_thread_over_two(benchmark::State& state) {
 }
 BENCHMARK(search_one_thread_over_two)->Unit(benchmark::kMillisecond)->Iterations(7);
 
-// Searches for spur pairs at free centre distances, most of which are feasible. Arg 1: with the
-// limits on interference and clearance that a drawing requires. `ratio` is the time for these
-// designs divided by the time for the same number of trials that the filter rejects.
+// Searches for spur pairs at free centre distances, most of which are feasible. If the argument is
+// 1, the limits include the interference and clearance that a drawing requires. `ratio` is the time
+// for these designs divided by the time for the same number of trials that the filter rejects.
 void feasible_designs_over_sieve(benchmark::State& state) {
   SearchProblem p;
   p.ratio = {1.0, 6.0};
@@ -149,9 +149,10 @@ BENCHMARK(feasible_designs_over_sieve)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
-// Measures designs whose shifts do not lie on the line of Eq. 11, because λ moves the line out of
-// every region. `ratio` is the time for them divided by the time for designs on the line. Arg 1:
-// designs on the line, but without backlash and with shortened tips.
+// Measures designs whose shifts do not lie on the line of balanced shifts [T2.18a], because λ moves
+// the line out of every region. `ratio` is the time for them divided by the time for designs on the
+// line. If the argument is 1, the designs are on the line, without backlash and with shortened
+// tips.
 void designs_off_the_line_over_those_on_it(benchmark::State& state) {
   SearchProblem p;
   p.ratio = {1.0, 6.0};
@@ -253,7 +254,7 @@ BENCHMARK(rated_designs_over_unrated)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
-// Computes one region: its ends, corners and area, and the line of Eq. 11.
+// Computes one region: its ends, corners and area, and the line of balanced shifts [T2.18a].
 void region_of_one_trial(benchmark::State& state) {
   const Search search(gearboxes());
   const ShiftGraph graph = search.graph({0, 2.0, 33, 66, {}, 0});

@@ -5,8 +5,8 @@
 #
 #   tools/bootstrap_check.sh [--prepare-only] DIR
 #
-# DIR must be new or made by this script. Of this machine, only /proc is mounted in DIR, and it is
-# always unmounted at the end. The devices are the few that debootstrap makes, as in a plain
+# DIR must be new or made by this script. The script mounts only /proc of this machine in DIR, and
+# always unmounts it at the end. DIR has only the devices that debootstrap makes, as in a plain
 # container. The package mirror is the one that this machine uses. The script needs root and
 # debootstrap. With --prepare-only it stops before make.
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Checks the formatting, which must be clean, and prints advice of clang-tidy. build/lint contains the
-# compile commands without precompiled headers, because clang-tidy cannot read those of g++.
+# Checks the formatting, which must be clean, and prints advice of clang-tidy. build/lint contains
+# compile commands without precompiled headers, because clang-tidy cannot read the ones of g++.
 #
 #   tools/lint.sh [--fix]     --fix formats in place instead of reporting
 set -euo pipefail

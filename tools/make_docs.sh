@@ -16,8 +16,8 @@ version=$(sed -n 's/^project(gearwright VERSION \([0-9.]*\).*/\1/p' CMakeLists.t
 mapfile -t headers < <(cmake -P cmake/gw_public_headers.cmake)
 pages=$(python3 -B docs/doxygen/prepare.py "$out/input" README.md CONTRIBUTING.md CHANGELOG.md \
   docs/*.md docs/theory/*.md "${headers[@]}")
-# Messages are printed with the name of the source. Its line numbers are those of the file that doxygen
-# reads.
+# Messages are printed with the name of the source. Their line numbers refer to the prepared copy in
+# $out/input.
 {
   cat docs/Doxyfile
   echo "PROJECT_NUMBER = $version"

@@ -82,8 +82,9 @@ zlib() {
   plain_c z "-D_LARGEFILE64_SOURCE=1" "$from"/{adler32,compress,crc32,deflate,infback,inffast,inflate,inftrees,trees,uncompr,zutil}.c
 }
 
-# The elementary functions of musl. Its headers are those of a 32-bit machine, where `long long` is the type of 64 bits
-# as on Windows. __FP_FAST_FMA would give other last bits on ARM.
+# Compiles the elementary functions of musl. The headers are those of a 32-bit machine, because
+# there, as on Windows, the type with 64 bits is `long long`. __FP_FAST_FMA would change the last
+# bits on ARM.
 elementary() {
   local from header=$root/made/$target/musl names
   from=$(folder musl)

@@ -36,7 +36,8 @@ class CommandLine {
   std::optional<int> answer_at_once(const std::vector<std::string>& words) const;
   int unknown_verb(const std::string& word) const;
   int answer(const std::string& verb) const;
-  /// If the spec contains a search, ranks its designs. Otherwise answers for the pair of the spec.
+  /// If the spec contains a search, ranks its designs by their scatter. Otherwise computes the
+  /// scatter of the pair of the spec.
   int scatter(const Verb& row) const;
 
   Options options_;

@@ -31,7 +31,7 @@ struct Options {
   bool drawing_splines = false;
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // for gear: "module,angle"
-  std::optional<int> take;             // number of the proposal of which only the spec is printed
+  std::optional<int> take;             // number of the design or proposal whose spec is printed
   bool expand = false;                 // if true, the graph of a drive is printed
   std::optional<int> harmonics;        // for drive: number of harmonics
   std::optional<std::string> grid;     // for measure: grid of nominal points of the flanks, "9x5"
@@ -57,8 +57,6 @@ int import_verb(const Options& o);
 int verify_verb(const Options& o);
 int schema_verb(const Options& o);
 
-// Reads the spec of a verb, reports its errors and returns its exit status.
-
 /// Reads the spec of a verb once, from a file or a pipe, and reports its errors with
 /// their lines.
 class Door {
@@ -80,7 +78,7 @@ class Door {
   std::optional<GivenKeys> given_;
 };
 
-// Returns 4 if --strict is given and the verdict is not green, for use in scripts. Otherwise returns 0.
+// Returns 4 if --strict is given and the verdict is not green, for use in scripts, and otherwise 0.
 inline int status(const Options& o, const Verdict& verdict) {
   return o.strict && verdict.level != Level::green ? 4 : 0;
 }

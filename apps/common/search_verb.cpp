@@ -152,8 +152,8 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
   return 0;
 }
 
-// A search for drives takes only seconds. It writes no folder, and its answer is printed like that
-// of other verbs.
+// A search for drives takes only seconds. It writes no folder, and its answer is printed in the
+// same way as the answers of other verbs.
 int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecText& text) {
   if (c.out || c.shard || c.resume || c.chunk)
     return usage(
@@ -206,8 +206,8 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.top = c.top;
   if (c.take)
     options.top = std::max<std::size_t>(c.top.value_or(0), static_cast<std::size_t>(*c.take));
-  // If only the spec of a pair is printed, no regions are needed. A printed table needs only the
-  // regions of its own rows.
+  // Regions of profile shifts are computed only for output that contains them. If only the spec of
+  // a design is printed, there are none. A printed table needs the regions of its own rows.
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
   options.chunk = c.chunk;

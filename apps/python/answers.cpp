@@ -275,7 +275,8 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
     return contact_of(p, py::none(), py::none(), {});
   });
   for (const Quantity<ContactPoint>& q : position_quantities().list()) {
-    // The transmission error along a rack has the name of the angle, which comes first.
+    // If gear 2 is a rack, another quantity has the same name as the transmission error. The first
+    // is used, which is an angle.
     const std::string name = name_of(q.info);
     if (q.info.of || py::hasattr(contact, name.c_str())) continue;
     contact.def_property_readonly(

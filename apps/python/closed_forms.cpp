@@ -118,8 +118,8 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
     batch.resize(n);
     for (std::size_t c = 0; c < in.size(); ++c) std::copy_n(in[c], n, batch.in[c].begin());
     evaluate(constants, batch);
-    // All rows of a part iterate together. If the residual of a row is too large, it has no working
-    // pressure angle.
+    // All rows of a part are iterated together. A row whose residual is then too large has no
+    // working pressure angle, and its results become NaN.
     const auto& residual = batch.out[CandidateBatch::residual];
     const auto& tan_w = batch.out[CandidateBatch::tan_working];
     for (std::size_t i = 0; i < n; ++i) {

@@ -13,7 +13,7 @@
 
 namespace gearwright {
 
-/// A change whose effect was requested, and its name in results.
+/// A change with respect to which derivatives were requested, and its name in results.
 struct NamedSlope {
   std::string name;   ///< "center_distance_per_mm"
   double unit = 1.0;  ///< one unit of the change, in rad or mm
@@ -25,7 +25,7 @@ struct ContactView {
   const ContactResult* working;      ///< the working flanks
   const ContactResult* non_working;  ///< the non-working flanks, at the same positions
   double marking = 0.0;              ///< thickness of the marking compound, mm
-  std::optional<Angle> min_play{};   ///< least play of gear 2; < 0 if the gears jam
+  std::optional<Angle> min_play{};   ///< least backlash, rotation of gear 2; < 0 if the gears jam
   std::vector<NamedSlope> slopes{};  ///< one entry for each requested derivative
   const std::array<FlankRaster, 2>* pattern = nullptr;
   const ErrorMap* map = nullptr;

@@ -21,7 +21,8 @@ struct DriveMeshView {
 };
 const Quantities<DriveBodyView>& drive_body_quantities();
 const Quantities<DriveMeshView>& drive_mesh_quantities();
-/// A harmonic of the transmission error, with the lever of DriveError.
+/// A harmonic of the transmission error. `lever` is DriveError::lever, the travel of a rack per
+/// rad.
 struct DriveErrorLine {
   const DriveError::Line* line;
   std::optional<double> lever;

@@ -1,4 +1,4 @@
-// The quantities of a search for drives, which are `search` in the result if the spec has `kind`.
+// The quantities of a search for drives: `search` in a result if [search] has the key `kind`.
 #pragma once
 
 #include <array>

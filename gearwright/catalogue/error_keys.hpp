@@ -60,7 +60,7 @@ const KeyTable& error_keys();
 
 // The keys of [contact] and [contact.map]: the resolution of the contact analysis of a pair.
 
-/// [contact.map]: a map of the peak-to-peak transmission error over two errors.
+/// [contact.map]: a map of the peak-to-peak transmission error as a function of two errors.
 struct ContactMapInput {
   std::array<std::size_t, 2> key{};              ///< indices of x and y in error_entries
   std::array<std::array<double, 2>, 2> range{};  ///< lower and upper end for x and y

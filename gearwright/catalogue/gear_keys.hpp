@@ -58,7 +58,7 @@ const KeyTable& rack_arc_keys();         ///< the keys of each table in `arcs`
 // [gearN.tolerance], and the readings of an unknown gear in [gearN.measured].
 
 inline constexpr KeyList kLowerAndUpper{.least = 2, .most = 2, .order = kLowerFirst};
-/// One number, or two limits. The teeth are then computed with the mean of the limits.
+/// One number or two limits. If limits are given, the teeth are computed with their mean.
 inline constexpr KeyList kOneOrEnds{.most = 2, .single = true, .order = kLowerFirst};
 
 const KeyTable& measure_keys();

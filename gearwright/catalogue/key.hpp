@@ -120,7 +120,7 @@ struct Key {
   Words also{};  ///< other names that users may try: "module", "dp"
   KeyAlias alias{};
 
-  /// A key for a number, or for a whole number if its place is one.
+  /// A key for a number, or for a whole number if its KeyPlace is a member of type int.
   static Key number(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
                     std::string_view fallback, std::string_view meaning);
   static Key positive(std::string_view key, std::string_view symbol, KeyPlace place,

@@ -1,9 +1,10 @@
 // Finds the key that a user probably meant when the given key is unknown.
 //
 // The given key is first compared with the names of keys without units, with their other names
-// (Key::also) and with their symbols ("mn" is m_n, "beta" is β), in this table and then in the
-// tables below and beside it. It is then compared with parts of names, and finally with names that
-// differ by few letters. If no key is similar, the message lists the keys of the table.
+// (Key::also) and with their symbols ("mn" is m_n, "beta" is β) in this table. Then names with a
+// typing error in this table, the tables below it and all other tables are searched. Finally, names
+// of this table that differ in one word, parts of names, and names that differ in few letters are
+// compared. If no key is similar, the message lists the keys of the table.
 #pragma once
 
 #include <string>

@@ -86,7 +86,7 @@ class KeyPlace {
   /// array of two.
   template <class T, class M, class E>
   static KeyPlace mean_and_ends(M mean, E ends);
-  /// A place for a value that is checked but not stored.
+  /// A KeyPlace for a value that is checked but not stored.
   static KeyPlace unused();
 
   explicit operator bool() const { return put_ || part_; }
@@ -98,7 +98,7 @@ class KeyPlace {
   /// The struct of a sub-table, or a new element of a list of sub-tables. It is default-constructed
   /// unless it is a plain member. Its member `given` becomes true.
   KeyTarget part(KeyTarget input) const { return part_(input); }
-  /// True if the member of this place has the same value in both structs.
+  /// True if the member has the same value in both structs.
   ///
   /// Domain  is_member() (contract)
   template <class T>

@@ -125,7 +125,8 @@ TEST(Keys, the_type_of_a_member_decides_what_a_place_takes) {
 }
 
 TEST(Keys, defaults_are_those_of_the_structs) {
-  // The allowance is checked here, because its key may be a list and has no place.
+  // The allowance is checked here, because its value may be a list and it therefore has no
+  // KeyPlace.
   EXPECT_EQ(gear_keys().find("thickness_allowance_mm")->fallback, "0");
   EXPECT_EQ(GearInput{}.cylindrical.thickness_allowance, 0.0);
   expect_defaults<BasicInput>(basic_keys(), 1);

@@ -28,8 +28,8 @@ struct ModificationEntry {
   double amount_of(const FlankModifications& m) const {
     return relief ? (m.*relief).amount : m.*amount;
   }
-  /// True if the drawing gives the reach of the relief. An amount alone needs no reach, because it
-  /// applies to the whole flank.
+  /// True if the reach of a relief is given. An amount alone needs no reach, because it applies to
+  /// the whole flank, and the result is also true.
   bool placed(const FlankModifications& m) const { return !relief || (m.*relief).reach; }
 };
 

@@ -48,7 +48,7 @@ bool flanks_meet(const V& v) {
   return p && p->flanks_meet();
 }
 
-// An angle of each gear on its side of the rack, in degrees.
+// An angle of both gears in mesh with their common rack, in degrees.
 Value of_sides(const InvolutePair& p, double RackSide<double>::*angle) {
   const auto& sides = p.mesh.rack.sides;
   return degrees({sides[0].*angle, sides[1].*angle});

@@ -1,5 +1,5 @@
-// The quantities of a planetary set of a drive: the places at which its planets can be assembled, and
-// the phases of its meshes.
+// The quantities of a planetary set of a drive: the positions at which its planets can be
+// assembled, and the phases of its meshes.
 #include "gearwright/catalogue/drive_quantities.hpp"
 
 namespace gearwright {

@@ -65,7 +65,7 @@ struct Across {
 };
 
 // The quantities of all records in their common order. All records have the order of one table, so
-// the place of a quantity that one record lacks is known from the other records.
+// the position of a quantity that one record lacks is known from the other records.
 std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
   std::vector<Across> all;
   for (std::size_t k = 0; k < records.size(); ++k) {

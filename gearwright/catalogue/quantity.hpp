@@ -310,8 +310,8 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
   Find find_;
 };
 
-/// The number of decimals for users: 4 for mm (0.1 µm, the last digit of a gear drawing), and 5 for
-/// degrees (0.17 µm on a radius of 1 m) and for pure numbers.
+/// The number of decimals for users. By default, it is 4 for mm (0.1 µm, the last digit of a gear
+/// drawing), and 5 for degrees (0.17 µm on a radius of 1 m) and for pure numbers.
 int digits_of(const QuantityInfo& info);
 
 /// The unit system of the values of a quantity in an answer in `units`. Modules are in mm in both

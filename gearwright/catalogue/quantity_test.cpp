@@ -1,8 +1,8 @@
 // The laws of the catalogue of results.
 //
 //   (1) a key occurs once in a record, and if it ends with a unit, the unit is the right one
-//   (2) words are a term, which begins with a small letter; words and meaning have no full stop
-//   (3) a value has the declared type and lengths, and a quantity that is always present has one
+//   (2) the words are a term with a small first letter; words and meaning have no full stop
+//   (3) a value has the declared type and lengths; it is never null if it is always present
 //   (4) all interfaces give the value of the getter: if JSON has null, users see no number
 //   (5) a key that occurs in several tables with the same words and the same symbol is a term
 #include "gearwright/catalogue/quantity.hpp"
@@ -80,7 +80,7 @@ TEST(Catalogue, SharedWordsAreTerms) {
   std::map<std::pair<Type, std::array<std::string, 3>>, std::set<std::string>> tables;
   for (const QuantityTable* t : all_tables())
     for (const QuantityInfo* s : t->list)
-      // One function fills both tables of stiffness.
+      // The tables of stiffness are left out, because one function fills both of them.
       if (s->type != Type::record && s->type != Type::text && s->type != Type::map &&
           !t->name.ends_with("stiffness"))
         tables[{s->type, {s->key, s->words, s->symbol}}].insert(t->name);
@@ -182,8 +182,8 @@ TEST(Catalogue, ValuesAreWhatIsSaidOfThem) {
   }
 }
 
-// A tip circle inside the base circle has no involute and no form diameter. The listing once
-// printed a form diameter, while JSON and the page did not.
+// If the tip circle lies inside the base circle, the gear has no involute, and no interface shows a
+// tip form diameter.
 TEST(Catalogue, WhatIsNotThereIsADashAtEveryDoor) {
   const SolvedJob job =
       solved("[gear1]\nteeth = 10\nnormal_module_mm = 2\ntip_diameter_mm = 17.5\n");

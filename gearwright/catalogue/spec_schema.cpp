@@ -21,7 +21,7 @@ Json number_json(double x) {
   return x == std::floor(x) && std::abs(x) < 1e15 ? Json(static_cast<long long>(x)) : Json(x);
 }
 
-// The schema of a number. Numbers in a list have only their own limits.
+// The schema of a number. The general limits of numbers, such as kMaxInput, do not apply in a list.
 Json number_schema(const Key& key) {
   const bool whole = key.kind == KeyKind::whole;
   const double most = whole ? kMaxWholeInput : kMaxInput;

@@ -1,5 +1,5 @@
-// The units of all keys, for specs in inch. A number in a table under the key of a length is in the unit of that key, except
-// for keys with a unit of their own and for pure numbers.
+// The units of all keys, for specs in inch. A number in a table whose own key is a length is in the
+// unit of that key, except for keys with a unit of their own and for pure numbers.
 #include <gtest/gtest.h>
 
 #include <set>

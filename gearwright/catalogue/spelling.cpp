@@ -64,8 +64,8 @@ std::optional<Spelling> spelling_of(std::string_view member, const GivenKeys& gi
   return chosen(found, given);
 }
 
-// The key that contains the number of the member itself. Other keys are converted into it, such as a diametral
-// pitch into a module.
+// The key whose number is the member itself, if another key is given. The number of the other key
+// is converted, such as a diametral pitch to a module.
 std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s) {
   const auto plain = spelling_of(member, {});
   if (!plain || !plain->key->in_documents || !s.key->in_documents || plain->path == s.path)
@@ -81,7 +81,7 @@ std::string spelled_value(const std::string& value, const Key& key) {
   return word ? "\"" + value + "\"" : value;
 }
 
-// The part of `path` without the tables that it shares with `around`.
+// The part of `path` after the tables that it has in common with `around`.
 std::string_view beside(std::string_view path, std::string_view around) {
   const auto table_of = [](std::string_view text) { return text.substr(0, text.find('.')); };
   while (path.find('.') != std::string_view::npos && table_of(path) == table_of(around)) {
@@ -91,8 +91,8 @@ std::string_view beside(std::string_view path, std::string_view around) {
   return path;
 }
 
-// The key for a member that is named in a sentence about `owner`. The nearest table that has the member is
-// used.
+// The key of a member that is named in a sentence about `owner`. If several tables have the member,
+// the table nearest to `owner` is used.
 std::string named(std::string_view member, const GivenKeys& given, std::string_view owner) {
   for (std::string_view around = owner; !around.empty();) {
     if (const auto s = spelling_of(joined(around, member), given))
@@ -120,7 +120,7 @@ std::string in_keys(std::string_view sentence, const GivenKeys& given, std::stri
   return text += sentence;
 }
 
-// The error with keys, whose numbers are in the units of the catalogue.
+// The error with keys instead of members. Its numbers are in the units of the catalogue.
 Error with_keys(const Error& error, const GivenKeys& given) {
   const std::size_t dot = error.field.rfind('.');
   const std::string_view owner =

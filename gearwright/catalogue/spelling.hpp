@@ -31,8 +31,8 @@ struct GivenKeys : std::set<std::string, std::less<>> {
 /// a second call has no effect.
 Error spelled(const Error& error, const GivenKeys& given = {});
 
-/// The error in the units of the spec. The keys are those of the catalogue. A value that the spec
-/// gives is shown as it is written.
+/// The error, whose field is a key of the catalogue, in the units of the spec. A value that the
+/// spec gives is shown as it is written.
 Error in_units_of(const GivenKeys& given, const Error& error);
 
 /// Replaces members by keys in a sentence about `owner`, "gear1". If `owner` is empty, the sentence

@@ -42,7 +42,7 @@ TEST(Spelling, members_become_keys) {
   }
 }
 
-// Every key has a member, and its member leads back to it or to another key of the same member.
+// If a spec gives a key, the member that this key sets is spelled with the same key.
 TEST(Spelling, every_key_is_found_by_its_member) {
   for (const Key& table : spec_keys().keys) {
     if (table.tables.empty()) continue;

@@ -1,6 +1,6 @@
-// Sentences in inch. The sentences of the program are written in mm. The numbers and keys in them are converted here.
-// Every length in a sentence has its unit, also in a list: "1 mm, 2 mm and 5 mm". A module stays in mm, and so a no-break
-// space separates its number from its unit.
+// Converts sentences of the program, which are written in mm, to inch. Numbers and keys are
+// converted. Every length in a sentence has its own unit, "1 mm, 2 mm and 5 mm". A module stays in
+// mm. Its unit follows after a no-break space and is therefore not converted.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ std::optional<NumberText> number_at(std::string_view text) {
                     std::strtod(std::string(text.substr(0, end)).c_str(), nullptr)};
 }
 
-// The number in the inch unit, with at least as many digits as the text has, and with four or more.
+// The number in the inch unit. It has as many digits as the text, and at least four.
 std::string number_in(const NumberText& number, const KeyUnit& unit) {
   const double x = unit.to_inch(number.value);
   if (x == 0.0) return "0";
@@ -66,7 +66,8 @@ struct Symbol {
 };
 constexpr std::array kSymbols{Symbol{" mm", " in", "_mm"}, Symbol{" µm", " µin", "_um"}};
 
-// The unit behind a number, if it is a length alone and not a part of another unit, "N/mm" or "mm²".
+// The unit after a number, if it is a length and not a part of another unit such as "N/mm" or
+// "mm²".
 const Symbol* symbol_at(std::string_view text) {
   for (const Symbol& s : kSymbols) {
     if (!text.starts_with(s.metric)) continue;
@@ -138,7 +139,8 @@ class SentenceInInch {
     }
   }
 
-  // Copies a word or a path of keys. A key of a length gets its name in inch, and a number behind "key = " is its value.
+  // Copies a word or a path of keys. The key of a length gets its name in inch. If " = " and a
+  // number follow, the number is converted, too.
   void take_word() {
     std::size_t end = 0;
     const auto joins = [&](std::size_t i) {

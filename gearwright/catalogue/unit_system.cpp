@@ -23,7 +23,8 @@ constexpr std::array kKeyUnits{KeyUnit{"_mm_per_rad", "_in_per_rad", kMm, false}
                                KeyUnit{"_mm", "_in", kMm, false},
                                KeyUnit{"_um", "_uin", kUm, false}};
 
-// Keys that have the same name in both systems, and the names that they do not have.
+// Keys that have the same name in both systems. The list also contains names that the rule for
+// endings would give them in the other system.
 constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
                                                    "module_in",
                                                    "normal_module_mm",
@@ -66,7 +67,7 @@ const KeyUnit* unit_with(std::string_view path, std::string_view KeyUnit::*endin
   }
 }
 
-// The path with the other ending of every key that has a unit.
+// The path with every ending `from` replaced by the ending `to` of the same unit.
 std::string renamed(std::string_view path, std::string_view KeyUnit::*from,
                     std::string_view KeyUnit::*to) {
   std::string made;
@@ -123,7 +124,7 @@ double value_in(UnitSystem units, Unit unit, double value) {
 int digits_in(UnitSystem units, Unit unit, int digits) {
   const UnitPair* pair = pair_of(units, unit);
   if (!pair) return digits;
-  const bool larger = (pair->ratio->size > 1) != pair->ratio->inverse;  // an inch needs one more
+  const bool larger = (pair->ratio->size > 1) != pair->ratio->inverse;  // inch: one more decimal
   return std::max(0, digits + (larger ? 1 : -1));
 }
 
@@ -137,7 +138,7 @@ double KeyUnit::to_metric(double inch_value) const {
   const auto there = [&](double y) { return static_cast<double>(inverse ? y / size : y * size); };
   const double exact = there(inch_value);
   const double shorter = rounded(exact, kSafeDigits);
-  // A number of a mm spec that was divided by 25.4 in double is one rounding away.
+  // If a number of a mm spec was divided by 25.4 in double, the quotient has one rounding error.
   const auto back = static_cast<double>(inverse ? shorter * size : shorter / size);
   return std::nextafter(back, inch_value) == inch_value ? shorter : exact;
 }

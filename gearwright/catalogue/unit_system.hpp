@@ -1,11 +1,12 @@
-// The system of units of a spec and its answer. The catalogue is written in mm. For a spec in inch, every key, value
-// and sentence is converted by the unit at the end of its key. No key and no quantity is defined twice.
+// The system of units of a spec and its answer. The catalogue is written in mm. For a spec in inch,
+// keys, values and sentences are converted. The unit at the end of a key determines the conversion.
+// No key and no quantity is defined twice.
 //
-//   mm    _mm   _um    _per_mm   _per_um    _mm_per_rad   _mm_per_turn
-//   inch  _in   _uin   _per_in   _per_uin   _in_per_rad   _in_per_turn     1 in = 25.4 mm, 1 µin = 0.0254 µm
+//   mm    _mm   _um    _per_mm   _per_um    _mm_per_rad   _mm_per_turn      1 in = 25.4 mm
+//   inch  _in   _uin   _per_in   _per_uin   _in_per_rad   _in_per_turn      1 µin = 0.0254 µm
 //
-// Modules are always in mm, diametral pitches always in 1/in. Angles and all units that contain N, kg, s or K
-// (N, N m, N/mm, N/mm², kg, m/s) are the same in both systems.
+// Modules are always in mm, and diametral pitches always in 1/in. Angles and all units that contain
+// N, kg, s or K (N, N m, N/mm, N/mm², kg, m/s) are the same in both systems.
 #pragma once
 
 #include <string>
@@ -22,36 +23,40 @@ std::string_view to_string(UnitSystem units);
 
 /// The unit that replaces a unit of the catalogue in this system: Unit::inch for Unit::mm.
 Unit unit_in(UnitSystem units, Unit unit);
-/// A value in the unit that replaces `unit`. Of the numbers that equal it within rounding, it is the one with the
-/// fewest digits.
+/// A value in the unit that replaces `unit`. Of the numbers that equal this value within rounding,
+/// the result is the one with the fewest digits.
 double value_in(UnitSystem units, Unit unit, double value);
-/// The decimals for users of a value with this many decimals in `unit`, so that its resolution is at least as fine.
+/// The number of decimals for users of a value that has `digits` decimals in `unit`: one more in
+/// inch, and one less in µin or 1/in. The resolution changes by a factor of less than 4.
 int digits_in(UnitSystem units, Unit unit, int digits);
 
-/// A value with this many decimals in `unit`, as text in the unit that replaces it: "1.0000" or "0.03937" for 1 mm.
+/// The text of a value in the unit that replaces `unit`, with the number of decimals of
+/// digits_in(): "1.0000" or "0.03937" for 1 mm and 4 decimals.
 std::string text_in(UnitSystem units, Unit unit, double value, int decimals);
 /// The text of the unit that replaces `unit`: "mm" or "in".
 std::string_view unit_text(UnitSystem units, Unit unit);
 
-/// The ratio of two units of length that are called differently in the two systems.
+/// A unit of length of the metric system and the unit that replaces it in the inch system.
 struct KeyUnit {
   std::string_view metric, inch;  ///< endings of a key, "_mm" and "_in"
   long double size;               ///< size of the inch unit in the metric unit
   bool inverse;                   ///< true for units 1/length
 
-  /// The value in the inch unit, and back. Each result is the shortest of the numbers that the other function
-  /// converts to the same double.
+  /// The value in the inch unit, and back. A number of up to 12 digits in inch is unchanged by
+  /// to_metric() followed by to_inch().
   double to_inch(double metric_value) const;
   double to_metric(double inch_value) const;
 };
 
-/// The unit of a key or of a path of keys, "gear1.face_width_mm" or "gear1.measured.span_mm.3", if it is a length of the
-/// catalogue and therefore depends on the system. Null for other keys.
+/// The unit of a key or of a path of keys, "gear1.face_width_mm" or "gear1.measured.span_mm.3", if
+/// it is a length of the catalogue. Null for other keys, whose unit is the same in both systems.
 const KeyUnit* metric_unit(std::string_view key);
-/// The unit of a key in an inch spec, "gear1.face_width_in". Null for keys whose unit does not depend on the system.
+/// The unit of a key in an inch spec, "gear1.face_width_in". Null for keys whose unit is the same
+/// in both systems.
 const KeyUnit* inch_unit(std::string_view key);
 
-/// True if the numbers of this key have the unit of the key of their table, as `3` in span_mm = { 3 = 19.751 }.
+/// True if the numbers of this key have the unit of the key of their table. An example is `3` in
+/// span_mm = { 3 = 19.751 }.
 bool is_in_unit_of_table(std::string_view key);
 
 /// The name of a key or a path of the catalogue in this system: "face_width_in" for "face_width_mm".
@@ -59,12 +64,12 @@ std::string key_in(UnitSystem units, std::string_view key);
 /// The name in the catalogue of a key of an inch spec: "face_width_mm" for "face_width_in".
 std::string metric_key(std::string_view key);
 
-/// A sentence in this system: numbers before " mm" and " µm", names of keys, and numbers behind "key = " are
-/// converted. If `of` is the unit of the key that the sentence is about, numbers without a unit behind "between",
-/// "than", "least" and similar words are converted too. A second call changes nothing.
+/// A sentence in this system. Names of keys, and numbers before " mm" or " µm" or after "key = ",
+/// are converted. If the sentence is about a key with the unit `of`, numbers without a unit after
+/// "between", "than", "least" and similar words are also converted. A second call changes nothing.
 std::string sentence_in(UnitSystem units, std::string_view sentence, const KeyUnit* of = nullptr);
 
-/// A text of numbers in this unit, "[99, 101]", in the unit that replaces it.
+/// A text of numbers in this unit, such as "[99, 101]", converted to the unit that replaces it.
 std::string numbers_in(UnitSystem units, std::string_view text, const KeyUnit& unit);
 
 }  // namespace gearwright

@@ -46,7 +46,7 @@ TEST(UnitSystem, DecimalsSurviveBothConversions) {
   for (int i = 0; i < 20'000; ++i) {
     const double x = static_cast<double>(digits(random)) / 1e9;
     EXPECT_EQ(mm.to_inch(mm.to_metric(x)), x);  // a number of an inch spec is printed as given
-    EXPECT_EQ(mm.to_metric(x / 25.4), x) << x;  // a number of a mm spec is met exactly
+    EXPECT_EQ(mm.to_metric(x / 25.4), x) << x;  // a quotient of a mm spec gives its number
   }
 }
 

@@ -87,7 +87,7 @@ struct Member {
   bool shown = true;  ///< true if users see a row with the value, or with a dash for none
 };
 
-/// True if `value` contains no value, directly or in lists.
+/// True if `value` is null, or a list without any other value than null.
 bool all_nothing(const Value& value);
 
 }  // namespace gearwright

@@ -77,8 +77,8 @@ RowMajor side_by_side(const std::vector<Eigen::MatrixXd>& fields) {
   return all;
 }
 
-// Displacement fields of a spur section: waves, plane strain and, to represent the free ends, plane
-// stress and the warping of both. If τ ≠ 0, waves under axial loads are added.
+// Displacement fields of a spur section: waves, plane strain, plane stress, and the warping due to
+// the last two, which represents the free ends. If τ ≠ 0, waves under axial loads are added.
 std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const SectionMatrices& wave,
                                               double nu, const std::vector<BumpPlace>& places,
                                               double tau, Progress* progress) {

@@ -28,9 +28,9 @@ struct ShaftInfluence {
 ///
 /// Formula   [T12.34]
 /// Domain    shaft.possible() (contract)
-/// Accuracy  the loads are uniform over the slices, so sums over all slices are those of a uniform
-///           load; an entry is the mean of (i, j) and (j, i), whose difference is of the order of
-///           the square of the width of a slice
+/// Accuracy  a load is uniform over its slice, so equal loads on all slices are a uniform load on
+///           the face. An entry is the mean of the computed entries (i, j) and (j, i), which differ
+///           by the order of the square of the slice width
 ShaftInfluence shaft_influence(const Shaft& shaft, const FaceSlices& slices, double body);
 
 }  // namespace gearwright

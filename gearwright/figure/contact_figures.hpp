@@ -1,5 +1,5 @@
 // Makes the figures of tooth contact: transmission error, its spectrum, developed flanks with their
-// contact, and maps over two errors.
+// contact, and maps of the transmission error over two errors of mounting.
 #pragma once
 
 #include <optional>
@@ -74,7 +74,7 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
 /// Draws a small flank of gear 1 that shows only the marking.
 Figure small_pattern(std::string id, std::string title, const FlankRaster& pattern, double marking);
 
-/// Peak-to-peak transmission error over two errors.
+/// Peak-to-peak transmission error as a function of two errors of mounting.
 struct ContactMap {
   ErrorMap map;                     ///< rad, over two errors in the units of `axes`
   std::array<NamedAmount, 2> axes;  ///< of x and y: names, units and the values of the spec
@@ -83,7 +83,7 @@ struct ContactMap {
 /// Round levels within the values of the map, arc seconds, in ascending order. They are few enough
 /// to be distinguished.
 std::vector<double> map_levels(const ErrorMap& map);
-/// Draws the peak-to-peak transmission error over two errors as shaded steps.
+/// Draws the peak-to-peak transmission error as a function of two errors, in shaded steps.
 Figure error_map_figure(const ContactMap& map);
 
 }  // namespace gearwright

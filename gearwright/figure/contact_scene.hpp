@@ -43,7 +43,7 @@ ContactScene contact_scene(const std::array<const Gear*, 2>& gears, const Contac
 /// Replaces the axes by their mirror images in the plane z = 0, with their directions towards +z.
 void mirror_axes(ContactScene& scene);
 
-/// The pitch of gear 1, rad.
+/// The angular pitch of gear 1, rad.
 double pitch_of(const ContactScene& scene);
 
 /// The name of a kind of contact, "tip edge of gear 1".
@@ -51,7 +51,7 @@ const char* words_of(TouchKind kind);
 
 /// Number of a tooth pair with its sign. "0" is the pair nearest the centre line.
 std::string pair_words(int k);
-/// Its colour: three classes of figure_style.css in turn.
+/// Style class of a tooth pair: one of three classes of figure_style.css, in rotation.
 const char* pair_style(int k);
 
 /// A value in arc seconds, with a number of decimals that suits its size.

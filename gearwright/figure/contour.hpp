@@ -1,9 +1,9 @@
 // Computes the regions of a raster in which the values are below a level, by marching squares.
 //
-// The nodes of a raster are (column, row). Between two nodes the value is linear. An infinite node
-// is above every level, and the border runs halfway to it, because it is unknown where between the
-// nodes the values end. The edge of the raster closes every region. Steps of values are shown in
-// ten shades from dark (low) to bright (high).
+// The nodes of a raster are (column, row). The value is linear between two nodes. An infinite node
+// is above every level. The border of a region runs halfway between such a node and its finite
+// neighbour. The edge of the raster closes every region. Steps of values are shown in ten shades
+// from dark (low) to bright (high).
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // Makes the figures of an analysis with many samples: the distribution of a quantity, the
-// contribution of each input to its variance, how often each place of a flank is in contact, and
-// the ranking of designs.
+// contribution of each input to its variance, the share of the samples in which a point of a flank
+// is in contact, and the ranking of designs.
 #pragma once
 
 #include <cstdint>
@@ -65,7 +65,7 @@ struct RankingScene {
 /// Domain    at least one entry (contract)
 Figure ranking_figure(const RankingScene& scene);
 
-/// How often each place of a flank is in contact.
+/// The share of the samples in which each point of a flank is in contact.
 struct DensityScene {
   std::string id;
   std::size_t which = 0;  ///< 0 for gear 1, 1 for gear 2
@@ -76,8 +76,8 @@ struct DensityScene {
   std::int64_t samples = 0;
 };
 
-/// Draws the developed flank. Shades show the share of the samples whose contact pattern covers a
-/// place.
+/// Draws the developed flank. The shade of a point shows the share of the samples whose contact
+/// pattern covers it.
 ///
 /// Domain    at least two rows and two columns (contract)
 Figure density_figure(const DensityScene& scene);

@@ -17,14 +17,14 @@ namespace {
 
 constexpr double kCircle = 360.0;  // degrees
 
-// The rotation of the input in a period of a mesh, degrees. If the mesh does not roll, it is one
-// turn.
+// The rotation of the input during one period of a mesh, degrees. If the mesh does not roll, the
+// period is one turn of the input.
 double period_of(double frequency_ratio) {
   constexpr double kLeast = 1e-9;  // teeth per turn
   return std::abs(frequency_ratio) > kLeast ? kCircle / std::abs(frequency_ratio) : kCircle;
 }
 
-// The rotation of the input in a period of the meshes of a set, degrees.
+// The rotation of the input during one period of the meshes of a set, degrees.
 double period_of(const Drive& drive, const PlanetShares& shares) {
   for (const std::size_t m : drive.sets[shares.set].group.meshes)
     if (drive.flow && drive.flow->driver[m] >= 0)
@@ -32,7 +32,7 @@ double period_of(const Drive& drive, const PlanetShares& shares) {
   return kCircle;
 }
 
-// A value at each position, with the first one repeated a period later.
+// The values at the positions of one period, with the first value repeated at its end.
 template <class Of>
 std::vector<Vec2> over_the_period(double period, std::size_t count, const Of& of) {
   std::vector<Vec2> points;

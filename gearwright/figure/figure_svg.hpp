@@ -23,8 +23,8 @@ inline constexpr double kFigureWidth = 560.0;  ///< px, of a figure in a column 
 /// Domain    width ≥ 240 px; finite axes of nonzero length (contract)
 std::string figure_svg(const Figure& figure, double width = kFigureWidth);
 
-/// Returns the picture with its caption as an HTML figure. `attributes` are those of this element,
-/// and `control` is HTML that follows the picture.
+/// Returns the picture with its caption as the HTML element `figure`, with these attributes.
+/// `control` is HTML that follows the picture.
 std::string figure_html(const Figure& figure, double width = kFigureWidth,
                         std::string_view attributes = "", std::string_view control = "");
 

@@ -135,8 +135,8 @@ double way_between(const ContactPoint& a, const ContactPoint& b) {
   return std::hypot(b.height[0] - a.height[0], (b.diameter[0] - a.diameter[0]) / 2);
 }
 
-// A distance counts as a jump, as between the two arcs of a flank, if it is many times the usual
-// distance between positions and a considerable part of the face.
+// The least distance that counts as a jump, for example between the two arcs of a flank. It is many
+// times the usual distance between positions and a considerable part of the face width.
 double jump_of(const std::vector<const ContactPoint*>& points, double face) {
   constexpr double kTimes = 6.0, kPart = 0.1;
   std::vector<double> ways;
@@ -175,7 +175,7 @@ std::vector<PathPiece> path_on_tooth(const ContactScene& scene) {
   std::vector<const ContactPoint*> points;
   for (const ContactPoint& p : scene.driving.positions)
     if (p.kind != TouchKind::none) points.push_back(&p);
-  // Pair k is where pair 0 was k pitches earlier.
+  // At a given position, pair k has the contact that pair 0 had k pitches earlier.
   const auto own = [&](const ContactPoint* p) { return p->rotation1.rad() - p->pair * pitch; };
   std::sort(points.begin(), points.end(),
             [&](const auto* a, const auto* b) { return own(a) < own(b); });

@@ -13,8 +13,9 @@ constexpr double kLineHeight = 19.0;   // px, height of a line of words on a nar
 constexpr double kBaseline = 5.0;      // px from the middle of the letters down to the base line
 constexpr int kBoxWeight = 8;          // weight of an overlap with text; a line has 1
 constexpr int kOutside = 1000;
-// px. A label that must be drawn crosses a line rather than move away from its point by more than
-// this distance, at which it could be taken for the label of another point.
+// px. Each multiple of this distance from the point counts as one crossed line when the position of
+// a label that must be drawn is chosen. At a greater distance, the label could belong to another
+// point.
 constexpr double kNear = 18.0;
 
 double width_of(std::string_view plain) {

@@ -27,7 +27,8 @@ struct NamedCircle {
   std::string key = {};    ///< key of the quantity in the catalogue
 };
 
-/// The symbol with the number of gear `i` (0, 1) in its index: "d_a1". Empty for a circle without a symbol.
+/// The symbol with the number of gear `i` (0, 1) in its index: "d_a1". Empty if the circle has no
+/// symbol.
 std::string symbol_of(const NamedCircle& circle, std::size_t i);
 
 /// Line style by the symbol: solid for tip and root, dash-dot for pitch, dashed for base, dotted

@@ -30,8 +30,8 @@ TEST(MeshPicture, LeadingFlanksMeetAtThePitchPoint) {
     Vec2 p1 = flank_point(pair.gears[0], pair.mesh.rack.sides[0].pitch_radius);
     p1.y() = -p1.y();
     EXPECT_LT((turned(p1, phi[0]) - C).norm(), 1e-9);
-    // Gear 2 touches with the clockwise flank of tooth 1, which follows space 0 counter-clockwise
-    // and is below it at −x.
+    // Gear 2 touches with the clockwise flank of tooth 1, the next tooth counter-clockwise from
+    // space 0. Space 0 points to −x, so tooth 1 is below it.
     Vec2 p2 = flank_point(pair.gears[1], pair.mesh.rack.sides[1].pitch_radius);
     p2.y() = -p2.y();
     const double pitch = 2 * std::acos(-1.0) / pair.input.gears[1].teeth;

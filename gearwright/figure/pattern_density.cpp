@@ -1,4 +1,4 @@
-// Draws how often each place of a flank is in contact, in steps of the share of the samples.
+// Draws the share of the samples in which each point of a flank is in contact, in shaded steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,8 +37,7 @@ Figure density_figure(const DensityScene& scene) {
           scene.samples, fixed(scene.marking / kMmPerUm, 2), fixed(most, 0)) +
       proportions;
   f.shades = {kLevels, "≤ 100 %", ""};
-  std::erase_if(f.marks, [](const FigureMark& m) {  // the key of the shades takes the place of the
-                                                    // names
+  std::erase_if(f.marks, [](const FigureMark& m) {  // the key of the shades replaces the names
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });
   const ContourField field = field_of(raster);

@@ -68,7 +68,8 @@ Result<std::string> rack_definition(const RackPair& pair, const std::string& nam
 
 Vec2 rack_place(const RackPair& pair) {
   const RackGeometry& rack = pair.rack;
-  // Half a tooth in the transverse section at the pitch line, H − r above the datum line.
+  // Half the transverse tooth thickness of the rack at the pitch line, which lies at the distance a
+  // − r from the datum line.
   const double half = (rack.thickness / 2 - (pair.center_distance - pitch_radius(pair)) *
                                                 std::tan(rack.normal_pressure_angle.rad())) /
                       std::cos(rack.helix_angle.rad());

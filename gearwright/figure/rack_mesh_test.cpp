@@ -78,7 +78,7 @@ TEST(RackMeshFigure, is_drawn) {
     EXPECT_NE(html.find(words), std::string::npos) << words;
 }
 
-// The windows contain what they promise: pinion and rack with its back, and the path of contact.
+// The windows contain the pinion, the rack with its back, and the path of contact.
 TEST(RackMeshFigure, windows_contain_their_parts) {
   const RackPair p = drawn_pair(0.1, 15, 0.05);
   const RackScene scene{&p, {"gear1", "gear2"}};
@@ -96,7 +96,8 @@ TEST(RackMeshFigure, windows_contain_their_parts) {
     EXPECT_TRUE(contains(MeshFrame::flank, C + g * Vec2(std::sin(alpha), -std::cos(alpha))));
 }
 
-// Without a number of teeth, the rack has at least the teeth of its pinion, and one of them is in the middle.
+// If its number of teeth is not given, the rack has at least as many teeth as its pinion, and one
+// of them is in the middle.
 TEST(RackMeshFigure, endless_rack_has_teeth_about_its_middle) {
   RackPair p = drawn_pair(0.1, 0, 0.05);
   p = testing::taken(mount_rack(std::move(p.pinion), {}));

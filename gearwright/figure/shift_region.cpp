@@ -35,14 +35,14 @@ constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"least shift of gear 1", "e
 
 constexpr double kPadding = 0.17;      // margin around the rectangle
 constexpr double kZoomPadding = 0.42;  // margin around a region, with room for its labels
-constexpr double kMinWindow = 1e-3;    // modules, a hundredth of the setting accuracy of a cutter
+constexpr double kMinWindow = 1e-3;    // modules; cutters are set a hundred times less accurately
 constexpr double kMap = 0.19;          // size of the overview map, relative to the width
 constexpr double kMapGap = 0.015;      // between the map and the corner of the plot, relative to
                                        // the width
 // Relative to the width. Shorter stretches of an edge are named only if there is no longer one.
 constexpr double kShortStretch = 0.025;
 
-// The part of the line Σ = const inside the window. Empty if there is none.
+// The part of the line Σx = sum inside the window. Empty if there is none.
 std::vector<Vec2> line_of_sum(const Bounds& box, double sum) {
   const double from = std::max(box.lo.x(), sum - box.hi.y());
   const double to = std::min(box.hi.x(), sum - box.lo.y());
@@ -125,7 +125,8 @@ void add_distances(Figure& f, const ShiftGraph& graph, const Bounds& window, boo
   }
 }
 
-// The line of balanced shifts, Eq. 11, through the window. It is thick where it is feasible.
+// The line of balanced shifts [T2.18a] through the window. It is thick where the shifts are
+// feasible.
 void add_balanced(Figure& f, const ShiftChart& chart, const Bounds& window) {
   const Trial& t = chart.graph.trial();
   const SearchProblem& problem = chart.graph.problem();

@@ -57,9 +57,9 @@ ShiftChart shift_chart(const ShiftGraph& graph, const Vec2& design);
 /// without a region.
 Figure shift_limits_figure(const ShiftGraph& graph, const Bounds& window);
 
-/// Draws the region with the names of its edges, and marks the points with the least and the
-/// greatest Σx. The keys are the edges. If the window shows only a part of the limits, a small map
-/// in a corner shows all of them.
+/// Draws the region with the names of its edges, which the legend also lists, and marks the points
+/// with the least and the greatest Σx. If the window shows only a part of the limits, a small map
+/// of all limits is in a corner.
 Figure shift_region_figure(const ShiftChart& chart, const RegionWindow& window);
 
 /// Draws only the region and its edges, without axes.

@@ -145,8 +145,8 @@ std::vector<double> spread(const std::vector<double>& wanted, double gap, double
                    [&](std::size_t i, std::size_t j) { return wanted[i] < wanted[j]; });
   if (n > 1) gap = std::min(gap, (hi - lo) / static_cast<double>(n - 1));
 
-  // When the gaps are subtracted, the positions must not decrease. Neighbours that do are pooled
-  // (isotonic regression).
+  // After k gaps are subtracted from the position of label k, the positions must not decrease.
+  // Neighbours that violate this are pooled (isotonic regression).
   struct Block {
     double mean;
     std::size_t count;

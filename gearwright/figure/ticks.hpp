@@ -32,8 +32,8 @@ std::string tick_text(double value, int decimals);
 /// Returns the values of round_ticks() that lie between lo and hi, without lo and hi themselves.
 std::vector<double> levels_between(double lo, double hi, int most);
 
-/// Returns lo … hi widened by `share` of its length on both sides. A single value also gets some
-/// range.
+/// Returns the ends of [lo, hi] widened by `share` of its length on both sides. If lo = hi, the
+/// result still has a small length.
 std::vector<double> widened(double lo, double hi, double share);
 
 }  // namespace gearwright

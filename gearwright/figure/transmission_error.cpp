@@ -128,8 +128,8 @@ std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions) {
     if (!open || runs.back().pair != p.pair || runs.back().edge != edge) {
       TeRun run{p.pair, edge, {}, {}};
       if (open) {
-        // Neighbouring runs are joined: those of the same pair at the last position, those of
-        // different pairs at their intersection.
+        // Neighbouring runs share a point. It is the last position of the first run if both belong
+        // to the same tooth pair, and otherwise the intersection of their curves.
         Vec2 border = at(i - 1);
         if (runs.back().pair != p.pair) {
           border = 0.5 * (at(i - 1) + at(i));

@@ -97,8 +97,8 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
         ball, "a gear with a single tooth space has no opposite tooth space for the second ball");
   const std::string sizes = sizes_text(gear, *flank);
   const auto seat = seat_of(gear, *flank, ball);
-  // The spaces of an internal gear become wider towards the tip, so a ball that is too large touches no
-  // flank either.
+  // The spaces of an internal gear become wider towards the tip, so neither a ball that is too
+  // small nor one that is too large touches both flanks.
   if (!seat) {
     const bool small =
         !gear.internal() || ball < ball_touching_at(gear, flank->middle()).value_or(0.0);

@@ -6,6 +6,8 @@
 //   d_K    diameter of the circle through the centre of the ball, mm
 //   d_M    diameter of the contacts, mm
 //   η_b    half angle of the space on the base cylinder, rad [T10.5]
+//   β_K    helix angle at d_K, rad             δ     π/|z| if |z| is odd, otherwise 0
+//   ε      deviation of two free pins from opposite positions, at their least distance, rad
 //   M_d    dimension over two balls, mm        M_r   dimension from the axis over one ball, mm
 //                                              theory: docs/theory/10-inspection.md
 //

@@ -50,10 +50,10 @@ inline constexpr double kMinHalfAngle = 1e-100;
 
 /// The half angle θ* of the shortest chord: the root of T sin 2θ + 2θ = 2θ_t.
 ///
-/// For θ_t ≤ π/2 there is only one root in [0, θ_t], and it gives the least of all chords. A tooth of more
-/// than half the circumference may have several roots. The result is then the root nearest to the axial
-/// direction at which a tilt in either direction lengthens the chord. If θ* > π/2, the chord lies beyond
-/// the axis.
+/// For θ_t ≤ π/2 there is only one root in [0, θ_t], and it gives the least of all chords. A tooth
+/// that covers more than half the circumference may have several roots. The result is then the
+/// local minimum of the chord that is nearest to the axial direction. If θ* > π/2, the chord lies
+/// beyond the axis.
 ///
 /// Formula   [T5.4], from [T5.1]…[T5.3]; bracket between the turning points [T5.5], start [T5.8]
 /// Domain    kMinHalfAngle ≤ θ_t < π (contract), any |ψ| < π/2 as T = tan² ψ
@@ -121,15 +121,14 @@ ChordalThickness<T> shortest_chord(const ToothArc<T>& tooth) {
 /// The tooth of a gear on the cylinder with the diameter d_y.
 ///
 /// Formula   θ_t = s_yt/d_y, tan ψ = (d_y/d_b) tan β_b; [T2.11], [T2.12]
-/// Domain    d_y ≥ d_b (contract); beyond the point of the tooth θ_t ≤ 0
+/// Domain    d_y ≥ d_b (contract); θ_t ≤ 0 beyond the diameter at which the flanks meet
 ToothArc<double> tooth_arc(const Gear& gear, double diameter);
 /// The shortest chord over a tooth of the gear, including the thickness allowance. The gear may be
-/// internal.
+/// internal. The usable flank extends from d_Ff to d_Fa, or for an internal gear from d_Fa to the
+/// root, and never inside the base circle.
 ///
-/// Errors    `chord_diameter` if the diameter is not on the usable flank, which is from d_Ff to
-///           d_Fa or, for an internal gear, from d_Fa to the root, and never inside the base
-///           circle; also if the two flanks meet before this diameter, if no calliper can span the
-///           tooth, or if the gear has no flank
+/// Errors    `chord_diameter` if the diameter is not on the usable flank, if the flanks meet before
+///           this diameter, if no calliper can span the tooth, or if the gear has no flank
 Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diameter);
 
 // The constant chord: the chord between the points at which a rack touches both sides of a tooth at the

@@ -249,7 +249,8 @@ TEST(ShortestChord, of_a_spur_gear_is_the_transverse_one_exactly) {
   EXPECT_NEAR(b.chord, 2 * 17.3 * 1.5 * std::cos(89.999 * kDegree), 1e-9);
 }
 
-// θ* remains in its range where the branches of the equation meet, and also far beyond real gears.
+// θ* remains in its range at the limits between the branches of the equation, and far beyond real
+// gears.
 TEST(ShortestChord, half_angle_at_the_edges_of_its_domain) {
   const double half = kPi / 2;
   for (const double theta_t : {kMinHalfAngle, 1e-20, 0.5, std::nextafter(half, 0.0), half,
@@ -278,8 +279,8 @@ CylindricalSpec spec_of(int z, double m, double beta_deg, double x) {
 }
 
 // KHK, Elements of metric gear technology: m 10, z 12, x 0.3, chord 17.8256, distance from the tip
-// 13.9431. The distance is h_a + s² cos β/(4 d), to first order, so only the chord is compared. For
-// z 18, x 0.4, both values are exact.
+// 13.9431. KHK computes the distance by h_a + s² cos β/(4 d), which is of first order, so only the
+// chord is compared. For z 18, x 0.4, both values are exact.
 TEST(ChordalThickness, of_spur_gears) {
   const auto khk = chordal_thickness(made(spec_of(12, 10, 0, 0.3)), 120);
   ASSERT_TRUE(khk) << khk.error().message();
@@ -315,7 +316,8 @@ TEST(ChordalThickness, of_helical_gears_and_rings) {
   EXPECT_NEAR(c->tip_to_chord, 60 * std::cos(0.02011376820881157) - 59, 1e-13);
 }
 
-// A thinner tooth is narrower by the allowance times cos θ at the end of the chord.
+// A thickness allowance changes the chord of a spur gear by the allowance times cos θ_t, here
+// 0.999.
 TEST(ChordalThickness, sees_the_allowance) {
   auto s = spec_of(40, 2, 0, 0);
   const auto full = chordal_thickness(made(s), 80);

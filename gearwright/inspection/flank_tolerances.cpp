@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kOwnClass = 5;  // the class of the formulas
+constexpr int kOwnClass = 5;  // the class for which the formulas give the tolerances
 double step_factor(int quality) {
   return std::pow(2.0, 0.5 * (quality - kOwnClass));  // √2 per class
 }

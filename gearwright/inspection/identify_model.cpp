@@ -141,8 +141,9 @@ using std::numbers::pi;
 // decades.
 constexpr double kShiftScatter = 0.5;
 constexpr double kHelixRange = pi / 4;
-// Information of the prior of the helix angle, 1/rad². Without readings, √(2π)·σ is the whole range.
-// Because readings change with β² only, they contain less information than the prior near β = 0.
+// Inverse variance of the prior of the helix angle, 1/rad²: √(2π) σ of this prior is kHelixRange.
+// All readings except a lead change with β² only, so near β = 0 they hardly restrict the helix
+// angle.
 constexpr double kHelixInformation = 2 * pi / (kHelixRange * kHelixRange);
 constexpr double kLogModuleRange = 5.0;
 constexpr int kMostSteps = 12;
@@ -242,8 +243,8 @@ std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknow
     fit.sigma_module = std::sqrt(covariance(2, 2));
     log_prior -= std::log(kLogModuleRange * g.module);
   }
-  // The scatter of rough readings is proportional to the module, so the same deviation in mm is less
-  // significant if the module is larger.
+  // The scatter of a rough reading is proportional to the module, so the probability density of the
+  // reading has the factor 1/m_n.
   for (const Observation& o : readings)
     if (!o.exact()) log_prior -= std::log(g.module);
   fit.log_evidence = log_prior - square_sum(r) / 2 + double(n) / 2 * std::log(2 * pi) -

@@ -43,8 +43,8 @@ std::optional<double> reading_of(const GearNumbers& gear, const Observation& o);
 std::optional<double> residual(const GearNumbers& gear, const Observation& o);
 
 // Fits the unknowns of one hypothesis by least squares: the profile shift, and also helix angle and
-// module if they are free.
-// times the fraction of the prior volume that agrees with the readings.
+// module if they are free. Its evidence is the probability of the readings if the hypothesis is
+// true, times the prior probability of the fitted values.
 
 struct Unknowns {
   bool shift = true, helix = false, module = false;

@@ -102,7 +102,8 @@ struct BallByPushing {
 };
 
 BallByPushing pushed(const Drawing& d, Real ball, Real near) {
-  // The tooth beside the space about the x axis turned by half a pitch.
+  // The flank of the tooth next to the space on the x axis. The tooth is turned back by half a
+  // pitch.
   const Flank flank{d, 1, -kLongPi / std::abs(d.z)};
   const auto touch = [&](Real rho) { return nearest(flank, {rho, 0, 0}, ball); };
   // Secant method from two points near the seat.

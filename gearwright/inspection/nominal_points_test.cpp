@@ -1,5 +1,5 @@
-// Points for a measuring machine are compared with the unwound string, and normals with difference
-// quotients.
+// Compares points for a measuring machine with points of a string unwound from the base cylinder,
+// and normals with difference quotients.
 #include "gearwright/inspection/nominal_points.hpp"
 
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ RemovalField field_of(const Gear& gear, const FlankModifications& m) {
       m, {gear.base_radius(), flank->root_end / 2, flank->tip_end / 2, gear.spec.face_width}));
 }
 
-// The half angle of the tooth and the involute, computed from the data of the drawing with more
-// digits.
+// The point of the flank at a roll angle and a height, computed from the data of the drawing with
+// more digits.
 Vec3 unwound(const Gear& gear, FlankSide side, double roll, double z) {
   const CylindricalSpec& s = gear.spec;
   const long double beta = s.helix_angle.rad(), alpha = s.normal_pressure_angle.rad();
@@ -63,7 +63,8 @@ TEST(NominalPoints, lie_on_the_unwound_flank) {
           EXPECT_NEAR(p.normal.norm(), 1.0, 1e-15);
           const Vec3 around = Vec3(0, 0, 1).cross(p.point);
           EXPECT_GT(p.normal.dot(around) * (side == FlankSide::left ? 1 : -1), 0.0);
-          // The normal is perpendicular to both directions of the surface, by difference quotients.
+          // The normal is perpendicular to both tangents of the surface, which are difference
+          // quotients.
           const double h = 1e-6;
           const Vec3 du =
               unwound(gear, side, roll + h, p.height) - unwound(gear, side, roll - h, p.height);

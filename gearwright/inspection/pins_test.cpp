@@ -71,9 +71,9 @@ TEST(Pins, three_of_them_lie_deeper_on_a_spur_gear_with_an_odd_number_of_teeth) 
   EXPECT_GE(odd, 4);
 }
 
-// On a helical gear, a straight pin is tangent to its space where it lies. A plane over the pin
-// touches its end, unless the pin lies at the outermost position. The plane is lowest at that
-// position, so the pins move there.
+// A straight pin in a helical space is tangent to the helix of the space. A plane over the pin
+// touches an end of the pin, unless pin and plane are parallel. In this case the plane is lowest,
+// so the pins move to this position when the micrometer is closed.
 TEST(Pins, three_of_them_read_the_outermost_places_of_a_helical_gear) {
   for (const int z : {17, 20, 95}) {
     const Gear gear = helical(z, 3, 12, 0.3);

@@ -5,7 +5,7 @@
 //   JS7           from −IT7/2 to IT7/2
 //   H7            from 0 to IT7
 //   N9            from −IT9 to 0
-//   P9            as N9, but lower by the fundamental deviation of P
+//   P9            from −IT9 to 0, both lower by the fundamental deviation of P
 //                                              theory: docs/theory/10-inspection.md
 #pragma once
 

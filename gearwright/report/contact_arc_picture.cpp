@@ -87,8 +87,8 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
   const std::size_t convex = contact.convex_gear == 1 ? 0 : 1;
   Arcs best{};
   double least = 1e300;
-  // Among all pairs of a convex and a concave arc, finds the arcs whose points at the normal angle
-  // of the contact coincide.
+  // Finds the convex and the concave arc whose points at the normal angle of the contact coincide.
+  // For this pair of arcs, the computed distance of the points is least.
   for (const WorkingArc& v : convex_arcs(pair.gears[convex])) {
     for (const WorkingArc& c : concave_arcs(pair.gears[1 - convex])) {
       const double apart = std::abs((v.radius - c.radius) * std::sin(theta) - (v.b - c.b));
@@ -213,8 +213,8 @@ std::vector<Vec2> rack_half_tooth(const Gear& gear) {
 }
 
 NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact) {
-  // The teeth of a rack lie in the pitch plane at the helix angle. This direction also lies in the
-  // flank.
+  // The tooth traces of the rack are inclined by the helix angle, in one of two directions. The
+  // right one lies in the flank and is therefore perpendicular to the normal.
   const double beta = pair.gears[0].spec.helix_angle.rad();
   const Vec3& n = contact.at.normal;
   Vec3 best(0, std::sin(beta), std::cos(beta));
@@ -246,8 +246,8 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
     for (const Vec2& p : tooth) {
       const double radius = p.norm();
       const double polar = turned + std::atan2(p.y(), p.x());
-      // The helix through the point r meets the plane where (r − p)·t = 0. Newton's method starts
-      // in the transverse section of the contact point.
+      // The helix through the point r intersects the plane where (r − p)·t = 0. Newton's method
+      // starts in the transverse section of the contact point.
       double z = plane.origin.z();
       Vec3 r;
       for (int step = 0; step < 50; ++step) {

@@ -84,8 +84,8 @@ void add_axes(Figure& f, const InvolutePair& pair, double width) {
     f.line({Vec2(-far * along), Vec2(far * along)}, std::string("thin dashdot ") + kInk[i]);
     const double room = std::min((half.x() - 34 * px) / std::max(std::abs(along.x()), 1e-9),
                                  (half.y() - 16 * px) / std::max(std::abs(along.y()), 1e-9));
-    // If the axes are nearly parallel, both leave the picture at the same place. The name of gear 1
-    // is therefore to the left of both axes.
+    // If the axes are nearly parallel, both reach the border of the picture at the same point. The
+    // name of gear 1 is therefore to the left of both axes, and the name of gear 2 to the right.
     const Vec2 aside = std::abs(along.y()) > std::abs(along.x()) ? Vec2(i == 0 ? -24.0 : 24.0, 5.0)
                                                                  : Vec2(0.0, -8.0);
     f.text(room * along, fmt::format("axis {}", i + 1), Anchor::middle,
@@ -161,7 +161,7 @@ Vec2 whole_window(const InvolutePair& pair) {
   return window(half, std::clamp(half.x() / half.y(), 1.05, 2.6));
 }
 
-// True if the plan shows only a part of what the picture of the whole pair shows.
+// True if the plan shows a smaller area than the picture of the whole pair.
 bool plan_is_within(const InvolutePair& pair) {
   return (plan_window(pair).array() < 0.98 * whole_window(pair).array()).all();
 }

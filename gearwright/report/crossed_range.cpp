@@ -18,11 +18,12 @@ namespace {
 
 constexpr int kSteps = 240;
 constexpr double kMargin = 0.07;  // added at either end, as a fraction of the range of angles
-// rad. As a helix angle approaches 90°, the pitch radius becomes infinite. The range ends at this
+// rad. At the limit, a helix angle is 90° and the pitch radius is infinite. The range ends at this
 // distance from the limit, where α_n differs from its limiting value by less than 1e-6 rad.
 constexpr double kBeforeLimit = 1e-3;
-// rad. A mounted pair may reach the limit within rounding, but there the angles have no involute
-// function. The range therefore ends at this distance, where a changes by at most r_b kAtLimit.
+// rad. Angles are kept at this distance from the limit, because the involute function is infinite
+// there. A mounted pair may lie at the limit within rounding. The change of a is at most r_b
+// kAtLimit.
 constexpr double kAtLimit = 1e-8;
 constexpr double kMinAngle = 2e-3;  // rad; α_wn = 0 is impossible for a rack
 

@@ -55,8 +55,8 @@ TEST(CrossedRangePicture, NoRackBeyondTheLimit) {
   EXPECT_LT(crossed_samples(pair).back().place.normal_pressure_angle.rad(), limit);
 }
 
-// A spur gear meets a gear with a helix angle of 0.3°. Where the working helix angle of the second
-// gear reaches 90°, the shaft angle is nearly 90°.
+// A spur gear in mesh with a gear with a helix angle of 0.3°. In the limit in which the working
+// helix angle of the second gear is 90°, the shaft angle is nearly 90°.
 TEST(CrossedRangePicture, NearTheLimitItself) {
   const CrossedPair pair = testing::crossed_sample_pair(
       testing::sample_gear(17, 2, 0.3, 0.6), testing::sample_gear(17, 2, 0, 0.6), 90 - 0.11, 0.0);

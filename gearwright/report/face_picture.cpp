@@ -19,8 +19,8 @@ namespace {
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
 // The upper end of the face width axis. The axis contains the required and the actual widths. It
-// also contains the curves for ε ≥ 1, but only up to twice these widths, because f′ is unbounded if
-// the lines of action move along the teeth.
+// contains the curves for ε ≥ 1 up to 1.8 times these widths only, because f′ is unbounded if the
+// lines of action move along the teeth.
 double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples) {
   double there = 0.0;
   double curves = 0.0;

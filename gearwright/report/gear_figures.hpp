@@ -49,8 +49,8 @@ Figure tooth_figure(const Gear& gear, const std::string& shape, const std::strin
 /// HTML with the figure of the tooth. If there is no outline, a paragraph gives the reason.
 std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name);
 
-/// True if the picture of the root is useful. The gear must have an outline and be cut by a rack.
-/// It must also have a circular root fillet, undercut, or at most 12 teeth.
+/// True if the picture of the root is useful. The gear must be an external involute gear with an
+/// outline, cut by a rack. It must also have a circular root fillet, undercut, or at most 12 teeth.
 bool root_is_worth_a_picture(const Gear& gear);
 
 /// The gear of the same spec without circular fillets, as cut by its rack. None if the spec has no
@@ -77,15 +77,15 @@ struct ShiftedTooth {
 /// undercut. Only then does the choice of the shift need a picture.
 bool shift_is_worth_a_picture(const Gear& gear);
 
-/// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and at its own shift, sorted by x, with the tips that
-/// the rack leaves. The root fillet is that of the gear if given, otherwise one that begins at the
-/// undercut limit. The tip fillet of the gear is included if it fits.
+/// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and at its own shift, sorted by x, with the tip
+/// diameters that the rack leaves. It has its own root fillet, or else one that begins at the
+/// undercut limit, and its own tip fillet if this fits.
 ///
 /// Domain    shift_is_worth_a_picture (contract)
 std::vector<ShiftedTooth> shifted_teeth(const Gear& gear);
 
-/// The tooth at each of these shifts, with the root cut by the rack and with a circular root
-/// fillet, at the same scale. Empty if shift_is_worth_a_picture() is false.
+/// The teeth of shifted_teeth(), with the root cut by the rack and with a circular root fillet, at
+/// the same scale. Empty if shift_is_worth_a_picture() is false.
 std::string shift_figures(const Gear& gear, const std::string& shape, const std::string& name);
 
 }  // namespace gearwright

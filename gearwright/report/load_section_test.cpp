@@ -123,7 +123,8 @@ double value_at(const std::vector<Vec2>& curve, double x) {
   return 0.0;
 }
 
-// At each position, the curves of all tooth pairs add up to 1, and the curve of a pair has its computed share.
+// At each position, the shares of all tooth pairs add up to 1, and the curve of a pair shows its
+// computed share.
 TEST(LoadSection, CurvesOfTheToothPairsAddUpToOne) {
   for (const bool gear2_drives : {false, true}) {
     const LoadSample s = load_sample(testing::helical_pair(), {80e3}, 0.01, gear2_drives);

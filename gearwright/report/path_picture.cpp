@@ -19,9 +19,10 @@ namespace {
 constexpr double kDeepest = -8.0;  // specific sliding at which a curve is cut off
 // The limit for a curve that falls without bound, towards a base tangent point.
 constexpr double kEndless = -4.0;
-constexpr double kRest = 1e-9;  // pitches; a shorter rest of the path is a rounding error
+constexpr double kRest = 1e-9;  // pitches; a shorter last piece of the path is a rounding error
 
-// A ruler along the path in transverse base pitches from A. The last piece has the rest of the contact ratio.
+// A ruler along the path, with a piece for each transverse base pitch from A. The last piece is the
+// fractional part of the contact ratio.
 FigureLane ruler_of(const Mesh<double>& mesh) {
   FigureLane ruler{"base pitches", {}};
   for (double from = 0.0; mesh.path_ratio - from > kRest; from += 1.0) {

@@ -27,7 +27,7 @@ TEST(PathFigures, ShowsTheWholeOfSteepCurves) {
   EXPECT_NE(figure.find("mark g2"), std::string::npos);
 }
 
-// The ruler in base pitches covers the path from A to E, and its rest is the fraction of ε_α.
+// The ruler covers the path from A to E, and its last piece is the fractional part of ε_α.
 TEST(PathFigures, RulerHasTheLengthOfThePath) {
   const auto pair = testing::helical_pair();
   const Figure figure = path_figure(pair);
@@ -48,7 +48,7 @@ double label_x(const std::string& figure, const std::string& words) {
   return std::atof(figure.c_str() + figure.rfind("translate(", text) + 10);
 }
 
-// The number of the bar ε_β = 0.824 would be crossed by the line at 1, whose own number is above
+// The line at 1 would cross the value of the bar ε_β = 0.824, so the value is moved to the right of
 // the line.
 TEST(RatioFigure, NoValueLiesAcrossTheLineAtOne) {
   const std::string figure = figure_html(ratio_figure(testing::helical_pair()), 420.0);
@@ -56,8 +56,8 @@ TEST(RatioFigure, NoValueLiesAcrossTheLineAtOne) {
   EXPECT_GT(label_x(figure, "1.453"), label_x(figure, "1"));
 }
 
-// A wide face has room for the tick and the line at 1, but otherwise only for ticks at multiples of
-// five.
+// The axis of a great total contact ratio has ticks only at multiples of five, and the tick and
+// line at 1.
 TEST(RatioFigure, ManyPairsInContact) {
   const std::string figure =
       figure_html(ratio_figure(testing::two_and_sixty(150.0)), 420.0);  // ε_γ 14.3

@@ -45,8 +45,8 @@ std::vector<Quantity> quantities(const CrossedPair& pair) {
            3}};
 }
 
-// Values that the axis of a panel must contain: that of the mounted pair and those of the curve. If
-// the contact ratio reaches 1 anywhere, only the part of the curve with ε ≥ 1 counts.
+// Values that the axis of a panel must contain: the value of the mounted pair and the curve. If the
+// contact ratio reaches 1 anywhere, only the part of the curve with ε ≥ 1 counts.
 std::vector<double> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
                           const Quantity& q) {
   double lo = q.mounted;

@@ -43,7 +43,7 @@ struct ReportInput {
   std::optional<Pair> pair;        ///< none if the gears are not mounted
   const RackPair* rack = nullptr;  ///< null if there is no rack; with a rack, the only gear is its
                                    ///< pinion
-  /// At the ends of the tolerances, with the least and with the greatest backlash; may be empty.
+  /// Quantities of the pair at both ends of the tolerances, least backlash first; may be empty.
   std::vector<ValueRecord> pair_ends;
   std::vector<ValueRecord> measures;                   ///< one for each gear; may be empty
   std::vector<std::vector<ValueRecord>> measure_ends;  ///< values at the ends of the tolerances;
@@ -70,7 +70,7 @@ struct ReportInput {
 ///             (3) title, spec, findings and file names may contain any text
 /// Units     lengths in mm to 0.1 µm, angles in degrees to 0.00001°; missing values are “–”
 /// Accuracy  outlines within 1e-4 normal modules (kOutlineTolerance in figure/gear_shape.hpp)
-/// Domain    one or two gears, none null; exactly two if there is a pair (contract)
+/// Domain    one or two gears, none null; two if there is a pair, one if there is a rack (contract)
 std::string report_html(const ReportInput& input);
 
 }  // namespace gearwright

@@ -64,8 +64,9 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
 
 /// Tooth contact: pictures, and text for users without experience of contact analysis.
 ///
-/// Domain    two gears with teeth; `driving` and `other` have the same positions over one pitch,
-///           and `driving` has contact at some position; rasters of at least 2 × 2 nodes (contract)
+/// Domain    two gears with teeth, or a pinion and its rack; `driving` and `other` have the same
+///           positions over one pitch, and `driving` has contact at some position; rasters of at
+///           least 2 × 2 nodes (contract)
 std::string contact_section(const ContactReport& report);
 
 /// Teeth under load. Each subject has one paragraph and its pictures.
@@ -86,7 +87,7 @@ std::string propose_section(const ProposeView& view);
 
 /// Corrections: the changes to make, and their effect on each objective.
 ///
-/// Domain    `before` has contact at some position (contract)
+/// Domain    `before` has contact at some position; at least one correction (contract)
 std::string compensate_section(const CompensateView& view, UnitSystem units = UnitSystem::mm);
 
 /// The effect of tolerances on the pair: percentiles, figures of the distributions, and the
@@ -108,9 +109,9 @@ std::string rating_section(const RatingView& view, UnitSystem units);
 // The section of the report about a rack and its pinion: a picture of the mesh, and the quantities
 // of both.
 
-/// Returns the section in HTML. `shapes` are the names of the SVG definitions of pinion and rack, of which the
-/// page contains that of the pinion. If the rack has no outline, a paragraph with the reason replaces the
-/// picture.
+/// Returns the section in HTML. `shapes` are the names of the SVG definitions of pinion and rack.
+/// The page must contain the definition of the pinion, and the section contains the definition of
+/// the rack. If the rack has no outline, a paragraph with the reason replaces the picture.
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
                          UnitSystem units);
 

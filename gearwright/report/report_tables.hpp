@@ -42,8 +42,8 @@ std::string interference_table(const InvolutePair& pair, UnitSystem units = Unit
 // The most important quantities of a pair, at the top of the report.
 
 /// A box for each available key figure: ratio, centre distance, contact ratio, backlash (at both
-/// ends of the tolerances), safeties, pressure, unevenness. Words, symbols and units are those of
-/// the catalogue. Empty if there are none.
+/// ends of the tolerances), safeties, contact pressure, transmission error. Words, symbols and
+/// units are defined in the catalogue. Empty if there are none.
 std::string key_figures(const ReportInput& input);
 
 /// A box for each of these keys for which the records have a value, in the order of `keys`. If

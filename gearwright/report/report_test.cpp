@@ -254,7 +254,8 @@ TEST(Report, TextIsText) {
   EXPECT_EQ(facts.elements.at("script"), 1);
   EXPECT_EQ(facts.elements.at("pre"), 1);
   EXPECT_EQ(facts.elements.at("b"),
-            // One level for the verdict and one for each finding.
+            // There is one element for the level of the verdict, and one for the level of each
+            // finding.
             static_cast<int>(1 + input.verdict.findings.size()));
   EXPECT_EQ(page.find("<script>alert"), page.npos);
   EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt;&quot;&#39;&amp;"), page.npos);

@@ -14,8 +14,8 @@ namespace gearwright {
 
 namespace {
 
-// The quantities in the order of the page: first the design, then its rank, then its values. If the
-// documents' text for a column does not suit the page, the entry has a text of its own.
+// The columns in the order of the page: first the design, then its rank, then its values. An entry
+// has a text of its own if the explanation in the catalogue does not suit the page.
 struct Entry {
   std::string_view key;
   std::optional<std::string_view> meaning;

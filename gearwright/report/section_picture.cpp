@@ -55,8 +55,8 @@ bool inside(const Figure& f, const Vec2& p) {
   return p.x() >= f.x.lo && p.x() <= f.x.hi && p.y() >= f.y.lo && p.y() <= f.y.hi;
 }
 
-// Draws the part of the ellipse within the plot. Starting at the mesh and going towards `side` (+1
-// to the right), the name is at the point where the ellipse leaves the plot.
+// Draws the part of the ellipse within the plot. Its name is on the side `side` (+1 to the right),
+// at the point where the ellipse, followed from the mesh, leaves the plot.
 void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const NamedCircle& cut,
                   double side) {
   const SectionEllipse e = section_of_cylinder(pair, i, cut.radius);

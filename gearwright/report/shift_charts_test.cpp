@@ -65,7 +65,8 @@ TEST(ShiftChartPictures, IdenticalGearsSayNothingOfRingsAndCrossedAxes) {
   EXPECT_NE(helical.find("helix angle"), helical.npos);
 }
 
-// The limits allow no shift for any tooth number, or there are no limits at all.
+// If the limits allow no shift, no area is drawn. If there are no limits, the charts are still
+// sound.
 TEST(ShiftChartPictures, LimitsThatLeaveNothingDrawNothing) {
   SearchProblem problem = testing::spur_problem();
   problem.limits.min_shift = 1.0;

@@ -16,8 +16,8 @@ constexpr double kSmallWidth = 240.0;
 constexpr double kSmallAspect = 200.0 / 170.0;
 // If the region extends over at least this fraction of the rectangle, the whole rectangle is shown.
 constexpr double kFairPart = 0.62;
-// The corresponding fraction for small pictures. It is lower, because they should have the same
-// scale.
+// The same fraction for small pictures. It is lower, because most small pictures should have the
+// same scale.
 constexpr double kSmallFairPart = 0.12;
 
 Vec2 design_of(const DesignRow& row) { return {row.shift[0], row.shift[1]}; }

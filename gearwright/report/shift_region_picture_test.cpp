@@ -103,8 +103,8 @@ TEST(ShiftRegionPicture, OneExactDistanceIsALine) {
   EXPECT_NE(figure.find("no area"), figure.npos);
 }
 
-// The least possible sum of the shifts is -1. At 59 mm, this corner is the only point that the
-// range of centre distances contains.
+// The least possible sum of the shifts is −1, which gives the centre distance 59 mm. If 59 mm is
+// the greatest permitted centre distance, the region is this single corner.
 TEST(ShiftRegionPicture, APointATinyCornerAndAWholeRectangle) {
   const SearchSample point = one_pair(40, 80, 58.0, 59.0);
   ASSERT_EQ(point.answer->designs.size(), 1u);

@@ -11,8 +11,9 @@
 namespace gearwright {
 namespace {
 
-// At X = 0 the path of contact passes through the common pitch point. There the flanks slide only
-// along the teeth, at the speed r_w1 ω_1 sin β_1 + r_w2 ω_2 sin β_2.
+// If the pitch planes of both gears coincide (X = 0), the path of contact passes through the common
+// pitch point. There the flanks slide only along the teeth, at the speed r_w1 ω_1 sin β_1 + r_w2
+// ω_2 sin β_2.
 TEST(SpeedPicture, AtThePitchPointTheScrewsSlideAlongTheTeeth) {
   const CrossedPair pair = testing::crossed_sample_pair(testing::sample_gear(20, 2, 45, 0.2),
                                                         testing::sample_gear(30, 2, 40, -0.2), 85);

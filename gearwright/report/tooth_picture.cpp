@@ -34,8 +34,8 @@ std::vector<NamedCircle> circles_of(const Gear& gear) {
   return circles;
 }
 
-// The window of the figure, mm. It shows one tooth, a quarter pitch on either side, and a part of the
-// body behind the root. The tooth of an internal gear points down.
+// The window of the figure, mm. It shows one tooth, a quarter of a pitch on either side, and a part
+// of the body behind the root. The tooth of an internal gear points down.
 Bounds window(const Gear& gear) {
   const double r_f = gear.tooth->root_radius;
   const double r_a = gear.tooth->tip_radius;

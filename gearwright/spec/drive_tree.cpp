@@ -16,8 +16,8 @@ namespace gearwright {
 
 namespace {
 
-// The arguments are the name of a gear in the graph, the key of its material and the table of the
-// material.
+// A function that is called for each material. Its arguments are the name of a gear in the graph,
+// the key of the material and the table of the material.
 using MaterialVisit =
     std::function<void(const std::string& gear, const std::string& key, const Json& material)>;
 

@@ -68,8 +68,8 @@ bool hand_on_helix(const Json& from, Json& to) {
   return true;
 }
 
-// Copies a number of the normal section from any of its keys in gear 1. A transverse value is
-// converted, because the helix of gear 2 may be different.
+// Copies the quantity `key`, given by this key or one of its aliases, from gear 1. A value in the
+// transverse section is converted, because the helix angle of gear 2 may be different.
 void hand_on(const Json& from, Json& to, const std::string& key) {
   const Keys ways = gear_keys().ways(key);
   if (has_any(to, ways)) return;
@@ -95,7 +95,7 @@ const Json* quality_of(const Json& gear) {
   return grade == tolerance->end() ? nullptr : &*grade;
 }
 
-// Copies the edition of the standard that belongs to a grade.
+// Copies the edition of the standard to which the accuracy grade belongs.
 void hand_on_edition(const Json& from, Json& to) {
   const auto tolerance = from.find("tolerance");
   if (tolerance == from.end() || !tolerance->is_object() || !tolerance->contains("edition")) return;

@@ -35,8 +35,9 @@ Json with_named_materials(const Json& tree);
 
 /// Copies values from gear 1 to gear 2 of a mounted pair, if both have teeth. A gear that is cut by
 /// another gear or given by its base cylinder takes no dimensions of the teeth. The helix is not
-/// copied if the axes cross at a given angle. A rack of arcs that cuts only one gear is not copied.
-/// An unknown gear takes nothing if its mating gear has no module.
+/// copied if the axes cross at a given angle. Face width, gap and stagger are not copied in this
+/// case, nor in a spec with [fit]. A rack of arcs that cuts only one gear is not copied. An unknown
+/// gear takes nothing if its mating gear has no module.
 Inherited inherit(const Json& tree);
 
 }  // namespace gearwright

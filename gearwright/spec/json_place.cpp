@@ -6,7 +6,7 @@ namespace gearwright {
 
 namespace {
 
-// Walks over a text that is valid JSON, so no step checks the syntax.
+// Reads through a text that is valid JSON, so no step checks the syntax.
 class Walk {
  public:
   explicit Walk(std::string_view text) : text_(text) {}

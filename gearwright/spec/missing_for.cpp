@@ -98,8 +98,8 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
 }
 
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
-  // If gear 2 is a rack, only the geometry is computed. The other verbs reject the rack with the
-  // reason.
+  // If gear 2 is a rack, nothing is reported as missing. A verb that does not support racks rejects
+  // the spec with the reason.
   if (spec.rack) return {};
   std::vector<Error> missing;
   if (spec.search || spec.given.contains("search") || spec.measured[0] || spec.measured[1] ||

@@ -26,9 +26,9 @@ enum class SpecUse {
 };
 
 /// All inputs that a spec lacks, by their keys in a file and each with an example. They include a
-/// second gear, a torque and, for a rating, its load, the materials of the gears and the inputs of
-/// its factors. A wrong material is also reported. The list is empty for a search and for an
-/// unknown gear, because these have their own verbs.
+/// second gear, a torque, a tolerance for scatter and, for a rating, its load, the materials of the
+/// gears and the inputs of its factors. A wrong material is also reported. The list is empty for a
+/// search, an unknown gear, a drive and a rack.
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
 
 /// The missing inputs as one error, or nothing if no input is missing.

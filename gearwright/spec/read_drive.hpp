@@ -20,7 +20,8 @@ namespace gearwright {
 /// True if the spec has one of the three tables.
 bool is_drive(const Json& tree);
 
-/// The graph of the drive and, for a train, its stages. A short form is expanded to a graph.
+/// The graph of the drive and, for a train, its stages. [planetary] and [[stage]], the short forms,
+/// are expanded to a graph.
 DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 
 /// The materials of the gears that have their own material, by the names of the gears. The map is
@@ -34,7 +35,7 @@ void lend_speed(Json& tree);
 /// Reads a planetary set from a table with the keys of [planetary].
 PlanetarySpec read_set(const Json& node, const std::string& path);
 
-/// The spec with its short form replaced by the equivalent [drive].
+/// The spec with [planetary] or [[stage]] replaced by the equivalent [drive].
 ///
 /// Domain    read_drive accepts the spec (contract)
 Json expanded_spec(const Json& tree, const DriveInput& drive);

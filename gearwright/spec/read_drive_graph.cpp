@@ -95,7 +95,7 @@ void read_bodies(TableReader& t, DriveGraph& graph, std::vector<std::string>& na
   }
 }
 
-// The keys of a rack as a part. Its pinion has the data of its teeth.
+// Reads the dimensions of the rack body. The data of the teeth are in the table of the pinion.
 RackBar read_bar(const Json& node, const std::string& path) {
   Json own = Json::object();
   for (const auto& [key, value] : node.items())

@@ -37,7 +37,7 @@ std::optional<double> read_helix(TableReader& t) {
   return value;
 }
 
-// Checks the tolerances that are also given by keys of the gear.
+// Rejects a tolerance that contradicts or repeats a key of the gear.
 void check_tolerance(TableReader& gear, const GearInput& g) {
   const Json* node = gear.table("tolerance");
   if (!node) return;
@@ -157,8 +157,8 @@ const KeyTable& kind_of_table(const Key& key, const Json& node, const std::strin
                         : "must be a text in quotes");
 }
 
-// The table of a cutter with the numbers that it omits. They are taken from the gear or from its
-// mating gear.
+// The table of a cutter, completed with values that the cutter shares with the gear. If the gear
+// does not give them either, they are taken from its mating gear.
 Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   Json whole = cutter;
   for (const char* key_of_both : {"normal_module_mm", "normal_pressure_angle_deg"}) {
@@ -207,7 +207,8 @@ Rack read_rack(TableReader& gear, std::optional<double> module) {
   return read_table<RackOfArcs>(keys, *node, path);
 }
 
-// Reads `cut_by` and `profile_shift_pair`. `node` is the table of the gear, and `mate` that of the other gear or null.
+// Reads `cut_by` and `profile_shift_pair`. `node` is the table of the gear. `mate` is the table of
+// the other gear, or null.
 void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInput& g) {
   const auto total = gear.number("profile_shift_pair");
   const Json* by = gear.any("cut_by");

@@ -26,7 +26,7 @@ namespace gearwright {
 GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& path,
                     const Json* mate = nullptr, const std::filesystem::path& folder = {});
 
-/// Reads a rack for which only straight flanks are allowed.
+/// Reads a rack, which must have straight flanks.
 StraightRack read_straight_rack(TableReader& gear);
 
 /// The normal pressure angle in degrees. It is the given angle or the angle of a rack of AGMA.
@@ -40,11 +40,9 @@ bool has_module(const Json& gear);
 /// True if the table of a gear has readings but no module, which `identify` has to find.
 bool is_unknown_gear(const Json& gear);
 
-/// The readings of gear 1 or 2, or null if its table is absent or has no readings. The number of
-/// teeth of the mating gear is added to the readings of an unknown gear if the spec gives it and a
-/// centre distance is known. If the readings have no centre distance, the distance of [pair] is
-/// added too.
-///
+/// The readings of gear 1 or 2, or null if its table is absent or has no readings. For an unknown
+/// gear, the number of teeth of the mating gear is added if the readings or [pair] contain the
+/// centre distance, which is added as well.
 /// Throws    SpecError
 std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which);
 

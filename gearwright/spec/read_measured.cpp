@@ -76,7 +76,8 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which
     throw SpecError{
         {path + ".measured", shown(readings), "must be a table, [" + path + ".measured]"}};
   IdentifyProblem p;
-  // If the gear is known, only these of its keys are read here. The others are read with the gears.
+  // For a known gear, only the keys that an unknown gear may have are read here, without a check of
+  // its other keys.
   const bool unknown = is_unknown_gear(gear);
   Json known = Json::object();
   for (const Key& key : unknown_gear_keys().keys) {

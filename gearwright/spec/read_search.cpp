@@ -147,7 +147,7 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
 
 void read_limits(TableReader& t, SearchProblem& p) {
   SearchLimits& l = p.limits;
-  // By default a search finds only pairs that run.
+  // By default, a search rejects pairs with interference.
   const auto word = t.word("interference");
   const auto avoid = t.boolean("avoid_interference");
   if (word && avoid && (*word == "exclude") != *avoid)

@@ -1,6 +1,6 @@
-// Reads [search] of a spec for pairs or for drives, and the inputs of a search in other tables: keys
-// of [gear1] and [gear2] that a search does not choose (pressure angle, rack, helix, face width), and
-// the load of [rating]. Reads [scatter].
+// Reads [search] of a spec, for pairs or for drives, and the inputs of a search in other tables:
+// the pressure angle, rack, helix and face width of [gear1] and [gear2], which a search does not
+// choose, and the load of [rating]. Reads [scatter].
 //
 // Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
@@ -20,10 +20,9 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
 /// The modules of ISO 54, series I (1) or series II (2), in mm.
 const std::vector<double>& iso54_modules(int series);
 
-// Reads the inputs of a search that are outside its own table. If [search] requires safety, these
-// are the inputs for rating the designs, from [rating] and the materials. For a search that checks
-// its designs as drawings, they are the tolerances, the verdict on the drawings, and default limits
-// that exclude impractical designs.
+// Reads the inputs of a search that are outside its own table. If [search] requires safety, the
+// inputs of the rating are read from [rating] and the materials. If the search checks its designs
+// as drawings, tolerances are read and default limits exclude impractical designs.
 
 /// True if the search needs a rating, either for a safety or, if [rating] is given, for the mass.
 bool wants_rating(const SearchProblem& problem, const RatingTable& rating);
@@ -39,8 +38,10 @@ void check_series(const TableReader& t, std::string& series);
 /// The default series of thickness allowances for a search.
 inline constexpr const char* kUsualSeries = "cd25";
 
-/// Sets the check of drawings if the search has a rating, face widths or allowances, unless designs
-/// with interference are also listed. `search` is the table. Its rating must have been read before.
+/// Makes a search check its designs as drawings if it has a rating, face widths or allowances.
+/// Designs are not checked on crossed axes, on a grid of profile shifts, or if designs with
+/// interference are also listed. `search` is the table [search]. read_search_rating() must be
+/// called before.
 void read_search_drawing(const Json& search, SearchProblem& problem);
 
 // Reads a table [search] with the key `kind`, which is a search for drives.

@@ -55,8 +55,8 @@ constexpr const char* kNoAllowances = "none";
 // reducers.
 constexpr std::array kUsualFace{0.2, 1.0};
 
-// This check needs only the names, so it uses a diameter and a centre distance that every table
-// contains.
+// check_names() uses only the names of series and tolerances. This diameter or centre distance is
+// contained in every table.
 constexpr double kAnyDiameter = 100.0;
 
 void check_names(const TableReader& t, const SearchAllowances& allowances) {

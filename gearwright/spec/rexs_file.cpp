@@ -17,7 +17,7 @@ using Tree = boost::property_tree::ptree;
 
 constexpr int kDeepest = 32;  // REXS has six levels
 
-// The parser descends once for each level, so the depth is limited before it runs.
+// The parser is recursive, with one call for each level, so the depth is checked before it runs.
 bool too_deep(std::string_view xml) {
   int depth = 0;
   for (std::size_t i = 0; (i = xml.find('<', i)) != std::string_view::npos; ++i) {

@@ -75,8 +75,7 @@ class Lacks {
       if (known == all_.end()) {
         all_.push_back(error);
       } else {
-        *known = error;  // the inputs of a verb are described in more detail than the inputs of a
-                         // table
+        *known = error;  // the later list, which belongs to a verb, gives more details
       }
     }
   }
@@ -176,7 +175,7 @@ RackBar read_rack_bar(const Json& rack, const Json& tree) {
   return bar;
 }
 
-// Rejects the halves of a double-helical gear for verbs that do not support them.
+// Rejects a double-helical gear in a spec for a search, a fit, an identification or a rack.
 void refuse_halves(const Json* gear, const std::string& path, const Json& tree) {
   if (!gear || !gear->contains("double_helical")) return;
   TableReader t(gear_keys(), *gear, path);
@@ -186,7 +185,8 @@ void refuse_halves(const Json* gear, const std::string& path, const Json& tree) 
     t.fail("double_helical", "does not apply to the pinion of a rack");
 }
 
-// The designs of a search take the modifications of a gear without teeth.
+// Checks the modifications in the table of a gear without teeth. The designs of a search have these
+// modifications.
 void check_modifications(const Json* gear, const char* name, const std::filesystem::path& folder) {
   if (!gear || gear->contains("teeth")) return;  // read_gear() reads a complete gear
   TableReader t(blank_keys(), *gear, name);

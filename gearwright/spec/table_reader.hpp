@@ -1,5 +1,6 @@
-// Reads one table of a spec with the catalogue. Values within their ranges are stored in the places
-// of their keys, and sub-tables and lists of tables in their structs. An error names the key.
+// Reads one table of a spec with the catalogue. Values within their ranges are stored in the struct
+// members of their keys (KeyPlace). Sub-tables and lists of tables are stored in structs. An error
+// names the key.
 //
 // The reader violates a contract if it reads a key that is not in the catalogue, or if it leaves a
 // key of the catalogue unread. This ensures that catalogue and reader agree.
@@ -29,10 +30,10 @@ class TableReader {
   /// `path` is the dotted name of the table. It is empty for the file itself.
   TableReader(const KeyTable& keys, const Json& node, std::string path);
 
-  /// Reads every key that has a place, plain values first and then tables. Absent keys leave the
+  /// Reads every key that has a KeyPlace, plain values first and then tables. Absent keys leave the
   /// members unchanged.
   void read(KeyTarget input);
-  /// Reads one key, which must have a place.
+  /// Reads one key, which must have a KeyPlace.
   void read(const Key& key, KeyTarget input);
   /// Reads the whole table: read(), finish(), and the rule of the table.
   void read_whole(KeyTarget input);

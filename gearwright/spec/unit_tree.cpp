@@ -29,8 +29,8 @@ bool is_one_of(const List& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-// The units of the paths whose last key is in the catalogue. Other words with the ending of a length are names that the
-// user chose.
+// The unit of a path whose last key is in the catalogue, or null. A word that only ends like the
+// key of a length is a name that the user chose.
 const KeyUnit* declared_metric(std::string_view path) {
   return is_spec_key(path) ? metric_unit(path) : nullptr;
 }
@@ -43,7 +43,7 @@ const KeyUnit* declared_inch(std::string_view path) {
   throw SpecError{{path, shown(value), std::move(why)}};
 }
 
-// Members whose unit is that of a key or unit that another member names: { value = 8, unit = "um" }.
+// Members whose unit is given by another member: { value = 8, unit = "um" }.
 struct UnitMember {
   std::string_view member, named_by;
 };
@@ -72,7 +72,8 @@ class SpecInMm {
  public:
   explicit SpecInMm(GivenKeys& given) : given_(given) {}
 
-  // `path` is the path in the catalogue, and `written` the path in the file. `unit` is that of the key of the table.
+  // `path` is the path in the catalogue, and `written` is the path in the file. `unit` is the unit
+  // of the table's own key.
   Json table(const Json& from, const std::string& path, const std::string& written,
              const KeyUnit* unit) {
     Json::object_t to;
@@ -117,7 +118,7 @@ class SpecInMm {
     return unit && value.is_number() ? Json(unit->to_metric(value.get<double>())) : value;
   }
 
-  // A word that may be a key.
+  // Converts a word that may be the name of a key.
   static std::string metric_word(const std::string& word, const std::string& written) {
     if (declared_metric(word)) refuse_mm(written, word, word);
     return declared_inch(word) ? metric_key(word) : word;
@@ -136,8 +137,8 @@ class SpecInMm {
   GivenKeys& given_;
 };
 
-// A spec with two gears, a pair, a drive or a search. A branch of a result that only names one of these tables has
-// other types of values.
+// True for a spec with gears or a drive. Other parts of a result may have a key `spec` without such
+// tables.
 bool is_spec(const std::string& key, const Json& value) {
   if (!value.is_object()) return false;
   const bool named = key == "spec" || key == "corrected_spec" || key == "expanded";
@@ -145,7 +146,7 @@ bool is_spec(const std::string& key, const Json& value) {
                    value.contains("planetary") || value.contains("stage"));
 }
 
-// A sentence, or several in a list.
+// Converts one sentence or a list of sentences.
 Json sentences_in_inch(const Json& value) {
   if (value.is_string()) return sentence_in(UnitSystem::inch, value.get<std::string>());
   Json list = Json::array();
@@ -153,13 +154,15 @@ Json sentences_in_inch(const Json& value) {
   return list;
 }
 
-// A record, a spec with names of the user among its keys, or a table whose keys are all such names.
+// A result, a spec, whose keys include names that the user chose, or a table whose keys are all
+// such names.
 enum class Tree { record, spec, by_name };
 
-// The tables of a record by names of the user.
+// Tables of a result whose keys are names that the user chose.
 constexpr std::array<std::string_view, 2> kByName{"bodies", "meshes"};
 
-// `unit` is that of the nearest key with a unit, and `per` that of a table of values per length.
+// `unit` is the unit of the nearest outer key that has one. `per` is the unit of the key of an
+// outer table of values per length.
 Json in_inch(Tree tree, const Json& value, const KeyUnit* unit, const KeyUnit* per) {
   if (value.is_number() && (unit || per)) {
     double x = value.get<double>();

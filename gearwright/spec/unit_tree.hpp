@@ -1,4 +1,5 @@
-// The units of a spec tree on the way in, and of records and specs on the way out. Everything between is in mm.
+// Converts the units of a spec to mm when it is read, and results and specs back to the units of
+// the user when they are written.
 //
 // Internal to spec/, job/ and the programs, because public headers do not contain trees.
 #pragma once
@@ -10,17 +11,17 @@ namespace gearwright {
 
 struct GivenKeys;  // catalogue/spelling.hpp
 
-/// The spec with the keys of the catalogue and without the key `units`. The units and, for inch, the lengths as they
-/// are written are noted in `given`.
+/// The spec in mm with the keys of the catalogue, without the key `units`. `given` receives the
+/// units and, for inch, the lengths as written.
 ///
-/// Throws  SpecError if `units` is not a known word, or if a key of a length is not in the units of the spec
+/// Throws  SpecError if `units` is not a known word, or if the key of a length has the wrong unit
 Json in_catalogue_units(const Json& spec, GivenKeys& given);
 
-/// A record or a part of a spec with the keys, numbers and sentences of this system. A spec inside a record gets the key
-/// `units`. A second call changes nothing.
+/// A result or a part of a spec with the keys, numbers and sentences of this unit system. A spec
+/// inside a result gets the key `units`. A second call changes nothing.
 Json in_units(UnitSystem units, const Json& record);
 
-/// A whole spec in this system, with the key `units` if it is not "mm".
+/// A whole spec in this unit system, with the key `units` if it is not "mm".
 Json spec_in(UnitSystem units, const Json& spec);
 
 }  // namespace gearwright

@@ -262,7 +262,7 @@ export interface MeshView {
   frame: "whole" | "mesh" | "flank"; // all of the gears, their mesh, or the path of contact
   width: number; // px
   height: number;
-  window: [number, number, number, number] | null; // visible range x0, x1, y0, y1 in mm; null for that of `frame`
+  window: [number, number, number, number] | null; // x0, x1, y0, y1 in mm; null: as for `frame`
   bodies: boolean; // true to draw only the bodies of the gears
   name: string; // name of the picture and its shapes, unique in the page
 }
@@ -271,8 +271,8 @@ export interface MeshView {
 export interface ShiftView {
   width: number; // px
   aspect: number; // width over height of the plot
-  window: [number, number, number, number] | null; // visible range x0, x1, y0, y1 of the shifts; null for
-  // that of the region
+  // Lower and upper end of x1, then of x2. If it is null, the window is around the region.
+  window: [number, number, number, number] | null;
 }
 
 /** Designs as dots over two of their quantities, in the order of drawing. The values must be finite. */
@@ -316,9 +316,9 @@ export interface Session {
   contactPoint(rotation1Deg: number): Record<string, unknown> | Failed;
   /** The gap on the flank of gear 1 at one position, for tooth pair k (`tooth` of a position). */
   gapMap(rotation1Deg: number, k: number, rows?: number, columns?: number): FlankRaster | Failed;
-  /** The least gap during a mesh at each point of both flanks, which shows the pattern of the marking compound.
-   *  Of a rack and its pinion, there is only the flank of the pinion. If the halves of a double-helical pair
-   *  differ, both flanks of the half at z < 0 follow. */
+  /** The least gap at each point of both flanks while the gears rotate, which shows the pattern of
+   *  the marking compound. For a rack and its pinion, only the flank of the pinion is returned. If
+   *  the halves of a double-helical pair differ, both flanks of the half at z < 0 follow. */
   pattern(positions: number, rows?: number, columns?: number): Work<FlankRaster[]> | Failed;
   /** The peak-to-peak transmission error as a function of two errors, which are keys of [errors]. */
   errorMap(x: ErrorAxis, y: ErrorAxis, positions?: number): Work<ErrorMap> | Failed;

@@ -268,8 +268,9 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
       Eigen::Isometry3d errors = Eigen::Isometry3d::Identity();
       errors.translation() = contact->in_housing(0.0, 0.0);
       for (const int i : {0, 1, 2}) {
-        // The map D between the housing frame and the frame N is its own inverse. A tilt M in N is
-        // therefore the rotation D M D in the housing frame. Its columns are computed one by one.
+        // The conversion D between the housing frame and the frame of the contact analysis, the
+        // function direction_in_housing(), is its own inverse. The tilt M of axis 1 in that frame
+        // is therefore D M D in the housing frame. The columns of D M D are computed one by one.
         const Vec3 axis = contact->direction_in_housing(
             contact->tilt() * contact->direction_in_housing(Vec3::Unit(i)));
         errors.linear().col(i) = axis;
@@ -278,7 +279,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
     }
     return pose_row(x);
   }
-  // For a rack, rotations are travel divided by the reference radius of the pinion.
+  // If gear 2 is a rack, its rotation is its travel divided by the reference radius of the pinion.
   Angle rotation2 = job_.rack ? rotation1 : std::abs(1.0 / job_.pair->gear_ratio()) * rotation1;
   if (contact) {
     const auto p = touch(rotation1_deg);

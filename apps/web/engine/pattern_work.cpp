@@ -1,4 +1,4 @@
-// Computes the pattern and the map over two errors in steps.
+// Computes the contact pattern, and the map of the transmission error over two errors, in steps.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -20,7 +20,7 @@ class PatternWork : public Work {
       : Work(std::move(session)), positions_(positions), size_(size) {}
 
   // The first step uses a sixteenth of the nodes, the second step a quarter, and the third step all
-  // of them. All three together take only a third longer than the last one.
+  // of them. All three together take at most a third longer than the third step alone.
   Result<Steps> step(double) override {
     constexpr int kSteps = 3;
     if (next_ == kSteps) return Steps{kSteps, kSteps, true};

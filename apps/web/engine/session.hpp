@@ -40,7 +40,7 @@ struct MeshView {
 struct ShiftView {
   double width = 560.0;          ///< px
   double aspect = 1.25;          ///< width over height of the plot
-  std::optional<Bounds> window;  ///< range of (x1, x2); by default that of the region
+  std::optional<Bounds> window;  ///< range of (x1, x2); by default around the region
 };
 
 class Session : public std::enable_shared_from_this<Session> {
@@ -64,16 +64,18 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<Json> pose(int gear, double rotation1_deg, bool nominal);
 
   Result<ContactCurve> contact_curve(int positions);
-  /// Figures of the transmission error, the spectrum, and both flanks at one position. Some may be missing.
+  /// Figures of the transmission error, the spectrum, and both flanks at one position. A figure
+  /// without data is omitted.
   Result<Json> contact_figures(const ContactView& view);
   /// The contact at one position as JSON, with the keys of contact.positions.
   Result<std::string> contact_point(double rotation1_deg);
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
-  /// The patterns on both gears, or on the pinion of a rack. If the halves of a double-helical pair differ, the
-  /// patterns of the half at z < 0 follow.
+  /// The patterns on both gears, or on the pinion of a rack. If the halves of a double-helical pair
+  /// differ, these are the patterns of the half at z > 0, and the patterns of the other half
+  /// follow.
   Result<std::vector<FlankRaster>> pattern(int positions, const RasterSize& size);
-  /// The transmission error over a pitch with other values of two errors, whose indices in
-  /// error_entries() are `keys`, rad.
+  /// The transmission error over a pitch, rad, if two errors are replaced by `values`. `keys` are
+  /// the indices of these errors in error_entries().
   Result<std::vector<double>> te_under(const std::array<std::size_t, 2>& keys,
                                        const std::array<double, 2>& values, int positions);
   double marking() const { return job_.spec.contact.marking; }

@@ -25,7 +25,8 @@ export function materials(): NamedMaterial[] {
   return whole.materials;
 }
 
-/** For tables of keys: results whose quantities have the same words. A result with the same name needs no row. */
+/** For a table of keys, the tables of results that contain its quantities. By default, this is the
+ *  table with the same name. */
 const kResultsOf: Record<string, string[]> = {
   material: ["rating"],
   rating_plastic: ["rating"],

@@ -253,7 +253,7 @@ export type Questions = typeof questions;
 const overtaken = new Set<number>();
 const running = new Map<string, number>();
 const letThrough = new MessageChannel();
-/** Lets the waiting messages be handled. */
+/** Returns a promise that resolves after the waiting messages have been handled. */
 const moment = () =>
   new Promise<void>((go) => {
     letThrough.port1.onmessage = () => go();

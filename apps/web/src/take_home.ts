@@ -1,4 +1,4 @@
-// Downloads of the files that the program writes. The same code makes them.
+// Downloads of files. The engine makes them with the same code as the program.
 
 import type { FileKind } from "../engine/engine";
 import { button, download, fill, foldOut, h, sentenceOf } from "./elements";

@@ -79,7 +79,7 @@ inline ParallelPair two_and_sixty(double face_width = 17.5) {
   return sample_pair(std::move(pinion), std::move(wheel), distance);
 }
 /// A pinion with 18 teeth in an internal gear with 60 teeth, which was cut by a cutter with 20
-/// teeth. The centre distance differs by only 0.05 mm from the one without backlash.
+/// teeth. The centre distance differs from the backlash-free centre distance by only 0.05 mm.
 inline ParallelPair pinion_in_cut_ring() {
   CylindricalSpec cutter = testing::plain_spec({.teeth = 20, .module = 2, .face_width = 20});
   cutter.straight_rack().addendum = 1.25;
@@ -106,8 +106,8 @@ inline Gear gear_as_itself(int teeth, double base_diameter, double base_thicknes
   return std::move(gear).take();
 }
 
-/// Two gears mounted at a shaft angle. The centre distance is `more` greater than the one without
-/// backlash.
+/// Two gears mounted at a shaft angle. The centre distance exceeds the backlash-free centre
+/// distance by `more`.
 inline CrossedPair crossed_sample_pair(Gear gear_1, Gear gear_2, double shaft_angle_deg,
                                        double more = 0.0, std::optional<double> friction = {}) {
   const auto nominal = base_pair(gear_1, gear_2);

@@ -1,4 +1,4 @@
-// One field of the form: a key of the catalogue at a place of the spec.
+// One field of the form. It shows the value of one key at one path of the spec.
 //
 // The user types a number, changes it with the arrow keys, or moves a slider. While a field has the focus,
 // the note below its row shows the meaning of the key, its range, and a slider around the value. The note

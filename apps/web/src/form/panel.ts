@@ -11,7 +11,7 @@ import { columnHeads, Rows } from "./row";
 export interface PanelGroup {
   title: string;
   table: string; // table of the catalogue
-  places: string[]; // places of this table in the spec
+  places: string[]; // paths of this table in the spec
   keys: string[];
 }
 

@@ -74,7 +74,7 @@ function titleOf(name: string): string {
   return kTitles[name] ?? name.charAt(0).toUpperCase() + name.slice(1).replaceAll("_", " ");
 }
 
-/** The name of the table at a place. The table of a rack depends on the kind of the rack. */
+/** The name of the table for a key. The table of a rack depends on the kind of the rack. */
 function tableAt(key: InputKey, value: Json | undefined): string {
   if (key.tables.length < 2) return key.tables[0] ?? "";
   const kind = at(value ?? null, "kind");
@@ -136,7 +136,8 @@ export function planOf(spec: Json): Section[] {
   const sections: (Section | null)[] = [];
   const add = (one: Section | null) => sections.push(one);
   if (searching) add(section("search", "search", "search", ["search"], spec));
-  // A search computes the gears, and a drive names its own, so the form shows only those that the text contains.
+  // A search computes the gears, and the gears of a drive have other tables, so the form shows only
+  // the gears that the text contains.
   const drive = ["planetary", "stage", "drive"].some((name) => at(spec, name) !== undefined);
   const fixed = searching || drive ? gears.filter((gear) => at(spec, gear) !== undefined) : gears;
   const gear = section("gear", "gear", "gear", fixed, spec);

@@ -1,5 +1,5 @@
-// A row of the form for one key of the catalogue, with a field for each of its places. Below the fields is
-// the note of the field that has the focus.
+// A row of the form for one key of the catalogue, with a field for each gear or table that has the
+// key. Below the fields is the note of the field that has the focus.
 
 import type { InputKey } from "../../engine/engine";
 import { quantity, wordsOf } from "../catalogue";
@@ -67,7 +67,7 @@ export class Rows {
   clear(): void {
     this.fields = [];
   }
-  /** Adds a row for each key of a table. `places` are the places of this table in the spec, such as
+  /** Adds a row for each key of a table. `places` are the paths of this table in the spec, such as
    *  ["gear1.bore", "gear2.bore"] for "bore". */
   add(table: string, keys: InputKey[], places: string[]): HTMLElement {
     return h("div", { class: "rows" }, ...keys.flatMap((key) => this.row(table, key, places)));

@@ -10,7 +10,7 @@ import { at, bench } from "../workbench";
 
 type Tree = { [key: string]: Json };
 interface Tolerance {
-  place: string; // place of the range, or of a radius
+  place: string; // path in the spec of the range or the radius
   table: string; // table of the key in the catalogue
   key: InputKey;
 }
