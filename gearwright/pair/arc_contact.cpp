@@ -120,8 +120,8 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   at.radius_convex = std::hypot(A, B);
   const double x_c = height(in.concave, theta);
   at.radius_concave = std::hypot(r_c - x_c, x_c * cot * s);
-  // Both points must have the same z, so r_c φ_c tan λ = r_v φ_v tan λ + difference, with
-  // φ_c′ = φ_c + μ. [T7.18], [T8.23]
+  // Both points must have the same z, so r_c φ_c tan λ = r_v φ_v tan λ + `ahead` with φ_v = μ. The
+  // concave gear is ahead by φ_c + μ. [T7.18], [T8.23]
   const double ahead = axial(in.convex, theta, lambda) - axial(in.concave, theta, lambda);
   at.rotation_offset = Angle::radians((r_v * mu + ahead * c / s) / r_c + mu);
 

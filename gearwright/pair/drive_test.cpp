@@ -18,8 +18,8 @@ ParallelPair mounted(const testing::SamplePair& p, double more = 0.0) {
       p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + more}));
 }
 
-// [T6.15]: gear 2 presses against the normal that points out of gear 1. The tangential force is the
-// moment about axis 1 divided by the working pitch radius.
+// [T6.15]: the force on gear 1 is opposite to the normal that points out of gear 1. The tangential
+// force is the moment about axis 1 divided by the working pitch radius.
 TEST(Drive, axial_force_is_that_of_the_contact_normal) {
   for (const int z2 : {41, -61}) {
     for (const double beta : {12.0, -20.0}) {

@@ -43,7 +43,7 @@ double scanned(const ParallelPair& p) {
   const double z1 = g1.spec.teeth, z2 = g2.spec.teeth;
   double least = std::numeric_limits<double>::infinity();
   for (int i = -2000; i <= 2000; ++i) {
-    // At rest, the space of gear 1 that is half a pitch above tooth 0 meets tooth 0 of gear 2.
+    // At rest, tooth 0 of gear 2 lies in the space of gear 1 that is half a pitch above tooth 0.
     const double turn_2 = std::numbers::pi / z2 * i / 1000;
     const double turn_1 = -turn_2 * z2 / z1;
     for (const double side : {-1.0, 1.0}) {
@@ -61,9 +61,9 @@ double scanned(const ParallelPair& p) {
   return least;
 }
 
-// The scan is never too small. It is too large by at most half a step of the fillet and half a step
-// of the corner. There are 2000 steps on 1.5 mm of the fillet, and 2000 on the 1.5 mm that the
-// corner moves through a space.
+// The scanned distance is never too small. It is too large by at most half a step of the fillet and
+// half a step of the corner. There are 2000 steps on 1.5 mm of the fillet, and 2000 on the 1.5 mm
+// that the corner moves through a space.
 TEST(FilletClearance, agrees_with_a_scan) {
   for (const auto& [z1, z2, fillet] : {std::tuple{20, 40, 0.38}, {30, 30, 0.25}, {17, 90, 0.38}}) {
     const ParallelPair p = mounted(filleted(z1, 0.0, fillet), filleted(z2, 0.0, fillet), z1 + z2);

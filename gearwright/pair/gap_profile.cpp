@@ -26,8 +26,8 @@ ProfilePlace place_of(const CurvePoint& p) {
           p.curvature};
 }
 
-// Distance along the circle of curvature to the radius ρ. If the circle does not reach ρ, the
-// distance is measured straight towards it.
+// Distance along the circle of curvature to the radius ρ. If the circle does not reach ρ, it is the
+// Newton step for ρ² along the tangent.
 double way_to(const ProfilePlace& p, double curvature, double rho) {
   const double c0 = (p.rho - rho) * (p.rho + rho);
   const double root = p.s * p.s - (1.0 + curvature * p.q) * c0;

@@ -22,9 +22,8 @@ struct ProfilePlace {
 /// A convex corner of the outline, which the mating gear's outline may touch.
 struct ProfileCorner {
   double rho, theta;
-  ArcName
-      name;  ///< the arc that begins at the corner, or the arc before the corner if that arc is a
-             ///< land
+  ArcName name;  ///< the arc that begins at the corner; if it is a land, the arc that ends at the
+                 ///< corner
 };
 
 /// An arc that is not a land. The distance from the gear's axis changes along it.
@@ -32,7 +31,7 @@ struct ProfileArc {
   const Arc* arc;
   double rho_root, rho_tip;  ///< radii of its two ends
   bool closed_form;          ///< true if the parameter of a radius has a closed form
-  /// Radii at even steps of u, for a first guess; filled on first use.
+  /// Places at even steps of u, for a first guess; filled on first use.
   static constexpr int kGuesses = 16;
   mutable std::vector<ProfilePlace> guesses = {};
 

@@ -5,7 +5,7 @@
 //   N    distance of the base tangent points in terms of ρ_1
 //   c_i = cos β_bi     ρ_2 = (N − σ ρ_1) c_2/c_1 (parallel axes: c_2 = c_1)
 //   X    distance of the pitch planes      z_L   offset of the line along the rack's teeth, mm
-//   s_i  axial place of the contact on gear i, mm, 0 on the common perpendicular
+//   s_i  axial position of the contact on gear i, mm, 0 on the common perpendicular
 //                                              theory: docs/theory/04-conjugate-action.md
 //
 // The rack's α_n and X describe every pair. On crossed axes, α_n follows from Σ, and X from a. On
@@ -99,8 +99,8 @@ void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   };
   m.rho1_true_begin = leaf::usable_begin(m.rho1_A, start(0));
   m.rho1_true_end = m.rho1_E;
-  // Without a form point, an external flank 2 ends at its base circle, and an internal flank has no
-  // end.
+  // If flank 2 has no form point, it ends at its base circle on an external gear, and it has no
+  // known end on an internal gear.
   if (in.root_form_radius[1] || m.sigma > T(0)) {
     const T rho2 = start(1) / m.base_cosine_ratio;
     m.rho1_true_end =

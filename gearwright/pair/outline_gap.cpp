@@ -1,4 +1,5 @@
-// All touches of two outlines, as families with one parameter. [T2.29]…[T2.33]
+// Searches families of touches of two outlines for the least gap. Each family has one parameter.
+// [T2.29]…[T2.33]
 //
 //   A, B   the moving gear, and the gear in whose frame A moves; either may be gear 1
 //   D      position of the moving point W of A relative to the axis of B, in the frame of the mesh
@@ -144,8 +145,8 @@ class ArcFamily {
   EnvelopePlace envelope(double u) const {
     const ProfilePlace p = arc_.at(u);
     const Position at = position(p);
-    // In terms of arc length, s′ = 1 + k q and τ′ = k. The slope of the envelope is multiplied by the
-    // sine of its angle, which is 0 where both branches meet, and by `scale`, because k is infinite
+    // In terms of arc length, s′ = 1 + k q and τ′ = k. The slope of the envelope is multiplied by
+    // |sin(τ + φ)|, which is 0 where both branches meet, and by `scale`, because k is infinite
     // where an involute begins. Along an involute s′ is 0 within rounding.
     const double scale = 1.0 / (1.0 + std::abs(p.curvature) * m_.pitch_radius);
     const double bend =
@@ -212,7 +213,7 @@ class CornerFamily {
       u_0_ = arc.u_at_radius(deepest_);
       if (!(u_0_ < 1.0)) reaches_ = false;
     } else {
-      // The zero of the straight line through the two ends.
+      // The zero of the straight line through the values at both ends.
       u_0_ = -at_root / (at_tip - at_root);
       t_0_ = std::sqrt(-u_0_ / (1.0 - u_0_));
     }
@@ -269,7 +270,8 @@ void collide_with_corners(const Motion& motion) {
   }
 }
 
-// Divides an arc of A into the parts that meet each arc of B, and searches the least gap of each part.
+// Divides an arc of A into parts that each meet one arc of B, and searches each part for its least
+// gap.
 void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch) {
   ArcFamily family(motion, arc, branch);
   const EnvelopeNodes nodes([&](double u) { return family.envelope(u); });

@@ -105,7 +105,8 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   return {CollisionCause::outline, 0};
 }
 
-// A sentence about a tip that projects beyond its involute, which explains the collision.
+// A sentence that explains the collision by a tip that projects beyond its involute; empty for
+// other causes.
 std::string bulge(const MountedGears& p, const Cause& cause) {
   if (cause.what != CollisionCause::tip_bulge) return "";
   const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
@@ -169,7 +170,7 @@ void deepest_first(std::vector<Collision>& collisions) {
                    [](const Collision& a, const Collision& b) { return a.depth > b.depth; });
 }
 
-// True if one of the collisions confirms the named finding.
+// True if one of the collisions confirms the finding.
 bool borne_out(const Interference& named, const std::vector<Collision>& collisions) {
   return std::any_of(collisions.begin(), collisions.end(), [&](const Collision& s) {
     if (named.code == WarningCode::trochoid) return s.cause == CollisionCause::trochoid;
@@ -182,8 +183,9 @@ bool is_of_a_circle(const Interference& named) {
   return named.code == WarningCode::form_circle || named.code == WarningCode::base_tangent;
 }
 
-// Relates overlaps to named findings. Every overlap gets a finding. A finding without overlap
-// becomes a contact beyond the flank if it is based on a circle, and is dropped otherwise.
+// Relates overlaps to the findings of interference.hpp. Every overlap gets a finding. A finding
+// without overlap becomes a contact beyond the flank if it is based on a circle, and is dropped
+// otherwise.
 void explain(InvolutePair& p) {
   std::vector<Interference> named = std::exchange(p.interference, {});
   const auto explained = [&](const Collision& s, const std::vector<Interference>& by) {
@@ -273,7 +275,8 @@ void find_overlap(InvolutePair& p, double saddle) {
   find_collisions(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base, saddle);
   // If a tip lies in a root, the outlines are not compared and all named findings remain.
   if (p.free_play) explain(p);
-  if (saddle > 0.0) p.free_play.reset();  // flanks that overlap beside the line leave less play
+  // Flanks that overlap beside the line of action have less play, which is not computed.
+  if (saddle > 0.0) p.free_play.reset();
 }
 
 }  // namespace gearwright::detail

@@ -140,8 +140,9 @@ TEST(MinDistanceSeries, golden_values) {
   }
 }
 
-// The least distance by bisection of sin α_t = sin α_n/cos β_b and the sum of the involutes. Shaft
-// angle and distance of the pitch cylinders follow from it.
+// Solves the equation of the least distance for α_n by bisection. The equation sums the involutes
+// of the angles α_t with sin α_t = sin α_n/cos β_b. Shaft angle and centre distance follow from
+// α_n.
 template <class T>
 struct Solved {
   T alpha, a, Sigma;
