@@ -95,8 +95,8 @@ struct Compensation {
 /// Differences of transmission error below this cannot be measured.
 constexpr Angle kSameError = Angle::arcseconds(0.001);
 
-/// A pair with a smaller peak to peak counts as free of error. At a radius of 50 mm, this angle is
-/// 2 nm, and no real flank is that smooth.
+/// A pair with a smaller peak to peak counts as free of error. At a radius of 50 mm, this angle
+/// corresponds to 2 nm, and no real flank is that smooth.
 constexpr Angle kQuiet = Angle::arcseconds(0.01);
 
 /// The default of w: a tenth of the peak to peak without corrections, but at least 0.1 arcsec. TE

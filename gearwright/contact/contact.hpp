@@ -50,8 +50,8 @@ std::optional<Angle> play_between(const ContactPoint& working, const ContactPoin
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
 
-/// The touches at n positions over one pitch. Gear 1 has the rotation `first` + i pitch/n at
-/// position i, in the housing's sense.
+/// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the housing
+/// is `first` + i pitch/n.
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n);
 
 /// Amplitudes of the orders 1, 2, … (at most 20) of the mesh frequency, for values of TE at equal

@@ -14,8 +14,8 @@
 
 namespace gearwright {
 
-/// The kind of place at which the teeth touch. A ridge is the line at which a linear relief starts,
-/// so that the slope of the flank jumps there.
+/// The part of a flank at which the teeth touch. A ridge is the line at which a linear relief
+/// starts, so that the slope of the flank jumps there.
 enum class TouchKind {
   none,
   interior,
@@ -96,7 +96,7 @@ bool on_edge(Transmission& transmission, const PairTouch& touch);
 
 /// Describes a touch.
 ///
-/// Units     mm; `rotation1` in the housing's sense
+/// Units     mm; `rotation1` is the rotation in the housing
 /// Accuracy  curvatures are exact at the computed point; ledger rows `contact.*`
 ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle rotation1,
                       double marking);

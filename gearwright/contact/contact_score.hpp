@@ -37,7 +37,8 @@ struct ContactCurve {
 /// TE and score of a pair over one pitch. The share of edges is computed if `edges` is true.
 ///
 /// Domain    positions ≥ 2 (contract)
-/// Accuracy  a peak to peak below 1e-9 arcsec and a place below 1e-9 are rounding errors, set to 0
+/// Accuracy  a peak to peak below 1e-9 arcsec and an h or p below 1e-9 are rounding errors, set to
+///           0
 ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target,
                            bool edges);
 

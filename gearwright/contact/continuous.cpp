@@ -17,7 +17,7 @@ constexpr double kSame = 1e-13;  // rad: two values of TE that differ by roundin
 constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
 constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
-constexpr double kNear = 0.08;   // of the patch: two crests of a wave are farther apart
+constexpr double kNear = 0.08;   // relative to the patch; two crests of a wave are farther apart
 // The curve of TE between the positions, from the branches that lead at the positions. The branch
 // with the greatest T at a rotation leads there.
 class Branches {
@@ -100,8 +100,8 @@ class Branches {
     double at_lo = ahead_in(begin);
     double at_hi = ahead_in(end);
     if (std::isnan(at_lo + at_hi)) return std::nullopt;
-    // TE jumps if a branch begins or ends ahead of the other one. The least value is then that on
-    // the low side of the jump.
+    // TE jumps if a branch begins or ends with a greater T than the other one. The least TE is then
+    // the value on the low side of the jump.
     if (at_lo <= kSame) return Handover{lo, {begin[0], PairTouch()}};
     if (at_hi >= -kSame) return Handover{hi, {end[1], PairTouch()}};
     int stays = 0;

@@ -41,8 +41,8 @@ std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int position
                                            const RasterSize& size = {},
                                            Progress* progress = nullptr);
 
-/// The gap of tooth pair k on the flank of gear 1, at the rotation `rotation1` in the housing's
-/// sense.
+/// The gap of tooth pair k on the flank of gear 1, at the rotation `rotation1` of gear 1 in the
+/// housing.
 FlankRaster gap_map(const ContactPair& pair, Angle rotation1, int k, const RasterSize& size = {});
 
 }  // namespace gearwright

@@ -24,7 +24,7 @@ TEST(Pattern, conjugate_flanks_touch_everywhere) {
     for (std::size_t i = 11; i < 22; ++i)
       for (std::size_t k = 13; k < 52; ++k) EXPECT_LT(r.at(i, k), g == 0 ? 5e-5 : 5e-4);
   }
-  EXPECT_TRUE(std::isinf(rasters[0].at(16, 0)));  // z = −10 beyond the mating gear's −9
+  EXPECT_TRUE(std::isinf(rasters[0].at(16, 0)));  // z = −10; the face of gear 2 ends at −9
 }
 
 // The narrower gear 2 touches up to its faces.

@@ -8,7 +8,7 @@ namespace gearwright {
 
 struct RemovalTurn {
   double te;                    ///< ∂T*  rad in N, per mm removed
-  double u, z;                  ///< the place, as arguments of the gear's RemovalField
+  double u, z;                  ///< the point, as arguments of the gear's RemovalField
   RemovalField::Piece piece{};  ///< piece of the patch; empty without a field
 };
 

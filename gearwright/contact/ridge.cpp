@@ -105,7 +105,7 @@ ContactRidge ridge_at(Transmission& transmission, const PairTouch& touch) {
   const bool of_u = bound % 4 < 2;
   const FlankPatch& here = gear == 1 ? field.one() : field.two();
   bool below = bound % 2 == 0;
-  // The bound limits s, and u decreases with s here.
+  // The bound limits s. If u decreases with s, the lower bound of s is the upper bound of u.
   if (gear == 1 && of_u && !here.profile.grows()) below = !below;
   const int other = across(pair.patches(gear), here, of_u, below);
   const auto n = static_cast<int>(pair.patches(2).size());

@@ -11,9 +11,9 @@ namespace gearwright {
 
 namespace {
 
-// A track ends where T decreases and is less than T of another pair by more than this limit, rad. T
-// of a whole convex flank has only one maximum. With patches or concave flanks, another maximum may
-// follow, so the limit is greater.
+// A tooth pair is followed until its T decreases and is less than T of another pair by more than
+// this limit, rad. T of a whole convex flank has only one maximum. With patches or concave flanks,
+// another maximum may follow, so the limit is greater.
 constexpr double kBelow = 1e-5;
 constexpr double kFarBelow = 2e-3;
 
@@ -27,10 +27,10 @@ bool wins(const Touch& t, double phi, const PairTouch& best) {
   return std::abs(phi) < std::abs(best.phi);
 }
 
-// Predicts the place of the next touch by the polynomial through the last four places at equal
-// steps. If the active bounds change, the path of the touches bends, and only places after the
-// change and one before it are used. Each additional order of the polynomial saves a step of the
-// search.
+// Predicts the point of the next touch by the polynomial through the last four touches at equal
+// steps. If the active bounds change, the path of the touches has a kink. Then only the touches
+// after the change and one before it are used. Each additional order of the polynomial saves a step
+// of the search.
 class PlaceAhead {
  public:
   explicit PlaceAhead(const Touch& t) { add(t); }
@@ -202,7 +202,7 @@ class Transmission::Track {
 
   // Records a touch. Returns false if its T is well below T of another pair.
   bool offer(int m, const Touch& t) {
-    // Position m of pair 0 is position i of pair k.
+    // Position m of pair 0 is position i of pair k = (i − m)/n.
     const int i = ((m % n_) + n_) % n_;
     count_step(all_.progress_);
     PairTouch& b = best_[static_cast<std::size_t>(i)];

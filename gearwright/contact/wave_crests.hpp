@@ -1,9 +1,9 @@
-// The places at which teeth with form waves can touch, in closed form. Each wave has several
+// The points at which teeth with form waves can touch, in closed form. Each wave has several
 // crests, so T has many local maxima, and a search of the whole flank from scratch costs hundreds
 // of evaluations.
 //
 //   ridge    the greatest T over the profile, as a function of the height z
-//   x, y     place on flank 1 along s and z, −1 to 1 over the part that lies opposite flank 2
+//   x, y     point of flank 1: s and z, scaled to −1 … 1 over the part that lies opposite flank 2
 //   φ        rotation of gear 1 at which the smooth flanks have their ridge at (x, y)
 //                                    theory: docs/theory/08-contact.md, [T8.28]
 //
@@ -35,8 +35,8 @@ class WaveCrests {
     double te;    ///< T  rad, as estimated
     double s, z;  ///< on flank 1
   };
-  /// The crests of tooth pair 0 at a rotation, in order of z. Those whose T cannot reach `least`
-  /// may be missing.
+  /// The crests of tooth pair 0 at a rotation, in order of z. Crests that cannot reach a T of
+  /// `least` may be missing.
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
