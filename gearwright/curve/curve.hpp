@@ -54,8 +54,8 @@ const Kind& curve_as(const Curve& curve) {
   return *known;
 }
 
-/// Calls `visit` with a pointer to the first of the listed classes of which the curve is an instance. If
-/// there is none, calls `visit` with a pointer to the curve itself.
+/// Calls `visit` with the curve as a pointer to the first of the listed classes to which it
+/// belongs. If it belongs to none of them, `visit` gets a pointer to the base class Curve.
 template <class Kind, class... Others, class Visitor>
 auto visit_curve(const Curve& curve, const Visitor& visit) {
   if (const Kind* known = curve_if<Kind>(curve)) return visit(known);
