@@ -14,7 +14,7 @@ struct SymmetricEigen {
   Eigen::Matrix2d vectors;  ///< unit vectors in columns, in the order of the values
 };
 
-/// Eigenvalues and eigenvectors of m, of which only the lower triangle is read.
+/// Eigenvalues and eigenvectors of m. Only the lower triangle of m is read.
 SymmetricEigen symmetric_eigen(const Eigen::Matrix2d& m);
 
 /// The solution x of a·x = b, by elimination with complete pivoting. If `a` is singular, the unknowns

@@ -2,7 +2,7 @@
 // Newton's iteration within a bracket. All real roots of a polynomial on an interval.
 //
 // A solver returns its final x, the residual, the number of evaluations and the reason for
-// stopping. Because of the bracket, it needs no start value and cannot diverge.
+// stopping. Because of the bracket, it cannot diverge.
 #pragma once
 
 #include <cmath>
