@@ -59,9 +59,9 @@ struct InvoluteTeeth {
 struct ArcTeeth {
   RackOfArcs rack;                            ///< in modules
   std::optional<double> reference_thickness;  ///< s_n  mm, with the allowance
-  Angle flank_begin;                          ///< τ at the root end of the flank arc; if there are
-                                              ///< several flank arcs, of the undercut one or else
-                                              ///< of the lowest one
+  Angle flank_begin;                          ///< τ at the root end of the flank arc. If there are
+                                              ///< several, it is the undercut arc, or the lowest
+                                              ///< arc if none is undercut
   std::optional<Angle> undercut_limit;        ///< τ of the cusp of this arc, if it has a cusp
 };
 
