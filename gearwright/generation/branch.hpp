@@ -59,13 +59,15 @@ struct ToothEnds {
 /// Joins the branches and ends them at the tip. `tooth` contains root_radius and the requested
 /// fillets, and the function sets all other members. Severed teeth have no outline.
 ///
-/// Errors    `tip_diameter_mm` if the blank leaves no tooth above the root; `cut_by` if the branches
-///           of a pinion cutter do not join; `root_fillet.offset_mm` or `tip_fillet` if no flank is left
+/// Errors    `tip_diameter` if the blank leaves no tooth above the root; `cut_by` if the branches
+///           of a pinion cutter do not join; `root_fillet.offset` or `tip_fillet` if no flank is
+///           left
 Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const ToothEnds& ends,
                                     GeneratedTooth tooth);
 
-// Joins branches to the outline of the tooth.
-// end of the preceding branch, so the chain represents the half angle as a function of the height.
+// Joins branches to a chain. A chain is a list of branches in order of height. Each branch begins
+// at the end of the preceding branch, so the chain represents the half angle as a function of the
+// height.
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 
 /// Returns the chain up to the tip, for branches in the order of the cutter's edge from root to tip. The

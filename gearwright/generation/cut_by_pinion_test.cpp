@@ -1,5 +1,5 @@
-// Tests gears cut by a pinion cutter. They are conjugate to the cutter, approach the gear cut by a
-// rack if the cutter is large, and cover every flag and error.
+// Tests gears cut by a pinion cutter. They are conjugate to the cutter, and with a large cutter
+// they approach the gear cut by a rack. Every flag and error is tested.
 //
 //   z_0, x_0   the cutter's teeth and shift      E   generating centre distance, module 1
 #include "gearwright/generation/cut_by_pinion.hpp"
@@ -172,10 +172,9 @@ TEST(CutByPinion, approaches_the_rack) {
   }
 }
 
-// At the reference distance, rack, cutter and gear roll on one pitch point. There, the cutter has
-// the same effect as the rack that is its counterpart, for any number of cutter teeth. The
-// condition is that the cutter has the whole edge of its rack, from the end of the flank at τ = α
-// on.
+// At the reference distance, rack, cutter and gear roll with a common pitch point. The cutter then
+// has the same effect as its counterpart rack, for any number of cutter teeth. This requires that
+// the cutter has the whole edge of its rack, beginning with the end of the flank at τ = α.
 TEST(CutByPinion, at_the_reference_distance_it_is_the_rack) {
   StraightRack rack;
   rack.root_fillet_radius = 0.25;

@@ -30,7 +30,7 @@ bool normal_meets_centrode(const CutterPiece& piece, double t) {
 
 constexpr int kCells = 2000;
 
-// Samples slightly inside the ends, where the normal lies on the line of centres.
+// Samples slightly inside the piece, because at its ends the normal lies on the line of centres.
 double sample(const CutterPiece& piece, int i) {
   return piece.at(1e-9 + (1.0 - 2e-9) * i / kCells);
 }

@@ -38,8 +38,8 @@ std::vector<Envelope> envelopes() {
   return all;
 }
 
-// The point of the cutter's edge, turned into the gear, is the point of the envelope. There the
-// normal of the edge passes through the pitch point.
+// A point of the envelope is the point of the cutter's edge in the frame of the gear, at the
+// rotation at which the normal of the edge passes through the pitch point.
 TEST(RackTrochoid, points_are_cut_when_the_normal_meets_the_pitch_point) {
   for (const auto& [motion, circle] : envelopes()) {
     const RackTrochoid curve(motion, circle);
