@@ -39,7 +39,7 @@ TEST(Drive, axial_force_is_that_of_the_contact_normal) {
   }
 }
 
-// [T6.14]: with this face width, the total contact ratio is the requested one.
+// [T6.14]: with this face width, the total contact ratio has the requested value.
 TEST(Drive, a_face_gives_the_contact_ratio_asked_for) {
   auto sample = testing::involutes(20, 41, 15);
   const double total = 2.7;

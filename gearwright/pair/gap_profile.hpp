@@ -36,7 +36,8 @@ struct ProfileArc {
   mutable std::vector<ProfilePlace> guesses = {};
 
   ProfilePlace at(double u) const;
-  /// The place at a radius. A radius beyond an end of the arc gives that end.
+  /// The point of the arc at a radius. If the radius lies beyond an end of the arc, this end is
+  /// used.
   ///
   /// Accuracy  as accurate as the points of the curve, because the last step runs along the circle of
   ///           curvature and is shorter than 2e-6 of the radius of this circle

@@ -122,8 +122,8 @@ Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const P
 
 /// Mounts two involute gears. Faults of the mesh are results, not errors.
 ///
-/// Domain    a place of involute_place, without a shaft angle for mount_parallel and with one for
-///           mount_crossed (contract)
+/// Domain    a position from involute_place, without a shaft angle for mount_parallel and with a
+///           shaft angle for mount_crossed (contract)
 /// Errors    `pair.center_distance` if there is no working pressure angle
 Result<ParallelPair> mount_parallel(Gear gear_1, Gear gear_2, const PairPlace& place,
                                     std::optional<double> friction = {});

@@ -52,8 +52,9 @@ struct Mesh {
   T base_cosine_ratio;      ///< c_2/c_1
   T line_cosine;            ///< c_1 on crossed axes, where the line of action is not in the
                             ///< transverse section; 1 on parallel axes
-  T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< tip 2, E − step, pitch point 1, A + step, tip 1;
-                                             ///< negative beyond the base tangent point
+  T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< ρ_1 at A (tip 2), B = E − step, C (pitch point),
+                                             ///< D = A + step, E (tip 1); < 0 beyond the base
+                                             ///< tangent point
   T path_length;  ///< ρ_1E − ρ_1A: g_α on parallel axes, AE cos β_b1 on crossed axes
   T step;         ///< increase of ρ_1 per pitch: p_bt on parallel axes, p_bn cos β_b1 on crossed
                   ///< axes
@@ -157,7 +158,7 @@ RackAngles<T> working_angles(const MeshInput<T>& in) {
                         : angles_at_parallel_distance(in.gears, in.center_distance);
 }
 
-/// The mesh of the input.
+/// Computes all quantities of the mesh.
 ///
 /// Formula   X = σ (a − r_2) − r_1 or 0, j_bn = 2 X sin α_n − Q, [T4.17]; L, [T4.19];
 ///           path, [T4.18]…[T4.21]

@@ -1,7 +1,7 @@
 // Searches families of touches of two outlines for the least gap. Each family has one parameter.
 // [T2.29]…[T2.33]
 //
-//   A, B   the moving gear, and the gear in whose frame A moves; either may be gear 1
+//   A, B   the two gears; A moves in the frame of B, and either may be gear 1
 //   D      position of the moving point W of A relative to the axis of B, in the frame of the mesh
 //   ψ      angle of this point in the space of B, from the middle of the space
 //   g = π/z_B − θ_B(|D|) − |ψ|   gap as a turn of B; multiplied by z_1/z_2 if B is gear 1

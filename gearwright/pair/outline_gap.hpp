@@ -16,7 +16,7 @@
 
 namespace gearwright {
 
-/// The place of a touch on an outline: on an arc, or at the corner that has the name of that arc.
+/// The position of a touch on an outline: an arc, or the corner that has the name of this arc.
 struct OutlinePlace {
   ArcName arc;
   bool corner;

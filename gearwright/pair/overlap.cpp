@@ -135,8 +135,9 @@ Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early)
                       part(touch, 1), part(touch, 2), early, at(touch), bulge(p, cause))};
 }
 
-// The collision of a tip that reaches below the mating gear's root circle. It is on the centre
-// line. In a crossed internal pair, it is at an end of a face, and no place is given.
+// The collision of a tip that reaches below the mating gear's root circle. The tip is deepest on
+// the centre line or, in a crossed internal pair, at an end of a face. In the latter case, the
+// position is not given.
 Collision in_root(const MountedGears& p, int tip) {
   const auto i = static_cast<std::size_t>(tip - 1);
   const double depth = -p.tip_clearance[i];
@@ -273,7 +274,7 @@ void find_collisions(MountedGears& p, double half_play, double normal_play, doub
 void find_overlap(InvolutePair& p, double saddle) {
   if (!p.gears[0].tooth || !p.gears[1].tooth) return;
   find_collisions(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base, saddle);
-  // If a tip lies in a root, the outlines are not compared and all named findings remain.
+  // If a tip lies in a root, the outlines are not compared, and all findings remain.
   if (p.free_play) explain(p);
   // Flanks that overlap beside the line of action have less play, which is not computed.
   if (saddle > 0.0) p.free_play.reset();

@@ -308,7 +308,7 @@ TEST(MinDistanceSeries, example_of_the_paper) {
   EXPECT_NEAR(pitch_sum(spur), 50.021221346874135, 1e-9);
   EXPECT_NEAR(helix_sum(spur), 90.02570080716839, 1e-9);
   EXPECT_NEAR(*s.corrected_virtual_pressure_angle() / kDegree, 18.705174053191552, 1e-9);
-  // The last column of the table prints 89°59′01″. This is Σ to first order, with the step of the
+  // The last column of the table prints 89°59′01″. This is Σ to first order, with the Δ of the
   // virtual pair.
   EXPECT_NEAR(s.shaft_angle(spur - s.alpha) / kDegree, 89 + 59 / 60.0 + 2.967 / 3600, 1e-6);
   EXPECT_NEAR(s.shaft_angle(s.L) / kDegree, 90 + 2 / 60.0 + 58.42 / 3600, 2e-6);

@@ -6,7 +6,9 @@
 //   a given (crossed axes)     none or two α_n, on either side of the least a          [T4.16]
 //   contact ratio ≥ 1          an interval of α_n                                      [T4.23]
 //
-//   g    the gear with the greater |β_b|     α = α_tg, its transverse pressure angle
+//   g, o   the gear with the greater |β_b|, and the other gear
+//   α      α_tg, the transverse pressure angle of g     C, S   cos β_b, sin β_b
+//   Q, K, X, u, τ   as in pair/common_rack.hpp     L   distance of the base tangent points along n
 //                                              theory: docs/theory/04-conjugate-action.md
 //
 // The unknown is α, because all quantities are smooth functions of α over 0 < α ≤ π/2, even where β_g
