@@ -28,7 +28,7 @@ struct ContactResult {
                                                         ///< lost
   Angle peak_to_peak;                                   ///< of TE, over the positions with contact
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
-  std::vector<Angle> harmonics;  ///< as harmonics(); empty if the caller gave rotations
+  std::vector<Angle> harmonics;  ///< result of harmonics(); empty if the caller gave rotations
   bool contact_lost = false;     ///< true if there is a position at which no tooth pair touches
   long unfinished = 0;           ///< searches that did not converge; normally 0
   RackTravel rack{};             ///< set if gear 2 is a rack

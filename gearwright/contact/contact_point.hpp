@@ -1,6 +1,7 @@
 // Describes a touch: its position on both gears and in the housing, its kind, and the curvatures of
 // the gap at the touch.
 //
+//   T         gap field of two flanks (gap_field.hpp)     TE   greatest T, the transmission error
 //   k1 ≤ k2   curvatures of the gap, 1/mm: principal values of K2 − K1
 //   δ         thickness of the marking compound, mm
 //                                    theory: docs/theory/08-contact.md, [T8.15]…[T8.17]
@@ -56,7 +57,7 @@ struct ContactRidge {
     std::array<double, 2> curvature;  ///< principal curvatures of the gap on this side, 1/mm
   };
   std::array<Side, 2> side;  ///< the first is the side of smaller diameter or height
-  bool by_height = false;    ///< true for an end relief, whose sides differ by their height
+  bool by_height = false;    ///< true if the two sides differ by height, false if by diameter
 };
 
 /// Converts rotations of gear 2 to travel if gear 2 is a rack. Results contain the travel of a rack

@@ -29,8 +29,8 @@ class Branches {
         step_(transmission.pair().turned() * transmission.pair().pitch() /
               static_cast<double>(touches.size())) {}
 
-  // The touch at position i. Positions outside the pitch repeat those inside, with the same number
-  // of the tooth pair.
+  // The touch at position i. Positions outside the pitch repeat the positions inside, with
+  // unchanged numbers of the tooth pairs.
   const PairTouch& at(long i) const {
     const auto n = static_cast<long>(touches_.size());
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
@@ -298,7 +298,7 @@ double span_slope(Transmission& transmission, const CurveExtremes& extremes,
   if (b.found()) {
     const double of_a = rotation_slope(transmission, a);
     const double of_b = rotation_slope(transmission, b);
-    // Branches with equal slopes have no single crossing, so the slope of the first one is used.
+    // Branches with equal slopes have no single crossing, so the slope of the first branch is used.
     if (of_a != of_b) bottom = (of_a * slope(b) - of_b * bottom) / (of_a - of_b);
   }
   return slope(extremes.top) - bottom;

@@ -1,4 +1,5 @@
-// The effect of material removed from a flank on the gap angle.
+// The effect of material removed from a flank on the gap field T (gap_field.hpp), in the frame N of
+// contact_pair.hpp.
 //                                    theory: docs/theory/08-contact.md, [T8.7], [T8.10]
 #pragma once
 

@@ -49,8 +49,8 @@ ContactRidge::Side side_of(const GapJet& j) {
   return {arm * slope.norm(), {eigen.values[0], eigen.values[1]}};
 }
 
-// The curvature of the gap along the curve c = const of the surface, at a place where T is
-// stationary along that curve.
+// The curvature of the gap along the curve c = const of the surface, at a point at which T is
+// stationary along this curve.
 double curvature_along(const GapJet& j, const Vec2d& c, const Mat2d& c_bend) {
   const Vec2d t(-c[1], c[0]);
   const double mu = -Vec2d(j.t.s, j.t.z).dot(c) / c.squaredNorm();

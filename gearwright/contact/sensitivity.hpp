@@ -1,9 +1,11 @@
 // Exact derivatives of transmission error and contact point with respect to every error and every
 // modification.
 //
-//   e          an error, or an amount of a modification
+//   e          an error, or an amount of a modification     T, φ2*   as in gap_field.hpp
+//   c_j, μ_j   active bounds of the touch and their multipliers (touch.hpp)
+//   H          Hessian of T with respect to s and z     N   frame of contact_pair.hpp
 //   p = ∂φ2*/∂e at a fixed point of flank 1, with its derivatives with respect to s and z
-//   ∂TE/∂e  = p + Σ μ_j ∂c_j/∂e      over the active bounds c_j of flank 2, which move with e
+//   ∂TE/∂e  = p + Σ μ_j ∂c_j/∂e      over the active bounds of flank 2, which move with e
 //   ∂(s,z)/∂e = −H⁻¹ ∇p              inside the flanks; otherwise along the active bounds
 //                                    theory: docs/theory/08-contact.md, [T8.10]
 #pragma once

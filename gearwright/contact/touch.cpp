@@ -122,7 +122,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
   detail::StepProblem p;
   const double ks = scale_.s_half;
   const double kz = scale_.z_half;
-  // The merit of a place is T minus an exact penalty for violated bounds.
+  // The merit of a point is T minus an exact penalty for violated bounds.
   double price = 0.0;
   const auto merit = [&](const GapJet& at) {
     double broken = 0.0;
@@ -269,10 +269,10 @@ bool TouchSearch::uneven() const {
   return has(field_.one()) || has(field_.two());
 }
 
-// T varies slowly along the line of contact and rapidly across it. The greatest values of T in each
-// section are therefore computed first, by Newton steps along the profile from each row that
-// exceeds its neighbours. The searches then start from the values that exceed those of the
-// neighbouring sections.
+// T varies slowly along the line of contact and rapidly across it. The maxima of T in each section
+// are therefore computed first, by Newton steps along the profile from each row with a greater T
+// than its neighbours. A search then starts from each of these maxima that no neighbouring section
+// exceeds.
 std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
   constexpr int kFine = 25;   // sections, eight for each of three waves over the face
   constexpr int kAcross = 7;  // rows

@@ -1,5 +1,5 @@
 // Computes where one flank touches another. D is the part of flank 1 that lies opposite flank 2,
-// and Newton steps with the eight bounds of D find the greatest T over D.
+// and Newton steps with the eight bounds of D find the greatest T (gap_field.hpp) over D.
 //
 //   s, z   point of flank 1, scaled to [−1, 1] internally
 //                                    theory: docs/theory/08-contact.md, [T8.9]

@@ -302,7 +302,7 @@ void Transmission::follow_all(int fields, double first, int n, std::vector<PairT
   }
 }
 
-// Searches every position from the crests that may be the highest ones. The lines of contact of all
+// Searches every position from the crests that may be the highest. The lines of contact of all
 // tooth pairs are examined first, beginning near the centre line, where teeth usually touch.
 void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best) {
   struct Start {
@@ -342,7 +342,7 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
     // Far beyond the path of contact, T is less than its estimate. Crests that were left out
-    // because of such an estimate may then be the highest ones.
+    // because of such an estimate may then be the highest.
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

@@ -66,7 +66,7 @@ Complex unit_of(const FlankPatch& f, double rate, double L) {
 }
 
 Complex turn_by(double angle) { return {std::cos(angle), std::sin(angle)}; }
-// As turn_by(), to the second order of the angle.
+// The value of turn_by() to second order in the angle.
 Complex turn_by_little(double angle) { return {1.0 - 0.5 * angle * angle, angle}; }
 
 }  // namespace

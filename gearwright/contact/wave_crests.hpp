@@ -2,12 +2,13 @@
 // crests, so T has many local maxima, and a search of the whole flank from scratch costs hundreds
 // of evaluations.
 //
+//   T, D     gap field (gap_field.hpp), and the part of flank 1 opposite flank 2 (touch.hpp)
 //   ridge    the greatest T over the profile, as a function of the height z
 //   x, y     point of flank 1: s and z, scaled to −1 … 1 over the part that lies opposite flank 2
 //   φ        rotation of gear 1 at which the smooth flanks have their ridge at (x, y)
 //                                    theory: docs/theory/08-contact.md, [T8.28]
 //
-// On involutes with parallel axes, φ, the T of the smooth flanks, and the place on flank 2 are
+// On involutes with parallel axes, φ, the T of the smooth flanks, and the point of flank 2 are
 // quadratic functions of x and of y up to a small fraction of a micron. They are interpolated from
 // nine exact ridges. The waves are added in closed form, with one Newton step along the profile.
 //
