@@ -57,7 +57,7 @@ TEST(Sensitivity, helix_slopes_at_a_face) {
   EXPECT_NEAR(s[2].te, 9.0 / 41.0, 1e-4);
 }
 
-// If gear 2 drives, rotations have the same sign, and errors have the opposite effect on TE.
+// If gear 2 drives, the other flanks touch, and an error has the opposite effect on TE.
 TEST(Sensitivity, of_the_other_flanks) {
   auto p = testing::involutes(20, 41, 0);
   const auto one = by(p, {{ErrorKind::center_distance}});

@@ -1,5 +1,5 @@
-// Compares the removal field with its formulas in long double, whose derivatives are computed by
-// differences. Tests borders, the continuation below the base circle, and errors.
+// Compares the removal field with its formulas, which are evaluated in long double and
+// differentiated by differences. Tests borders, the continuation below the base circle, and errors.
 #include "gearwright/gear/modifications.hpp"
 
 #include <gtest/gtest.h>

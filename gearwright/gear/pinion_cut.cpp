@@ -24,8 +24,8 @@ double shift_at(const Gear& cutter, int teeth, double roll_w) {
 }
 
 // ρ_a0, the tip rounding of the cutter. It is the radius of the circular tip fillet or, if the blank
-// reaches so far, the root rounding of the rack that cut the cutter. If a gear cut the cutter, there is
-// no rounding of constant radius.
+// reaches so far, the root rounding of the rack that cut the cutter. It is 0 for sharp tips, and
+// for a cutter that was itself cut by a pinion cutter, which has no rounding of constant radius.
 double tip_rounding(const Gear& cutter) {
   if (const auto& arc = cutter.tooth->tip_fillet) return arc->radius;
   const StraightRack& rack = cutter.spec.straight_rack();

@@ -48,7 +48,7 @@ CurvePoint CornerFan::at(double nu) const {
 
 struct PinionEnvelope::Contact {
   double s, q, w, kappa, turned;  // turned = ν − κ = ϑ
-  double curvature;               // k of the cutter's curve, in the direction of the walk
+  double curvature;               // k of the cutter's curve, followed from root to tip
   double lambda() const { return w - q; }
 };
 

@@ -26,7 +26,7 @@ Vec2 turned(const Vec2& v, double angle) {
 
 using testing::CutterPiece;
 
-// The normal that points out of the cutter, to the left of the walk.
+// The normal that points out of the cutter, to the left of the direction from root to tip.
 Vec2 normal_of(const CutterPiece& piece, double t) { return turned(piece.tangent(t), kPi / 2); }
 
 struct Cutter {

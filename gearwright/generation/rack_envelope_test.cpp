@@ -139,7 +139,8 @@ TEST(RackInvolute, base_circle_and_thickness) {
   }
 }
 
-// Every point of a line cuts the same point of the gear as a sharp corner at the same place would.
+// Every point of a line cuts the same point of the gear as a sharp corner with the same
+// coordinates.
 TEST(RackInvolute, roll_angle_finds_the_point_of_the_edge) {
   for (const RackMotion& motion : {kSpur, kHelical}) {
     const EdgeLine flank{k20Degrees, 1.57, -2.0, 3.0};

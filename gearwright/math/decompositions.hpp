@@ -23,7 +23,7 @@ SymmetricEigen symmetric_eigen(const Eigen::Matrix2d& m);
 /// Domain    a is square, and b has as many rows as a (contract)
 Eigen::VectorXd solve_linear(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-/// The x of least norm among those that minimise |a·x − b|.
+/// The x that minimises |a·x − b|. If there are several, it is the x of least norm.
 ///
 /// Domain    b has as many rows as a (contract)
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
