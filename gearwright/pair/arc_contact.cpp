@@ -21,7 +21,8 @@ double height_gap(const ArcMeshInput& in, double theta) {
 // Height of a point of the arc above the pitch plane, away from the convex gear.
 double height(const WorkingArc& arc, double theta) { return arc.radius * std::sin(theta) - arc.b; }
 
-// Axial position of the point cut at the angle φ of its gear, minus r φ tan λ. [T7.13]
+// The part of the axial position of a cut point that does not depend on the rotation φ of its gear.
+// The other part is r φ tan λ. [T7.13]
 double axial(const WorkingArc& arc, double theta, double lambda) {
   const double s = std::sin(lambda), c = std::cos(lambda);
   return arc.radius * std::cos(theta) * c - arc.a / c + arc.b / std::tan(theta) * s * s / c;
@@ -71,7 +72,8 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   if (!(s > 0.0 && s < 1.0)) return std::nullopt;
   const double first = std::asin(s);
   const double sin_lambda = std::sin(in.lead_angle.rad());
-  // [T7.16], with the difference of two squares written as a product, so that no digits cancel.
+  // The excess of the left side of [T7.16] over a². The difference of two squares is written as a
+  // product, so that no digits cancel.
   const auto excess = [&](double theta) {
     const double w = height_gap(in, theta);
     const double across = w / std::tan(theta) * sin_lambda;

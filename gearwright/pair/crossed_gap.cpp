@@ -144,7 +144,8 @@ GapOver outside(const TipMotion& motion, double distance) {
 GapOver inside(const TipMotion& motion, double limit) {
   const bool ring = side_of(motion.a().teeth) < 0.0;
   const double mesh = motion.start() + (ring ? 0.0 : kPi);
-  // The difference to the radius `limit`, negative on the side of the teeth of B.
+  // Radial distance of a point from the radius `limit` of B; negative on the side of the teeth of
+  // B.
   const auto beyond = [=, &motion](double psi, double z) {
     const Vec3 q = motion.in_b(mesh + psi, z);
     const double rho = std::hypot(q.x(), q.y());

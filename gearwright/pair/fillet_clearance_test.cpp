@@ -27,9 +27,10 @@ Gear filleted(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0)
   return testing::taken(make_gear(s));
 }
 
-// Computes the distance from 2000 points of the fillet of gear 1 and 4000 positions of the corner
-// of gear 2. The fillet is the upper one of a space, in the frame of gear 1 in which tooth 0 lies
-// on the x axis. The pair has no backlash, so both flanks touch and no play is considered.
+// Computes the least distance between 2000 points of the fillet of gear 1 and 4000 positions of the
+// corner of gear 2. The fillet is on the side y > 0 of tooth 0, in the frame of gear 1 in which
+// tooth 0 lies on the x axis. The pair has no backlash, so both flanks touch and no play is
+// considered.
 double scanned(const ParallelPair& p) {
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
@@ -49,7 +50,7 @@ double scanned(const ParallelPair& p) {
     for (const double side : {-1.0, 1.0}) {
       const double angle = std::numbers::pi + turn_2 + side * theta;
       const Vec2 c(p.center_distance + rho * std::cos(angle), rho * std::sin(angle));
-      // Transforms the corner to the frame of the tooth of gear 1 that is half a pitch beside the
+      // Transforms the corner to the frame of tooth 0 of gear 1, which is half a pitch beside the
       // space.
       const double back = -turn_1 + std::numbers::pi / z1;
       const Vec2 q(c.x() * std::cos(back) - c.y() * std::sin(back),

@@ -244,7 +244,8 @@ class CornerFamily {
   }
 
  private:
-  // 1 − cos w where the corner passes the radius ρ.
+  // 1 − cos w at the passage of the corner through the radius ρ. w is the angle of the corner from
+  // the centre line.
   double excess(double rho) const {
     return side_ * (rho - deepest_) * (rho + deepest_) / (2 * m_.a * corner_.rho);
   }

@@ -78,8 +78,8 @@ TEST(ToolSetting, what_changed_settings_do) {
   const ArcMeshInput in = example_1();
   const double r_2 = in.pitch_radius_concave, c_0 = in.center_distance;
   const double sin_lambda = std::sin(in.lead_angle.rad()), tan_0 = std::tan(30 * kDeg);
-  // The teeth of the example do not match its pitch radii exactly. This is the offset before any
-  // change.
+  // The teeth of the example do not match its pitch radii exactly, so the offset is not 0 before
+  // any change.
   const Angle before = arc_contact(in, *contact_angle(in)).rotation_offset;
   for (const double b_f : {-2e-4, 0.0, 3e-4}) {
     for (const double b_p : {-1e-4, 2e-4}) {

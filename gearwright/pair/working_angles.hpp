@@ -317,7 +317,7 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
   if (least) {
     from = *least;
     if (!(f(from).value < T(0))) return found;
-    // At this lower end, the term K/(2 sin α_n) equals a, so the sum of all terms exceeds a.
+    // At the lower end `lo`, the term K/(2 sin α_n) equals a, so the sum of all terms exceeds a.
     const T c_g = cos(gears[limiting_gear(gears)].helix_angle);
     T lo = asin(base_excess(gears) / (T(2) * c_g * a));
     if (lo > from) lo = from;
@@ -352,7 +352,8 @@ std::optional<AngleInterval<T>> transverse_angles_with_line_within(const BasePai
   AngleInterval<T> found{tiny, half_pi, false};
   T bottom(0);
   if (base_excess(gears) > T(0)) {
-    // The least L is found by bisection of its slope, and the ends on both sides by Newton's method.
+    // The least L is found by bisection of its slope, and the ends of the interval on both sides of
+    // it by Newton's method.
     T lo = tiny;
     T hi = half_pi;
     const T narrow(
