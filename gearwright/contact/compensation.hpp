@@ -47,7 +47,7 @@ struct CompensationTask {
   int scenarios = 1;
   int positions = 24;                ///< per pitch, during the search
   int fine_positions = 64;           ///< per pitch, for the reported scores
-  int curves = 6000;                 ///< approximate limit for each search, in curves of TE
+  int curves = 6000;                 ///< approximate limit of each search, as a number of TE curves
   std::optional<Angle> centering{};  ///< w, cost of a pattern at the end of the face. If absent,
                                      ///< default_centering() is used, and the transmission error
                                      ///< must not increase

@@ -25,7 +25,7 @@ class Branches {
   Branches(Transmission& transmission, const std::vector<PairTouch>& touches)
       : transmission_(transmission),
         touches_(touches),
-        // In N the rotation of the housing is reversed if gear 2 drives.
+        // If gear 2 drives, a rotation has opposite signs in N and in the housing.
         step_(transmission.pair().turned() * transmission.pair().pitch() /
               static_cast<double>(touches.size())) {}
 
@@ -166,7 +166,7 @@ class Branches {
   }
 
   // A maximum (`up`) or minimum of the leading branch within a step of i. The slope of the branch
-  // is exact and continuous, but its own slope jumps where the contact reaches an edge.
+  // is exact and continuous, but it has kinks where the contact reaches an edge.
   std::optional<PairTouch> turning_point(long i, bool up) const {
     return turning_point(at(i), 1.0, up);
   }
@@ -263,8 +263,8 @@ CurveExtremes continuous_extremes(Transmission& transmission,
       if (const auto both = curve.handover(i)) take_bottom((*both)[0], (*both)[1]);
     }
     if (!before.found()) continue;
-    // The curve may exceed the present extreme here if a straight line from a neighbouring position
-    // through this one exceeds it within a step.
+    // The curve may exceed the present extreme here if the straight line through a neighbouring
+    // position and this position exceeds the extreme within a step.
     const double reach =
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
     // A branch never exceeds TE, so its maximum is valid. Beyond a handover it may lie below TE, so

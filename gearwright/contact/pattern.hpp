@@ -30,7 +30,8 @@ struct RasterSize {
   int columns = 65;
 };
 
-/// Least gap over `positions` per pitch, on the flanks of gear 1 and gear 2.
+/// Least gap over all positions of a mesh, with `positions` per pitch, on the flanks of gear 1 and
+/// gear 2.
 ///
 /// Accuracy  between positions, the gap is interpolated by the parabola through three positions.
 ///           This is exact if the contact moves at constant speed; the error is some nm at 64

@@ -15,12 +15,12 @@ constexpr double kLongestStep = 0.6;  // of half the patch
 constexpr double kFlat = 1e-14;  // rad, scaled: smaller slopes and curvatures are rounding errors
 constexpr double kTinyBend = -1e-15;  // replaces a curvature of 0
 constexpr int kMaxSteps = 80;
-constexpr double kBroken = 1e-9;       // scaled: a touch that violates a bound by more is not valid
-constexpr double kWorse = 1e-13;       // rad: rounding error of T and of the merit
-constexpr double kTinySquare = 1e-12;  // (of half the patch)²: a shorter step is not halved
-constexpr double kMinPrice = 1e-3;     // rad per scaled length: least penalty of a violated bound
-constexpr double kSameTe = 1e-12;      // rad: greatest difference of T for the same maximum
-constexpr double kSamePlace = 1e-5;    // of half the patch: greatest distance for the same maximum
+constexpr double kBroken = 1e-9;       // scaled; a touch is invalid if it violates a bound by more
+constexpr double kWorse = 1e-13;       // rad; rounding error of T and of the merit
+constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter steps are not halved
+constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty of a violated bound
+constexpr double kSameTe = 1e-12;      // rad; greatest difference of T for the same maximum
+constexpr double kSamePlace = 1e-5;    // scaled; greatest distance for the same maximum
 // Replaces H by a negative definite matrix, by changing the sign of positive eigenvalues. If T is
 // constant in one direction within rounding, the slope in that direction is set to 0 and the
 // function returns true.

@@ -259,8 +259,8 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
       if (!t.found()) continue;
       track.offer(m, t);
       const auto never = [](int, const Touch&) { return false; };
-      // The direction in which T rises is followed first. The other direction then ends early if T
-      // is well below T of the first one.
+      // The direction in which T rises is followed first. The search in the other direction then
+      // ends early if T is well below the values in the first direction.
       fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m + 1));
       const Touch ahead =
           searches_[static_cast<std::size_t>(fields)]->from(t.s, t.z, t.s2, t.active);

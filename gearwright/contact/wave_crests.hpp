@@ -25,9 +25,10 @@ namespace gearwright::detail {
 
 class WaveCrests {
  public:
-  /// None if no wave exists, if a flank is not an involute or has a topography, if the axes cross,
-  /// if an exact ridge cannot be computed, or if the error of the quadratic functions half way
-  /// between the exact ridges exceeds a hundredth of the amplitude of the waves.
+  /// None if no wave exists, or if the quadratic functions are not valid. They are valid for
+  /// involutes without topography on parallel axes. In addition, all exact ridges must be
+  /// computable, and the error half way between them must be at most a hundredth of the amplitude
+  /// of the waves.
   static std::optional<WaveCrests> of(const ContactPair& pair, const FlankPatch& one,
                                       const FlankPatch& two);
 
@@ -41,7 +42,7 @@ class WaveCrests {
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
-  /// rad: a crest that is lower by more than this cannot be the highest one.
+  /// A crest that is lower than another crest by more than this, rad, cannot be the highest.
   double margin() const { return margin_; }
   /// True if the patches never lie opposite each other.
   bool apart() const { return z_lo_ >= z_hi_; }
@@ -58,7 +59,7 @@ class WaveCrests {
   };
   struct Node {
     double te = 0.0, s = 0.0, z = 0.0;
-    double aside = 0.0;   // s minus s of the smooth ridge
+    double aside = 0.0;   // distance from the smooth ridge in s
     double inside = 0.0;  // distance of the smooth ridge from the nearest end of D in s, > 0 inside
     bool outside = true;  // true if D is empty here, or if T cannot reach the required value
   };
