@@ -32,8 +32,10 @@ class Curve {
 
   /// arg W(t) [T1.1], rad, in (−π, π]. If a subclass overrides it, the result is continuous along the curve.
   virtual double polar_angle(double t) const;
-  /// The parameter between t_lo and t_hi at which |W| = ρ. |W| increases from t_lo to t_hi, and if ρ is
-  /// outside the range of |W|, the nearer end is returned. A subclass may have a closed form.
+  /// The parameter between t_lo and t_hi at which |W| = ρ. If ρ is outside the range of |W|, the
+  /// nearer end is returned. A subclass may have a closed form.
+  ///
+  /// Domain  |W| increases from t_lo to t_hi (contract)
   virtual double parameter_at_radius(double rho, double t_lo, double t_hi) const;
   virtual bool radius_is_closed_form() const { return false; }
 };

@@ -125,7 +125,7 @@ struct Cutter {
   double distance;
 };
 
-// A cutter of z_0 teeth with this tip rounding, which reaches the root of the internal gear.
+// A cutter of z_0 teeth with this tip rounding. Its tip reaches the root of the internal gear.
 std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   CylindricalSpec c;
   c.teeth = z_0;

@@ -117,8 +117,8 @@ std::vector<Vec2> cutter_points(int teeth, double m, double x, double r_a, doubl
   return points;
 }
 
-// The greatest polar angle that the cutter's tooth reaches on the circle of the radius ρ about the
-// axis of the ring while it passes through the space about the x axis.
+// The greatest polar angle that a tooth of the cutter reaches on the circle of the radius ρ about
+// the axis of the ring while the tooth passes through the space on the x axis.
 double swept_angle(const std::vector<Vec2>& cutter, double distance, double ratio, double rho) {
   double best = -1e300;
   const auto reach =

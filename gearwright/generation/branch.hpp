@@ -42,7 +42,7 @@ struct Branch {
 /// Makes the branch of `curve` from t_lo to t_hi, with heights computed from the curve.
 Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double side);
 
-/// The limits of the branches, which are ordered from root to tip. `side` is equal to Branch::side.
+/// The limits of the branches of a tooth. `side` is equal to Branch::side.
 struct ToothEnds {
   int teeth;               ///< z
   double side;             ///< 1; −1 for an internal gear
@@ -56,8 +56,9 @@ struct ToothEnds {
   ///< tooth; empty for a rack
 };
 
-/// Joins the branches and ends them at the tip. `tooth` contains root_radius and the requested
-/// fillets, and the function sets all other members. Severed teeth have no outline.
+/// Joins the branches, which are ordered from root to tip, and ends them at the tip. `tooth`
+/// contains root_radius and the requested fillets, and the function sets all other members. Severed
+/// teeth have no outline.
 ///
 /// Errors    `tip_diameter` if the blank leaves no tooth above the root; `cut_by` if the branches
 ///           of a pinion cutter do not join; `root_fillet.offset` or `tip_fillet` if no flank is

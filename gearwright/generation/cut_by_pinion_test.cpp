@@ -146,7 +146,7 @@ double apart(const GeneratedTooth& a, const GeneratedTooth& b, ArcName name, dou
 // The larger the cutter, the closer the gear is to the gear that the rack of the same profile cuts.
 // All differences decrease like 1/z_0.
 TEST(CutByPinion, approaches_the_rack) {
-  StraightRack rack;  // its tip becomes the tip of the cutter
+  StraightRack rack;  // has the same tip as the cutter
   rack.root_fillet_radius = 0.3;
   for (const double x : {0.2, 0.4, -0.2}) {  // the last one is undercut
     const double blank = 18.0 / 2 + 1 + x;
@@ -265,8 +265,8 @@ TEST(CutByPinion, corner_of_an_undercut_cutter) {
     }
   }
   EXPECT_GE(fans, 3);
-  // The flank ends where the corner begins to cut, below the end that the base circle of the cutter
-  // would give.
+  // The flank of the gear ends where the corner of the cutter begins to cut. This end is nearer to
+  // the root than the point that the cutter's involute would cut at its base circle.
   EXPECT_LT(*tooth.tip_form_radius, tooth.tip_radius);
 }
 

@@ -243,7 +243,7 @@ TEST(PinionInvolute, is_what_the_envelope_says) {
   }
 }
 
-// Behind the tooth, the leaving flank cuts this involute into an internal gear.
+// Behind the tooth of the cutter, its leaving flank cuts this involute into an internal gear.
 TEST(PinionInvolute, behind_is_what_the_envelope_says) {
   for (const PinionMotion& motion :
        {PinionMotion{20, -60, 40.3}, PinionMotion{20, -26, 6.1}, PinionMotion{5, -9, 4.2}}) {

@@ -18,7 +18,7 @@ namespace gearwright {
 enum class RootStop {
   exact,        ///< f(x) = 0
   bracket,      ///< |b − a| ≤ 2 ulp of the larger end
-  no_bracket,   ///< f(lo) and f(hi) have the same sign; nothing was solved, and x is the better end
+  no_bracket,   ///< f(lo) and f(hi) have the same sign; x is the end at which |f| is smaller
   evaluations,  ///< the budget was used up, which happens only if f is NaN inside the bracket
 };
 
@@ -33,7 +33,7 @@ struct Root {
 /// Root of f in [lo, hi].   Domain: lo ≤ hi (contract)
 Root find_root(const std::function<double(double)>& f, double lo, double hi);
 
-// All real roots of a polynomial on an interval, separated exactly by the roots of its derivative.
+// All real roots of a polynomial on an interval. The roots of its derivative separate them exactly.
 
 /// Σ c_i x^i.
 double evaluate_polynomial(std::span<const double> c, double x);

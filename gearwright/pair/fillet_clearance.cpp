@@ -47,7 +47,7 @@ std::vector<Corner> tip_corners(const Gear& mate) {
     if (arc.name == ArcName::root_land || arc.name == ArcName::tip_land) continue;
     const Corner end{arc.end_point.norm(), std::atan2(arc.end_point.y(), arc.end_point.x())};
     if (arc.name == ArcName::root_fillet) {
-      corners = {end};  // only if no fillet follows
+      corners = {end};  // a root fillet or a flank that follows replaces it
     } else if (arc.name == ArcName::flank) {
       corners = {end};
     } else {

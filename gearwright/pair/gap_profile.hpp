@@ -31,7 +31,7 @@ struct ProfileArc {
   const Arc* arc;
   double rho_root, rho_tip;  ///< radii of its two ends
   bool closed_form;          ///< true if the parameter of a radius has a closed form
-  /// Places at even steps of u, for a first guess; filled on first use.
+  /// Points at equal steps of u, for a first guess; computed on first use.
   static constexpr int kGuesses = 16;
   mutable std::vector<ProfilePlace> guesses = {};
 
