@@ -221,8 +221,8 @@ TEST(MinDistanceSeries, exact_solution_of_these_tests) {
   }
 }
 
-// If the sum of shifts is halved, the error is divided by 2 to the power of the first omitted term.
-// At Σx = 1e-3, the next term changes this exponent by about L/sin² α, which is below 0.01.
+// If the sum of shifts is halved, the error is divided by 2^p, where p is the order of the first
+// omitted term. At Σx = 1e-3, the next term changes p by about L/sin² α, which is below 0.01.
 TEST(MinDistanceSeries, errors_fall_with_the_right_power) {
   for (const Shape& shape : kShapes) {
     const bool crossed = shape.beta1 + (shape.z2 > 0 ? 1 : -1) * shape.beta2 != 0;
