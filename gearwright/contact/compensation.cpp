@@ -65,8 +65,8 @@ class Judge {
   }
 
   int positions() const { return positions_; }
-  // The smallest relevant difference of f or of the aim, the difference at which a search ends, and
-  // the value that stands for lost contact.
+  // These functions return, for f or for the aim, the smallest relevant difference, the difference
+  // at which a search ends, and the value that replaces f if contact is lost.
   double same() const { return task_.aim ? task_.aim->same : kSameError.rad(); }
   double last_gain() const { return task_.aim ? kAimLastGain * task_.aim->same : kLastGain_rad; }
   double lost() const { return task_.aim ? kAimLost * task_.aim->same : kLost; }

@@ -47,7 +47,7 @@ struct CompensationTask {
   int scenarios = 1;
   int positions = 24;                ///< per pitch, during the search
   int fine_positions = 64;           ///< per pitch, for the reported scores
-  int curves = 6000;                 ///< approximate limit for each search, in curves of TE
+  int curves = 6000;                 ///< approximate limit of each search, as a number of TE curves
   std::optional<Angle> centering{};  ///< w, cost of a pattern at the end of the face. If absent,
                                      ///< default_centering() is used, and the transmission error
                                      ///< must not increase
@@ -95,8 +95,8 @@ struct Compensation {
 /// Differences of transmission error below this cannot be measured.
 constexpr Angle kSameError = Angle::arcseconds(0.001);
 
-/// A pair with a smaller peak to peak counts as free of error. At a radius of 50 mm, this angle is
-/// 2 nm, and no real flank is that smooth.
+/// A pair with a smaller peak to peak counts as free of error. At a radius of 50 mm, this angle
+/// corresponds to 2 nm, and no real flank is that smooth.
 constexpr Angle kQuiet = Angle::arcseconds(0.01);
 
 /// The default of w: a tenth of the peak to peak without corrections, but at least 0.1 arcsec. TE

@@ -134,8 +134,8 @@ TEST(Compensation, is_the_best_of_a_dense_scan) {
   }
 }
 
-// In an earlier version, w was 1 arcsec by default, and the corrections made this pair louder. More
-// noise for a better pattern is now accepted only if the user gives w.
+// By default, corrections must not increase the transmission error. If the user gives w, a greater
+// transmission error is accepted for a more central pattern.
 TEST(Compensation, quiet_running_is_traded_on_request_alone) {
   Case c = crowned(12, 0);
   c.drawn.lead_crowning = 0.006;

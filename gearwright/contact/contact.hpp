@@ -28,7 +28,7 @@ struct ContactResult {
                                                         ///< lost
   Angle peak_to_peak;                                   ///< of TE, over the positions with contact
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
-  std::vector<Angle> harmonics;  ///< as harmonics(); empty if the caller gave rotations
+  std::vector<Angle> harmonics;  ///< result of harmonics(); empty if the caller gave rotations
   bool contact_lost = false;     ///< true if there is a position at which no tooth pair touches
   long unfinished = 0;           ///< searches that did not converge; normally 0
   RackTravel rack{};             ///< set if gear 2 is a rack
@@ -50,8 +50,8 @@ std::optional<Angle> play_between(const ContactPoint& working, const ContactPoin
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
 
-/// The touches at n positions over one pitch. Gear 1 has the rotation `first` + i pitch/n at
-/// position i, in the housing's sense.
+/// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the housing
+/// is `first` + i pitch/n.
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n);
 
 /// Amplitudes of the orders 1, 2, … (at most 20) of the mesh frequency, for values of TE at equal

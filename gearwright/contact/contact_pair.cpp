@@ -17,8 +17,8 @@ double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 
-// Type of the border (ridge or seam) between a cell and its neighbour in the direction of u or of
-// z, on the side of lower (`below`) or greater values.
+// The type of a border of a cell, ridge or seam. `of_u` selects a border towards other values of u
+// instead of z, and `below` the border towards lower values.
 End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   for (const Cell& other : field.pieces()) {
     const bool across = of_u ? other.z_lo == cell.z_lo &&

@@ -55,10 +55,10 @@ struct ContactMount {
   /// z of the middle of each face, mm; not 0 for a half of a double-helical gear. Errors tilt axis
   /// 1 about its point at z = 0. At rotation 0, pair 0 is in mesh in the section z = middle[0].
   std::array<double, 2> middle{};
-  /// True if root fillets and rounded tips are included, so that a tip that touches a fillet before
-  /// the flanks touch is found. Rounded tips of modified flanks are not included, because the
-  /// removal of material is defined on the flank only.
-  /// Domain: if a cutter's lead angle is changed, recut_outline can compute the root
+  /// True if root fillets and rounded tips are included. The analysis then also finds tips that
+  /// touch a fillet before the flanks touch. Rounded tips of modified flanks are not included,
+  /// because the removal of material is defined on the flank only. Domain: if a cutter's lead angle
+  /// is changed, recut_outline can compute the root
   bool fillets = false;
 };
 
@@ -101,7 +101,7 @@ class ContactPair {
   Vec3 in_housing(const Complex& w1, double z) const;
   /// Converts a direction from N to the housing frame.
   Vec3 direction_in_housing(const Vec3& v) const;
-  /// Rotates directions from the frame of gear 1 before mounting to N.
+  /// Rotates directions from the frame of gear 1, before mounting, to N.
   const Mat3& tilt() const { return tilt_; }
   double mirror() const { return internal_ ? -1.0 : 1.0; }            ///< sign of y in N
   double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< sign of z in N

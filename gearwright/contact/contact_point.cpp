@@ -142,7 +142,7 @@ bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
          kLineGap;
 }
 
-// Principal curvatures of the gap and the ellipse, in the housing. [T8.15], [T8.16]
+// Computes the principal curvatures of the gap and the contact ellipse. [T8.15], [T8.16]
 void curvatures(const ContactPair& pair, const GapJet& j, bool line, double marking,
                 ContactPoint& p) {
   const Vec3 r_s = pair.direction_in_housing(pair.tilt() * space(j.w1_s, 0.0));

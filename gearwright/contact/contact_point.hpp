@@ -1,6 +1,7 @@
 // Describes a touch: its position on both gears and in the housing, its kind, and the curvatures of
 // the gap at the touch.
 //
+//   T         gap field of two flanks (gap_field.hpp)     TE   greatest T, the transmission error
 //   k1 ≤ k2   curvatures of the gap, 1/mm: principal values of K2 − K1
 //   δ         thickness of the marking compound, mm
 //                                    theory: docs/theory/08-contact.md, [T8.15]…[T8.17]
@@ -14,8 +15,8 @@
 
 namespace gearwright {
 
-/// The kind of place at which the teeth touch. A ridge is the line at which a linear relief starts,
-/// so that the slope of the flank jumps there.
+/// The part of a flank at which the teeth touch. A ridge is the line at which a linear relief
+/// starts, so that the slope of the flank jumps there.
 enum class TouchKind {
   none,
   interior,
@@ -56,7 +57,7 @@ struct ContactRidge {
     std::array<double, 2> curvature;  ///< principal curvatures of the gap on this side, 1/mm
   };
   std::array<Side, 2> side;  ///< the first is the side of smaller diameter or height
-  bool by_height = false;    ///< true for an end relief, whose sides differ by their height
+  bool by_height = false;    ///< true if the two sides differ by height, false if by diameter
 };
 
 /// Converts rotations of gear 2 to travel if gear 2 is a rack. Results contain the travel of a rack
@@ -96,7 +97,7 @@ bool on_edge(Transmission& transmission, const PairTouch& touch);
 
 /// Describes a touch.
 ///
-/// Units     mm; `rotation1` in the housing's sense
+/// Units     mm; `rotation1` is the rotation in the housing
 /// Accuracy  curvatures are exact at the computed point; ledger rows `contact.*`
 ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle rotation1,
                       double marking);

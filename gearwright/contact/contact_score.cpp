@@ -50,7 +50,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
     }
     c.te.push_back(t.te());
     ++n;
-    // On a contact line every point touches, so the touch has no definite place along the face.
+    // On a contact line every point touches, so the touch has no definite position along the face.
     if (!t.touch.flat) height += t.touch.z / z_half;
     if (target.width > Angle()) {
       const auto angle = transmission.field(t.fields).one().profile.rack_angle(t.touch.s);
@@ -67,7 +67,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
 }
 
 void take_worst(ContactScore& worst, const ContactScore& s) {
-  // The maximum of NaN and a number depends on their order.
+  // NaN is set explicitly, because std::max of NaN and a number depends on their order.
   if (s.nothing_touches() || worst.nothing_touches()) {
     worst.peak_to_peak = Angle::radians(kNan);
   } else {

@@ -1,5 +1,6 @@
 // The quality of the contact of a pair, as the few numbers that corrections improve.
 //
+//   TE  transmission error (transmission.hpp)     N   frame of contact_pair.hpp
 //   h   mean position of the contact along the face, −1 to 1
 //   p   mean position of the contact along the profile, if there is a target for it
 //                                 theory: docs/theory/08-contact.md, [T8.24]
@@ -37,7 +38,8 @@ struct ContactCurve {
 /// TE and score of a pair over one pitch. The share of edges is computed if `edges` is true.
 ///
 /// Domain    positions ≥ 2 (contract)
-/// Accuracy  a peak to peak below 1e-9 arcsec and a place below 1e-9 are rounding errors, set to 0
+/// Accuracy  a peak to peak below 1e-9 arcsec and an h or p below 1e-9 are rounding errors, set to
+///           0
 ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target,
                            bool edges);
 

@@ -108,7 +108,8 @@ FlankExtent flank_extent(const Gear& gear);
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);
-/// True if the error is that the pair has no contact at all, rather than that a number is invalid.
+/// True if the cause of the error is a pair without any contact, and not, for example, an invalid
+/// number.
 bool without_contact(const Error& error);
 
 }  // namespace gearwright

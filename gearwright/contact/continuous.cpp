@@ -17,7 +17,7 @@ constexpr double kSame = 1e-13;  // rad: two values of TE that differ by roundin
 constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
 constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
-constexpr double kNear = 0.08;   // of the patch: two crests of a wave are farther apart
+constexpr double kNear = 0.08;   // relative to the patch; two crests of a wave are farther apart
 // The curve of TE between the positions, from the branches that lead at the positions. The branch
 // with the greatest T at a rotation leads there.
 class Branches {
@@ -25,12 +25,12 @@ class Branches {
   Branches(Transmission& transmission, const std::vector<PairTouch>& touches)
       : transmission_(transmission),
         touches_(touches),
-        // In N the rotation of the housing is reversed if gear 2 drives.
+        // If gear 2 drives, a rotation has opposite signs in N and in the housing.
         step_(transmission.pair().turned() * transmission.pair().pitch() /
               static_cast<double>(touches.size())) {}
 
-  // The touch at position i. Positions outside the pitch repeat those inside, with the same number
-  // of the tooth pair.
+  // The touch at position i. Positions outside the pitch repeat the positions inside, with
+  // unchanged numbers of the tooth pairs.
   const PairTouch& at(long i) const {
     const auto n = static_cast<long>(touches_.size());
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
@@ -100,8 +100,8 @@ class Branches {
     double at_lo = ahead_in(begin);
     double at_hi = ahead_in(end);
     if (std::isnan(at_lo + at_hi)) return std::nullopt;
-    // TE jumps if a branch begins or ends ahead of the other one. The least value is then that on
-    // the low side of the jump.
+    // TE jumps if a branch begins or ends with a greater T than the other one. The least TE is then
+    // the value on the low side of the jump.
     if (at_lo <= kSame) return Handover{lo, {begin[0], PairTouch()}};
     if (at_hi >= -kSame) return Handover{hi, {end[1], PairTouch()}};
     int stays = 0;
@@ -166,7 +166,7 @@ class Branches {
   }
 
   // A maximum (`up`) or minimum of the leading branch within a step of i. The slope of the branch
-  // is exact and continuous, but its own slope jumps where the contact reaches an edge.
+  // is exact and continuous, but it has kinks where the contact reaches an edge.
   std::optional<PairTouch> turning_point(long i, bool up) const {
     return turning_point(at(i), 1.0, up);
   }
@@ -263,8 +263,8 @@ CurveExtremes continuous_extremes(Transmission& transmission,
       if (const auto both = curve.handover(i)) take_bottom((*both)[0], (*both)[1]);
     }
     if (!before.found()) continue;
-    // The curve may exceed the present extreme here if a straight line from a neighbouring position
-    // through this one exceeds it within a step.
+    // The curve may exceed the present extreme here if the straight line through a neighbouring
+    // position and this position exceeds the extreme within a step.
     const double reach =
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
     // A branch never exceeds TE, so its maximum is valid. Beyond a handover it may lie below TE, so
@@ -298,7 +298,7 @@ double span_slope(Transmission& transmission, const CurveExtremes& extremes,
   if (b.found()) {
     const double of_a = rotation_slope(transmission, a);
     const double of_b = rotation_slope(transmission, b);
-    // Branches with equal slopes have no single crossing, so the slope of the first one is used.
+    // Branches with equal slopes have no single crossing, so the slope of the first branch is used.
     if (of_a != of_b) bottom = (of_a * slope(b) - of_b * bottom) / (of_a - of_b);
   }
   return slope(extremes.top) - bottom;

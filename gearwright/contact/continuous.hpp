@@ -1,8 +1,9 @@
 // The least and the greatest transmission error of the continuous curve, computed from touches at
 // some positions.
 //
-//   T_a, T_b   two branches; a branch is T of one tooth pair on one pair of patches, as a function
-//              of the rotation
+//   T, N       gap field of two flanks (gap_field.hpp) and frame N (contact_pair.hpp)
+//   T_a, T_b   two branches; a branch is the greatest T of one tooth pair on one pair of patches,
+//              as a function of the rotation
 //   TE         the greatest of the branches; this branch leads
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //

@@ -22,7 +22,7 @@ double continuous(const ContactPair& pair, int positions) {
       .span();
 }
 
-// The peak to peak of a comb, and a bound for the part of the span that lies between its positions.
+// The peak to peak of a comb, and a bound for its error, which arises between the positions.
 struct Comb {
   double span, missed;
 };

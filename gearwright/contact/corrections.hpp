@@ -20,7 +20,7 @@ enum class CorrectionOf {
   lead_crowning,     ///< µm, on both flanks
   profile_slope,     ///< µm, on the working flanks
   profile_crowning,  ///< µm, on both flanks
-  tip_relief,        ///< µm, on both flanks, of a relief whose reach the drawing gives
+  tip_relief,        ///< µm, on both flanks; only if the drawing gives the reach of the relief
   root_relief,       ///< µm, as tip_relief
   end_relief,        ///< µm, as tip_relief
 };

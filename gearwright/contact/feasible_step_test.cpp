@@ -49,7 +49,7 @@ TEST(FeasibleStep, inside_edge_and_corner) {
   EXPECT_EQ(s.multiplier[1], 3.0);
 }
 
-// A wrong initial guess changes only the time.
+// A wrong initial guess changes the computing time, but not the result.
 TEST(FeasibleStep, any_guess_gives_the_same) {
   StepProblem p = box(-1, 0.2, -0.5, 1);
   p.g_s = 1, p.g_z = -0.2, p.h_sz = 0.4;

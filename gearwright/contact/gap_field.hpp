@@ -45,7 +45,7 @@ struct FlankPatch {
   double s_lo = 0.0, s_hi = 0.0, u_lo = 0.0, u_hi = 0.0;
 };
 
-/// The transformation from the frame of gear 1 to that of gear 2, both at rotation 0:
+/// The transformation from the frame of gear 1 to the frame of gear 2, both at rotation 0:
 /// x_2 = rotation x_1 + shift.
 struct RelativeMount {
   Mat3 rotation = Mat3::Identity();

@@ -1,4 +1,5 @@
-// The result of contact() outlives the pair, and equals that of a ContactPair made directly.
+// The result of contact() outlives the pair. It equals the result for a ContactPair that is made
+// directly.
 #include "gearwright/contact/pair_contact.hpp"
 
 #include <type_traits>

@@ -33,7 +33,7 @@ FlankRaster empty_raster(const ContactPair& pair, int gear, const RasterSize& si
   return r;
 }
 
-// The first patch that contains the place; −1 if the place lies beyond the flank.
+// Index of the first patch that contains the point (u, z); −1 if the point lies beyond the flank.
 int patch_at(const std::vector<FlankPatch>& patches, double u, double z) {
   // Borders of neighbours are equal within rounding, for u = ln ρ and for z in mm.
   constexpr double kSlack = 1e-9;
@@ -67,7 +67,7 @@ struct Seen {
 // Limit of the number of Newton steps. Two or three are usual, and one more if the point lies on
 // the next patch.
 constexpr int kMaxSteps = 8;
-constexpr double kNear = 1e-4;  // of a patch: the series is accurate for a shorter step
+constexpr double kNear = 1e-4;  // relative to a patch; the series is accurate for shorter steps
 
 class Rasterer {
  public:
@@ -230,7 +230,7 @@ class Rasterer {
     }
   }
 
-  // The gap at the place (u, Z) of flank 2, from an approximate opposite point (u1, z) on flank 1.
+  // The gap at the point (u, Z) of flank 2, from an approximate opposite point (u1, z) on flank 1.
   // Newton steps, which may change the patch, find the exact point, and a series of second order
   // replaces the last step. The gap is infinite if the steps leave flank 1 or do not converge.
   Gap gap_on_2(double u1, double z, double u, double Z) const {

@@ -30,7 +30,8 @@ struct RasterSize {
   int columns = 65;
 };
 
-/// Least gap over `positions` per pitch, on the flanks of gear 1 and gear 2.
+/// Least gap over all positions of a mesh, with `positions` per pitch, on the flanks of gear 1 and
+/// gear 2.
 ///
 /// Accuracy  between positions, the gap is interpolated by the parabola through three positions.
 ///           This is exact if the contact moves at constant speed; the error is some nm at 64
@@ -41,8 +42,8 @@ std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int position
                                            const RasterSize& size = {},
                                            Progress* progress = nullptr);
 
-/// The gap of tooth pair k on the flank of gear 1, at the rotation `rotation1` in the housing's
-/// sense.
+/// The gap of tooth pair k on the flank of gear 1, at the rotation `rotation1` of gear 1 in the
+/// housing.
 FlankRaster gap_map(const ContactPair& pair, Angle rotation1, int k, const RasterSize& size = {});
 
 }  // namespace gearwright

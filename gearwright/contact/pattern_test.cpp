@@ -24,10 +24,10 @@ TEST(Pattern, conjugate_flanks_touch_everywhere) {
     for (std::size_t i = 11; i < 22; ++i)
       for (std::size_t k = 13; k < 52; ++k) EXPECT_LT(r.at(i, k), g == 0 ? 5e-5 : 5e-4);
   }
-  EXPECT_TRUE(std::isinf(rasters[0].at(16, 0)));  // z = −10 beyond the mating gear's −9
+  EXPECT_TRUE(std::isinf(rasters[0].at(16, 0)));  // z = −10; the face of gear 2 ends at −9
 }
 
-// The narrower gear 2 touches up to its faces.
+// Gear 2 is narrower than gear 1 and touches up to both of its end faces.
 TEST(Pattern, ends_of_gear_2_are_marked) {
   const auto r = contact_pattern(testing::involutes(20, 41, 15).pair(), 64)[1];
   for (const std::size_t k : {std::size_t{0}, std::size_t{64}}) EXPECT_LT(r.at(16, k), 1e-3);

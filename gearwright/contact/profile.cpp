@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kRounding = 4e-16;  // of ln ρ and of a parameter
 // The least ξ² at which slopes are computed, because θ″ = −(1 + ξ²)/ξ is infinite on the base
-// circle. This place lies r_b · 5e-13 above the base circle.
+// circle. The corresponding radius is greater than r_b by 5e-13 r_b.
 constexpr double kMinRollSquare = 1e-12;  // rad²
 
 Complex with_side(const Complex& w, double side) { return {w.real(), side * w.imag()}; }
@@ -86,8 +86,9 @@ RadialJet Profile::circle_at_radius(double u, double& s) const {
   // because a free step may jump to the other end of the circle. The squares of the radii are
   // compared, so that no logarithm is needed near the solution.
   constexpr int kMax = 60;
-  constexpr double kClose = 1e-8;  // in u: the series covers a smaller remainder
-  // Below this x = (ρ/ρ_s)² − 1, three terms of the logarithm have an error of x⁴/8 ≤ 1.3e-17.
+  constexpr double kClose = 1e-8;  // in u; the series covers a smaller remainder
+  // With ρ_s the radius at s and x = (ρ/ρ_s)² − 1 below this limit, three terms of the logarithm
+  // have an error of x⁴/8 ≤ 1.3e-17.
   constexpr double kSmall = 1e-4;
   const double square = std::exp(2.0 * u);
   double lo = s_lo_;

@@ -62,8 +62,8 @@ class Profile {
   /// Domain    on the piece and near it, because the formulas continue beyond the ends
   PolarJet at(double s) const;
   /// The outline at ln ρ = u. Beyond the ends of the piece, a Taylor series of second order is
-  /// used. `s` is the parameter from the last call, from which the iteration for rack circles
-  /// starts. It is then updated.
+  /// used. The iteration for rack circles starts at `s`, the parameter from the last call, and
+  /// updates it.
   RadialJet at_radius(double u, double& s) const;
   /// The rotation per removal at the parameter s, which must not lie far beyond the ends. [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;

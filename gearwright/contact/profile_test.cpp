@@ -12,7 +12,7 @@ namespace {
 
 Arc flank_of(const Gear& gear) { return *gear.tooth->outline.find(ArcName::flank); }
 
-// An arc that is not cut by a rack. Its parameter is therefore the radius.
+// An arc that is not cut by a rack. The parameter of its profile is therefore u = ln ρ.
 Arc round_arc() {
   const auto curve = std::make_shared<OffsetCircle>(20.0, 0.05, 4.0);
   return {ArcName::flank, curve, 0.9, 0.3, curve->point(0.9), curve->point(0.3)};

@@ -62,8 +62,8 @@ TEST(RackContact, TransmitsMotionExactlyWithoutErrors) {
   }
 }
 
-// (2) With errors and modifications, the result for a wheel with z2 teeth differs from the result
-// for the rack by the order of 1/z2.
+// (2) With errors and modifications, the difference between the results for a wheel with z2 teeth
+// and for the rack decreases like 1/z2.
 TEST(RackContact, IsTheLimitOfWheels) {
   for (const double helix : {0.0, 20.0}) {
     const RackPair pair = rack_pair(helix, 0.0);

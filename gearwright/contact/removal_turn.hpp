@@ -1,4 +1,5 @@
-// The effect of material removed from a flank on the gap angle.
+// The effect of material removed from a flank on the gap field T (gap_field.hpp), in the frame N of
+// contact_pair.hpp.
 //                                    theory: docs/theory/08-contact.md, [T8.7], [T8.10]
 #pragma once
 
@@ -8,7 +9,7 @@ namespace gearwright {
 
 struct RemovalTurn {
   double te;                    ///< ∂T*  rad in N, per mm removed
-  double u, z;                  ///< the place, as arguments of the gear's RemovalField
+  double u, z;                  ///< the point, as arguments of the gear's RemovalField
   RemovalField::Piece piece{};  ///< piece of the patch; empty without a field
 };
 

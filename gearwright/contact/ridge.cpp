@@ -49,8 +49,8 @@ ContactRidge::Side side_of(const GapJet& j) {
   return {arm * slope.norm(), {eigen.values[0], eigen.values[1]}};
 }
 
-// The curvature of the gap along the curve c = const of the surface, at a place where T is
-// stationary along that curve.
+// The curvature of the gap along the curve c = const of the surface, at a point at which T is
+// stationary along this curve.
 double curvature_along(const GapJet& j, const Vec2d& c, const Mat2d& c_bend) {
   const Vec2d t(-c[1], c[0]);
   const double mu = -Vec2d(j.t.s, j.t.z).dot(c) / c.squaredNorm();
@@ -105,7 +105,7 @@ ContactRidge ridge_at(Transmission& transmission, const PairTouch& touch) {
   const bool of_u = bound % 4 < 2;
   const FlankPatch& here = gear == 1 ? field.one() : field.two();
   bool below = bound % 2 == 0;
-  // The bound limits s, and u decreases with s here.
+  // The bound limits s. If u decreases with s, the lower bound of s is the upper bound of u.
   if (gear == 1 && of_u && !here.profile.grows()) below = !below;
   const int other = across(pair.patches(gear), here, of_u, below);
   const auto n = static_cast<int>(pair.patches(2).size());

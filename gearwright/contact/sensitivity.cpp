@@ -8,8 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// The derivatives with respect to e at a fixed place (s, z) of flank 1, and the derivatives of
-// these with respect to s and z.
+// The derivatives with respect to e at a fixed point (s, z) of flank 1, and their derivatives with
+// respect to s and z.
 struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;  // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;
@@ -179,7 +179,7 @@ Holding holding(const Change& c, const PairTouch& touch, const GapJet& j) {
   return h;
 }
 
-// ∂TE/∂e, rad per unit, in the housing's sense of rotation.
+// ∂TE/∂e, rad per unit, with rotations as in the housing.
 double te_of(const Change& c, const Holding& h, const ContactPair& pair) {
   double te = c.p;
   for (int k = 0; k < h.count; ++k) te += h.mu[k] * h.bound[k].d;
@@ -237,12 +237,12 @@ Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
 
 namespace {
 
-// ∂T*/∂e, from the derivatives `c` at a fixed place. T* is the greatest T of a row, a line of
-// constant z, and lies at (s, z).
+// ∂T*/∂e, from the derivatives `c` at a fixed point. T* is the greatest T of a row, which is a line
+// of constant z, and lies at (s, z).
 double of_row(const GapField& field, const GapJet& j, const Change& c) {
   // If T* lies inside the row, ∂T/∂s = 0. At an end of flank 1, s does not change. At an end of
   // flank 2, s changes with e.
-  constexpr double kAtEnd = 1e-9;  // of the patch; the place is accurate to 1e-15 of the flank
+  constexpr double kAtEnd = 1e-9;  // relative to the patch; the point is accurate to 1e-15 of it
   const FlankPatch& two = field.two();
   const double near = kAtEnd * (two.u_hi - two.u_lo);
   const bool at_end = j.u.v > two.u_hi - near || j.u.v < two.u_lo + near;

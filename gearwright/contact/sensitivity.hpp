@@ -1,9 +1,11 @@
 // Exact derivatives of transmission error and contact point with respect to every error and every
 // modification.
 //
-//   e          an error, or an amount of a modification
-//   p = ∂φ2*/∂e at a fixed place of flank 1, with its derivatives over the flank
-//   ∂TE/∂e  = p + Σ μ_j ∂c_j/∂e      over the active bounds c_j of flank 2, which move with e
+//   e          an error, or an amount of a modification     T, φ2*   as in gap_field.hpp
+//   c_j, μ_j   active bounds of the touch and their multipliers (touch.hpp)
+//   H          Hessian of T with respect to s and z     N   frame of contact_pair.hpp
+//   p = ∂φ2*/∂e at a fixed point of flank 1, with its derivatives with respect to s and z
+//   ∂TE/∂e  = p + Σ μ_j ∂c_j/∂e      over the active bounds of flank 2, which move with e
 //   ∂(s,z)/∂e = −H⁻¹ ∇p              inside the flanks; otherwise along the active bounds
 //                                    theory: docs/theory/08-contact.md, [T8.10]
 #pragma once
@@ -34,7 +36,7 @@ struct Influence {
 };
 
 struct Sensitivity {
-  double te;   ///< ∂TE/∂e   rad per unit, in the housing's sense of rotation
+  double te;   ///< ∂TE/∂e   rad per unit, with rotations as in the housing
   Vec3 point;  ///< ∂r/∂e    mm per unit, in the housing
 };
 
@@ -48,8 +50,8 @@ Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
                         const Influence& influence);
 
 /// ∂T*/∂e, rad in N per unit. T* is the greatest T over the profile at a fixed height z of flank 1,
-/// and it lies at s. If the place is at the end of a patch of flank 2, it moves along flank 1 with
-/// that end.
+/// and it lies at s. If the point (s, z) lies opposite an end of the patch of flank 2, it moves
+/// along flank 1 with this end.
 ///
 /// Domain    as sensitivity(), for patches of this pair (contract)
 /// Accuracy  rounding

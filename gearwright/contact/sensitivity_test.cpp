@@ -43,9 +43,9 @@ TEST(Sensitivity, of_conjugate_gears) {
   EXPECT_NEAR(s[3].te, 0.0, 1e-12);
 }
 
-// The pair touches at an end of the narrower face, which is the face of gear 2. f_Hβ of either gear
-// tilts its flank relative to the other one about the middle of the face, on the reference
-// cylinder. The axial position of the edge of gear 2 does not change.
+// The pair touches at an end of the narrower face, which is the face of gear 2. f_Hβ of a gear
+// tilts the flank of this gear about the middle of its face. The axial position of the edge of gear
+// 2 does not change.
 TEST(Sensitivity, helix_slopes_at_a_face) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.crossing = Angle::radians(1e-5);
@@ -57,7 +57,7 @@ TEST(Sensitivity, helix_slopes_at_a_face) {
   EXPECT_NEAR(s[2].te, 9.0 / 41.0, 1e-4);
 }
 
-// If gear 2 drives, rotations have the same sign, and errors have the opposite effect on TE.
+// If gear 2 drives, the other flanks touch, and an error has the opposite effect on TE.
 TEST(Sensitivity, of_the_other_flanks) {
   auto p = testing::involutes(20, 41, 0);
   const auto one = by(p, {{ErrorKind::center_distance}});

@@ -15,12 +15,12 @@ constexpr double kLongestStep = 0.6;  // of half the patch
 constexpr double kFlat = 1e-14;  // rad, scaled: smaller slopes and curvatures are rounding errors
 constexpr double kTinyBend = -1e-15;  // replaces a curvature of 0
 constexpr int kMaxSteps = 80;
-constexpr double kBroken = 1e-9;       // scaled: a touch that violates a bound by more is not valid
-constexpr double kWorse = 1e-13;       // rad: rounding error of T and of the merit
-constexpr double kTinySquare = 1e-12;  // (of half the patch)²: a shorter step is not halved
-constexpr double kMinPrice = 1e-3;     // rad per scaled length: least penalty of a violated bound
-constexpr double kSameTe = 1e-12;      // rad: greatest difference of T for the same maximum
-constexpr double kSamePlace = 1e-5;    // of half the patch: greatest distance for the same maximum
+constexpr double kBroken = 1e-9;       // scaled; a touch is invalid if it violates a bound by more
+constexpr double kWorse = 1e-13;       // rad; rounding error of T and of the merit
+constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter steps are not halved
+constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty of a violated bound
+constexpr double kSameTe = 1e-12;      // rad; greatest difference of T for the same maximum
+constexpr double kSamePlace = 1e-5;    // scaled; greatest distance for the same maximum
 // Replaces H by a negative definite matrix, by changing the sign of positive eigenvalues. If T is
 // constant in one direction within rounding, the slope in that direction is set to 0 and the
 // function returns true.
@@ -122,7 +122,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
   detail::StepProblem p;
   const double ks = scale_.s_half;
   const double kz = scale_.z_half;
-  // The merit of a place is T minus an exact penalty for violated bounds.
+  // The merit of a point is T minus an exact penalty for violated bounds.
   double price = 0.0;
   const auto merit = [&](const GapJet& at) {
     double broken = 0.0;
@@ -269,10 +269,10 @@ bool TouchSearch::uneven() const {
   return has(field_.one()) || has(field_.two());
 }
 
-// T varies slowly along the line of contact and rapidly across it. The greatest values of T in each
-// section are therefore computed first, by Newton steps along the profile from each row that
-// exceeds its neighbours. The searches then start from the values that exceed those of the
-// neighbouring sections.
+// T varies slowly along the line of contact and rapidly across it. The maxima of T in each section
+// are therefore computed first, by Newton steps along the profile from each row with a greater T
+// than its neighbours. A search then starts from each of these maxima that no neighbouring section
+// exceeds.
 std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
   constexpr int kFine = 25;   // sections, eight for each of three waves over the face
   constexpr int kAcross = 7;  // rows

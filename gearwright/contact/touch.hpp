@@ -1,7 +1,7 @@
 // Computes where one flank touches another. D is the part of flank 1 that lies opposite flank 2,
-// and Newton steps with the eight bounds of D find the greatest T over D.
+// and Newton steps with the eight bounds of D find the greatest T (gap_field.hpp) over D.
 //
-//   s, z   place on flank 1, scaled to [−1, 1] internally
+//   s, z   point of flank 1, scaled to [−1, 1] internally
 //                                    theory: docs/theory/08-contact.md, [T8.9]
 //
 // The order of the bounds is: lower and upper bound of s, of z, then of u and of Z on flank 2.
@@ -46,10 +46,10 @@ class TouchSearch {
   /// this object.
   TouchSearch(const GapField& field, double mesh_azimuth, double reach);
 
-  /// Searches from a place. `active` are the bounds that are active there.
+  /// Searches from a point. `active` contains the bounds that are active there.
   Touch from(double s, double z, double s2, const detail::ActiveSet& active) const;
-  /// Searches from the best of nine places, and finds the maximum if T has only one. If this search
-  /// fails, cold() is used.
+  /// Searches from the best of nine points. The result is the greatest T if T has only one maximum.
+  /// If this search fails, cold() is used.
   Touch from_middle() const;
   /// Searches the whole flank: from every peak of a grid, and from both end sections of D.
   Touch cold() const;
@@ -73,7 +73,7 @@ class TouchSearch {
   /// The interval of z in which flank 1 can be in mesh. Returns false if it is empty.
   bool window(double& z_lo, double& z_hi) const;
   bool within_a_turn(const Touch& t) const;
-  /// The places (s, z, s2) from which searches on uneven flanks start.
+  /// The points (s, z, s2) from which searches on uneven flanks start.
   std::vector<std::array<double, 3>> crests(double z_lo, double z_hi) const;
 
   const GapField& field_;

@@ -1,4 +1,4 @@
-// The search for the place where T is greatest: kinds, stopping conditions, amount of work.
+// Tests the search for the greatest T: kinds of maxima, stopping conditions, amount of work.
 #include "gearwright/contact/touch.hpp"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST(TouchSearch, a_flat_ridge_is_one) {
   EXPECT_NEAR(t.te, 0.0, 1e-15);
 }
 
-// If the gears are too far apart, no place of flank 1 lies inside flank 2, and the result gives
+// If the gears are too far apart, no point of flank 1 lies opposite flank 2, and the result gives
 // this reason.
 TEST(TouchSearch, no_room) {
   auto p = testing::involutes(20, 41, 0);
@@ -80,7 +80,7 @@ TEST(TouchSearch, no_room) {
   EXPECT_EQ(Search(testing::involutes(20, 41, 0), 2.0).search.cold().stop, Touch::Stop::no_room);
 }
 
-// A search that starts at the linear extrapolation of the last two places needs one evaluation. A
+// A search that starts at the linear extrapolation of the last two touches needs one evaluation. A
 // cold start needs more.
 TEST(TouchSearch, work) {
   auto p = testing::arcs();

@@ -11,9 +11,9 @@ namespace gearwright {
 
 namespace {
 
-// A track ends where T decreases and is less than T of another pair by more than this limit, rad. T
-// of a whole convex flank has only one maximum. With patches or concave flanks, another maximum may
-// follow, so the limit is greater.
+// A tooth pair is followed until its T decreases and is less than T of another pair by more than
+// this limit, rad. T of a whole convex flank has only one maximum. With patches or concave flanks,
+// another maximum may follow, so the limit is greater.
 constexpr double kBelow = 1e-5;
 constexpr double kFarBelow = 2e-3;
 
@@ -27,10 +27,10 @@ bool wins(const Touch& t, double phi, const PairTouch& best) {
   return std::abs(phi) < std::abs(best.phi);
 }
 
-// Predicts the place of the next touch by the polynomial through the last four places at equal
-// steps. If the active bounds change, the path of the touches bends, and only places after the
-// change and one before it are used. Each additional order of the polynomial saves a step of the
-// search.
+// Predicts the point of the next touch by the polynomial through the last four touches at equal
+// steps. If the active bounds change, the path of the touches has a kink. Then only the touches
+// after the change and one before it are used. Each additional order of the polynomial saves a step
+// of the search.
 class PlaceAhead {
  public:
   explicit PlaceAhead(const Touch& t) { add(t); }
@@ -202,7 +202,7 @@ class Transmission::Track {
 
   // Records a touch. Returns false if its T is well below T of another pair.
   bool offer(int m, const Touch& t) {
-    // Position m of pair 0 is position i of pair k.
+    // Position m of pair 0 is position i of pair k = (i − m)/n.
     const int i = ((m % n_) + n_) % n_;
     count_step(all_.progress_);
     PairTouch& b = best_[static_cast<std::size_t>(i)];
@@ -259,8 +259,8 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
       if (!t.found()) continue;
       track.offer(m, t);
       const auto never = [](int, const Touch&) { return false; };
-      // The direction in which T rises is followed first. The other direction then ends early if T
-      // is well below T of the first one.
+      // The direction in which T rises is followed first. The search in the other direction then
+      // ends early if T is well below the values in the first direction.
       fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m + 1));
       const Touch ahead =
           searches_[static_cast<std::size_t>(fields)]->from(t.s, t.z, t.s2, t.active);
@@ -302,7 +302,7 @@ void Transmission::follow_all(int fields, double first, int n, std::vector<PairT
   }
 }
 
-// Searches every position from the crests that may be the highest ones. The lines of contact of all
+// Searches every position from the crests that may be the highest. The lines of contact of all
 // tooth pairs are examined first, beginning near the centre line, where teeth usually touch.
 void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best) {
   struct Start {
@@ -342,7 +342,7 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
     // Far beyond the path of contact, T is less than its estimate. Crests that were left out
-    // because of such an estimate may then be the highest ones.
+    // because of such an estimate may then be the highest.
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

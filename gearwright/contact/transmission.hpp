@@ -1,6 +1,8 @@
 // Transmission error: the rotation of gear 2 minus its nominal rotation at each position, with the
-// handover between tooth pairs, and the places where the teeth touch.
+// handover between tooth pairs, and the points at which the teeth touch.
 //
+//   T     greatest value of the gap field (gap_field.hpp) of tooth pair 0
+//   N     frame of contact_pair.hpp
 //   TE(φ1) = max over pairs k of T(φ1 − k·2π/z1)                 [T8.2], docs/theory/08-contact.md
 //
 // Only one tooth pair is followed through its whole range, because the others repeat its motion
@@ -26,7 +28,7 @@ class WaveCrests;  // contact/wave_crests.hpp
 struct PairTouch {
   Touch touch;
   int fields = -1;   ///< index of the pair of patches; −1 without contact
-  double phi = 0.0;  ///< rad, of gear 1 in N, at which pair 0 has this touch
+  double phi = 0.0;  ///< rotation of gear 1 in N at which pair 0 has this touch, rad
   int pair = 0;      ///< k in N
 
   bool found() const { return fields >= 0; }

@@ -113,7 +113,7 @@ TEST(Transmission, work) {
   EXPECT_LE(a.searches, 90);
   EXPECT_LE(b.searches, 140);
   EXPECT_LE(c.searches, 120);
-  EXPECT_EQ(a.cold_starts, 0);  // a search from nine places finds the first touch
+  EXPECT_EQ(a.cold_starts, 0);  // a search from nine points finds the first touch
   EXPECT_EQ(b.cold_starts, 0);
 }
 

@@ -10,16 +10,16 @@ namespace gearwright::detail {
 namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
-constexpr int kMaxSteps = 12;    // of the search for an exact ridge; two or three are usual
-constexpr double kRidge = 1e-9;  // rad of φ: such a step changes T by less than 1e-17
-constexpr double kMiss = 0.01;   // of the amplitude: greatest error of the quadratic functions
-constexpr double kMargin = 0.1;  // of the amplitude: greatest error of a crest between two nodes
-constexpr double kSteep = 0.5;   // curvature of the waves relative to that of the smooth flanks,
-                                 // above which T may have several maxima over the profile
+constexpr int kMaxSteps = 12;    // limit of the search for an exact ridge; two or three are usual
+constexpr double kRidge = 1e-9;  // rad of φ; such a step changes T by less than 1e-17
+constexpr double kMiss = 0.01;   // greatest error of the quadratic functions, in amplitudes
+constexpr double kMargin = 0.1;  // greatest error of a crest between two nodes, in amplitudes
+constexpr double kSteep = 0.5;   // ratio of the curvature of T by waves to its curvature on smooth
+                                 // flanks, above which T may have several maxima over the profile
 constexpr int kAcross = 5;       // points of the profile that are then examined for maxima
 constexpr int kPerWave = 6;      // nodes
 constexpr int kLeastNodes = 7;
-constexpr double kBeyondPath = 0.2;  // of the path of contact: range searched beyond each end
+constexpr double kBeyondPath = 0.2;  // range searched beyond each end, in lengths of the path
 
 double base_radius(const FlankPatch& f) {
   if (f.removal) return f.removal->base_radius();
@@ -66,7 +66,7 @@ Complex unit_of(const FlankPatch& f, double rate, double L) {
 }
 
 Complex turn_by(double angle) { return {std::cos(angle), std::sin(angle)}; }
-// As turn_by(), to the second order of the angle.
+// The value of turn_by() to second order in the angle.
 Complex turn_by_little(double angle) { return {1.0 - 0.5 * angle * angle, angle}; }
 
 }  // namespace
@@ -370,7 +370,7 @@ std::vector<WaveCrests::Crest> WaveCrests::at(double phi, double least) const {
   nodes.reserve(sections_.size() + 4);
   for (const auto& [z, along] : sections_) {
     const Node next = node(phi, z, along, least);
-    // The ridge bends where it leaves D, so that place is a node, too.
+    // The ridge has a kink where it leaves D, so a node is added there.
     if (!nodes.empty() && (nodes.back().inside > 0.0) != (next.inside > 0.0)) {
       const Node& last = nodes.back();
       const double part = last.inside / (last.inside - next.inside);

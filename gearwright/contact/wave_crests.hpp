@@ -1,13 +1,14 @@
-// The places at which teeth with form waves can touch, in closed form. Each wave has several
+// The points at which teeth with form waves can touch, in closed form. Each wave has several
 // crests, so T has many local maxima, and a search of the whole flank from scratch costs hundreds
 // of evaluations.
 //
+//   T, D     gap field (gap_field.hpp), and the part of flank 1 opposite flank 2 (touch.hpp)
 //   ridge    the greatest T over the profile, as a function of the height z
-//   x, y     place on flank 1 along s and z, −1 to 1 over the part that lies opposite flank 2
+//   x, y     point of flank 1: s and z, scaled to −1 … 1 over the part that lies opposite flank 2
 //   φ        rotation of gear 1 at which the smooth flanks have their ridge at (x, y)
 //                                    theory: docs/theory/08-contact.md, [T8.28]
 //
-// On involutes with parallel axes, φ, the T of the smooth flanks, and the place on flank 2 are
+// On involutes with parallel axes, φ, the T of the smooth flanks, and the point of flank 2 are
 // quadratic functions of x and of y up to a small fraction of a micron. They are interpolated from
 // nine exact ridges. The waves are added in closed form, with one Newton step along the profile.
 //
@@ -24,9 +25,10 @@ namespace gearwright::detail {
 
 class WaveCrests {
  public:
-  /// None if no wave exists, if a flank is not an involute or has a topography, if the axes cross,
-  /// if an exact ridge cannot be computed, or if the error of the quadratic functions half way
-  /// between the exact ridges exceeds a hundredth of the amplitude of the waves.
+  /// None if no wave exists, or if the quadratic functions are not valid. They are valid for
+  /// involutes without topography on parallel axes. In addition, all exact ridges must be
+  /// computable, and the error half way between them must be at most a hundredth of the amplitude
+  /// of the waves.
   static std::optional<WaveCrests> of(const ContactPair& pair, const FlankPatch& one,
                                       const FlankPatch& two);
 
@@ -35,12 +37,12 @@ class WaveCrests {
     double te;    ///< T  rad, as estimated
     double s, z;  ///< on flank 1
   };
-  /// The crests of tooth pair 0 at a rotation, in order of z. Those whose T cannot reach `least`
-  /// may be missing.
+  /// The crests of tooth pair 0 at a rotation, in order of z. Crests that cannot reach a T of
+  /// `least` may be missing.
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
-  /// rad: a crest that is lower by more than this cannot be the highest one.
+  /// A crest that is lower than another crest by more than this, rad, cannot be the highest.
   double margin() const { return margin_; }
   /// True if the patches never lie opposite each other.
   bool apart() const { return z_lo_ >= z_hi_; }
@@ -57,7 +59,7 @@ class WaveCrests {
   };
   struct Node {
     double te = 0.0, s = 0.0, z = 0.0;
-    double aside = 0.0;   // s minus s of the smooth ridge
+    double aside = 0.0;   // distance from the smooth ridge in s
     double inside = 0.0;  // distance of the smooth ridge from the nearest end of D in s, > 0 inside
     bool outside = true;  // true if D is empty here, or if T cannot reach the required value
   };

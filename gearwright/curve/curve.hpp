@@ -32,8 +32,10 @@ class Curve {
 
   /// arg W(t) [T1.1], rad, in (−π, π]. If a subclass overrides it, the result is continuous along the curve.
   virtual double polar_angle(double t) const;
-  /// The parameter between t_lo and t_hi at which |W| = ρ. |W| increases from t_lo to t_hi, and if ρ is
-  /// outside the range of |W|, the nearer end is returned. A subclass may have a closed form.
+  /// The parameter between t_lo and t_hi at which |W| = ρ. If ρ is outside the range of |W|, the
+  /// nearer end is returned. A subclass may have a closed form.
+  ///
+  /// Domain  |W| increases from t_lo to t_hi (contract)
   virtual double parameter_at_radius(double rho, double t_lo, double t_hi) const;
   virtual bool radius_is_closed_form() const { return false; }
 };
@@ -54,8 +56,8 @@ const Kind& curve_as(const Curve& curve) {
   return *known;
 }
 
-/// Calls `visit` with a pointer to the first of the listed classes of which the curve is an instance. If
-/// there is none, calls `visit` with a pointer to the curve itself.
+/// Calls `visit` with the curve as a pointer to the first of the listed classes to which it
+/// belongs. If it belongs to none of them, `visit` gets a pointer to the base class Curve.
 template <class Kind, class... Others, class Visitor>
 auto visit_curve(const Curve& curve, const Visitor& visit) {
   if (const Kind* known = curve_if<Kind>(curve)) return visit(known);

@@ -48,7 +48,7 @@ bool is_undercut(const EdgeCircle& flank, const std::optional<Angle>& limit) {
 }
 
 // Finds undercut. The gear records the data of an undercut flank arc or, if no arc is undercut, of
-// the lowest one. Arcs that join two flanks are not examined, because they have no contact.
+// the lowest flank arc. Arcs that join two flanks are not examined, because they have no contact.
 void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& edge) {
   auto& flanks = std::get<ArcTeeth>(gear.flanks);
   bool first = true;

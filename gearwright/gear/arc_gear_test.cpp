@@ -58,8 +58,9 @@ TEST(ArcGear, has_diameters_of_its_rack_and_no_involute) {
                                       ArcName::tip_land}));
 }
 
-// The point at which the edge of the rack crosses the pitch line is cut on the pitch circle. Both
-// are at the same distance, one along the pitch line and the other along the circle.
+// The point of the rack's edge on the pitch line cuts the point of the flank on the pitch circle.
+// The distances of these points from the centre line, along the line and along the circle, are
+// equal.
 TEST(ArcGear, thickness_on_the_reference_cylinder) {
   for (const double allowance : {0.0, -0.08}) {
     for (const Cutter cutter : {Cutter::F, Cutter::P}) {
@@ -106,7 +107,7 @@ TEST(ArcGear, flags_say_what_happened) {
   EXPECT_FALSE(made(small).exists());
 }
 
-// The height at which both flanks meet ends the pointed tooth, for any blank.
+// A pointed tooth ends at the diameter at which both flanks meet, for any larger blank.
 TEST(ArcGear, pointed_diameter) {
   CylindricalSpec s = spec_of(Cutter::F, 20);
   const Gear gear = made(s);
@@ -117,7 +118,7 @@ TEST(ArcGear, pointed_diameter) {
   }
 }
 
-// If the blank is too large, the tooth ends at the land that follows the arcs.
+// If the blank is too large, the bottom land of the rack, which follows the arcs, ends the tooth.
 TEST(ArcGear, the_arcs_end_tops_the_tooth) {
   CylindricalSpec s = spec_of(Cutter::P, 60);
   s.tip_diameter = made(s).reference_diameter + 4.0;

@@ -99,8 +99,8 @@ ReferenceInput<T> as_rack(const BaseGear<T>& gear, const T& alpha_n) {
 //   h_fP*, ρ_fP*, h_Ff*   dedendum, tip rounding and flank depth of the rack, in modules
 //                                              theory: docs/theory/04-conjugate-action.md, 4.2
 
-/// The rack of `spec`, with the dedendum that gives d_f and, if d_Ff is given, with the tip rounding
-/// whose fillet ends at d_Ff.
+/// The rack of `spec`, with the dedendum that gives d_f. If d_Ff is given, the tip rounding of the
+/// rack is the one whose fillet ends at d_Ff.
 ///
 /// Formula   h_fP* = x_E ± (d − d_f)/(2 m_n), h_Ff* = x_E − (ρ_F − ρ_C) sin α_t/m_n,
 ///           ρ_fP* = (h_fP* − h_Ff*)/(1 − sin α_n); [T4.4]

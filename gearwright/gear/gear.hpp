@@ -51,17 +51,18 @@ struct InvoluteTeeth {
   ReferenceGeometry<double> reference;
   std::optional<double> undercut_free_profile_shift;  ///< least x_E without undercut, signed; only
                                                       ///< for a gear cut by a rack
-  std::optional<double> undercut_l;                   ///< l_F  mm, signed; none if internal
-  std::optional<double> point_c_l, point_j_l;         ///< l_C, l_J  mm, with circular fillets
+  /// Positions along the rack's flank as in generation/circular_fillets.hpp.
+  std::optional<double> undercut_l;            ///< l_F  mm, signed; none if internal
+  std::optional<double> point_c_l, point_j_l;  ///< l_C, l_J  mm, with circular fillets
 };
 
 /// The data of gears cut by a rack of arcs only.
 struct ArcTeeth {
   RackOfArcs rack;                            ///< in modules
   std::optional<double> reference_thickness;  ///< s_n  mm, with the allowance
-  Angle flank_begin;                          ///< τ at the root end of the flank arc; if there are
-                                              ///< several flank arcs, of the undercut one or else
-                                              ///< of the lowest one
+  Angle flank_begin;                          ///< τ at the root end of the flank arc. If there are
+                                              ///< several, it is the undercut arc, or the lowest
+                                              ///< arc if none is undercut
   std::optional<Angle> undercut_limit;        ///< τ of the cusp of this arc, if it has a cusp
 };
 

@@ -291,7 +291,7 @@ bool RemovalField::ridge_between(const Piece& a, const Piece& b) const {
 
 // L as a function of y = ρ² − r0². Above y0 = y_floor_, L = √y. Below y0, L = √y0 (1 − h) with
 // t = (y0 − y)/y0 and h = t (1 + 7t/4)/(2 (1 + t)^(3/2)). At t = 0, h has the value, slope and second
-// derivative of 1 − √(1 − t). It increases for all t, and as √t for great t.
+// derivative of 1 − √(1 − t). h increases for all t ≥ 0, and for large t like √t.
 RemovalField::Roll RemovalField::roll(double rho) const {
   const double y = (rho - extent_.r0) * (rho + extent_.r0);
   const double y_u = 2 * rho * rho;

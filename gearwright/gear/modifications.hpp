@@ -74,7 +74,7 @@ struct FlankExtent {
   double face_width;     ///< b  mm
 };
 
-/// Material removed at a place, and its derivatives by u and z.
+/// Material removed at a point of the flank, and its derivatives by u and z.
 struct Removal {
   double c = 0.0;                             ///< mm
   double c_u = 0.0, c_z = 0.0;                ///< mm, 1
@@ -155,7 +155,7 @@ class RemovalField {
   /// The waves along the profile and along the face.
   const std::array<FormWave, 2>& waves() const { return waves_; }
   bool wavy() const { return waves_[0].waves > 0 || waves_[1].waves > 0; }
-  /// The removal of one of the waves at the place x, which is L or z, and its derivatives by x.
+  /// The removal of one wave at the position x, which is L or z, and its derivatives by x.
   struct WaveJet {
     double c, d1, d2;  ///< mm, 1, 1/mm
   };

@@ -1,5 +1,5 @@
-// Compares the removal field with its formulas in long double, whose derivatives are computed by
-// differences. Tests borders, the continuation below the base circle, and errors.
+// Compares the removal field with its formulas, which are evaluated in long double and
+// differentiated by differences. Tests borders, the continuation below the base circle, and errors.
 #include "gearwright/gear/modifications.hpp"
 
 #include <gtest/gtest.h>
@@ -232,7 +232,7 @@ TEST(RemovalField, pieces_tile_the_flank) {
         EXPECT_EQ(field->piece_at(u, z), c.piece);
       }
       EXPECT_EQ(owners, 1);
-      // Only the drawing determines which reliefs apply.
+      // Which reliefs apply follows from their start positions on the drawing.
       const double rho = std::exp(u);
       const double x = (rho - e.rho_root_form) / (e.rho_tip_form - e.rho_root_form);
       const Field::Piece expected{x > 0.6, x < 0.3, z<3.0 - half, z> half - 3.0};
@@ -347,7 +347,7 @@ TEST(RemovalField, without_modifications_is_one_piece_of_nothing) {
   EXPECT_EQ(field->pieces().size(), 1u);
   EXPECT_EQ(field->at(3.1, 2.0).c, 0.0);
   EXPECT_EQ(field->derivative(P::tip_relief, 3.1, 2.0, {}).c, 0.0);
-  FlankModifications placed;  // no amount, but derivative() needs a position
+  FlankModifications placed;  // no amount, but derivative() needs the start of the relief
   placed.tip_relief.reach = 46.0;
   const auto ready = make_removal_field(placed, kGear);
   ASSERT_TRUE(ready);

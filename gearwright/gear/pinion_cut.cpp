@@ -24,8 +24,8 @@ double shift_at(const Gear& cutter, int teeth, double roll_w) {
 }
 
 // ρ_a0, the tip rounding of the cutter. It is the radius of the circular tip fillet or, if the blank
-// reaches so far, the root rounding of the rack that cut the cutter. If a gear cut the cutter, there is
-// no rounding of constant radius.
+// reaches so far, the root rounding of the rack that cut the cutter. It is 0 for sharp tips, and
+// for a cutter that was itself cut by a pinion cutter, which has no rounding of constant radius.
 double tip_rounding(const Gear& cutter) {
   if (const auto& arc = cutter.tooth->tip_fillet) return arc->radius;
   const StraightRack& rack = cutter.spec.straight_rack();
@@ -125,7 +125,7 @@ struct Cutter {
   double distance;
 };
 
-// A cutter of z_0 teeth with this tip rounding, which reaches the root of the internal gear.
+// A cutter of z_0 teeth with this tip rounding. Its tip reaches the root of the internal gear.
 std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   CylindricalSpec c;
   c.teeth = z_0;
@@ -147,7 +147,7 @@ std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   c.tip_diameter = 2 * r_a;
   auto cutter = make_gear(c);
   if (!cutter || !cutter->exists() || cutter->pointed()) return std::nullopt;
-  // A cutter without a land or with a truncated rounding would not reach the root.
+  // The cutter must have a land, and its tip must reach the root of the internal gear.
   const auto& land = cutter->tip_tooth_thickness_normal;
   if (!land || *land < kMinLand * c.normal_module) return std::nullopt;
   if (std::abs(cutter->tooth->tip_radius - r_a) > kSameTip * r_a) return std::nullopt;

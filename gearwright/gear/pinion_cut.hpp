@@ -40,8 +40,8 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& spec)
 //                            theory: docs/theory/06-few-teeth.md, 6.5
 
 /// The internal gear with a tooth cut by a cutter of |z|/2 teeth. If this cutter would remove part of
-/// the flank, one with more or fewer teeth is used. All other data are unchanged. None if no cutter
-/// leaves the whole flank down to the tip.
+/// the flank, a cutter with more or fewer teeth is used. All other data are unchanged. None if no
+/// cutter leaves the whole flank down to the tip.
 ///
 /// Domain    `ring` is an internal gear without a tooth (contract)
 std::optional<Gear> cut_by_default(const Gear& ring);

@@ -58,8 +58,8 @@ bool warns_of_topping(const Gear& gear) {
 }
 
 // The default tip is exactly the tip that the cutter leaves, so the cutter never truncates the
-// blank, for any scale of all lengths. With all lengths times 7.3, rounding once truncated 17:−62
-// cut by 31.
+// blank, for any scale of all lengths. A factor of 7.3 on all lengths is a case in which rounding
+// could decide (z = −62, cutter of 31 teeth).
 TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
   testing::Draw random(20261123);
   std::vector<double> scales{1.0, 7.3};
@@ -284,9 +284,9 @@ TEST(PinionCut, ring_must_be_larger_than_its_cutter) {
   EXPECT_NE(error.error().message().find("at most 17"), std::string::npos);
 }
 
-// The cutter of profile C has a rounding that begins at its tip circle, which makes a branch of no
-// height. With 13, 15, 17, 26, 27 and 34 to 36 teeth, that branch was once taken for the end of the
-// tooth.
+// The cutter of profile C has a rounding that begins at its tip circle and generates a branch
+// without height. With 13, 15, 17, 26, 27 and 34 to 36 teeth, this branch must not count as the end
+// of the tooth.
 TEST(DefaultCutter, cuts_internal_gears_of_every_named_rack) {
   for (const char* name : {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}) {
     for (int z = 10; z <= 60; ++z) {

@@ -62,8 +62,8 @@ TEST(Reference, allowance_is_a_shift) {
   EXPECT_EQ(reference_geometry(helical()).generating_profile_shift, 0.3);
 }
 
-// The space of an internal gear equals the tooth of an external gear with the same numbers. At x =
-// 0, the base thicknesses of both gears add up to the pitch.
+// The space of an internal gear equals the tooth of an external gear with the same data. At x = 0,
+// the base thicknesses of both gears add up to the pitch.
 TEST(Reference, ring_and_pinion_of_the_same_numbers_fill_the_pitch) {
   ReferenceInput<double> in = helical();
   in.profile_shift = 0.0;

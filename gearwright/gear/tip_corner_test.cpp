@@ -85,8 +85,8 @@ std::vector<Vec2> cutter_points(int teeth, double m, double x, double r_a, doubl
     const double t = psi_b - xi;
     return Vec2(r_b * (std::cos(t) - xi * std::sin(t)), r_b * (std::sin(t) + xi * std::cos(t)));
   };
-  // The roll angle at which a circle of the radius ρ inside the flank reaches the tip circle. It is
-  // found by bisection of the point of the circle that is farthest from the axis.
+  // A circle of the radius ρ touches the flank from inside at the roll angle ξ. Bisection finds the
+  // ξ at which the point of the circle that is farthest from the axis lies on the tip circle.
   const auto center = [&](double xi) {
     const double t = psi_b - xi;  // the normal points to the base circle's tangent point
     const Vec2 foot(r_b * std::cos(t), r_b * std::sin(t));
@@ -117,8 +117,8 @@ std::vector<Vec2> cutter_points(int teeth, double m, double x, double r_a, doubl
   return points;
 }
 
-// The greatest polar angle that the cutter's tooth reaches on the circle of the radius ρ about the
-// axis of the ring while it passes through the space about the x axis.
+// The greatest polar angle that a tooth of the cutter reaches on the circle of the radius ρ about
+// the axis of the ring while the tooth passes through the space on the x axis.
 double swept_angle(const std::vector<Vec2>& cutter, double distance, double ratio, double rho) {
   double best = -1e300;
   const auto reach =

@@ -34,8 +34,8 @@ class TopographySpline {
   struct Value {
     double s, d, z, dd, dz, zz;  ///< mm; derivatives by diameter and height
   };
-  /// The surface at a place. Beyond the grid, the outermost cubic is continued. The function does not
-  /// allocate memory.
+  /// The surface at a point. Beyond the grid, the outermost cubic is continued. The function does
+  /// not allocate memory.
   Value at(double diameter, double height) const;
 
  private:

@@ -37,7 +37,7 @@ std::vector<double> uneven(std::mt19937& random, std::size_t n, double from, dou
 
 // The not-a-knot spline on n ≥ 4 points is a cubic whose third derivative jumps at every inner
 // point except the first and the last inner point. Its basis is 1, x, x², x³ and (x − x_j)³ for x >
-// x_j. This function returns the basis and two derivatives at a place.
+// x_j. This function returns the basis and two derivatives at a point.
 LongMatrix powers(const std::vector<double>& x, Long at) {
   const auto n = static_cast<Eigen::Index>(x.size());
   LongMatrix b(n, 3);
@@ -59,7 +59,7 @@ LongMatrix powers(const std::vector<double>& x, Long at) {
   return b;
 }
 
-// Weights of the samples in s, s′ and s″ at a place.
+// Weights of the samples in s, s′ and s″ at a point.
 LongMatrix weights(const std::vector<double>& x, Long at) {
   const auto n = static_cast<Eigen::Index>(x.size());
   LongMatrix collocation(n, n);

@@ -42,7 +42,7 @@ struct Branch {
 /// Makes the branch of `curve` from t_lo to t_hi, with heights computed from the curve.
 Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double side);
 
-/// The limits of the branches, which are ordered from root to tip. `side` is equal to Branch::side.
+/// The limits of the branches of a tooth. `side` is equal to Branch::side.
 struct ToothEnds {
   int teeth;               ///< z
   double side;             ///< 1; −1 for an internal gear
@@ -56,16 +56,19 @@ struct ToothEnds {
   ///< tooth; empty for a rack
 };
 
-/// Joins the branches and ends them at the tip. `tooth` contains root_radius and the requested
-/// fillets, and the function sets all other members. Severed teeth have no outline.
+/// Joins the branches, which are ordered from root to tip, and ends them at the tip. `tooth`
+/// contains root_radius and the requested fillets, and the function sets all other members. Severed
+/// teeth have no outline.
 ///
-/// Errors    `tip_diameter_mm` if the blank leaves no tooth above the root; `cut_by` if the branches
-///           of a pinion cutter do not join; `root_fillet.offset_mm` or `tip_fillet` if no flank is left
+/// Errors    `tip_diameter` if the blank leaves no tooth above the root; `cut_by` if the branches
+///           of a pinion cutter do not join; `root_fillet.offset` or `tip_fillet` if no flank is
+///           left
 Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const ToothEnds& ends,
                                     GeneratedTooth tooth);
 
-// Joins branches to the outline of the tooth.
-// end of the preceding branch, so the chain represents the half angle as a function of the height.
+// Joins branches to a chain. A chain is a list of branches in order of height. Each branch begins
+// at the end of the preceding branch, so the chain represents the half angle as a function of the
+// height.
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 
 /// Returns the chain up to the tip, for branches in the order of the cutter's edge from root to tip. The

@@ -1,5 +1,6 @@
-// Computes circular fillets at the root and at the tip of an involute tooth, which are not cut by a
-// rack, from the dimensions on a drawing. The functions of generate.hpp add them to the tooth.
+// Computes circular fillets at the root and at the tip of an involute tooth from the dimensions on
+// a drawing. The functions of generate.hpp add them to the tooth in place of the fillets that the
+// rack cuts.
 //
 //   l    length along the straight flank of the rack in the normal section from its lower end, mm;
 //        the height x of the rack and the roll angle ξ are linear in l
@@ -106,8 +107,8 @@ struct CircularFillets {
 /// Computes the requested fillets. `tip_radius` is the radius of the blank, if given. For the
 /// rounding of a tip corner, it is the radius at which the tooth ends.
 ///
-/// Errors    `root_fillet.offset_mm`, `tip_fillet.radius_mm`, `tip_fillet.l_mm`,
-///           `tip_fillet.corner_radius` or `tip_fillet`, each with the range that fits
+/// Errors    `root_fillet.offset`, `tip_fillet.radius`, `tip_fillet.l`, `tip_fillet.end_radius` or
+///           `tip_fillet.corner_radius` with the range that fits; `tip_fillet` if no flank is left
 Result<CircularFillets> circular_fillets(const FlankRuler& ruler, int teeth,
                                          const std::optional<RootFilletSpec>& root,
                                          const std::optional<TipFilletSpec>& tip,

@@ -71,8 +71,8 @@ TEST(RootFillet, touches_the_flank_and_is_centred_in_the_space) {
   EXPECT_GT(arcs, 30);
 }
 
-// dr_r/dξ = r_b tan² u and d(end)/dξ = r_b (1 − 1/(1 + sin u)), where u is the angle of the base
-// tangent point before the middle of the space.
+// dr_r/dξ = r_b tan² u and d(end)/dξ = r_b (1 − 1/(1 + sin u)), where u is the angle from the base
+// tangent point to the middle of the space.
 TEST(RootFillet, laws) {
   for (const Tooth& tooth : teeth()) {
     const double r_b = tooth.flank.base_radius();
@@ -193,7 +193,7 @@ TEST(TipFillet, roll_of_a_radius_is_its_inverse) {
   }
 }
 
-// r_t decreases with ξ, so its greatest value is that at ξ = 0.
+// r_t decreases with ξ, so r_t is greatest at ξ = 0.
 TEST(TipFillet, a_radius_too_large_has_no_place) {
   const Involute flank(11.276, 0.2376);
   const double largest = tip_fillet_at(flank, 0.0)->radius;

@@ -18,8 +18,8 @@ namespace {
 using detail::Branch;
 using detail::branch_of;
 
-// Two arcs join smoothly if their normals differ by at most this angle, rad. At a corner, the point
-// that is cut moves by λ²/w per radian of the normal.
+// Two arcs join smoothly if their normals differ by at most this angle, rad. While the normal turns
+// by this angle at a corner, the point that is cut moves by only λ²/w times this angle.
 constexpr double kSameNormal = 1e-12;
 
 // Returns the angle ν of the outward normal at an end of an arc. The angle lies in the half turn

@@ -22,8 +22,9 @@ double left_by_root(const GeneratedTooth& cutter, const PinionMotion& motion);
 /// Units     mm, rad; if `blank_radius` is infinite (internal gear: 0), the root of the cutter ends
 ///           the tooth
 /// Domain    `cutter` has an outline; an internal gear has more teeth than its cutter (contract)
-/// Errors    `cut_by` if the centrode lies inside the base circle of the cutter, or if the cutter
-///           passes the axis or leaves no tooth; `tip_diameter_mm` if the blank ends at the root
+/// Errors    `cut_by` if the centrode lies inside the base circle of the cutter, if the cutter
+///           leaves no tooth, or if the branches do not join; `tip_diameter` if the blank ends at
+///           the root
 Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionMotion& motion,
                                      double blank_radius);
 

@@ -1,5 +1,5 @@
-// Tests gears cut by a pinion cutter. They are conjugate to the cutter, approach the gear cut by a
-// rack if the cutter is large, and cover every flag and error.
+// Tests gears cut by a pinion cutter. They are conjugate to the cutter, and with a large cutter
+// they approach the gear cut by a rack. Every flag and error is tested.
 //
 //   z_0, x_0   the cutter's teeth and shift      E   generating centre distance, module 1
 #include "gearwright/generation/cut_by_pinion.hpp"
@@ -146,7 +146,7 @@ double apart(const GeneratedTooth& a, const GeneratedTooth& b, ArcName name, dou
 // The larger the cutter, the closer the gear is to the gear that the rack of the same profile cuts.
 // All differences decrease like 1/z_0.
 TEST(CutByPinion, approaches_the_rack) {
-  StraightRack rack;  // its tip becomes the tip of the cutter
+  StraightRack rack;  // has the same tip as the cutter
   rack.root_fillet_radius = 0.3;
   for (const double x : {0.2, 0.4, -0.2}) {  // the last one is undercut
     const double blank = 18.0 / 2 + 1 + x;
@@ -172,10 +172,9 @@ TEST(CutByPinion, approaches_the_rack) {
   }
 }
 
-// At the reference distance, rack, cutter and gear roll on one pitch point. There, the cutter has
-// the same effect as the rack that is its counterpart, for any number of cutter teeth. The
-// condition is that the cutter has the whole edge of its rack, from the end of the flank at τ = α
-// on.
+// At the reference distance, rack, cutter and gear roll with a common pitch point. The cutter then
+// has the same effect as its counterpart rack, for any number of cutter teeth. This requires that
+// the cutter has the whole edge of its rack, beginning with the end of the flank at τ = α.
 TEST(CutByPinion, at_the_reference_distance_it_is_the_rack) {
   StraightRack rack;
   rack.root_fillet_radius = 0.25;
@@ -266,8 +265,8 @@ TEST(CutByPinion, corner_of_an_undercut_cutter) {
     }
   }
   EXPECT_GE(fans, 3);
-  // The flank ends where the corner begins to cut, below the end that the base circle of the cutter
-  // would give.
+  // The flank of the gear ends where the corner of the cutter begins to cut. This end is nearer to
+  // the root than the point that the cutter's involute would cut at its base circle.
   EXPECT_LT(*tooth.tip_form_radius, tooth.tip_radius);
 }
 

@@ -149,8 +149,8 @@ TEST(CutByRack, a_blank_below_the_root_is_an_error) {
   EXPECT_EQ(tooth.error().field, "tip_diameter");
 }
 
-// Undercut begins exactly here. The swallowtail between fillet and flank is smaller than an ulp in
-// either direction, and the two arcs simply touch.
+// The profile shift is within 4 ulp of the limit of undercut. The loop between fillet and flank is
+// then smaller than rounding, and the two arcs must join without it.
 TEST(CutByRack, undercut_begins_within_rounding) {
   for (const int teeth : {1, 4, 8, 12, 17, 40}) {
     for (const double rho : {0.0, 0.2, 0.38}) {

@@ -30,7 +30,7 @@ bool normal_meets_centrode(const CutterPiece& piece, double t) {
 
 constexpr int kCells = 2000;
 
-// Samples slightly inside the ends, where the normal lies on the line of centres.
+// Samples slightly inside the piece, because at its ends the normal lies on the line of centres.
 double sample(const CutterPiece& piece, int i) {
   return piece.at(1e-9 + (1.0 - 2e-9) * i / kCells);
 }
@@ -119,8 +119,8 @@ TEST(PinionCusps, cusps_are_all_and_only_the_turns_of_the_radius) {
     }));
     cusps += static_cast<int>(breaks.size());
     expect_same_places(scanned(rise), breaks, piece, "cusp");
-    // If w G > 0, the radius decreases along the walk on an external gear and increases on an
-    // internal gear. Behind the tooth, w has the other sign.
+    // If w G > 0, the radius decreases from root to tip of the cutter on an external gear and
+    // increases on an internal gear. Behind the tooth, w has the other sign.
     const double sense = -piece.motion.side() * (piece.meeting == Meeting::ahead ? 1.0 : -1.0);
     for (int i = 2; i < kCells - 2; i += 97) {
       const double u = (i + 0.5) / kCells;

@@ -48,7 +48,7 @@ CurvePoint CornerFan::at(double nu) const {
 
 struct PinionEnvelope::Contact {
   double s, q, w, kappa, turned;  // turned = ν − κ = ϑ
-  double curvature;               // k of the cutter's curve, in the direction of the walk
+  double curvature;               // k of the cutter's curve, followed from root to tip
   double lambda() const { return w - q; }
 };
 
@@ -85,7 +85,8 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
 Vec2 PinionEnvelope::point(double t) const {
   const Contact c = contact(t);
   const double side = motion_.side();
-  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p; on an internal gear minus the conjugate of this number.
+  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear, the conjugate is taken and
+  // negated.
   const double along = side * (r_g_ + c.lambda() * c.w / r_p_);
   const double across = c.lambda() * c.s / r_p_;
   const double turn = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned;

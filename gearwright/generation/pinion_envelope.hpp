@@ -6,10 +6,10 @@
 //   λ         w − q  mm, distance along ν from the point of the cutter to the pitch point
 //
 // A point of the cutter cuts when its normal passes through the pitch point. Then κ = asin(s/r_p) is
-// the angle between the normal and the line of centres, and the cutter has turned by κ − ν. In the
-// frame of the space, the point of the gear is  e^{−im(ν−κ)} (r_g + λ e^{iκ})  [T6.8]. Involutes
-// generate involutes (pinion_involute), and circles about the axis generate circles. PinionEnvelope
-// computes the envelopes of all other curves.
+// the angle between the normal and the line of centres, and the cutter has turned by −ϑ with
+// ϑ = ν − κ. In the frame of the space, the point of the gear is e^{−imϑ} (r_g + λ e^{iκ}) [T6.8].
+// Involutes generate involutes (pinion_involute), and circles about the axis generate circles.
+// PinionEnvelope computes the envelopes of all other curves.
 //                                              theory: docs/theory/06-few-teeth.md
 #pragma once
 
@@ -26,7 +26,7 @@ namespace gearwright {
 struct PinionMotion {
   int cutter_teeth;  ///< z_0 ≥ 1
   int teeth;         ///< z, negative for an internal gear
-  double distance;   ///< E > 0  mm
+  double distance;   ///< E  generating centre distance, > 0, mm
   double side() const { return side_of(teeth); }
   double ratio() const { return static_cast<double>(cutter_teeth) / teeth; }  ///< m
   double cutter_pitch_radius() const;                                         ///< r_p  mm
@@ -52,8 +52,8 @@ enum class Walk { forward, backward };
 /// internal gear when the cutter's tooth leaves the space [T6.13].
 enum class Meeting { ahead, behind };
 
-/// The envelope as a function of the parameter of the cutter's curve, whose arc length is σ and whose
-/// curvature is k.
+/// The envelope as a function of the parameter of the cutter's curve. σ is the arc length of this
+/// curve, and k its curvature.
 ///
 /// Laws  (1) dW/dσ = i G e^{i(κ−mϑ)} with G = 1 + (1+m) λ (1 − k λ)/w; a zero of G is a cusp [T6.9]
 ///       (2) d|W|²/dσ = −2 (r_g/r_p) s G, so the radius is monotone between cusps

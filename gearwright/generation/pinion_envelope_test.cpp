@@ -26,7 +26,7 @@ Vec2 turned(const Vec2& v, double angle) {
 
 using testing::CutterPiece;
 
-// The normal that points out of the cutter, to the left of the walk.
+// The normal that points out of the cutter, to the left of the direction from root to tip.
 Vec2 normal_of(const CutterPiece& piece, double t) { return turned(piece.tangent(t), kPi / 2); }
 
 struct Cutter {
@@ -243,7 +243,7 @@ TEST(PinionInvolute, is_what_the_envelope_says) {
   }
 }
 
-// Behind the tooth, the leaving flank cuts this involute into an internal gear.
+// Behind the tooth of the cutter, its leaving flank cuts this involute into an internal gear.
 TEST(PinionInvolute, behind_is_what_the_envelope_says) {
   for (const PinionMotion& motion :
        {PinionMotion{20, -60, 40.3}, PinionMotion{20, -26, 6.1}, PinionMotion{5, -9, 4.2}}) {

@@ -43,8 +43,8 @@ class RackTrochoid final : public Curve {
   double polar_angle(double tau) const override;
   /// [T8.6]
   PolarJet polar_jet(double tau) const;
-  /// Returns ln |W| and its derivative by τ, which is the part of polar_jet that a search for a radius
-  /// needs.
+  /// Returns ln |W| and its derivative by τ. A search for a radius needs only this part of
+  /// polar_jet.
   struct LogRadius {
     double u, slope;
   };

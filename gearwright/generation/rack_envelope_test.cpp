@@ -38,8 +38,8 @@ std::vector<Envelope> envelopes() {
   return all;
 }
 
-// The point of the cutter's edge, turned into the gear, is the point of the envelope. There the
-// normal of the edge passes through the pitch point.
+// A point of the envelope is the point of the cutter's edge in the frame of the gear, at the
+// rotation at which the normal of the edge passes through the pitch point.
 TEST(RackTrochoid, points_are_cut_when_the_normal_meets_the_pitch_point) {
   for (const auto& [motion, circle] : envelopes()) {
     const RackTrochoid curve(motion, circle);
@@ -139,7 +139,8 @@ TEST(RackInvolute, base_circle_and_thickness) {
   }
 }
 
-// Every point of a line cuts the same point of the gear as a sharp corner at the same place would.
+// Every point of a line cuts the same point of the gear as a sharp corner with the same
+// coordinates.
 TEST(RackInvolute, roll_angle_finds_the_point_of_the_edge) {
   for (const RackMotion& motion : {kSpur, kHelical}) {
     const EdgeLine flank{k20Degrees, 1.57, -2.0, 3.0};

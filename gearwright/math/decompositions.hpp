@@ -14,7 +14,7 @@ struct SymmetricEigen {
   Eigen::Matrix2d vectors;  ///< unit vectors in columns, in the order of the values
 };
 
-/// Eigenvalues and eigenvectors of m, of which only the lower triangle is read.
+/// Eigenvalues and eigenvectors of m. Only the lower triangle of m is read.
 SymmetricEigen symmetric_eigen(const Eigen::Matrix2d& m);
 
 /// The solution x of a·x = b, by elimination with complete pivoting. If `a` is singular, the unknowns
@@ -23,7 +23,7 @@ SymmetricEigen symmetric_eigen(const Eigen::Matrix2d& m);
 /// Domain    a is square, and b has as many rows as a (contract)
 Eigen::VectorXd solve_linear(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-/// The x of least norm among those that minimise |a·x − b|.
+/// The x that minimises |a·x − b|. If there are several, it is the x of least norm.
 ///
 /// Domain    b has as many rows as a (contract)
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);

@@ -99,8 +99,8 @@ T inverse_involute(const T& y) {
 
 // Radius of curvature of an involute.              theory: docs/theory/02-involute-and-pair.md
 
-/// ρ = √(r² − r_b²), the radius of curvature of the involute at the radius r, which is also its rolling
-/// length r_b ξ; 0 inside the base circle.
+/// ρ = √(r² − r_b²), the radius of curvature of the involute at the radius r. ρ is equal to the
+/// rolling length r_b ξ; 0 inside the base circle.
 ///
 /// Formula   [T2.2]
 /// Units     mm

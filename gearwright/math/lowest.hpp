@@ -6,8 +6,8 @@
 
 namespace gearwright {
 
-/// The least of f at steps + 1 equally spaced points of [0, 1], and the interval from the left to the right
-/// neighbour of its point.
+/// The least value of f at steps + 1 equally spaced points of [0, 1], and the interval between the
+/// two neighbours of the point at which f has this value.
 struct LeastNode {
   double lo, hi;
   double least;
@@ -31,8 +31,8 @@ LeastNode least_node(const F& f, int steps) {
 ///
 /// Formula   the best of 17 equally spaced points, then a golden-section search between its
 ///           neighbours
-/// Domain    f is finite and has one minimum between those neighbours. If there are several minima
-///           in the interval, the one next to the best point is found
+/// Domain    f is finite and has one minimum between these neighbours. If there are several minima
+///           in the interval, the minimum next to the best point is found
 /// Accuracy  1e-8 of the interval; at this distance f differs from its minimum only by rounding
 template <class F>
 double place_of_least(const F& f, double lo, double hi) {

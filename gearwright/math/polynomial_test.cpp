@@ -1,4 +1,4 @@
-// Roots of polynomials that were constructed from known roots.
+// Tests the roots of polynomials that are constructed from known roots.
 #include "gearwright/math/root.hpp"
 
 #include <gtest/gtest.h>

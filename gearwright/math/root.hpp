@@ -1,8 +1,8 @@
-// One-dimensional roots with a bracket: TOMS 748 (Alefeld, Potra, Shi 1995) by Boost.Math, and
-// Newton's iteration within a bracket. All real roots of a polynomial on an interval.
+// Computes roots of functions of one variable within a bracket, by TOMS 748 (Alefeld, Potra, Shi
+// 1995) of Boost.Math or by Newton's iteration, and all real roots of a polynomial on an interval.
 //
 // A solver returns its final x, the residual, the number of evaluations and the reason for
-// stopping. Because of the bracket, it needs no start value and cannot diverge.
+// stopping. Because of the bracket, it cannot diverge.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace gearwright {
 enum class RootStop {
   exact,        ///< f(x) = 0
   bracket,      ///< |b − a| ≤ 2 ulp of the larger end
-  no_bracket,   ///< f(lo) and f(hi) have the same sign; nothing was solved, and x is the better end
+  no_bracket,   ///< f(lo) and f(hi) have the same sign; x is the end at which |f| is smaller
   evaluations,  ///< the budget was used up, which happens only if f is NaN inside the bracket
 };
 
@@ -33,7 +33,7 @@ struct Root {
 /// Root of f in [lo, hi].   Domain: lo ≤ hi (contract)
 Root find_root(const std::function<double(double)>& f, double lo, double hi);
 
-// All real roots of a polynomial on an interval, separated exactly by the roots of its derivative.
+// All real roots of a polynomial on an interval. The roots of its derivative separate them exactly.
 
 /// Σ c_i x^i.
 double evaluate_polynomial(std::span<const double> c, double x);
@@ -41,7 +41,8 @@ double evaluate_polynomial(std::span<const double> c, double x);
 /// The roots of Σ c_i x^i in [lo, hi] at which it changes sign, in ascending order.
 ///
 /// A polynomial is monotone between two neighbouring roots of its derivative, so each piece
-/// contains at most one root. The recursion ends at degree 1. Nothing is sampled.
+/// contains at most one root. The recursion ends at degree 1. The interval is not sampled, so close
+/// roots are not missed.
 ///
 /// Accuracy  each root is bisected until its bracket is two neighbouring doubles
 /// Domain    lo ≤ hi, finite coefficients (contract)

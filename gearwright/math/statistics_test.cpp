@@ -106,8 +106,8 @@ TEST(Statistics, IndicesOfIshigamisFunction) {
     return std::sin(at(0)) + 7 * std::sin(at(1)) * std::sin(at(1)) +
            0.1 * x3 * x3 * std::sin(at(0));
   };
-  // The values are from theory page 14: n = 4096, 8 replicates, with the same points and estimators in
-  // another program.
+  // The values are from theory page 14. Another program computed them with n = 4096, 8 replicates,
+  // and the same points and estimators.
   const std::array<double, 3> first{0.31337, 0.44010, -0.00177}, total{0.55817, 0.44227, 0.24428};
   for (int j = 0; j < 3; ++j) {
     std::vector<double> s, s_t;

@@ -21,7 +21,8 @@ double height_gap(const ArcMeshInput& in, double theta) {
 // Height of a point of the arc above the pitch plane, away from the convex gear.
 double height(const WorkingArc& arc, double theta) { return arc.radius * std::sin(theta) - arc.b; }
 
-// Axial position of the point cut at the angle φ of its gear, minus r φ tan λ. [T7.13]
+// The part of the axial position of a cut point that does not depend on the rotation φ of its gear.
+// The other part is r φ tan λ. [T7.13]
 double axial(const WorkingArc& arc, double theta, double lambda) {
   const double s = std::sin(lambda), c = std::cos(lambda);
   return arc.radius * std::cos(theta) * c - arc.a / c + arc.b / std::tan(theta) * s * s / c;
@@ -71,7 +72,8 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   if (!(s > 0.0 && s < 1.0)) return std::nullopt;
   const double first = std::asin(s);
   const double sin_lambda = std::sin(in.lead_angle.rad());
-  // [T7.16], with the difference of two squares written as a product, so that no digits cancel.
+  // The excess of the left side of [T7.16] over a². The difference of two squares is written as a
+  // product, so that no digits cancel.
   const auto excess = [&](double theta) {
     const double w = height_gap(in, theta);
     const double across = w / std::tan(theta) * sin_lambda;
@@ -120,8 +122,8 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   at.radius_convex = std::hypot(A, B);
   const double x_c = height(in.concave, theta);
   at.radius_concave = std::hypot(r_c - x_c, x_c * cot * s);
-  // Both points must have the same z, so r_c φ_c tan λ = r_v φ_v tan λ + difference, with
-  // φ_c′ = φ_c + μ. [T7.18], [T8.23]
+  // Both points must have the same z, so r_c φ_c tan λ = r_v φ_v tan λ + `ahead` with φ_v = μ. The
+  // concave gear is ahead by φ_c + μ. [T7.18], [T8.23]
   const double ahead = axial(in.convex, theta, lambda) - axial(in.concave, theta, lambda);
   at.rotation_offset = Angle::radians((r_v * mu + ahead * c / s) / r_c + mu);
 

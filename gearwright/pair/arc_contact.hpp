@@ -44,22 +44,24 @@ struct ArcContact {
   Vec3 point;   ///< at rotation 0, mm
   Vec3 normal;
   double advance;             ///< dz/dφ of the point for a rotation φ of the convex gear, mm/rad
-  Angle rotation_offset;      ///< rotation by which the concave gear is ahead; < 0 if there is play
+  Angle rotation_offset;      ///< rotation by which the concave gear is ahead of the convex gear;
+                              ///< < 0 if there is play
   double radius_convex;       ///< distance of the point from the axis of the convex gear, mm
   double radius_concave;      ///< distance of the point from the axis of the concave gear, mm
   Mat2 curvature_convex;      ///< K in (t, u), 1/mm
-  Mat2 curvature_concave;     ///<
+  Mat2 curvature_concave;     ///< likewise
   std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; interference if ≤ 0
   Angle angle;                ///< between the direction of k1 and the projection of the axis
   double transverse_radius_convex;  ///< radius of curvature of the transverse profile, mm; > 0 if
                                     ///< its centre lies on the side of the convex gear
   double
       transverse_radius_concave;   ///< likewise for the concave gear, with the same sign convention
-  double line_contact_difference;  ///< radius 2 minus radius 1 that line contact would require, mm
+  double line_contact_difference;  ///< ρ_2 − ρ_1 of the transverse profiles in line contact, mm
 };
 
-/// K of the surface that a circle of a rack (signed ρ, b) cuts, at θ. `turn` is +1 for the convex
-/// gear, which is gear 1 of the frame, and −1 for its mating gear.
+/// The curvature K, at the normal angle θ, of the surface cut by a circular arc of a rack (signed
+/// ρ, b). `turn` is +1 for the convex gear, which is gear 1 of the frame, and −1 for its mating
+/// gear.
 ///
 /// Units     mm, rad
 /// Formula   [T7.14]

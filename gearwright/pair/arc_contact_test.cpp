@@ -37,7 +37,8 @@ TEST(ArcContact, nominal) {
   EXPECT_NEAR(at.mu.rad(), 0.0, 1e-16);
   EXPECT_NEAR(at.rotation_offset.rad(), 0.0, 1e-16);
   EXPECT_GT(at.gap[0], 0.0);
-  // The normal passes through the axis of the pitch point, so its moment about this axis is 0.
+  // The normal intersects the line through the pitch point parallel to the axes, so its moment
+  // about this line is 0.
   const Vec3 arm = at.point - Vec3(in.pitch_radius_convex, 0.0, 0.0);
   EXPECT_NEAR(arm.x() * at.normal.y() - arm.y() * at.normal.x(), 0.0, 1e-14);
 }
@@ -67,11 +68,11 @@ TEST(ArcContact, a_shift_along_the_datum_line_is_one_of_phase) {
   const ArcContact moved = arc_contact(in, *contact_angle(in));
   EXPECT_EQ(moved.theta, at.theta);
   EXPECT_NEAR(at.point.z() - moved.point.z(), 0.3 / std::cos(in.lead_angle.rad()), 1e-12);
-  // Both gears are late by the same amount, because the concave flank follows with its own pitch.
+  // The rotation offset is unchanged, because both flanks move by the same distance.
   EXPECT_NEAR(moved.rotation_offset.rad(), at.rotation_offset.rad(), 1e-15);
 }
 
-// The exact angle tends to [T7.17].
+// For small changes of the centre distance, the exact angle tends to the first-order angle [T7.17].
 TEST(ArcContact, small_changes_are_of_first_order) {
   for (const double change : {1e-4, -1e-4, 1e-6}) {
     const ArcMeshInput in = mesh(change);

@@ -47,8 +47,8 @@ ArcPair mounted(const CylindricalSpec& s_1, const CylindricalSpec& s_2,
   return testing::taken(mount_arcs(made(s_1), made(s_2), a));
 }
 
-// The distance of a contact point of the housing from the leading flank of a gear that is rotated
-// by `turned`. The point of the flank is the one with the normal angle θ on the nearest tooth.
+// The distance between a contact, given in the housing frame, and the point with the normal angle θ
+// on the leading flanks of gear i. The gear is rotated by `turned`, and the nearest tooth is used.
 double distance_to_flank(const ArcPair& pair, std::size_t i, const ArcPairContact& contact,
                          double turned) {
   const Gear& gear = pair.gears[i];
@@ -94,7 +94,7 @@ TEST(ArcPair, contacts_lie_on_both_gears) {
       const auto P = spec_of(rack_of(Cutter::P), 40, -beta);
       const double a = (15 + 40) * 2.0 / std::cos(18 * kPi / 180) + change;
       expect_touching(mounted(F, P, a));
-      // Gear 2 drives. The roles are exchanged, so P cuts gear 1.
+      // The racks are exchanged. F cuts gear 2, and P cuts gear 1.
       const auto F_2 = spec_of(rack_of(Cutter::F), 40, -beta);
       const auto P_1 = spec_of(rack_of(Cutter::P), 15, beta);
       const ArcPair swapped = mounted(P_1, F_2, a);
@@ -131,7 +131,7 @@ TEST(ArcPair, numbers_of_the_pair) {
   EXPECT_NEAR(mounted(F, P).backlash_normal, 0.10 * std::cos(kPi / 6), 1e-5);
 }
 
-// With two contact points on each tooth, a face that is too narrow for one point is wide enough.
+// Teeth with two contact points have continuous contact on a face narrower than the axial pitch.
 TEST(ArcPair, double_arcs_need_less_face) {
   const DoubleArcRack rack = *gbt12759_rack(4.0);
   auto s_1 = spec_of(rack, 18, 22), s_2 = spec_of(rack, 50, -22);

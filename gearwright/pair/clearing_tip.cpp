@@ -22,7 +22,7 @@ std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double 
   const double radius = std::hypot(pair.gears[t].base_radius(), rho);
   const double now = pair.gears[t].actual_tip_radius();
   const bool shorter = pair.gears[t].side() * (radius - now) < 0.0;
-  // An internal gear without an outline has no start of the flank.
+  // An internal gear without an outline has no known start of its flank.
   if (!shorter || (pair.gears[other].internal() && !pair.gears[other].root_form_radius()))
     return std::nullopt;
   return 2 * radius;

@@ -7,10 +7,10 @@
 
 namespace gearwright {
 
-/// The greatest tip diameter (internal gear: the least) of gear `tip` (1 or 2) with which contact
-/// ends `margin` mm of radius above the start of the mating gear's usable flank. If that start is not
-/// known, the mating gear's base circle is used. None if the tip need not be turned down, or if the
-/// mating gear is an internal gear without a known start of its flank.
+/// The greatest tip diameter (internal gear: the least) of gear `tip` (1 or 2). With this diameter,
+/// contact ends on the mating gear at a radius `margin` mm above the start of its usable flank. If
+/// this start is not known, the mating gear's base circle is used. None if the tip need not be
+/// turned down, or if the mating gear is an internal gear without a known start of its flank.
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin = 0.0);
 
 }  // namespace gearwright

@@ -34,8 +34,8 @@ struct Collision {
   double depth;  ///< mm along the common normal: the depth of an overlap in the middle of the play,
                  ///< or the distance by which a contact beyond the flank precedes the contact of
                  ///< the flanks
-  std::optional<OutlineTouch> touch;  ///< place of contact; none if the collision was found from a
-                                      ///< circle instead of the outlines
+  std::optional<OutlineTouch> touch;  ///< position of the contact; none if the collision was found
+                                      ///< from a circle instead of the outlines
   std::string message;                ///< one sentence
 };
 

@@ -1,4 +1,4 @@
-// The imaginary rack between two involute gears, whose plane flank touches both gears.
+// The imaginary rack between two involute gears. Its plane flank touches both gears.
 //
 //   z, r_b, s_bt, β_b   of each gear alone (gear/basic.hpp)     S = sin β_b
 //   α_n  pressure angle of the rack, the free parameter     u_i = cos α_n cos β_i

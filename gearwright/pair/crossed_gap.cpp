@@ -44,7 +44,7 @@ struct TipPoint {
   OutlinePlace place;
 };
 
-/// The gap at a point of the tip of A against the outline of B.
+/// The gap between a tip point of A and the outline of B.
 struct TipGap {
   double value = std::numeric_limits<double>::infinity();  // as a turn of B
   double side = 1.0;
@@ -116,8 +116,8 @@ double crossing(const F& beyond, double deepest, double away, double z) {
   return in;
 }
 
-/// The gap as a function on the square [−1, 1]², to which the places on the cylinder are mapped; empty
-/// if there is no such place.
+/// The gap as a function of (u, v) in [−1, 1]². The functions below map (u, v) to points of the
+/// cylinder; the function is empty if there is no such point.
 using GapOver = std::function<TipGap(double, double)>;
 
 /// External pairs: u maps to ψ, measured from the direction of the axis of B, and v maps to the
@@ -144,14 +144,15 @@ GapOver outside(const TipMotion& motion, double distance) {
 GapOver inside(const TipMotion& motion, double limit) {
   const bool ring = side_of(motion.a().teeth) < 0.0;
   const double mesh = motion.start() + (ring ? 0.0 : kPi);
-  // The difference to the radius `limit`, negative on the side of the teeth of B.
+  // Radial distance of a point from the radius `limit` of B; negative on the side of the teeth of
+  // B.
   const auto beyond = [=, &motion](double psi, double z) {
     const Vec3 q = motion.in_b(mesh + psi, z);
     const double rho = std::hypot(q.x(), q.y());
     return ring ? rho - limit : limit - rho;
   };
-  // The ψ that lies deepest in the teeth of B, and the ends of that region on both sides; none if the
-  // teeth are not reached.
+  // The ψ of the point that lies deepest in the teeth of B, and the least and greatest ψ of the
+  // points in these teeth; none if the teeth are not reached.
   struct Window {
     double deepest, lo, hi;
   };
@@ -195,7 +196,7 @@ std::vector<Node> grid_of(const GapOver& gap_at, int columns, int rows) {
 }
 
 // Searches for the minimum from a node. Each step goes to the minimum of the quadratic through nine
-// places around the current one, at decreasing distances.
+// points around the current point. The distance h of these points decreases from step to step.
 TipGap descend(const GapOver& gap_at, const Node& from, double h) {
   constexpr int kSteps = 14;
   constexpr double kCloser = 0.4;

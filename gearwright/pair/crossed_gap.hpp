@@ -2,10 +2,11 @@
 // gear is an internal gear, the gaps to all parts of its teeth are computed. Internal to pair/.
 //
 // On crossed axes, every section is different. As its gear rotates, the edge of a tip corner sweeps
-// the whole tip cylinder. For a place of the tip cylinder within the mating gear's form cylinder,
-// closed forms give the rotation at which the edge passes and the gap:
+// the whole tip cylinder. Closed forms give, for a point of the tip cylinder inside the mating
+// gear's form cylinder, the rotation ω_A at which the edge passes the point, and the gap g there:
 //
-//   ψ, z   place on the tip cylinder of the moving gear A     ω_A = ψ − θ_c − 2π z/p_zA
+//   A, B   the gear of the tip and its mating gear     θ_c   half angle of the tip corner
+//   ψ, z   azimuth and height on the tip cylinder of A     ω_A = ψ − θ_c − 2π z/p_zA
 //   g = |ψ_B − 2π z_B/p_zB − κ ω_A| − θ_B(ρ_B),  κ = −z_A/z_B, reduced to one pitch of B    [T4.33]
 #pragma once
 
@@ -21,9 +22,9 @@ namespace gearwright::detail {
 /// Formula   [T4.33], minimised over the tip cylinder by a grid and quadratic steps
 /// Domain    crossed axes, both gears with a tooth, tips above the mating roots (contract: crossed)
 /// Accuracy  every gap is the distance between two points of the surfaces. A minimum is exact to
-///           rounding, but one of two minima less than one grid step apart may be missed. The step is
-///           1/9 of the range; for internal pairs it is 1/49 of the circumference and 1/9 of the face.
-///           A rounded tip is evaluated at 17 places
+///           rounding, but one of two minima less than one grid step apart may be missed. The grid
+///           has 9 × 9 nodes, and for internal pairs 49 nodes around the circumference and 9 over
+///           the face. A rounded tip is evaluated at 17 points
 std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair);
 
 }  // namespace gearwright::detail

@@ -18,8 +18,8 @@ ParallelPair mounted(const testing::SamplePair& p, double more = 0.0) {
       p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + more}));
 }
 
-// [T6.15]: gear 2 presses against the normal that points out of gear 1. The tangential force is the
-// moment about axis 1 divided by the working pitch radius.
+// [T6.15]: the force on gear 1 is opposite to the normal that points out of gear 1. The tangential
+// force is the moment about axis 1 divided by the working pitch radius.
 TEST(Drive, axial_force_is_that_of_the_contact_normal) {
   for (const int z2 : {41, -61}) {
     for (const double beta : {12.0, -20.0}) {
@@ -39,7 +39,7 @@ TEST(Drive, axial_force_is_that_of_the_contact_normal) {
   }
 }
 
-// [T6.14]: with this face width, the total contact ratio is the requested one.
+// [T6.14]: with this face width, the total contact ratio has the requested value.
 TEST(Drive, a_face_gives_the_contact_ratio_asked_for) {
   auto sample = testing::involutes(20, 41, 15);
   const double total = 2.7;

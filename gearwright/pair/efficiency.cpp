@@ -77,8 +77,8 @@ Efficiency efficiency(const SlidingShares& shares, double friction) {
 
 std::vector<ContactZone> contact_zones(double begin, double end, double step) {
   GW_EXPECTS(begin <= end && step > 0.0);
-  // The k-th pair ahead leaves contact at end − k step, and the k-th pair behind enters at
-  // begin + k step.
+  // When a tooth pair is at end − k step, the k-th pair ahead of it leaves contact. When it is at
+  // begin + k step, the k-th pair behind it enters.
   const double ratio = (end - begin) / step;
   const int whole = static_cast<int>(std::floor(ratio));
   std::vector<double> cuts{begin, end};
@@ -87,8 +87,8 @@ std::vector<ContactZone> contact_zones(double begin, double end, double step) {
     cuts.push_back(end - k * step);
   }
   std::sort(cuts.begin(), cuts.end());
-  // Relative to the pitch. If the contact ratio is an integer, one tooth pair enters contact at the
-  // position at which another pair leaves contact.
+  // Cuts closer together than this, relative to the pitch, count as one. If the contact ratio is an
+  // integer, one tooth pair enters contact where another pair leaves contact.
   constexpr double kSameCut = 1e-9;
   const double nothing = kSameCut * step;
   std::vector<ContactZone> zones;

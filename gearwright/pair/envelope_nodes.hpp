@@ -1,10 +1,10 @@
-// Monotone pieces of the envelope of a rolling arc. Along a piece, the distance of the envelope
-// from the axis of the other gear only increases or only decreases. Internal to pair/, for
-// outline_gap. [T2.31]
+// Monotone pieces of the envelope of an arc of gear A that rolls with gear B. Along a piece, the
+// distance of the envelope from the axis of B only increases or only decreases. Internal to pair/,
+// for outline_gap. [T2.31]
 //
 //   u      parameter of the arc, 0 … 1
-//   |D|    radius of the touching point about the axis of the gear B
-//   |s|    arm of the arc's normal about the axis of its own gear     r_w   pitch radius of that gear
+//   |D|    distance of a point of the envelope from the axis of B
+//   |s|    arm of the arc's normal about the axis of A     r_w   pitch radius of A
 //
 // If |s| > r_w, the normal never passes through the pitch point, and there is no envelope. At
 // |s| = r_w both branches of the envelope meet, and |D| varies with the square root of the distance.
@@ -23,7 +23,7 @@
 namespace gearwright::detail {
 
 /// The zero of f to within `near`, by false position with occasional halving. f has different signs
-/// at lo and hi and need not be smooth. The sign of f at the returned place is not the sign of
+/// at lo and hi and need not be smooth. At the returned argument, f does not have the sign of
 /// `against`.
 template <class F>
 double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, double near,
@@ -86,9 +86,10 @@ class EnvelopeNodes {
 
  private:
   static constexpr int kSteps = 8;
-  static constexpr double kTurning = 1e-6;  // relative to the arc, for a stationary |D|
-  static constexpr double kEnding = 1e-14;  // relative to the arc; this is small, because |D|
-                                            // varies with the square root of the remaining length
+  static constexpr double kTurning = 1e-6;  // accuracy of the u at which |s| or |D| is stationary
+  static constexpr double kEnding = 1e-14;  // accuracy of the u at which an envelope ends; small,
+                                            // because |D| varies with the square root of the
+                                            // distance from the end
 
   static bool turn(double one, double two) { return (one < 0.0) != (two < 0.0); }
 

@@ -47,7 +47,7 @@ std::vector<Corner> tip_corners(const Gear& mate) {
     if (arc.name == ArcName::root_land || arc.name == ArcName::tip_land) continue;
     const Corner end{arc.end_point.norm(), std::atan2(arc.end_point.y(), arc.end_point.x())};
     if (arc.name == ArcName::root_fillet) {
-      corners = {end};  // only if no fillet follows
+      corners = {end};  // a root fillet or a flank that follows replaces it
     } else if (arc.name == ArcName::flank) {
       corners = {end};
     } else {
@@ -142,7 +142,7 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
       if (c >= 1.0) continue;  // the corner never reaches this depth
       const double w_end = std::acos(std::max(-1.0, c));
       // Only the half of the path towards this fillet is examined. In an internal gear, the pinion's
-      // corner can reach the fillet on both halves.
+      // corner can reach the fillet on both halves, so the whole path is examined.
       const double from = kind == Orbit::ring ? -w_end : 0.0;
       const auto gap = [&](double s) {
         const double w = from + s * (w_end - from);

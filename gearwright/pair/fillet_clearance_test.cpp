@@ -27,9 +27,10 @@ Gear filleted(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0)
   return testing::taken(make_gear(s));
 }
 
-// Computes the distance from 2000 points of the fillet of gear 1 and 4000 positions of the corner
-// of gear 2. The fillet is the upper one of a space, in the frame of gear 1 in which tooth 0 lies
-// on the x axis. The pair has no backlash, so both flanks touch and no play is considered.
+// Computes the least distance between 2000 points of the fillet of gear 1 and 4000 positions of the
+// corner of gear 2. The fillet is on the side y > 0 of tooth 0, in the frame of gear 1 in which
+// tooth 0 lies on the x axis. The pair has no backlash, so both flanks touch and no play is
+// considered.
 double scanned(const ParallelPair& p) {
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
@@ -43,13 +44,13 @@ double scanned(const ParallelPair& p) {
   const double z1 = g1.spec.teeth, z2 = g2.spec.teeth;
   double least = std::numeric_limits<double>::infinity();
   for (int i = -2000; i <= 2000; ++i) {
-    // At rest, the space of gear 1 that is half a pitch above tooth 0 meets tooth 0 of gear 2.
+    // At rest, tooth 0 of gear 2 lies in the space of gear 1 that is half a pitch above tooth 0.
     const double turn_2 = std::numbers::pi / z2 * i / 1000;
     const double turn_1 = -turn_2 * z2 / z1;
     for (const double side : {-1.0, 1.0}) {
       const double angle = std::numbers::pi + turn_2 + side * theta;
       const Vec2 c(p.center_distance + rho * std::cos(angle), rho * std::sin(angle));
-      // Transforms the corner to the frame of the tooth of gear 1 that is half a pitch beside the
+      // Transforms the corner to the frame of tooth 0 of gear 1, which is half a pitch beside the
       // space.
       const double back = -turn_1 + std::numbers::pi / z1;
       const Vec2 q(c.x() * std::cos(back) - c.y() * std::sin(back),
@@ -61,9 +62,9 @@ double scanned(const ParallelPair& p) {
   return least;
 }
 
-// The scan is never too small. It is too large by at most half a step of the fillet and half a step
-// of the corner. There are 2000 steps on 1.5 mm of the fillet, and 2000 on the 1.5 mm that the
-// corner moves through a space.
+// The scanned distance is never too small. It is too large by at most half a step of the fillet and
+// half a step of the corner. There are 2000 steps on 1.5 mm of the fillet, and 2000 on the 1.5 mm
+// that the corner moves through a space.
 TEST(FilletClearance, agrees_with_a_scan) {
   for (const auto& [z1, z2, fillet] : {std::tuple{20, 40, 0.38}, {30, 30, 0.25}, {17, 90, 0.38}}) {
     const ParallelPair p = mounted(filleted(z1, 0.0, fillet), filleted(z2, 0.0, fillet), z1 + z2);

@@ -63,7 +63,8 @@ TEST(FlankSpeeds, are_those_of_the_contact_over_the_turning_gears) {
         EXPECT_NEAR(square, (i == 0 ? w1 : w2).squaredNorm(), 1e-11 * scale) << u;  // [T4.24]
       }
       EXPECT_NEAR(w.across[0] * w.across[1] + w.along[0] * w.along[1], w1.dot(w2), 1e-11 * scale);
-      // Sliding for each mm over the flank. [T4.25], and with a sign [T2.22]
+      // Sliding distance per mm of the contact's movement over the flank. [T4.25], and with a sign
+      // [T2.22]
       const SpecificSliding<double> s = specific_sliding(p.input, m, rho);
       if (s.zeta_1 && w1.norm() > 1e-3 * v1.norm()) {
         EXPECT_NEAR(std::abs(*s.zeta_1), (v1 - v2).norm() / w1.norm(), 1e-8);

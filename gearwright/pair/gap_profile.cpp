@@ -26,8 +26,8 @@ ProfilePlace place_of(const CurvePoint& p) {
           p.curvature};
 }
 
-// Distance along the circle of curvature to the radius ρ. If the circle does not reach ρ, the
-// distance is measured straight towards it.
+// Distance along the circle of curvature to the radius ρ. If the circle does not reach ρ, it is the
+// Newton step for ρ² along the tangent.
 double way_to(const ProfilePlace& p, double curvature, double rho) {
   const double c0 = (p.rho - rho) * (p.rho + rho);
   const double root = p.s * p.s - (1.0 + curvature * p.q) * c0;
@@ -73,7 +73,7 @@ ProfileArc::Found ProfileArc::find(double rho) const {
   const ProfilePlace& above = guesses[static_cast<std::size_t>(cell) + 1];
   double lo = static_cast<double>(cell) / kGuesses;
   double hi = static_cast<double>(cell + 1) / kGuesses;
-  // If s is 0 at a place, the radius near this place grows with the square of the distance along
+  // If s is 0 at a point, the radius near this point grows with the square of the distance along
   // the arc. The first guess therefore uses a square root there.
   const double part = std::clamp((rho - below.rho) / (above.rho - below.rho), 0.0, 1.0);
   const double slow = std::abs(below.s) < 0.5 * std::abs(above.s) ? std::sqrt(part) : part;

@@ -22,9 +22,8 @@ struct ProfilePlace {
 /// A convex corner of the outline, which the mating gear's outline may touch.
 struct ProfileCorner {
   double rho, theta;
-  ArcName
-      name;  ///< the arc that begins at the corner, or the arc before the corner if that arc is a
-             ///< land
+  ArcName name;  ///< the arc that begins at the corner; if it is a land, the arc that ends at the
+                 ///< corner
 };
 
 /// An arc that is not a land. The distance from the gear's axis changes along it.
@@ -32,12 +31,13 @@ struct ProfileArc {
   const Arc* arc;
   double rho_root, rho_tip;  ///< radii of its two ends
   bool closed_form;          ///< true if the parameter of a radius has a closed form
-  /// Radii at even steps of u, for a first guess; filled on first use.
+  /// Points at equal steps of u, for a first guess; computed on first use.
   static constexpr int kGuesses = 16;
   mutable std::vector<ProfilePlace> guesses = {};
 
   ProfilePlace at(double u) const;
-  /// The place at a radius. A radius beyond an end of the arc gives that end.
+  /// The point of the arc at a radius. If the radius lies beyond an end of the arc, this end is
+  /// used.
   ///
   /// Accuracy  as accurate as the points of the curve, because the last step runs along the circle of
   ///           curvature and is shorter than 2e-6 of the radius of this circle

@@ -14,7 +14,7 @@ namespace gearwright::detail {
 
 namespace {
 
-// A gear that its mating gear has cut meshes with it without clearance. Rounding errors are then
+// A gear meshes without clearance with the gear that has cut it. Rounding errors of such a pair are
 // not interference.
 constexpr double kNoise = 1e-11;  // relative to the base pitch
 double noise(const InvolutePair& p) { return kNoise * p.gears[0].reference().base_pitch_normal; }
@@ -54,9 +54,9 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
   const double apart = ring ? -p.center_distance : p.center_distance;
   const double cosine = std::cos(p.shaft_angle.rad());
   const double sine = std::abs(std::sin(p.shaft_angle.rad()));
-  // Distance from the mating axis at the angle ψ from the mesh, < 0 for the tip of the pinion, which
-  // reaches outwards. The sign of y does not matter, because the pair is symmetric about the centre
-  // line.
+  // Distance of the tip cylinder from the mating axis at the angle ψ from the mesh. It is negated
+  // for the tip of the pinion, which reaches outwards, so that the least value is always the
+  // closest. The sign of y does not matter, because the pair is symmetric about the centre line.
   const auto distance = [&](double psi) {
     const double y = r * std::sin(psi);
     const double lo = std::max(-half, (-half_mate + y * sine) / cosine);

@@ -1,5 +1,5 @@
-// Interference of two mounted gears. The functions complete a pair whose gears, mesh and distances
-// are set. Internal to pair/.
+// Interference of two mounted gears. The functions complete a pair in which gears, mesh and
+// distances are already set. Internal to pair/.
 #pragma once
 
 #include "gearwright/pair/involute_pair.hpp"

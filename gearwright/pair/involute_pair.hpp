@@ -98,15 +98,15 @@ struct CrossedPair : InvolutePair {
                                                      ///< cut
   std::optional<CrossedPlaces> contact_ratio_range;  ///< positions with AE ≥ p_bn; only for
                                                      ///< external pairs
-  /// needed_crowning() of pair/saddle_gap.hpp for crowning of one gear only, mm; none for external
-  /// pairs
+  /// Lead crowning of each gear that is required if only this gear is crowned, mm; none for
+  /// external pairs. See pair/saddle_gap.hpp
   std::array<std::optional<double>, 2> needed_crowning{};
 };
 
 /// The input of mesh_of for the two gears at this position.
 MeshInput<double> mesh_input(const Gear& gear_1, const Gear& gear_2, const PairPlace& place);
 
-/// The backlash-free position at the transverse angle α of the limiting gear. [T4.14]
+/// The backlash-free position at the transverse angle α of limiting_gear(). [T4.14]
 CrossedPlace crossed_place(const BasePair<double>& gears, double alpha);
 
 /// The positions at which the contact ratio of a crossed external pair is at least 1, if there are
@@ -122,8 +122,8 @@ Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const P
 
 /// Mounts two involute gears. Faults of the mesh are results, not errors.
 ///
-/// Domain    a place of involute_place, without a shaft angle for mount_parallel and with one for
-///           mount_crossed (contract)
+/// Domain    a position from involute_place, without a shaft angle for mount_parallel and with a
+///           shaft angle for mount_crossed (contract)
 /// Errors    `pair.center_distance` if there is no working pressure angle
 Result<ParallelPair> mount_parallel(Gear gear_1, Gear gear_2, const PairPlace& place,
                                     std::optional<double> friction = {});
@@ -135,7 +135,8 @@ Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& pla
 /// the side of this fillet are in contact.
 ///
 /// Formula   [T2.26]; the path is exact, the foot point solved to rounding
-/// Domain    none for the fillet of an internal gear
+/// Domain    none for an internal gear without a cutter, and for a corner that does not reach the
+///           depth of the fillet
 std::optional<double> fillet_clearance(const ParallelPair& pair, int which);
 
 }  // namespace gearwright

@@ -5,7 +5,7 @@
 //   N    distance of the base tangent points in terms of ρ_1
 //   c_i = cos β_bi     ρ_2 = (N − σ ρ_1) c_2/c_1 (parallel axes: c_2 = c_1)
 //   X    distance of the pitch planes      z_L   offset of the line along the rack's teeth, mm
-//   s_i  axial place of the contact on gear i, mm, 0 on the common perpendicular
+//   s_i  axial position of the contact on gear i, mm, 0 on the common perpendicular
 //                                              theory: docs/theory/04-conjugate-action.md
 //
 // The rack's α_n and X describe every pair. On crossed axes, α_n follows from Σ, and X from a. On
@@ -52,8 +52,9 @@ struct Mesh {
   T base_cosine_ratio;      ///< c_2/c_1
   T line_cosine;            ///< c_1 on crossed axes, where the line of action is not in the
                             ///< transverse section; 1 on parallel axes
-  T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< tip 2, E − step, pitch point 1, A + step, tip 1;
-                                             ///< negative beyond the base tangent point
+  T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< ρ_1 at A (tip 2), B = E − step, C (pitch point),
+                                             ///< D = A + step, E (tip 1); < 0 beyond the base
+                                             ///< tangent point
   T path_length;  ///< ρ_1E − ρ_1A: g_α on parallel axes, AE cos β_b1 on crossed axes
   T step;         ///< increase of ρ_1 per pitch: p_bt on parallel axes, p_bn cos β_b1 on crossed
                   ///< axes
@@ -99,8 +100,8 @@ void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   };
   m.rho1_true_begin = leaf::usable_begin(m.rho1_A, start(0));
   m.rho1_true_end = m.rho1_E;
-  // Without a form point, an external flank 2 ends at its base circle, and an internal flank has no
-  // end.
+  // If flank 2 has no form point, it ends at its base circle on an external gear, and it has no
+  // known end on an internal gear.
   if (in.root_form_radius[1] || m.sigma > T(0)) {
     const T rho2 = start(1) / m.base_cosine_ratio;
     m.rho1_true_end =
@@ -157,7 +158,7 @@ RackAngles<T> working_angles(const MeshInput<T>& in) {
                         : angles_at_parallel_distance(in.gears, in.center_distance);
 }
 
-/// The mesh of the input.
+/// Computes all quantities of the mesh.
 ///
 /// Formula   X = σ (a − r_2) − r_1 or 0, j_bn = 2 X sin α_n − Q, [T4.17]; L, [T4.19];
 ///           path, [T4.18]…[T4.21]

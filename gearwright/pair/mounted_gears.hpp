@@ -26,7 +26,8 @@ struct MountedGears {
   /// not computed (unequal leads, or an internal gear with an unknown cutter). On crossed axes,
   /// only tips are compared with the mating gear
   std::optional<std::vector<Collision>> overlap{};
-  /// Contacts outside the flanks without overlap. During these contacts, the ratio is not constant.
+  /// Contacts outside the flanks without overlap. During these contacts, the transmission ratio is
+  /// not constant.
   std::vector<Collision> beyond_flank{};
   /// The play of gear 2 without collision, which does not exceed the play of the flanks; < 0 if the
   /// bodies overlap in every position. None if not computed, or if a tip lies in a root

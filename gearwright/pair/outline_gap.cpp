@@ -1,6 +1,7 @@
-// All touches of two outlines, as families with one parameter. [T2.29]…[T2.33]
+// Searches families of touches of two outlines for the least gap. Each family has one parameter.
+// [T2.29]…[T2.33]
 //
-//   A, B   the moving gear, and the gear in whose frame A moves; either may be gear 1
+//   A, B   the two gears; A moves in the frame of B, and either may be gear 1
 //   D      position of the moving point W of A relative to the axis of B, in the frame of the mesh
 //   ψ      angle of this point in the space of B, from the middle of the space
 //   g = π/z_B − θ_B(|D|) − |ψ|   gap as a turn of B; multiplied by z_1/z_2 if B is gear 1
@@ -144,8 +145,8 @@ class ArcFamily {
   EnvelopePlace envelope(double u) const {
     const ProfilePlace p = arc_.at(u);
     const Position at = position(p);
-    // In terms of arc length, s′ = 1 + k q and τ′ = k. The slope of the envelope is multiplied by the
-    // sine of its angle, which is 0 where both branches meet, and by `scale`, because k is infinite
+    // In terms of arc length, s′ = 1 + k q and τ′ = k. The slope of the envelope is multiplied by
+    // |sin(τ + φ)|, which is 0 where both branches meet, and by `scale`, because k is infinite
     // where an involute begins. Along an involute s′ is 0 within rounding.
     const double scale = 1.0 / (1.0 + std::abs(p.curvature) * m_.pitch_radius);
     const double bend =
@@ -212,7 +213,7 @@ class CornerFamily {
       u_0_ = arc.u_at_radius(deepest_);
       if (!(u_0_ < 1.0)) reaches_ = false;
     } else {
-      // The zero of the straight line through the two ends.
+      // The zero of the straight line through the values at both ends.
       u_0_ = -at_root / (at_tip - at_root);
       t_0_ = std::sqrt(-u_0_ / (1.0 - u_0_));
     }
@@ -243,7 +244,8 @@ class CornerFamily {
   }
 
  private:
-  // 1 − cos w where the corner passes the radius ρ.
+  // 1 − cos w at the passage of the corner through the radius ρ. w is the angle of the corner from
+  // the centre line.
   double excess(double rho) const {
     return side_ * (rho - deepest_) * (rho + deepest_) / (2 * m_.a * corner_.rho);
   }
@@ -269,7 +271,8 @@ void collide_with_corners(const Motion& motion) {
   }
 }
 
-// Divides an arc of A into the parts that meet each arc of B, and searches the least gap of each part.
+// Divides an arc of A into parts that each meet one arc of B, and searches each part for its least
+// gap.
 void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch) {
   ArcFamily family(motion, arc, branch);
   const EnvelopeNodes nodes([&](double u) { return family.envelope(u); });

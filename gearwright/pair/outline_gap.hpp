@@ -16,7 +16,7 @@
 
 namespace gearwright {
 
-/// The place of a touch on an outline: on an arc, or at the corner that has the name of that arc.
+/// The position of a touch on an outline: an arc, or the corner that has the name of this arc.
 struct OutlinePlace {
   ArcName arc;
   bool corner;
@@ -59,9 +59,9 @@ struct OutlineGap {
 ///           (contract). A tip below the mating root circle gives no gap; its tip clearance is < 0
 /// Accuracy  every gap is the gap between two points of the outlines, to rounding, so no gap is too
 ///           small. If the least gap of a pair of arcs is less than `limit`, it is too great by at
-///           most 1e-12 rad. The condition is that the gap between two of nine places does not fall
-///           below their chord by more than half of the second difference. Above `limit`, it is the
-///           least evaluated value
+///           most 1e-12 rad. This is valid if the gap does not fall below the chord between
+///           neighbouring samples (nine per family) by more than half of the second difference.
+///           Above `limit`, it is the least evaluated value
 OutlineGap outline_gap(const Outline& gear_1, const Outline& gear_2, double center_distance,
                        double limit = std::numeric_limits<double>::infinity());
 

@@ -72,8 +72,8 @@ TEST(OutlineGap, is_half_the_backlash_of_involutes) {
 }
 
 // The tip fillet of a wheel cut by a pinion of ten teeth projects beyond its involute, because the
-// teeth of the pinion are undercut. Along the circle of the flank of gear 1, it projects by 8.54
-// and 39.95 µm.
+// teeth of the pinion are undercut. Measured along the circumference at the flank of gear 1, it
+// projects by 8.54 and 39.95 µm.
 TEST(OutlineGap, a_tip_that_bulges_overlaps_the_flank) {
   for (const auto& [shift, depth] : {std::pair{0.0, 8.0247e-3}, {-0.3, 37.538e-3}}) {
     CylindricalSpec cutter = spec(10, 2.5, shift);
@@ -145,7 +145,7 @@ TEST(OutlineGap, a_wheel_cut_by_its_pinion_and_mounted_further_apart_has_less_pl
   EXPECT_EQ(least->places[1].arc, ArcName::tip_fillet);
 }
 
-// A gear touches the gear that it has cut everywhere without backlash. No gap is smaller or larger.
+// A gear meshes without backlash with the gear that it has cut, so the least gap is 0.
 TEST(OutlineGap, a_gear_touches_what_it_has_cut) {
   const Gear cutter = made(spec(20, 2.5, 0.2));
   const auto distance = generating_distance(cutter, 33, 0.1);
@@ -164,7 +164,7 @@ TEST(OutlineGap, the_limit_leaves_what_lies_below_it) {
   EXPECT_LT(some.evaluations, all.evaluations);
 }
 
-// The number of gaps evaluated for a plain pair, which is equal on every machine.
+// Few gaps are evaluated for a plain pair. Their number is equal on every machine.
 TEST(OutlineGap, a_plain_pair_asks_for_few_gaps) {
   const InvolutePair p = mounted(made(spec(20, 2.0)), made(spec(40, 2.0)), 60.1);
   EXPECT_LE(gap_of(p, half_play(p)).evaluations, 250);

@@ -105,7 +105,8 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   return {CollisionCause::outline, 0};
 }
 
-// A sentence about a tip that projects beyond its involute, which explains the collision.
+// A sentence that explains the collision by a tip that projects beyond its involute; empty for
+// other causes.
 std::string bulge(const MountedGears& p, const Cause& cause) {
   if (cause.what != CollisionCause::tip_bulge) return "";
   const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
@@ -134,8 +135,9 @@ Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early)
                       part(touch, 1), part(touch, 2), early, at(touch), bulge(p, cause))};
 }
 
-// The collision of a tip that reaches below the mating gear's root circle. It is on the centre
-// line. In a crossed internal pair, it is at an end of a face, and no place is given.
+// The collision of a tip that reaches below the mating gear's root circle. The tip is deepest on
+// the centre line or, in a crossed internal pair, at an end of a face. In the latter case, the
+// position is not given.
 Collision in_root(const MountedGears& p, int tip) {
   const auto i = static_cast<std::size_t>(tip - 1);
   const double depth = -p.tip_clearance[i];
@@ -169,7 +171,7 @@ void deepest_first(std::vector<Collision>& collisions) {
                    [](const Collision& a, const Collision& b) { return a.depth > b.depth; });
 }
 
-// True if one of the collisions confirms the named finding.
+// True if one of the collisions confirms the finding.
 bool borne_out(const Interference& named, const std::vector<Collision>& collisions) {
   return std::any_of(collisions.begin(), collisions.end(), [&](const Collision& s) {
     if (named.code == WarningCode::trochoid) return s.cause == CollisionCause::trochoid;
@@ -182,8 +184,9 @@ bool is_of_a_circle(const Interference& named) {
   return named.code == WarningCode::form_circle || named.code == WarningCode::base_tangent;
 }
 
-// Relates overlaps to named findings. Every overlap gets a finding. A finding without overlap
-// becomes a contact beyond the flank if it is based on a circle, and is dropped otherwise.
+// Relates overlaps to the findings of interference.hpp. Every overlap gets a finding. A finding
+// without overlap becomes a contact beyond the flank if it is based on a circle, and is dropped
+// otherwise.
 void explain(InvolutePair& p) {
   std::vector<Interference> named = std::exchange(p.interference, {});
   const auto explained = [&](const Collision& s, const std::vector<Interference>& by) {
@@ -271,9 +274,10 @@ void find_collisions(MountedGears& p, double half_play, double normal_play, doub
 void find_overlap(InvolutePair& p, double saddle) {
   if (!p.gears[0].tooth || !p.gears[1].tooth) return;
   find_collisions(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base, saddle);
-  // If a tip lies in a root, the outlines are not compared and all named findings remain.
+  // If a tip lies in a root, the outlines are not compared, and all findings remain.
   if (p.free_play) explain(p);
-  if (saddle > 0.0) p.free_play.reset();  // flanks that overlap beside the line leave less play
+  // Flanks that overlap beside the line of action have less play, which is not computed.
+  if (saddle > 0.0) p.free_play.reset();
 }
 
 }  // namespace gearwright::detail

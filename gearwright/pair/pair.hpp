@@ -19,8 +19,8 @@ namespace gearwright {
 enum class PairKind { parallel_external, parallel_internal, crossed };
 const char* to_string(PairKind kind);
 
-/// A pair of any kind. This class has the members that all kinds have in common. The other members
-/// are in the kinds.
+/// A pair of any kind. This class has the members that all kinds have in common. The members of one
+/// kind are in ParallelPair, CrossedPair or ArcPair.
 class Pair {
  public:
   Pair(ParallelPair pair);

@@ -31,8 +31,8 @@ static_assert(!std::is_constructible_v<CrossedPair, InvolutePair>);
 static_assert(!std::is_constructible_v<MountedGears, double>);
 static_assert(!std::is_constructible_v<Pair, Gear>);
 
-// Kinds are types. A function for parallel axes accepts no other pair. A number without a unit is not
-// an angle, so {.shaft_angle = 90} does not compile.
+// Each kind of pair is a type, so a function for parallel axes accepts no other pair. A number
+// without a unit is not an angle, so {.shaft_angle = 90} does not compile.
 static_assert(std::is_invocable_v<decltype(axial_force), const ParallelPair&>);
 static_assert(!std::is_invocable_v<decltype(axial_force), const CrossedPair&>);
 static_assert(!std::is_invocable_v<decltype(face_width_needed), const CrossedPair&>);

@@ -21,7 +21,7 @@ constexpr double kSamePitch = 1e-9;
 // tooth reaches it.
 constexpr double kMaxWorkingHelix = 89.9;  // degrees
 
-constexpr double kAtEnd = 1e-9;  // rad, rounding of an angle that is the end of a range
+constexpr double kAtEnd = 1e-9;  // rad, rounding error of an angle at the end of its range
 
 constexpr const char* kReach = "these gears need a shaft angle greater than {}° and less than {}°";
 

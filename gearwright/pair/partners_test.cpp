@@ -36,7 +36,8 @@ TEST(Partners, crossed_axes_need_an_angle_within_reach) {
   EXPECT_EQ(refused(spec(20, -45_deg), spec(30, -45_deg), -90_deg), "");
   EXPECT_TRUE(has(refused(spec(20, 45_deg), spec(30, -45_deg), 90_deg), "parallel"));
   EXPECT_TRUE(has(refused(spec(20, 45_deg), spec(30, 45_deg), 0_deg), "-45"));
-  // The end of a range belongs to no gears, and the remedy is a helix angle that reaches it.
+  // At the end of a range no gears exist. The message gives a helix angle that permits this shaft
+  // angle.
   const std::string end = refused(spec(20, 30_deg), spec(40, 0_deg), 90_deg);
   EXPECT_TRUE(has(end, "is the end of the possible range") && !has(end, " by 0°")) << end;
   EXPECT_TRUE(has(end, "the helix angle 60° of gear 2")) << end;

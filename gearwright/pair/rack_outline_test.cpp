@@ -70,8 +70,8 @@ TEST(RackOutline, its_arcs_form_half_a_tooth) {
 }
 
 TEST(RackOutline, a_full_radius_leaves_no_land) {
-  // Half of the space at the root is (2π − π − 0.4)/2 − 2.5 tan 20° = 0.4609 mm wide, where at most a
-  // radius of 0.4609 cos 20°/(1 − sin 20°) = 0.6582 mm fits.
+  // Half of the space at the root is (2π − π − 0.4)/2 − 2.5 tan 20° = 0.4609 mm wide. The greatest
+  // radius that fits is 0.4609 cos 20°/(1 − sin 20°) = 0.6582 mm.
   const RackPair p = rack_of(20, 2, 0, 0, {.teeth = 3, .thickness_allowance = 0.4});
   const Outline o = testing::taken(rack_outline(p.rack));
   EXPECT_EQ(o.find(ArcName::root_land), nullptr);

@@ -244,7 +244,7 @@ Result<Outline> rack_outline(const RackGeometry& rack) {
   const double alpha = rack.normal_pressure_angle.rad();
   const double tan_n = std::tan(alpha), half = rack.thickness / 2;
   const double k = 1 / std::cos(rack.helix_angle.rad());
-  // The range in which both lands have a length ≥ 0.
+  // The range of thickness allowances with which both lands have a length ≥ 0.
   const double least = 2 * rack.addendum * tan_n - rack.normal_pitch / 2;
   const double greatest = rack.normal_pitch / 2 - 2 * rack.dedendum * tan_n;
   const double none = kNoArc * rack.normal_module;

@@ -9,8 +9,8 @@
 //   L        2 (x_1 + x_2)/((z_1′ + z_2′) tan α), the variable of the series
 //   M_2, M_4 Σ w_i tan² β_i, Σ w_i tan⁴ β_i
 //   Δ        α_n − α, where α_n is the pressure angle of the common rack at the least distance
-//   a_0, Σ_0 centre distance and shaft angle of gears that roll with a rack of the angle α, at
-//            X = m_n Σx
+//   a_0, Σ_0 centre distance and shaft angle of gears that roll with a rack of the angle α, if the
+//            distance of their pitch planes is X = m_n (x_1 + x_2)
 //                                              theory: docs/theory/05-approximations.md
 //
 // With signed tooth numbers, internal pairs (parallel axes) need no separate formula. Classes and

@@ -140,8 +140,9 @@ TEST(MinDistanceSeries, golden_values) {
   }
 }
 
-// The least distance by bisection of sin α_t = sin α_n/cos β_b and the sum of the involutes. Shaft
-// angle and distance of the pitch cylinders follow from it.
+// Solves the equation of the least distance for α_n by bisection. The equation sums the involutes
+// of the angles α_t with sin α_t = sin α_n/cos β_b. Shaft angle and centre distance follow from
+// α_n.
 template <class T>
 struct Solved {
   T alpha, a, Sigma;
@@ -220,8 +221,8 @@ TEST(MinDistanceSeries, exact_solution_of_these_tests) {
   }
 }
 
-// If the sum of shifts is halved, the error is divided by 2 to the power of the first omitted term.
-// At Σx = 1e-3, the next term changes this exponent by about L/sin² α, which is below 0.01.
+// If the sum of shifts is halved, the error is divided by 2^p, where p is the order of the first
+// omitted term. At Σx = 1e-3, the next term changes p by about L/sin² α, which is below 0.01.
 TEST(MinDistanceSeries, errors_fall_with_the_right_power) {
   for (const Shape& shape : kShapes) {
     const bool crossed = shape.beta1 + (shape.z2 > 0 ? 1 : -1) * shape.beta2 != 0;
@@ -307,7 +308,7 @@ TEST(MinDistanceSeries, example_of_the_paper) {
   EXPECT_NEAR(pitch_sum(spur), 50.021221346874135, 1e-9);
   EXPECT_NEAR(helix_sum(spur), 90.02570080716839, 1e-9);
   EXPECT_NEAR(*s.corrected_virtual_pressure_angle() / kDegree, 18.705174053191552, 1e-9);
-  // The last column of the table prints 89°59′01″. This is Σ to first order, with the step of the
+  // The last column of the table prints 89°59′01″. This is Σ to first order, with the Δ of the
   // virtual pair.
   EXPECT_NEAR(s.shaft_angle(spur - s.alpha) / kDegree, 89 + 59 / 60.0 + 2.967 / 3600, 1e-6);
   EXPECT_NEAR(s.shaft_angle(s.L) / kDegree, 90 + 2 / 60.0 + 58.42 / 3600, 2e-6);

@@ -84,8 +84,8 @@ TEST(Shift, one_shift_follows_from_the_distance) {
   EXPECT_NEAR(solved(other).x1, 0.2, 1e-15 * 10);
 }
 
-// If both shifts are computed, Eq. 11 gives the greater one to the pinion. The result is symmetric
-// in the two gears.
+// If both shifts are computed, the pinion gets the greater one. The result does not depend on the
+// order of the two gears.
 TEST(Shift, both_follow_from_the_distance) {
   ShiftProblem p = spur_problem(17, 43);
   p.center_distance = 61.0;

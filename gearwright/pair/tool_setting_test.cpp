@@ -78,8 +78,8 @@ TEST(ToolSetting, what_changed_settings_do) {
   const ArcMeshInput in = example_1();
   const double r_2 = in.pitch_radius_concave, c_0 = in.center_distance;
   const double sin_lambda = std::sin(in.lead_angle.rad()), tan_0 = std::tan(30 * kDeg);
-  // The teeth of the example do not match its pitch radii exactly. This is the offset before any
-  // change.
+  // The teeth of the example do not match its pitch radii exactly, so the offset is not 0 before
+  // any change.
   const Angle before = arc_contact(in, *contact_angle(in)).rotation_offset;
   for (const double b_f : {-2e-4, 0.0, 3e-4}) {
     for (const double b_p : {-1e-4, 2e-4}) {
@@ -98,8 +98,8 @@ TEST(ToolSetting, what_changed_settings_do) {
         EXPECT_NEAR(r_2 * at.rotation_offset.rad(), ahead, 1e-13);
         const double play = -2 * (at.rotation_offset - before).rad();
         const double change = b_f - b_p + more;
-        // The limit contains the next terms: dθ = Δ/((ρ_F − ρ_P) cos θ_0), and 2 cot θ_0 sin² λ
-        // ΔC²/C_0 of the turn μ.
+        // The limit is the sum of two second-order terms: one from dθ = Δ/((ρ_F − ρ_P) cos θ_0),
+        // and 2 cot θ_0 sin² λ ΔC²/C_0 from the rotation μ.
         const double cos_0 = std::cos(30 * kDeg);
         const double second = change * change / (std::abs(difference) * cos_0 * cos_0 * cos_0);
         const double turned = 2 * more * more / (tan_0 * c_0);

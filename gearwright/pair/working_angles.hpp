@@ -6,7 +6,9 @@
 //   a given (crossed axes)     none or two α_n, on either side of the least a          [T4.16]
 //   contact ratio ≥ 1          an interval of α_n                                      [T4.23]
 //
-//   g    the gear with the greater |β_b|     α = α_tg, its transverse pressure angle
+//   g, o   the gear with the greater |β_b|, and the other gear
+//   α      α_tg, the transverse pressure angle of g     C, S   cos β_b, sin β_b
+//   Q, K, X, u, τ   as in pair/common_rack.hpp     L   distance of the base tangent points along n
 //                                              theory: docs/theory/04-conjugate-action.md
 //
 // The unknown is α, because all quantities are smooth functions of α over 0 < α ≤ π/2, even where β_g
@@ -315,7 +317,7 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
   if (least) {
     from = *least;
     if (!(f(from).value < T(0))) return found;
-    // At this lower end, the term K/(2 sin α_n) equals a, so the sum of all terms exceeds a.
+    // At the lower end `lo`, the term K/(2 sin α_n) equals a, so the sum of all terms exceeds a.
     const T c_g = cos(gears[limiting_gear(gears)].helix_angle);
     T lo = asin(base_excess(gears) / (T(2) * c_g * a));
     if (lo > from) lo = from;
@@ -350,7 +352,8 @@ std::optional<AngleInterval<T>> transverse_angles_with_line_within(const BasePai
   AngleInterval<T> found{tiny, half_pi, false};
   T bottom(0);
   if (base_excess(gears) > T(0)) {
-    // The least L is found by bisection of its slope, and the ends on both sides by Newton's method.
+    // The least L is found by bisection of its slope, and the ends of the interval on both sides of
+    // it by Newton's method.
     T lo = tiny;
     T hi = half_pi;
     const T narrow(

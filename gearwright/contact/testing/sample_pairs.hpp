@@ -1,4 +1,4 @@
-// Pairs for the tests of this room: an involute pair, an involute internal gear, circular arcs.
+// Pairs for the tests of contact/: involute gears, external or internal, and circular-arc gears.
 #pragma once
 
 #include <gtest/gtest.h>
