@@ -188,6 +188,9 @@ void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairV
       .def_property_readonly(
           "data", [](const Figure& f) { return to_python(figure_data(f)); },
           "The axes, and the points of the curves, bars, circles and dots by name")
+      .def_property_readonly(
+          "svg", [](const Figure& f) { return figure_svg(f); },
+          "The picture as SVG without its style sheet, as in the report")
       .def("_repr_html_", [](const Figure& f) { return framed(f.title, figure_html(f)); })
       .def("__repr__", [](const Figure& f) { return fmt::format("Figure({})", f.title); });
   gear.def("_repr_html_", &gear_html)

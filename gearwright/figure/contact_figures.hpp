@@ -42,6 +42,13 @@ ContourField field_of(const FlankRaster& raster);
 /// The regions in which a field of a raster is below a level, as points (height along the face,
 /// diameter), mm.
 std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& field, double level);
+/// The values of step i of a map, counted from the lowest one: "below 10 µm", "10 µm to 20 µm".
+/// Empty if the map has one step.
+std::string step_words(const std::vector<double>& levels, std::size_t i, std::string_view unit);
+/// Adds the values of a raster to a figure, as shaded steps between the levels and as its grid. If
+/// `above` is given, places with this value or less are left out.
+void add_map(Figure& f, const FlankRaster& raster, const std::vector<double>& levels,
+             std::string words, std::string unit, std::optional<double> above = {});
 
 /// Share of the flank, 0 … 1, that a pattern covers at this thickness of the marking compound.
 double pattern_share(const FlankRaster& raster, double marking);

@@ -69,7 +69,7 @@ Figure planet_share_figure(const Drive& drive, std::size_t set) {
            .title = "Load of the planets" + of_set(drive, shares),
            .description = "Share of each planet in the load of all planets over one period.",
            .caption =
-               ", as shares of the load of all planets, over one period of the meshes. The dashed "
+               ", as shares of the load of all planets, over one period of the meshes. The thin "
                "line shows an equal share.",
            .x = {"rotation of the input", "°"},
            .y = {"share of the load", ""}};
@@ -79,9 +79,9 @@ Figure planet_share_figure(const Drive& drive, std::size_t set) {
     f.line(over_the_period(period, shares.share[i].size(),
                            [&](std::size_t j) { return shares.share[i][j]; }),
            "curve " + curve_style(i), words);
-    f.keys.push_back({curve_style(i), words});
+    f.keys.push_back({"line " + curve_style(i), words});
   }
-  f.line({{0.0, 1 / count}, {period, 1 / count}}, "before", "equal share");
+  f.line({{0.0, 1 / count}, {period, 1 / count}}, "one", "equal share");
   f.note = fmt::format("K_γ = {:.3f}", shares.mesh_load_factor);
   constexpr double kLeast = 0.05;
   f = fitted(std::move(f), kLeast);
@@ -110,7 +110,7 @@ std::optional<Figure> displacement_figure(const Drive& drive, std::size_t set) {
     f.line(over_the_period(period, shares.displacement.size(),
                            [&](std::size_t j) { return shares.displacement[j][c] * kUmPerMm; }),
            "curve " + style, c == 0 ? "x" : "y");
-    f.keys.push_back({style, c == 0 ? "x" : "y"});
+    f.keys.push_back({"line " + style, c == 0 ? "x" : "y"});
   }
   f.note = fmt::format("at most {:.1f} µm", *shares.greatest_displacement() * kUmPerMm);
   constexpr double kLeast = 0.1;

@@ -55,11 +55,10 @@ Figure error_map_figure(const ContactMap& both) {
       "",
       0.85};
   const FlankRaster raster = raster_of(map);
-  const ContourField field = field_of(raster);
   const std::vector<double> levels = map_levels(map);
   double most = 0.0;
   bool gaps = false;
-  for (const double v : field.value) {
+  for (const double v : raster.gap) {
     if (std::isinf(v))
       gaps = true;
     else
@@ -69,12 +68,8 @@ Figure error_map_figure(const ContactMap& both) {
               !gaps        ? ""
               : both.whole ? "no contact"
                            : "not yet computed"};
-  // The whole area is drawn first, then each lower step on top of it.
-  const std::size_t n = levels.size() + 1;
   f.bar({-kInfinity, -kInfinity}, {kInfinity, kInfinity}, "zone none");
-  f.area(region_below(raster, field, 2 * most + 1), shade_style(n - 1, n));
-  for (std::size_t i = levels.size(); i-- > 0;)
-    f.area(region_below(raster, field, levels[i]), shade_style(i, n) + " step");
+  add_map(f, raster, levels, "transmission error, peak to peak", "″");
   const bool inside = across.value >= map.x.front() && across.value <= map.x.back() &&
                       up.value >= map.y.front() && up.value <= map.y.back();
   if (!inside) return f;

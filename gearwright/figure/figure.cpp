@@ -15,8 +15,9 @@ void Figure::line(std::vector<Vec2> points, std::string style, std::string words
   marks.back().frame = frame;
 }
 
-void Figure::area(std::vector<Vec2> points, std::string style) {
-  if (!points.empty()) marks.push_back({Kind::area, std::move(style), std::move(points)});
+void Figure::area(std::vector<Vec2> points, std::string style, std::string words) {
+  if (points.empty()) return;
+  marks.push_back({Kind::area, std::move(style), std::move(points), std::move(words)});
 }
 
 void Figure::bar(const Vec2& a, const Vec2& b, std::string style, std::string words) {

@@ -111,6 +111,13 @@ struct FigureShades {
   std::string nothing;         ///< words for points without a value; empty if there are none
 };
 
+/// The values that a map shows in shaded steps.
+struct FigureGrid {
+  std::string words, unit;     ///< of the values
+  std::vector<double> x, y;    ///< data coordinates of the columns and rows
+  std::vector<double> values;  ///< row by row; infinite where there is no value
+};
+
 /// The meaning of a line or a colour.
 struct FigureKey {
   std::string style, words;
@@ -132,13 +139,15 @@ struct Figure {
   std::vector<FigureLane> lanes = {};
   std::vector<FigureKey> keys = {};
   std::optional<FigureShades> shades = {};
+  std::optional<FigureGrid> grid = {};
   std::optional<FigureSlide> slide = {};
   std::vector<FigureLeader> leaders = {};  ///< if there are any, marks are clipped to the plot
   std::vector<FigureGroup> groups = {};
   std::string definitions = {};  ///< SVG definitions of its shapes; empty if the page contains them
 
   void line(std::vector<Vec2> points, std::string style, std::string words = {}, int frame = -1);
-  void area(std::vector<Vec2> points, std::string style);
+  /// `words` are shown at the pointer, as the values of a step of a map.
+  void area(std::vector<Vec2> points, std::string style, std::string words = {});
   void bar(const Vec2& a, const Vec2& b, std::string style, std::string words = {});
   void dot(const Vec2& at, double radius, std::string style, std::string words = {},
            int frame = -1);

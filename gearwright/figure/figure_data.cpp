@@ -21,8 +21,9 @@ nlohmann::ordered_json figure_data(const Figure& figure) {
                          {"name", m.words},
                          {"center", point(m.points[0])},
                          {"radius", m.radius}});
-    if (m.kind == FigureMark::Kind::dot && !m.label.empty())
-      points.push_back({{"name", without_tags(m.label)}, {"at", point(m.points[0])}});
+    if (m.kind == FigureMark::Kind::dot && !(m.label.empty() && m.words.empty()))
+      points.push_back({{"name", m.label.empty() ? m.words : without_tags(m.label)},
+                        {"at", point(m.points[0])}});
     if (m.words.empty()) continue;
     if (m.kind == FigureMark::Kind::bar)
       bars.push_back({0.5 * (m.points[0].x() + m.points[1].x()), m.points[1].y()});
@@ -36,6 +37,19 @@ nlohmann::ordered_json figure_data(const Figure& figure) {
             {"x", axis(figure.x)}, {"y", axis(figure.y)},   {"curves", std::move(curves)}};
   if (!circles.empty()) data["circles"] = std::move(circles);
   if (!points.empty()) data["points"] = std::move(points);
+  if (const auto& grid = figure.grid) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < grid->values.size(); ++i) {
+      if (i % grid->x.size() == 0) rows.push_back(Json::array());
+      const double v = grid->values[i];
+      rows.back().push_back(std::isfinite(v) ? Json(v) : Json());
+    }
+    data["grid"] = {{"words", grid->words},
+                    {"unit", grid->unit},
+                    {"x", grid->x},
+                    {"y", grid->y},
+                    {"values", std::move(rows)}};
+  }
   return data;
 }
 

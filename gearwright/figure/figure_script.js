@@ -1,4 +1,4 @@
-// Shows the values of the nearest curve at the pointer on a figure.
+// Shows at the pointer on a figure the values of the nearest curve, or those of a map.
 (function () {
   'use strict';
   var near = 32, touch = 6;  // px from the pointer: to a curve above or below it, to a vertical
@@ -57,12 +57,14 @@
     var plot = svg && svg.querySelector('g.plot');
     if (!plot || event.buttons) return;
     var at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-    var found = passing(plot, at);
+    var found = passing(plot, at), map = event.target.getAttribute('data-value');
+    if (!found && map) found = {x: at.x, y: at.y, name: map};
     if (!found) return;
+    var bare = plot.hasAttribute('data-bare'), x = axisOf(plot, 'x')(found.x), y = axisOf(plot, 'y')(found.y);
     var ends = plot.getAttribute('data-x').split(' ').map(Number), left = found.x < (ends[2] + ends[3]) / 2;
     shown = add(svg, 'g', {'class': 'readout'});
     add(shown, 'circle', {cx: found.x, cy: found.y, r: 3.5});
     add(shown, 'text', {x: found.x + (left ? 9 : -9), y: found.y - 9, 'class': 'halo' + (left ? '' : ' e')},
-        found.name + ': ' + axisOf(plot, 'y')(found.y) + ' at ' + axisOf(plot, 'x')(found.x));
+        bare ? found.name : found.far === undefined ? found.name + ' at ' + x + '; ' + y : found.name + ': ' + y + ' at ' + x);
   });
 })();

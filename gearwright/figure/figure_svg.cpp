@@ -156,8 +156,9 @@ class Writer {
       grid();
     }
     if (!f_.definitions.empty()) svg_.define(f_.definitions);
-    svg_.begin_group(fmt::format("class=\"plot\" data-x=\"{}\" data-y=\"{}\" data-pitch=\"{:.9g}\"",
-                                 x_.attribute(), y_.attribute(), f_.pitch));
+    svg_.begin_group(fmt::format(
+        "class=\"plot\" data-x=\"{}\" data-y=\"{}\" data-pitch=\"{:.9g}\"{}", x_.attribute(),
+        y_.attribute(), f_.pitch, f_.bare ? " data-bare=\"\"" : ""));
     if (!f_.leaders.empty())
       svg_.begin_clip(at_.left, at_.top, at_.right - at_.left, at_.bottom - at_.top);
     int frame = -1, group = -1;
@@ -269,8 +270,9 @@ class Writer {
         }
         if (d.empty()) break;
         const std::string inside = f_.plane ? "" : clip();
+        const char* const shown = m.kind == Kind::area ? "value" : "name";
         svg_.path(d + end, m.style,
-                  inside + (name.empty() ? "" : fmt::format(" data-name=\"{}\"", name)));
+                  inside + (name.empty() ? "" : fmt::format(" data-{}=\"{}\"", shown, name)));
         if (m.head) head(px(m.points.back()), px(m.points[m.points.size() - 2]), m.gear);
         break;
       }

@@ -20,7 +20,7 @@ namespace {
 constexpr int kEllipses = 7;                           // approximate number of drawn ellipses
 constexpr double kLowFlank = 0.36, kHighFlank = 0.72;  // drawn height over width
 constexpr double kBeyond = 0.09;  // part drawn beyond the flank, relative to its depth
-constexpr std::array<double, 6> kGapLevels{50, 20, 10, 5, 2, 1};  // µm
+const std::vector<double> kGapLevels{1, 2, 5, 10, 20, 50};  // µm
 
 Vec2 on_flank(const FlankPlace& place) { return {place.height, 2 * place.radius}; }
 Vec2 touch_of(const ContactPoint& p, std::size_t which) {
@@ -105,10 +105,12 @@ void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch
   };
   std::vector<Vec2> taken{share(touch)};
   std::vector<std::pair<double, std::vector<Vec2>>> bands;
-  for (const double um : kGapLevels) {
-    bands.emplace_back(um, region_below(raster, field, um * kMmPerUm));
-    f.area(bands.back().second, "gap-band");
+  for (std::size_t i = kGapLevels.size(); i-- > 0;) {
+    bands.emplace_back(kGapLevels[i], region_below(raster, field, kGapLevels[i] * kMmPerUm));
+    f.area(bands.back().second, "gap-band", step_words(kGapLevels, i, "µm"));
   }
+  f.grid = FigureGrid{"gap", "µm", raster.height, raster.diameter, raster.gap};
+  for (double& gap : f.grid->values) gap *= kUmPerMm;
   for (auto band = bands.rbegin(); named && band != bands.rend(); ++band) {
     std::optional<Vec2> best;
     double score = 0.0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<const char*, 2> kOfGear{"curve g1", "curve g2 dash"};
 constexpr std::size_t kWaves = 3;  // number of harmonics in the Harris map
 
 // Returns the value at each position, with the first value repeated a pitch later.
@@ -198,10 +200,10 @@ std::optional<Figure> root_turn_figure(const LoadScene& scene) {
            .x = {"rotation of gear 1", "°"},
            .y = {"root stress", "N/mm²"}};
   f.pitch = pitch_of(scene) * kDegPerRad;
-  f.keys = {{"g1", "gear 1"}, {"g2", "gear 2"}};
+  f.keys = {{"g1", "gear 1"}, {"g2", "gear 2 (dashed)"}};
   for (std::size_t g = 0; g < 2; ++g)
     f.line(over_the_pitch(scene, t, [g](const LoadedPosition& p) { return p.root_stress[g]; }),
-           "curve " + f.keys[g].style, f.keys[g].words);
+           kOfGear[g], fmt::format("gear {}", g + 1));
   return fitted(std::move(f), true);
 }
 
@@ -212,7 +214,7 @@ std::optional<Figure> root_face_figure(const LoadScene& scene) {
            .caption = ", as the greatest value along the fillet.",
            .x = {"along the face from its middle", "mm"},
            .y = {"root stress", "N/mm²"}};
-  f.keys = {{"g1", "gear 1"}, {"g2", "gear 2"}};
+  f.keys = {{"g1", "gear 1"}, {"g2", "gear 2 (dashed)"}};
   for (std::size_t g = 0; g < 2; ++g) {
     if (shown_torque(scene).root_stress[g].size() == 0) continue;
     const auto heights = heights_of(scene, g);
@@ -220,7 +222,7 @@ std::optional<Figure> root_face_figure(const LoadScene& scene) {
     std::vector<Vec2> values;
     for (std::size_t j = 0; j < heights.size(); ++j)
       values.push_back({heights[j], most[static_cast<Eigen::Index>(j)]});
-    f.line(std::move(values), "curve " + f.keys[g].style, f.keys[g].words);
+    f.line(std::move(values), kOfGear[g], fmt::format("gear {}", g + 1));
   }
   return fitted(std::move(f), true);
 }
@@ -249,7 +251,7 @@ std::optional<Figure> harris_figure(const LoadScene& scene) {
     f.line(values, "curve " + style, words);
     for (const Vec2& v : values)
       if (std::isfinite(v.y())) f.dot(v, 3.0, "mark");
-    f.keys.push_back({style, words});
+    f.keys.push_back({"line " + style, words});
   };
   add([](const LoadedTorque& t) { return t.peak_to_peak.arcsec(); }, "ink", "peak to peak");
   for (std::size_t h = 0; h < std::min(kWaves, quiet->harmonics.size()); ++h)

@@ -150,14 +150,8 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
                           torque_words(t)) +
               f.caption;
   f.keys.push_back({"bears", "teeth in contact at this position"});
-  // The regions above a level are computed from the negated pressures.
-  ContourField field = field_of(raster);
-  for (double& v : field.value) v = -v;
   const std::vector<double> levels = levels_between(0.0, t.max_pressure, kMostLevels);
-  const std::size_t n = levels.size() + 1;
-  for (std::size_t i = 0; i < n; ++i)
-    f.area(region_below(raster, field, i == 0 ? 0.0 : -levels[i - 1]),
-           shade_style(i, n) + (i ? " step" : ""));
+  add_map(f, raster, levels, "greatest pressure during a mesh", "N/mm²", 0.0);
   f.shades = {levels, "≤ " + fixed(t.max_pressure, 0), ""};
   std::erase_if(f.marks, [](const FigureMark& m) {  // the key of the shades takes the place of the
                                                     // names

@@ -14,8 +14,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::array<const char*, 5> kCurves{"c-flank", "c-root-fillet", "c-tip-land",
-                                             "c-tip-fillet", "c-root-land"};
+// The dashes distinguish the curves if they are printed in grey.
+constexpr std::array<const char*, 5> kCurves{"c-flank", "c-root-fillet dash", "c-tip-land dot",
+                                             "c-tip-fillet dashdot", "c-root-land"};
 constexpr std::size_t kMostFrames = 64;
 
 // Returns `count` of the numbers 0 … n − 1, evenly spaced, including both ends.
@@ -49,7 +50,7 @@ std::string curve_style(std::size_t i) { return kCurves[i % kCurves.size()]; }
 std::vector<FigureKey> torque_keys(const LoadScene& scene) {
   std::vector<FigureKey> keys;
   for (const std::size_t i : shown_torques(scene))
-    keys.push_back({curve_style(keys.size()), torque_words(scene.contact.torques[i])});
+    keys.push_back({"line " + curve_style(keys.size()), torque_words(scene.contact.torques[i])});
   return keys;
 }
 

@@ -40,12 +40,7 @@ Figure density_figure(const DensityScene& scene) {
   std::erase_if(f.marks, [](const FigureMark& m) {  // the key of the shades replaces the names
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });
-  const ContourField field = field_of(raster);
-  const std::size_t n = kLevels.size() + 1;
-  // The whole flank is drawn first, then each lower step on top of it.
-  f.area(region_below(raster, field, 200.0), shade_style(n - 1, n));
-  for (std::size_t i = kLevels.size(); i-- > 0;)
-    f.area(region_below(raster, field, kLevels[i]), shade_style(i, n) + " step");
+  add_map(f, raster, kLevels, "share of the samples", "%");
   return f;
 }
 

@@ -16,8 +16,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kOfPair{"gear_ratio", "center_distance_mm",
-                                                  "contact_ratio"};
+constexpr std::array<std::string_view, 4> kOfPair{"gear_ratio", "center_distance_mm",
+                                                  "contact_ratio", "contact_ratio_crossed"};
 constexpr std::array<std::string_view, 4> kOfRack{"travel_mm_per_turn", "center_distance_mm",
                                                   "contact_ratio", "normal_mm"};
 constexpr std::array<std::string_view, 1> kBacklash{"normal_mm"};

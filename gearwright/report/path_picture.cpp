@@ -134,11 +134,9 @@ Figure path_figure(const InvolutePair& pair) {
        .symbol = "ζ"}};
   f.keys = {{"g1", "gear 1"}, {"g2", "gear 2 (dashed)"}};
   std::vector<LetterAt> letters;
-  for (const PathMark& m : path_marks(mesh, std::max(mesh.rho1_E, mesh.rho1_D))) {
-    const double at = m.rho1 - mesh.rho1_C;
-    letters.push_back({fmt::format("<tspan class=\"letter\">{}</tspan> {}", m.letter, fixed(at, 3)),
-                       Vec2(at, -kInfinity), "leader", "tick halo"});
-  }
+  for (const PathMark& m : path_marks(mesh, std::max(mesh.rho1_E, mesh.rho1_D)))
+    letters.push_back({fmt::format("<tspan class=\"letter\">{}</tspan>", m.letter),
+                       Vec2(m.rho1 - mesh.rho1_C, -kInfinity), "leader", "tick halo"});
   add_letters(f, letters);
   for (const int gear : {1, 2}) add_sliding(f, pair, gear);
   for (const bool at_A : {true, false}) label_end(f, pair, at_A);

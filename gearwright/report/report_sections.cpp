@@ -183,6 +183,7 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
   if (groups.empty()) return {};
   const std::vector<std::string> columns = gear_headings(measures.size());
   TableBuilder table("Inspection dimensions, including the thickness allowances", columns);
+  table.decisive_rows({"length_mm", "dimension_mm"});
   table.groups(groups);
   std::string text = table.str();
   for (std::size_t i = 0; i < std::min(ends.size(), columns.size()); ++i) {
@@ -190,6 +191,7 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
     if (differing.empty()) continue;
     TableBuilder interval(columns[i] + " at the limits of the thickness allowance",
                           {"Lower", "Upper"});
+    interval.decisive_rows({"length_mm", "dimension_mm"});
     interval.groups(differing);
     text += interval.str();
   }

@@ -208,6 +208,7 @@ std::string gear_table(const std::vector<const Gear*>& gears,
       common.push_back(std::move(g));
   }
   TableBuilder table("Gear data, symbols of ISO 21771", gear_headings(gears.size()));
+  table.decisive_rows({"teeth", "profile_shift", "tip_diameter_mm"});
   table.groups(common);
   if (halves[0] || halves[1]) {
     std::vector<ValueRecord> records;
@@ -241,6 +242,8 @@ std::string few_teeth_table(const std::vector<const Gear*>& gears, UnitSystem un
 
 std::string pair_table(const Pair& pair, UnitSystem units) {
   TableBuilder t("Pair data, symbols of ISO 21771", gear_headings(2));
+  t.decisive_rows({"transverse_contact_ratio", "overlap_ratio", "contact_ratio_crossed",
+                   "tip_clearance_mm"});
   const auto& quantities = pair_quantities();
   t.groups(text_groups(quantities.table(), {quantities.of(pair)}, kPage, units));
   return t.str();

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "gearwright/base/contract.hpp"
 #include "gearwright/figure/markup.hpp"
 
@@ -37,9 +39,14 @@ void TableBuilder::open_row(std::string_view words, std::string_view symbol,
       "<tr><th scope=\"row\">{}</th><td class=\"symbol\">{}</td><td class=\"unit\">{}</td>",
       with_symbols(words), symbol_html(symbol), escaped(unit));
   row_has_value_ = false;
-  if (rows_++ < kFirst)
-    first_ +=
-        (rows_ > 1 ? "; " : ": ") + (symbol.empty() ? with_symbols(words) : symbol_html(symbol));
+  beside_ = decisive_keys_.empty()
+                ? rows_ < kFirst
+                : std::find(decisive_keys_.begin(), decisive_keys_.end(), key_) !=
+                      decisive_keys_.end();
+  ++rows_;
+  if (beside_)
+    first_ += (first_.empty() ? ": " : "; ") +
+              (symbol.empty() ? with_symbols(words) : symbol_html(symbol));
 }
 
 // A single number is never broken into two lines. A range or a list may be broken between its
@@ -49,7 +56,7 @@ void TableBuilder::cell(const std::string& value, std::size_t columns) {
   text_ +=
       fmt::format("<td class=\"value{}\"{}>{}</td>", several ? " several" : "",
                   columns > 1 ? fmt::format(" colspan=\"{}\"", columns) : "", with_symbols(value));
-  if (rows_ > kFirst || value.empty()) return;
+  if (!beside_ || value.empty()) return;
   first_ += (row_has_value_ ? " / " : " ") + with_symbols(value);
   row_has_value_ = true;
 }
@@ -64,8 +71,14 @@ void TableBuilder::row(std::string_view words, std::string_view symbol, std::str
   text_ += "</tr>\n";
 }
 
+void TableBuilder::decisive_rows(std::vector<std::string_view> keys) {
+  decisive_keys_ = std::move(keys);
+}
+
 void TableBuilder::row(const TextRow& text, const std::vector<std::string>& values) {
+  key_ = text.info->key;
   row(capitalised(text.info->words), text.info->symbol, text.unit, values);
+  key_ = {};
 }
 
 void TableBuilder::common(std::string_view words, std::string_view symbol, std::string_view unit,
@@ -79,7 +92,9 @@ void TableBuilder::common(std::string_view words, std::string_view symbol, std::
 
 void TableBuilder::common(const TextRow& text, const std::string& value,
                           const std::optional<std::string>& note) {
+  key_ = text.info->key;
   common(capitalised(text.info->words), text.info->symbol, text.unit, value, note);
+  key_ = {};
 }
 
 void TableBuilder::rows(const TextGroup& group) {

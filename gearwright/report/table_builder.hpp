@@ -37,6 +37,9 @@ class TableBuilder {
 
   /// Next to the caption of a folded table, these words with symbols replace the first values.
   void decisive(std::string_view words);
+  /// Next to the caption of a folded table, the rows with these keys of the catalogue replace the
+  /// first rows. The call must precede the rows.
+  void decisive_rows(std::vector<std::string_view> keys);
 
   /// Returns the table. On screen, only the caption and the first values of a long table are
   /// visible until the user unfolds it. On paper the whole table is visible.
@@ -52,6 +55,9 @@ class TableBuilder {
   std::string caption_;
   std::string first_;     ///< the first values, HTML
   std::string decisive_;  ///< words shown instead of the first values, HTML; may be empty
+  std::vector<std::string_view> decisive_keys_;
+  std::string_view key_;  ///< of the row that is being added; empty if it has none
+  bool beside_ = false;   ///< true if the values of this row are next to the caption
   bool row_has_value_ = false;
   int rows_ = 0;
   std::size_t columns_;

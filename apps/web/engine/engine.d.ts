@@ -245,7 +245,9 @@ export interface Figure {
     y: { words: string; unit: string };
     curves: { name: string; points: [number | null, number | null][] }[];
     circles?: { gear: 0 | 1; name: string; center: [number, number]; radius: number }[];
-    points?: { name: string; at: [number, number] }[]; // named points of a mesh, such as A to E
+    points?: { name: string; at: [number, number] }[]; // named points, such as A to E of a mesh
+    // The values of a map, a row for each y.
+    grid?: { words: string; unit: string; x: number[]; y: number[]; values: (number | null)[][] };
   };
 }
 /** Options of the figures of contact. */

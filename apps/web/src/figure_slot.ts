@@ -56,7 +56,8 @@ export class FigureSlot {
   show(figure: Figure | undefined): void {
     this.element.hidden = !figure;
     if (figure?.html !== this.figure?.html) this.picture.innerHTML = figure?.html ?? "";
-    this.values.hidden = !figure?.data.curves.length;
+    const data = figure?.data;
+    this.values.hidden = !(data?.curves.length || data?.points?.length || data?.grid);
     this.figure = figure ?? null;
     this.mark(this.t);
   }
@@ -110,13 +111,18 @@ export class FigureSlot {
     download(`${this.figure!.id}.svg`, picture.outerHTML, "image/svg+xml");
   }
   private keepValues(): void {
-    const { x, y, curves } = this.figure!.data;
-    const words = (axis: typeof x) => (axis.unit ? `${axis.words}, ${axis.unit}` : axis.words);
+    const { x, y, curves, points, grid } = this.figure!.data;
+    const words = (axis: { words: string; unit: string }) => (axis.unit ? `${axis.words}, ${axis.unit}` : axis.words);
     const cell = (text: string) => `"${text.replaceAll('"', '""')}"`;
     const rows = curves.flatMap(({ name, points }) =>
       points.map(([a, b]) => `${cell(name)},${a ?? ""},${b ?? ""}`),
     );
-    const head = ["curve", words(x), words(y)].map(cell).join();
+    rows.push(...(points ?? []).map(({ name, at: [a, b] }) => `${cell(name)},${a},${b}`));
+    let head = ["curve", words(x), words(y)].map(cell).join();
+    if (grid) {
+      head = [words(x), words(y), words(grid)].map(cell).join();
+      rows.splice(0, rows.length, ...grid.y.flatMap((b, i) => grid.x.map((a, k) => `${a},${b},${grid.values[i]![k] ?? ""}`)));
+    }
     download(`${this.figure!.id}.csv`, [head, ...rows, ""].join("\n"), "text/csv");
   }
 }

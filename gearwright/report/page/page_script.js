@@ -6,8 +6,31 @@
     svg.classList.add('live');
     window.addEventListener('beforeprint', zoom.reset);
   });
+  // On paper all details are open, and long tables are in an appendix, under the names of their
+  // sections.
+  var moved = [], appendix = document.createElement('section');
+  function heading(tag, words) {
+    appendix.appendChild(document.createElement(tag)).textContent = words;
+  }
   window.addEventListener('beforeprint', function () {
     Array.prototype.forEach.call(document.querySelectorAll('details'), function (d) { d.open = true; });
+    if (moved.length) return;
+    var last = null;
+    appendix.textContent = '';
+    heading('h2', 'Tables');
+    Array.prototype.forEach.call(document.querySelectorAll('main details.fold'), function (d) {
+      var section = d.closest('section'), name = section && section.querySelector('h2');
+      if (name && section !== last) heading('h3', name.textContent);
+      last = section;
+      moved.push([d, d.parentNode.insertBefore(document.createComment(''), d)]);
+      appendix.appendChild(d);
+    });
+    if (moved.length) document.querySelector('main').appendChild(appendix);
+  });
+  window.addEventListener('afterprint', function () {
+    moved.forEach(function (m) { m[1].parentNode.replaceChild(m[0], m[1]); });
+    moved = [];
+    appendix.remove();
   });
   var hint = document.getElementById('hint');
   if (hint && svgs.length) hint.hidden = false;
