@@ -58,7 +58,8 @@ Result<ToothedBody> body_of(const DriveJob& job, const PlacedGear& placed) {
   }
   if (auto error = modify(body, gear, named.modifications)) return within(named.name, *error);
   body.pose.translate(Vec3(placed.axis.x(), placed.axis.y(), placed.height));
-  body.pose.rotate(Eigen::AngleAxisd(placed.angle, Vec3::UnitZ()));
+  // The z axis stays exact, so that the bodies have a common plane section.
+  body.pose.linear().topLeftCorner<2, 2>() = Eigen::Rotation2Dd(placed.angle).toRotationMatrix();
   body.colour = named.body;
   return body;
 }
