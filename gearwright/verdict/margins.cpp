@@ -115,8 +115,9 @@ std::vector<Finding> contact_findings(const ContactResult& contact,
          {{"share", share, false}}});
   }
   if (points > 0) {
-    // The face on which the contact is nearer to an end counts. This is the narrower face if the
-    // widths differ.
+    // On each face, the mean position of the contact is related to half of the face width. The
+    // position that is nearer to an end is used, which lies on the narrower face if the widths
+    // differ.
     const double place = (std::abs(places[1]) > std::abs(places[0]) ? places[1] : places[0]) /
                          static_cast<double>(points);
     if (std::abs(place) > kCentralPlace && edges < touching) {

@@ -15,7 +15,8 @@ namespace gearwright::detail {
 /// Findings for clearances that are not negative but below their margins.
 std::vector<Finding> margin_findings(const Pair& pair);
 
-/// A finding if the backlash j_n is 0. `recommended` is the least recommended one; none for a rack.
+/// A finding if the normal backlash j_n, mm, is 0. `recommended` is the smallest recommended j_n,
+/// mm; it is none for a rack.
 std::vector<Finding> backlash_findings(double j_n, std::optional<double> recommended);
 
 /// Findings for contact at edges, and for a contact pattern away from the middle of the face.

@@ -14,8 +14,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// The numbers of red and amber findings. The comparison counts the amber findings only if the
-// numbers of red findings are equal.
+// The numbers of red and amber findings. Two scores are compared by their red findings, and by
+// their amber findings only if the red ones are equal in number.
 struct Score {
   int red = 0, amber = 0;
   auto operator<=>(const Score&) const = default;

@@ -58,7 +58,7 @@ std::string joined(const std::vector<std::string>& list) {
 std::string backlash_words(double j) {
   return std::abs(j) < kNoBacklash ? "no backlash" : fmt::format("a backlash of {:.4f} mm", j);
 }
-// The recommended value for running gears is added.
+// If there is no backlash, the smallest backlash recommended for running gears is added.
 std::string backlash_words(double j, double center_distance, double normal_module) {
   if (std::abs(j) >= kNoBacklash) return backlash_words(j);
   return fmt::format("{} ({})", backlash_words(j),
@@ -273,8 +273,8 @@ std::vector<Finding> findings_of(const Judged& judged) {
 
 namespace {
 
-// Sorts findings by severity, the worst first. Findings about safety factors keep their order,
-// lowest factor first.
+// True if `a` is listed before `b`. The more severe finding comes first. Two findings about safety
+// factors are never exchanged, because they are already sorted with the lowest factor first.
 bool before(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
   if (a.level == Level::green) return false;

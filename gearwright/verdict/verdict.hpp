@@ -93,10 +93,10 @@ struct Verdict {
                                         ///< contains data for them: pair, contact, load, rating
 };
 
-/// Margins in normal modules. A clearance below its margin produces a finding. Even in a good pair,
-/// the tip corner passes close to the fillet after it has left the mating flank. A 20:40 pair
-/// without profile shift has a clearance of only 0.0009 modules there, and few pairs exceed 0.01. A
-/// margin of 0.01 would therefore flag almost every pair.
+/// Margins in normal modules. A clearance below its margin produces a finding. The fillet margin is
+/// small, because the tip corner passes close to the fillet in every good pair, after it has left
+/// the mating flank. A 20:40 pair without profile shift has a clearance of only 0.0009 modules
+/// there, and few pairs exceed 0.01 modules.
 constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
 /// Greatest distance of the pattern from the middle of a face, relative to half its width, at which
 /// the pattern still counts as central.
