@@ -14,16 +14,16 @@ namespace gearwright {
 
 namespace {
 
-/// The greatest allowed difference between a given angle and the nearest place at which a planet can
-/// be assembled, degrees. Drawings give angles with two decimals.
+/// The greatest allowed difference, degrees, between a given angle and the nearest place at which a
+/// planet can be assembled. Drawings give angles with two decimals.
 constexpr double kSamePlace = 0.01;
 /// The greatest change of a tooth number that is tried for a proposal.
 constexpr int kMostTeethChanged = 12;
 
 using Row = std::vector<long long>;  // row of [A | b] for one mesh
 
-// Returns one row per mesh. The coefficients of χ are z of the riders, and the coefficient of u is
-// −z of the central gear.
+// Returns the row of [A | b] for each mesh. The coefficient of the rotation χ of a rider is z of
+// its gear, and b is −z of the central gear.
 std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<Row> rows;
   for (const std::size_t m : group.meshes) {
@@ -42,8 +42,8 @@ std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& gro
   return rows;
 }
 
-// Returns N*. The steps of Euclid's algorithm on the rows are unimodular. When the columns of A are
-// in echelon form, the rows in which A is 0 are those of Y·[A | b].
+// Returns N* = gcd |y·b|. Euclid's algorithm brings the columns of A to echelon form. Its steps are
+// unimodular, so the rows in which A is then 0 have the values y·b of a saturated basis.
 long long places_of(std::vector<Row> rows, std::size_t riders) {
   std::size_t top = 0;
   for (std::size_t column = 0; column < riders; ++column) {

@@ -1,4 +1,4 @@
-// Computes the places around the carrier at which the teeth of every copy of a planet mesh.
+// Computes the places, angles around the carrier, at which a copy of a planet can be assembled.
 //
 //   u      place of a copy in turns, counter-clockwise from copy 0
 //   N*     number of places per turn: u = n/N* [T13.12]; 0 if any place is possible
@@ -25,9 +25,10 @@ struct Assembly {
 
 /// Computes N* of a group of planets.
 ///
-/// Formula   A copy turned by u about the carrier, with the central gears at rest, meshes if and
-///           only if every mesh has moved by whole teeth, A χ + b u ∈ Zᴹ. N* = gcd |y·b| over the
-///           rows y of a saturated integer basis of y A = 0; [T13.12]
+/// Formula   If a copy is turned by u about the carrier while the central gears are at rest, its
+///           teeth mesh if and only if rotations χ of its riders exist for which every mesh moves
+///           by whole teeth, A χ + b u ∈ Zᴹ. N* = gcd |y·b| over the rows y of a saturated integer
+///           basis of y A = 0; [T13.12]
 long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 
 /// Computes the places of the copies. They are the given positions of the body, if there are any.

@@ -37,14 +37,14 @@ struct PlanetSet {
 struct DriveError {
   struct Line {
     double frequency_ratio;  ///< cycles per turn of the input
-    double amplitude;        ///< rad; of the travel of a rack, 2π per pitch
+    double amplitude;        ///< rad; if the output is a rack, its travel, with 2π per pitch
   };
   /// Peak-to-peak value, rad. If the meshes have several frequencies, it is the sum of the values
   /// of all frequencies. The error reaches this sum when the peaks coincide.
   double peak_to_peak = 0.0;
   std::vector<Line> lines;  ///< in the order of frequency
-  /// p_t/2π  mm, if the output is a rack; its product with an error in rad is the error of the
-  /// travel of the rack.
+  /// p_t/2π  mm, set if the output is a rack. An error in rad multiplied by this length is the
+  /// error of the travel of the rack.
   std::optional<double> lever{};
 };
 

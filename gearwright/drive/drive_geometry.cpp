@@ -187,15 +187,15 @@ void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, Drive
     if (graph.meshes[m].gears[0] == g || graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
 }
 
-// True if the rack determines the tip diameter of a gear, which then may be changed.
+// True if the generating rack determines the tip diameter of a gear, so that it may be changed.
 bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made) {
   const DriveGear& gear = graph.gears[g];
   return made.gears[g] && !gear.spec->tip_diameter && !gear.spec->tip_fillet;
 }
 
 // With large shifts, the centre distance is less than a_d + (x1 + x2) m_n, so the tip clearance is
-// less than that of the racks. If it is also less than the verdict requires, the tip is lowered by
-// k m_n, which restores the clearance of the racks.
+// less than that of the generating racks. If it is also less than the verdict requires, the tip is
+// lowered by k m_n, which restores the clearance of the racks.
 void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kLeast = 0.1;  // m_n
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
@@ -212,8 +212,9 @@ void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   }
 }
 
-// A ring with the addendum of its rack often reaches below the flanks of its mating gears. If no
-// tip diameter is given, the teeth of the ring are shortened until they touch only those flanks.
+// If a ring has the full addendum of its rack, its tips often reach beyond the root ends of the
+// flanks of its mating gears. Unless a tip diameter is given, the tips are cut back so that they
+// touch only these flanks.
 void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kClear = 0.02;  // m_n, in radius: twice the margin that the verdict requires
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {
@@ -369,7 +370,8 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
 
 namespace {
 
-// s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π on the circle with the pressure angle α_wt
+// Returns s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π, the ratio of tooth thickness to
+// pitch, on the circle with the transverse pressure angle α_wt.
 double thickness_share_at(const Gear& gear, double alpha_wt) {
   const auto& reference = gear.reference();
   return 0.5 +

@@ -68,9 +68,10 @@ struct Neighbours {
 /// The clearance between planets, and their greatest number. None if a distance or a gear is
 /// missing, or if an idler has no possible position (`fault` gives the reason).
 ///
-/// Formula   c = min (2 a sin(Δ/2) − d_a) over neighbours; if riders have different distances a,
-///           the gap between their tips is computed in polar coordinates; N_max =
-///           floor(π/asin(d_a/2a)); [T13.15b]
+/// Formula   c = min (2 a sin(Δ/2) − d_a) over neighbours at the distance a from the carrier's axis
+///           and the angle Δ from each other; if the distances of the riders differ, the gap
+///           between their tips is computed in polar coordinates; N_max = floor(π/asin(d_a/2a));
+///           [T13.15b]
 std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup& group,
                                      const DriveGeometry& geometry, const Assembly& assembly,
                                      std::optional<GeometryFault>& fault);
@@ -79,7 +80,7 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
 ///
 /// Formula   s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π
 double thickness_share(const InvolutePair& pair, int which);
-/// The same of the pinion of a rack, on its reference circle.
+/// Ratio of tooth thickness to pitch on the reference circle of the pinion of a rack.
 double thickness_share(const RackPair& pair);
 
 }  // namespace gearwright

@@ -46,7 +46,7 @@ struct DriveGear {
   std::string name;
   std::size_t body = 0;
   int teeth = 0;                        ///< z, < 0 for a ring
-  std::optional<RackBar> rack{};        ///< of a rack: its body moves with the speed v/p_t
+  std::optional<RackBar> rack{};        ///< set if the gear is a rack; its body moves with v/p_t
   std::optional<CylindricalSpec> spec;  ///< data of the teeth, except z and x
   std::optional<double> shift;          ///< x; computed if absent
   std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank
@@ -99,9 +99,9 @@ struct DriveGraph {
 
 /// Checks that the graph describes a possible drive.
 ///
-/// Errors    `drive.mesh` if its planets are on two carriers, or if a rack does not mesh with an
-///           external gear in the housing; `drive.gear` if it has no teeth; `drive.body` if it is
-///           its own carrier
+/// Errors    `drive.mesh` if the planets of a mesh are on two carriers, or if a rack does not mesh
+///           with an external gear in the housing; `drive.gear` if a gear has no teeth;
+///           `drive.body` if a body is its own carrier
 std::optional<Error> check_graph(const DriveGraph& graph);
 
 /// A planet, or several planets of one carrier that mesh with each other, and all their meshes. All

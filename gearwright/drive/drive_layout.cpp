@@ -174,8 +174,8 @@ class Layout {
       if (graph_.gears[g].body == body) phi_[first_[g] + static_cast<std::size_t>(copy)] += angle;
   }
 
-  // Places the slots one after the other. Each is as wide as the widest of the gears that are only
-  // in this slot or, if there are none, of all its gears.
+  // Places the slots one after the other. The width of a slot is the greatest face width of the
+  // gears that are in no other slot or, if there are none, of all gears in the slot.
   void find_heights() {
     const auto& slots = made_.places.slots;
     std::vector<double> from, to;

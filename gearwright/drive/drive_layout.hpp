@@ -6,8 +6,7 @@
 //
 // A tooth of one gear is opposite a space of the other, in the middle of the backlash:
 //
-//   z_a (θ_a − φ_a) + z_b (θ_b − φ_b) ≡ π  mod 2π,  z < 0 for a
-//   ring                       [T13.15c]
+//   z_a (θ_a − φ_a) + z_b (θ_b − φ_b) ≡ π  mod 2π,   z < 0 for a ring                [T13.15c]
 //                                              theory: docs/theory/13-drives.md
 #pragma once
 
@@ -41,8 +40,8 @@ struct DriveLayout {
   double angle_at(const Drive& drive, std::size_t placed, double height) const;
 };
 
-/// Errors    as drive_places(); `drive.gear` if it has no geometry; `drive.mesh` or `drive.body` if
-///           teeth do not mesh
+/// Errors    as drive_places(); `drive.gear` if a gear has no geometry; `drive.mesh` or
+///           `drive.body` if teeth do not mesh
 Result<DriveLayout> drive_layout(const Drive& drive);
 
 /// The same layout after a number of turns of the first input.

@@ -35,8 +35,9 @@ struct DrivePlaces {
   Vec2 axis_of(const Drive& drive, std::size_t body, int copy) const;
 };
 
-/// Errors    `drive.gear` if it is a rack; `drive.mesh` if its axes coincide or are in a loop of
-///           shafts that does not close; `drive.body` if a planet has no possible position
+/// Errors    `drive.gear` if a gear is a rack; `drive.mesh` if the axes of a mesh coincide or are
+///           in a loop of shafts that does not close; `drive.body` if a planet has no possible
+///           position
 Result<DrivePlaces> drive_places(const Drive& drive);
 
 }  // namespace gearwright

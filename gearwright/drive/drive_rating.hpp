@@ -1,7 +1,8 @@
 // Rates the strength of the meshes of a drive by ISO 6336. Each mesh is rated as a pair in the
 // frame of its carrier.
 //
-//   T_1    z_1 λ T_in/N: the torque on gear 1 of one of N copies
+//   T_1    z_1 λ T_in/N: the torque on gear 1 of one of the N copies of a mesh, with the tooth load
+//          λ of drive/power_flow.hpp
 //   n_1    speed of gear 1 minus speed of the carrier
 //                                              theory: docs/theory/11-rating.md, 13-drives.md
 //

@@ -24,7 +24,7 @@ constexpr double kRounding = std::numeric_limits<double>::epsilon();
 
 struct State {
   VectorXd gradient;
-  double scale = 0.0;     // the greatest of Σ |w F c|
+  double scale = 0.0;     // greatest component of |Q| + Σ |w F c|
   double rounding = 0.0;  // effect of rounded approaches, as a force
 };
 

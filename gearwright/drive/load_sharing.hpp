@@ -39,7 +39,7 @@ struct SharingSolution {
   };
   Eigen::VectorXd x;
   std::vector<double> forces;  ///< N, of each spring
-  double residual = 0.0;       ///< greatest |Σ w F c − Q| over greatest Σ |w F c|
+  double residual = 0.0;       ///< greatest |Σ w F c − Q| over greatest |Q| + Σ |w F c|
   int iterations = 0;
   Stop stop = Stop::iterations;
 
@@ -58,7 +58,7 @@ inline constexpr int kSharingSteps = 200;
 ///           spring resists (contract)
 SharingSolution share_load(const SharingProblem& problem);
 
-/// The same solution, with an iteration that starts from given displacements.
+/// The same solution. The iteration starts from the given displacements.
 SharingSolution share_load(const SharingProblem& problem, Eigen::VectorXd start);
 
 }  // namespace gearwright::detail

@@ -32,11 +32,12 @@ struct MeshSprings {
 /// with this number of copies. A single copy carries the whole load, and its share is known.
 std::vector<double> load_levels(int copies);
 
-/// `rotations` are those of gear 1, as in the contact analysis. `nominal` is the force of an equal
-/// share of the load, N along the transverse line of action.
+/// The springs of a mesh at the given rotations of gear 1, as in the contact analysis. `levels` are
+/// multiples of `nominal`, the force of an equal share of the load, N along the transverse line of
+/// action.
 ///
 /// Errors    `load` if no teeth touch at a position or no force converges there; `load.slices` if
-///           there are too many; as pair_compliance()
+///           there are too many slices; as pair_compliance()
 Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, LoadRequest request,
                                  const std::vector<double>& levels, double nominal,
                                  const std::vector<double>& rotations);

@@ -13,7 +13,8 @@ namespace {
 /// A share that differs from 0 or 1 by less than this amount differs only by rounding.
 constexpr double kNothing = 1e-12;
 
-// Angles are reduced to one turn as fractions, so that sums which vanish are exactly 0.
+// Returns |Σ e^{2πit}|/N for N angles t in turns. Whole turns are removed from the exact fractions
+// first, so that a sum that vanishes is exactly 0.
 double share_left(const std::vector<Rational>& turns) {
   std::complex<double> sum = 0.0;
   for (const Rational& t : turns) sum += std::polar(1.0, 2 * std::numbers::pi * t.frac().value());

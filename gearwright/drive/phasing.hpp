@@ -37,7 +37,7 @@ struct Phasing {
 std::vector<Rational> mesh_phases(int teeth, const std::vector<Rational>& turns);
 
 /// Formula   R_k = |Σ e^{−2πikγ_i}|/N, F_k^± = |Σ e^{−2πikγ_i ± 2πi u_i}|/N; [T13.18], [T13.19]
-/// Domain    as many phases as places, at least one (contract)
+/// Domain    one phase for each element of `turns`, at least one (contract)
 Phasing phasing(const std::vector<Rational>& phases, const std::vector<Rational>& turns,
                 int harmonics);
 

@@ -100,8 +100,8 @@ std::optional<Index> PlanetEquilibrium::column(std::size_t body, std::size_t pla
   return drive_.graph.bodies[body].carrier ? *first + static_cast<Index>(planet) : *first;
 }
 
-// n, the direction of the force of the first gear on the second one. It presses the gears apart.
-// Along the tangent, it has the sense of rotation of the first gear if this gear drives.
+// The unit vector n of the force of the first gear on the second one. The force presses the gears
+// apart. Its tangential part has the sense of rotation of the first gear if this gear drives.
 Vec2 PlanetEquilibrium::push(std::size_t m, std::size_t planet, const MeshPhase& phase) const {
   const DriveMesh& mesh = drive_.graph.meshes[m];
   const Pair& pair = *drive_.geometry.pairs[m];

@@ -2,6 +2,8 @@
 // frame of the carrier.
 //
 //   x_b    rotation of a body times its base radius, mm     D   displacement of an axis, mm
+//   y      approach of the flanks of a mesh, mm             n   direction of the mesh force
+//   σ      ±1, the sign of z ω of the driving gear          p_bt   transverse base pitch, mm
 //   y = σ (p_bt/2π) (z_a θ_a + z_b θ_b) + n·(D_a − D_b)                                [T13.23]
 //   F = F(δ), δ = y + e_0                                                              [T13.24]
 //   Σ w F ∂y/∂x = Q                                                                    [T13.25]

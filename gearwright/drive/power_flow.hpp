@@ -52,9 +52,9 @@ struct PowerFlow {
 Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>& speeds,
                              const std::vector<MeshEfficiency>& efficiencies);
 
-/// λ of each mesh without friction per unit torque on `body`, exact. λ is also the factor with
-/// which a motion of the mesh is transmitted to `body` [T13.20]. Inputs and output except `body`
-/// are held.
+/// The exact λ of each mesh without friction, per unit torque on `body`. λ is also the factor with
+/// which a motion of the mesh is transmitted to `body` [T13.20] while the inputs and the output,
+/// except `body`, are held.
 ///
 /// Domain    one degree of freedom, independent meshes; `body` turns (contract)
 std::vector<Rational> lossless_loads(const DriveGraph& graph, const DriveMotion& motion,
