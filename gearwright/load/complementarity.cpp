@@ -63,13 +63,13 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
       }
       arm[i] = q.arm[k];
     }
-    if (!a.allFinite()) return x;  // the decomposition of A would not detect this
+    if (!a.allFinite()) return x;  // LLT does not detect infinity or NaN
     const Eigen::LLT<MatrixXd> llt(a);
     if (llt.info() != Eigen::Success) {
       x.stop = ContactSolution::Stop::indefinite;
       return x;
     }
-    // a p − arm Θ = right,  Δ armᵀ p = M2
+    // Solves a p − arm Θ = right with Δ armᵀ p = M2.
     const VectorXd free = llt.solve(right);
     const VectorXd turned = llt.solve(arm);
     const double stiffness = q.length * arm.dot(turned);

@@ -1,6 +1,10 @@
 // Computes the loads of elastic bodies at their possible contact positions. Each position has
 // either a load and no gap, or a gap and no load.
 //
+//   p_i    load per length of the contact line               g_i, s_i   gap without and under load
+//   Θ      rotation of gear 2 beyond rigid contact           arm_i      normal gap per rad of Θ
+//   λ      λ1/E1 + λ2/E2, factor of the local deformation    w_i        deflection at position i
+//
 //   w_i(p) + g_i − Θ arm_i = s_i,   p_i ≥ 0,  s_i ≥ 0,  p_i s_i = 0,   Σ p_i Δ arm_i = M2
 //                                                                            [T12.2], [T12.3]
 //   w_i = Σ_j A_ij p_j + λ ln(a0/a_i) p_i,    a_i = √(4 p_i R_i/(π E*))      [T12.12]
@@ -29,8 +33,8 @@ struct ContactProblem {
 
 struct ContactSolution {
   enum class Stop {
-    /// No position changed, and the last step was below 1e-11 of the greatest load or below the
-    /// rounding error of the cancelling gaps (at most a thousandth of the greatest load).
+    /// No position was added or removed, and the last step was below 1e-11 of the greatest load or
+    /// below the rounding error of the cancelling gaps (at most a thousandth of the greatest load).
     converged,
     indefinite,  ///< A is indefinite, because the slices are too fine for the contact width
     too_long     ///< the limit of steps was reached

@@ -72,8 +72,8 @@ Margin margin(const FlankPatch& b, const GapJet& j) {
                            [](const Margin& x, const Margin& y) { return x.v < y.v; });
 }
 
-// The last point inside the other flank, up to rounding, between `good`, a point inside, and `bad`,
-// a point outside.
+// Returns the last point inside the other flank, up to rounding. `good` is a point inside, and
+// `bad` is a point outside.
 template <class At>
 double last_inside(const FlankPatch& b, const At& at, double good, double bad, double rounding) {
   const double border = newton_in_bracket<double>(
@@ -143,8 +143,8 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
     highest = te;
   }
   if (best < 0) return std::nullopt;
-  // The gap is least between the best row and the next row in the direction in which T increases,
-  // or the border of flank 2 before that row.
+  // From the best row, T increases towards one of its neighbours. The least gap lies between the
+  // two rows, or at the border of flank 2 if this border is nearer than the neighbour.
   const double s = row(best);
   GapJet j = at(s);
   double reached = s;

@@ -13,8 +13,8 @@ namespace {
 
 using Solved = std::vector<const LoadedPosition*>;
 
-// The stiffness, load divided by approach, over the positions: N/(mm µm) for a line load, N/µm for
-// a force. The mean stiffness is the load divided by the mean approach.
+// Returns the mean, least and greatest stiffness, load divided by approach, in N/(mm µm) for a line
+// load or N/µm for a force. The mean stiffness is the load divided by the mean approach.
 template <class Yield>
 LoadedTorque::Stiffness stiffness(const Solved& positions, double load, Yield yield) {
   double sum = 0.0;

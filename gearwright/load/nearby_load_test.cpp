@@ -1,6 +1,6 @@
 // Laws: (1) without a change, `value` equals the result of loaded_contact()   (2) `slope` is the
-// derivative of `value`   (3) the effect of a change is nearly that of loaded_contact() for the
-// changed pair.
+// derivative of `value`   (3) for a small change, `value` agrees with loaded_contact() for the
+// changed pair within a few percent of the effect.
 #include "gearwright/load/nearby_load.hpp"
 
 #include <gtest/gtest.h>
@@ -134,7 +134,7 @@ TEST_F(NearbyLoads, AChangeIsThatOfLoadedContactToAFewPercent) {
     EXPECT_NEAR(nearby(t, t.setup).span(change, false).value, after,
                 0.06 * std::abs(after - before))
         << t.name << " from " << before;
-    // For e = 0 of the changed teeth, the result is exact again.
+    // If the changed teeth are the start of the estimate (e = 0), the result is exact again.
     EXPECT_NEAR(nearby(t, changed(t, um)).span(none_, false).value, after, 1e-9 * after) << t.name;
   }
 }

@@ -77,8 +77,8 @@ class PointSolver {
   }
   Eigen::MatrixXd yields(const PointPosition& at, const std::vector<Laid>& laid) const;
   AxisPlace on_axis(const PointPlace& place, double x);
-  // The value x if it lies on both flanks; otherwise the last value between `from`, which lies on
-  // them, and x.
+  // Returns x if it lies on both flanks. Otherwise returns the last value that does, on the way
+  // from `from`, which lies on both flanks, to x.
   double reach(const PointPlace& place, double from, double x);
   Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
   // The ellipse of place i after the bending of the bodies along its major axis.

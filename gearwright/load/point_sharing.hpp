@@ -3,6 +3,9 @@
 //   δ_i + Σ_j G_ij F_j + g_i − Θ arm_i = 0,   F_i = (max(δ_i, 0)/c_i)^(3/2),   Σ F_i arm_i = M2
 //                                                                                    [T12.24]
 //
+//   Θ      rotation of gear 2 beyond rigid contact   arm_i   normal gap per rad of Θ
+//   g_i    gap without load                          G_ij    compliance of the bodies
+//
 // If point i carries load, δ_i is its Hertz approach; if not, −δ_i is the remaining gap. The forces
 // minimise a strictly convex energy, so the solution is unique.
 #pragma once

@@ -30,9 +30,9 @@ struct UnloadedTips {
   std::array<bool, 2> unloaded{true, true};
 };
 
-/// The reliefs of the pair of `setup` under the greatest torque of the request, with the errors,
-/// deflections and helix modifications of the pair. They replace its profile modifications and
-/// topographies.
+/// Computes the least reliefs of the pair of `setup` under the greatest torque of the request. The
+/// errors, deflections and helix modifications of the pair are included. Its profile modifications
+/// and topographies are ignored, because the reliefs replace them.
 ///
 /// Formula   [T12.27]
 /// Domain    involute teeth with line contact, tables of the same teeth (contract)
