@@ -1,6 +1,7 @@
 // Deviations of flanks that a grade of ISO 1328-1 allows, as random variables.
 //
-//   f_H   limit of the slope over an evaluation range     f_f   limit of the form around that slope
+//   f_H   limit of the slope deviation over an evaluation range
+//   f_f   limit of the form deviation around the line with this slope
 //                                    theory: docs/theory/14-scatter.md, [T14.23]
 #pragma once
 

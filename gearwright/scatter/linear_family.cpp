@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kHeights = 33;                                         // over the common face
+constexpr int kHeights = 33;                                         // number of heights
 constexpr double kBeyond = std::numeric_limits<double>::infinity();  // exceeds any value
 
 // Heights over the face of gear 1, or over the common face if the axes are parallel.

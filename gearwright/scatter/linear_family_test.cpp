@@ -106,7 +106,8 @@ TEST(LinearFamily, ALostContactHasNoEstimate) {
   EXPECT_FALSE(LinearFamily::of(apart.setup(), {}));
 }
 
-// The law of row_turn().
+// The effect of a removal by row_turn(), multiplied by the removal per unit of a modification, is
+// the slope of T with respect to this modification.
 TEST(RowTurn, TimesAFieldItIsTheSlope) {
   const ContactSetup setup = testing::crowned_helical_pair().setup().with_fields({true, true});
   for (const bool gear2_drives : {false, true}) {

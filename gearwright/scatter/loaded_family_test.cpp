@@ -87,8 +87,8 @@ void expect_members(const ContactSetup& setup, const ScatterTask& task, const Sc
   }
 }
 
-// Half a turn about the centre line exchanges the flanks but does not change a crossing of the
-// axes. The tolerance is therefore one of intersecting axes, which shows which gear drives.
+// Half a turn about the centre line exchanges the flanks and leaves crossed axes unchanged. With
+// intersecting axes, the result depends on which gear drives, so this error is used here.
 TEST(LoadedFamily, MembersAreThoseOfLoadedContact) {
   const ContactSetup setup = testing::crowned_helical_pair().setup();
   const ScatterTask task =

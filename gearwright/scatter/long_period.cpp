@@ -112,7 +112,7 @@ double long_period_span(Transmission& transmission, const std::vector<PairTouch>
   const long period = std::lcm(static_cast<long>(teeth[0]), static_cast<long>(teeth[1]));
   std::vector<double> offset;
   for (long p = 0; p < period; ++p) offset.push_back(ahead(p));
-  // The tooth pair k pitches earlier has its own rotation i + k n at this position.
+  // At this position, the tooth pair k pitches earlier is at its own rotation i + k n.
   const int lo = curve.least();
   const int hi = curve.greatest();
   const int from = static_cast<int>(std::floor(static_cast<double>(lo) / n));

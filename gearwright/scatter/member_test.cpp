@@ -1,6 +1,6 @@
 // Laws: (1) without deviations, the numbers are those of analyse_contact()   (2) a member equals a
-// pair with the same errors, modifications and thickness. Golden: closed forms of spur gears
-// (page 14).
+// pair with the same errors, modifications and thickness   (3) a double-helical pair without errors
+// that tilt an axis has the numbers of a half. Golden: closed forms of spur gears (page 14).
 #include "gearwright/scatter/member.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
   }
 }
 
-// Law (3), and the numbers of the contact of the whole gears under errors that differ between the halves.
+// Law (3). If the errors differ between the halves, TE is the mean of both halves.
 TEST(Member, OfADoubleHelicalPairIsTheWholePair) {
   auto drawn = testing::crowned_helical_pair();
   drawn.errors = {.center_distance = 0.01};
@@ -89,7 +89,8 @@ TEST(Member, OfADoubleHelicalPairIsTheWholePair) {
     }
     EXPECT_GT(differ, 1e-6);
     EXPECT_NEAR(m[Q::mean], sum / 32, 1e-15);
-    // A half has the sum of thickness changes of both flanks as any other pair.
+    // A change of thickness has the same effect on a double-helical pair as on the pair of one
+    // half.
     const std::vector<ScatterTolerance> thick{
         testing::tolerance("gear1.thickness_allowance_mm", 1.0, -0.02, 0.02, VaryingThickness{1})};
     const FamilyMember t = member_at(halves, deviation_at(halves, thick, std::vector{0.01}), whole);

@@ -1,7 +1,7 @@
 // Finds the corrections that minimise a percentile of the peak-to-peak TE over the family, for
 // rigid teeth or under load.
 //
-//   v     corrections                       f_k   peak to peak TE of sample k, under v
+//   v     corrections         f_k   peak-to-peak TE of sample k, with the corrections v
 //                                    theory: docs/theory/14-scatter.md, [T14.16] to [T14.18]
 //                                    and [T14.25]
 //

@@ -46,7 +46,8 @@ std::vector<MemberSpan> spans_at(const ContactSetup& setup, const ScatterTask& t
                                  const std::vector<std::vector<double>>& places,
                                  std::span<const Influence> influences = {});
 
-/// f of each member. If contact is lost, f is kLostSpan, which is worse than any other value.
+/// The peak-to-peak TE of each member, rad. If contact is lost, it is kLostSpan, which is worse
+/// than any other value.
 std::vector<double> ranked(const std::vector<MemberSpan>& spans);
 constexpr double kLostSpan = 1e3;  ///< rad
 

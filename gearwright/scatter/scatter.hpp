@@ -106,7 +106,8 @@ struct WorstMember {
 /// Effect of each tolerance: the highest percentile of the peak to peak TE if one tolerance becomes
 /// wider or narrower about the value of the drawing, and all others stay the same.
 struct Loosening {
-  double percent, percentile;  ///< rad, of the first replicate with the given tolerances
+  double percent, percentile;  ///< highest percent p, and the percentile p, rad,
+                               ///< in the first replicate
   struct Change {
     std::optional<double> factor;  ///< greatest factor with which the percentile grows by at most
                                    ///< kLooser; none if this holds for any factor up to

@@ -1,6 +1,7 @@
 // Teeth with unequal pitches within the tolerances of a grade.
 //
-//   ε_k   angle by which tooth k is ahead, rad      r   reference radius, mm      χ   a phase
+//   ε_k   angle by which tooth k is ahead, rad     r   reference radius, mm
+//   e, χ  amplitude and phase of the eccentricity  g   random walk along the circumference, mm
 //                                    theory: docs/theory/14-scatter.md, [T14.20]
 // Internal to scatter/.
 #pragma once
@@ -11,8 +12,8 @@
 
 namespace gearwright {
 
-/// The angles ε of all teeth: r ε_k = e sin(2πk/z + χ) + g_k. Here e and the closed random walk g
-/// follow from `share`, `phase` and `eccentric`.
+/// The angles ε of all teeth: r ε_k = e sin(2πk/z + χ) + g_k. The walk g is closed, so it returns
+/// to its start after one turn. Both e and g are computed from `share`, `phase` and `eccentric`.
 ///
 /// Formula   [T14.20]
 /// Domain    share ≥ 0, 0 ≤ eccentric ≤ 1 (contract)

@@ -1,5 +1,5 @@
-// Laws of uneven pitches. TE over the long period is compared with its definition, a
-// cold search for every tooth pair at every rotation.
+// Laws of uneven pitches. TE over the long period is compared with its definition, which searches
+// every tooth pair at every rotation independently.
 #include "gearwright/scatter/uneven_teeth.hpp"
 
 #include <gtest/gtest.h>

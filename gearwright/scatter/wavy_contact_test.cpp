@@ -140,8 +140,8 @@ TEST(WavyContact, OneGearMayHaveNoWaves) {
   }
 }
 
-// With 32 positions, the curve costs less than 20 evaluations per position, and 1000 without the
-// closed form of the waves. The extremes do not depend on the number of positions.
+// With the closed form of the waves, 32 positions of the curve need less than 20 evaluations each.
+// Without it, each would need 1000. The extremes do not depend on the number of positions.
 TEST(WavyContact, NeedsFewEvaluations) {
   const testing::SamplePair sample = wavy(0.009, 2, 4, 1.7);
   const ContactPair pair = sample.pair();

@@ -51,7 +51,8 @@ class Box {
     return quantity_ == ScatterQuantity::peak_to_peak ? badness : -badness;
   }
 
-  // The nearest place inside the box. A bore stays in its circle.
+  // Moves x to the nearest point inside the box. For a bore, this is the nearest point in its
+  // circle.
   std::vector<double> inside(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
@@ -133,7 +134,7 @@ class Box {
   const ScatterTask& task_;
   ScatterQuantity quantity_;
   std::vector<std::array<double, 2>> sides_;  // by coordinate
-  std::vector<int> choices_;                  // corners by tolerance
+  std::vector<int> choices_;                  // number of corner positions of each tolerance
 };
 
 struct Place {
