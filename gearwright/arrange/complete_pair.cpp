@@ -51,8 +51,8 @@ bool share_a_rack(const GivenPair& given) {
          near(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad());
 }
 
-// Shortens the tips so that the tip clearance at the centre distance a equals that of the racks:
-// k m_n = σ (a − a_ext). [T2.21]
+// Shortens the tips so that the tip clearance at the centre distance a equals the clearance of the
+// generating racks: k m_n = σ (a − a_ext). [T2.21]
 void shorten_tips(GivenPair& given, double a) {
   double extended = 0.0;
   const double side = side_of(given.gears[1]->cylindrical.teeth);
@@ -64,8 +64,8 @@ void shorten_tips(GivenPair& given, double a) {
     extended += (c.teeth > 0 ? side : 1.0) * reference_radius(c);
     extended += side * c.normal_module * c.profile_shift;
   }
-  // Tips are never lengthened. At a greater centre distance, the tip clearance exceeds that of the
-  // racks.
+  // Tips are never lengthened. At a greater centre distance, the tip clearance exceeds the
+  // clearance of the generating racks.
   const double k_m = std::min(0.0, side * (a - extended));
   for (auto& gear : given.gears) {
     CylindricalSpec& c = gear->cylindrical;

@@ -62,9 +62,9 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   return std::nullopt;
 }
 
-// The default profile shift of a gear with its own cutter, used if neither the shift nor e is
-// given. With this shift, the gear meshes without backlash with its mating gear at the pair's
-// centre distance.
+// The default profile shift of a gear with its own cutter, if neither this shift nor the sum e of
+// the shifts of cutter and gear is given. With this shift, the gear meshes without backlash with
+// its mating gear at the pair's centre distance.
 std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
   const GearInput* const mate = given.find(3 - which);
   const auto& gear = given.gear(which);

@@ -98,8 +98,8 @@ struct ToleranceInput {
 struct GearInput {
   CylindricalSpec cylindrical;
   std::optional<double> profile_shift;  ///< x
-  bool helix_given = false;             ///< if false, the helix angle is 0, or unknown to the verb
-                                        ///< `fit`
+  bool helix_given = false;             ///< if false, the helix angle is 0; the verb `fit` then
+                                        ///< computes it
   bool hand_given = false;              ///< true if the hand is given as a word, not as a sign
   bool transverse_given = false;  ///< true if module or pressure angle is given in the transverse
                                   ///< section

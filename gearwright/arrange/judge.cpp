@@ -30,7 +30,7 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   return judged;
 }
 
-// The changed gears, rated with the original load. None if the standard does not cover these gears.
+// The changed gears, rated with the original load.
 struct RatedAgain {
   RatedPair pair;
   Rating rating;
@@ -187,8 +187,8 @@ bool change_gear(GivenPair& given, const SpecChange& change) {
   return false;
 }
 
-// Makes a change that a verdict proposes, in the input, as a user would. Returns false if the input gives
-// this number in another form, or if another gear determines it.
+// Makes a change that a verdict proposes, in the input, as a user would. Returns false if the input
+// gives this number in another form, or if another gear determines it.
 bool make_change(GivenPair& given, const SpecChange& change) {
   if (change.what == Adjustable::center_distance) {
     given.pair.center_distance = change.value;

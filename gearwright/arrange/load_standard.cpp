@@ -61,8 +61,9 @@ namespace {
 
 constexpr double kWorthANote = 0.25;  // least relative difference from c_γα that causes a note
 constexpr double kFactor = 0.03;      // a factor within this distance of 1 is not mentioned
-constexpr double kMuchLeft = 0.1;     // face and bodies are examined if the rest differs from 1 by
-                                      // more
+constexpr double kMuchLeft = 0.1;     // if the part of the ratio to c_γα that is not explained
+                                      // differs from 1 by more, the effects of face width and
+                                      // bodies are computed
 constexpr double kOverlap = 2.0;      // least overlap ratio of a helical face that is not narrow
 constexpr double kWidest = 12.0;      // modules; computing a wider face takes long and adds nothing
 constexpr double kLeastWider = 1.2;
