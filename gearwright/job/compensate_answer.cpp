@@ -100,7 +100,7 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
     if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = Angle::radians(root.x);
   }
   if (!arcs->contacts.empty()) {
-    // [T8.22], for all errors together.
+    // Computes the change of the lead angle to first order for all errors together. [T8.22]
     const double theta = arcs->first_contact().at.theta.rad();
     const ContactErrors& e = setup.place().errors;
     const double sin_lambda = std::cos(setup.gear(1).spec.helix_angle.rad());

@@ -6,8 +6,8 @@
 namespace gearwright {
 namespace {
 
-// With few positions, the result once lay slightly beyond the limit, because the improvement of the
-// pattern outweighed the greater transmission error.
+// With few positions, the search must not accept a greater transmission error in exchange for a
+// better pattern.
 TEST(CompensateAnswer, the_limit_holds_however_little_is_looked_at) {
   constexpr const char* kSpec = R"(
 [gear1]

@@ -116,7 +116,7 @@ TEST(CompensateLoad, IsNeverWorseThanNothing) {
   }
 }
 
-// The verb once printed "an edge carries: yes" for the corrected pair and returned a green verdict.
+// If an edge carries load even after the corrections, the verdict must not be green.
 TEST(CompensateLoad, AnEdgeThatStillCarriesIsAFinding) {
   SolvedJob job = job_of(spec_of("aim = \"pressure\"\n", "[60, 250]"));
   const auto answer = answer_compensate(job, nullptr, 20);

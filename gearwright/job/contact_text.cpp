@@ -112,7 +112,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const UnitSystem units = job.spec.units();
   const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 4); };
   const std::string_view unit = unit_text(units, Unit::mm);
-  // The error of a rack is a travel.
+  // The transmission error of a rack is a displacement along the rack.
   const std::string_view error_unit = r.rack ? unit_text(units, Unit::um) : "arcsec";
   const auto error_text = [&](Angle te, int decimals) {
     return r.rack ? text_in(units, Unit::um, kUmPerMm * r.rack.of(te), decimals)

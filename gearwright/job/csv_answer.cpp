@@ -37,8 +37,8 @@ const Value kNothing;
 using Cells = std::vector<const Value*>;
 using Rows = std::vector<const ValueRecord*>;  // null if a row has no such record
 
-// Calls f(column, cells) for each column of a table that is also in JSON and has a value in at least one
-// row.
+// Calls f(column, cells) for each column of a table that is also in JSON and has a value in at
+// least one row.
 template <class F>
 void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
   for (const RecordColumn& column : columns_of(table)) {
@@ -61,8 +61,9 @@ void add_row(UnitSystem units, const QuantityInfo& info, const std::string& path
               csv_cell(second, own, info.unit)});
 }
 
-// Adds a quantity of one or two records. Plain values of two records, or two values of one record, are side by
-// side. A longer list of one record has a row for each value. Lists of records are in --json only.
+// Adds a quantity of one or two records. Plain values of two records, or two values of one record,
+// are side by side. A longer list of one record has a row for each value. Lists of records are in
+// --json only.
 void add_rows(UnitSystem units, const QuantityInfo& info, const std::string& path,
               const Cells& cells, std::string& out) {
   const ValueList* list = cells.front()->list();

@@ -12,7 +12,7 @@
 namespace gearwright {
 
 /// A plain value as a cell, in the unit that replaces `unit` in the system `units`. The cell is
-/// empty for no value, a list, a record or a map.
+/// empty if there is no value or if the value is a list, a record or a map.
 std::string csv_cell(const Value& value, UnitSystem units = UnitSystem::mm, Unit unit = Unit::none);
 /// A row for each quantity of the gears and, if they are mounted, of the pair and a rack. The
 /// columns are key, quantity, symbol, unit, first and second. The last two are for gear 1 and gear
@@ -26,8 +26,7 @@ std::string load_csv(const SolvedJob& job, const LoadAnalysis& answer);
 /// A row for each proposal. The first row is the spec as given.
 std::string propose_csv(const SolvedJob& job, const ProposeView& view);
 /// A row for each quantity, with the columns key, quantity, symbol, unit, first, second, formula
-/// and branch.
-/// `second` is the value of gear 2.
+/// and branch. `second` is the value of gear 2.
 std::string rating_csv(const SolvedJob& job, const RatingAnswer& answer);
 /// A row for each point, with the columns arc, x_mm and y_mm.
 std::string outline_csv(const Outline& outline, int points, UnitSystem units);

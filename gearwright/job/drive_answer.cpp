@@ -35,7 +35,8 @@ std::string fraction(const Rational& r) {
   return *q == 1 ? fmt::format("{}", *p) : fmt::format("{}/{}", *p, *q);
 }
 
-// The function of a body in the drive, "input" or "held", or the number of its copies.
+// The function of a body in the drive, "input", "held" or "output". Otherwise, the number of its
+// copies, if it has several.
 std::string part_of(const Drive& drive, std::size_t body) {
   if (drive.graph.is_input(body)) return "input";
   if (drive.graph.is_fixed(body)) return "held";

@@ -113,7 +113,8 @@ class Candidates {
         which.size(), [&](std::size_t i) { outcomes[i] = designer_(all_[which[i]]); }, threads_);
     for (std::size_t i = 0; i < which.size(); ++i) {
       ++designs.computed;
-      // Only the first drive with teeth can show an error of the spec itself.
+      // Until a drive has been rated, an error is attributed to the spec. Afterwards, it concerns
+      // only the candidate, which is left out.
       if (auto* error = std::get_if<Error>(&*outcomes[i])) {
         if (!is_rated_) return *error;
         outcomes[i] = DriveFault::safety;

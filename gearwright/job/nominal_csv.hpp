@@ -1,5 +1,5 @@
-// Nominal points of all flanks for a measuring machine, as a table, and the K-diagrams of all flanks.
-// Internal to job/ and the program.
+// Nominal points of all flanks for a measuring machine, as a table, and the K-diagrams of all
+// flanks. Internal to job/ and the program.
 #pragma once
 
 #include <optional>

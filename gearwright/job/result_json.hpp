@@ -29,8 +29,8 @@ Json files_json(const std::vector<JobFile>& files);
 Json error_json(const Error& error);
 Json verdict_json(const Verdict& verdict);
 
-// The range of a record within tolerances: the numbers that differ between the two ends, in JSON and
-// for users.
+// The range of a record within tolerances: the numbers that differ between the two ends, in JSON
+// and for users.
 
 /// {key: [at lower, at upper]} for the numbers that differ. It contains the quantities of all
 /// interfaces, also the thickness allowance, which otherwise appears on the page only. An inner

@@ -1,5 +1,6 @@
-// The units of all quantities, for answers in inch. A number is converted by the unit at the end of its key, or of the
-// nearest key around it (spec/unit_tree.cpp). This unit must be that of the quantity.
+// The units of all quantities, for answers in inch. The unit at the end of a key, or of the nearest
+// key around it, determines how a number is converted (spec/unit_tree.cpp). This must be the unit
+// of the quantity.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -35,7 +35,7 @@ TEST(ScatterRobust, UnderLoadTheAnswerIsThatOfTheCorrectedSpec) {
   const double after = robust["after"]["percentile_arcsec"];
   EXPECT_LT(after, 0.9 * robust["before"]["percentile_arcsec"].get<double>()) << robust.dump();
   EXPECT_EQ(robust["after"]["loaded"][0]["torque_Nm"], 250);
-  // The corrected spec with the seed of the compared samples.
+  // `scatter` is run for the corrected spec with the seed of the samples of the comparison.
   Json corrected = answer["scatter"]["spec"];
   corrected["scatter"]["seed"] = 2;
   corrected["scatter"]["loaded"] = true;

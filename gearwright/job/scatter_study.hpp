@@ -32,8 +32,8 @@ struct ListedDesign {
 
 struct StudyOptions : CampaignOptions {
   std::optional<std::string> designs;  ///< file or folder of a search
-  std::vector<ListedDesign> list;      ///< the designs, if they are known; without both, the search
-                                       ///< is run
+  std::vector<ListedDesign> list;      ///< the designs, if they are known; if neither `designs`
+                                       ///< nor `list` is given, the search is run
   std::filesystem::path folder;        ///< folder of the spec, in which the files that it names are
                                        ///< found
   std::optional<std::size_t> top;      ///< greatest number of designs; by default all

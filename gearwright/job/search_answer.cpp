@@ -23,8 +23,8 @@ constexpr std::string_view kRatingUnused =
     "[rating] has no effect on this search. Give safety_flank_min and safety_root_min in [search] "
     "to rate its designs.";
 
-// Boundaries of regions, whose curves have 25 points, are omitted if there are more designs than
-// this.
+// If there are more designs than this, the boundaries of their regions are omitted, because each
+// curve of a boundary has 25 points.
 constexpr std::size_t kMaxBoundaries = 10'000;
 
 Value edges_of(const Search& search, const DesignRow& row) {

@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// The file contains more designs only if --top requests them, because users read it.
+// Default number of designs in best.csv, which users read. The option --top replaces it.
 constexpr std::size_t kCsvDesigns = 1000;
 
 // Writes both tables in one pass over the designs. The second table exists only if there is a grid

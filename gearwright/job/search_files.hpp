@@ -35,8 +35,8 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
                                                       std::optional<std::size_t> top,
                                                       const FindSource& source);
 
-// The folder of a campaign, a search or a study whose finished chunks stay on disk, opened as its
-// options say.
+// Opens the folder of a campaign. A campaign is a search or a study whose finished chunks stay on
+// disk.
 
 /// The store, or nothing if the first process could not open the folder. If `refused` is set, the
 /// folder must not be used, and `refused` is the error.

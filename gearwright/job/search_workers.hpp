@@ -21,8 +21,7 @@ class SearchWorkers {
   using Done = std::function<void(std::int64_t, ChunkFinds, const SearchCounts&)>;
 
   /// `todo` contains the numbers of the chunks in ascending order. Each has `chunk` trials.
-  /// `search` and
-  /// `options` must outlive this object.
+  /// `search` and `options` must outlive this object.
   SearchWorkers(const Search& search, std::int64_t chunk, std::vector<std::int64_t> todo,
                 const SearchOptions& options);
 

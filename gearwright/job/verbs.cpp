@@ -211,7 +211,8 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
-// The answer of a verb that computes gears and does not need them as input. `specs` are the computed gears.
+// The answer of a verb that computes gears instead of starting from them. `specs` are the computed
+// gears.
 template <class Found>
 Answer proposals(UnitSystem units, Found&& found, Json (*record)(const Found&),
                  std::string (*listing)(const Found&, UnitSystem)) {
