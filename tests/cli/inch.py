@@ -16,7 +16,7 @@ PATH = re.compile(r"[A-Za-z0-9_.]+")
 
 
 def unit(key):
-    """(name in inch, factor) of a key of a length, or None."""
+    """Returns (name in inch, factor) for the key of a length, otherwise None."""
     last = key.rsplit(".", 1)[-1]
     if last in SAME or "_N_" in last or last.endswith("_per_N"):
         return None
@@ -34,7 +34,7 @@ def scaled(value, factor):
 
 
 def word(value):
-    """A key that is the value of another key, in a list or alone."""
+    """Returns a value with the name of its key in inch, if the value is itself the key of a length."""
     if isinstance(value, list):
         return [word(v) for v in value]
     if isinstance(value, str) and PATH.fullmatch(value) and unit(value):
@@ -43,7 +43,7 @@ def word(value):
 
 
 def spec_in_inch(table):
-    """The spec with every length in inch, but without the key `units`."""
+    """Returns the spec with every length in inch, but without the key `units`."""
     out = {}
     for key, value in table.items():
         named = unit("_" + str(table[NAMED[key]])) if key in NAMED and NAMED[key] in table else None
@@ -66,7 +66,8 @@ def spec_in_inch(table):
 
 
 def numbers(answer, path=(), factor=1.0, per=1.0, inch=False):
-    """{path of keys in inch: number in inch} of all numbers of an answer in mm, or of one in inch."""
+    """Returns {path of keys in inch: number in inch} for all numbers of an answer, which is in mm
+    unless `inch` is true."""
     found = {}
     if isinstance(answer, dict):
         for key, value in answer.items():
@@ -94,8 +95,8 @@ def numbers(answer, path=(), factor=1.0, per=1.0, inch=False):
 
 
 def differences(mm, inch, tolerance=1e-12):
-    """Paths at which the numbers of two answers differ by more than the tolerance, relative or, for small numbers,
-    absolute."""
+    """Returns the paths at which the numbers of two answers differ by more than the tolerance. It is
+    relative, but absolute for small numbers."""
     a, b = numbers(mm), numbers(inch, inch=True)
     far = [(p, a[p], b[p]) for p in a.keys() & b.keys()
            if abs(a[p] - b[p]) > tolerance * max(abs(a[p]), abs(b[p]), 1e-3)]
@@ -103,13 +104,14 @@ def differences(mm, inch, tolerance=1e-12):
 
 
 def csv_differences(mm, inch, tolerance=1e-12):
-    """Rows of the CSV of quantities (key, quantity, symbol, unit, values) that differ between both systems."""
+    """Returns the rows of the CSV of quantities (key, quantity, symbol, unit, values) that differ
+    between both systems."""
     far = []
     for a, b in itertools.zip_longest(csv.reader(mm.splitlines()[1:]), csv.reader(inch.splitlines()[1:]), fillvalue=[""] * 6):
         name = ".".join(unit(part)[0] if unit(part) else part for part in a[0].split("."))
         module = a[0].rsplit(".", 1)[-1] in SAME
         text, factor = (a[3], 1.0) if module else CSV_UNITS.get(a[3], (a[3], 1.0))
-        words = unit(a[1])[0] if unit(a[1]) else a[1]  # a record has no words but its key
+        words = unit(a[1])[0] if unit(a[1]) else a[1]  # a record has its key instead of words
         same = name == b[0] and words == b[1] and text == b[3] and all(
             x == y or (x and y and abs(float(x) * factor - float(y)) <= tolerance * max(abs(float(y)), 1e-3))
             for x, y in zip(a[4:6], b[4:6]))

@@ -344,8 +344,8 @@ class Contact(unittest.TestCase):
         self.assertEqual([w["gear"] for w in near], [1, 1])
         self.assertIn("the tip of gear 2 and the root fillet of gear 1 touch 0.01965 mm before the flanks touch", near[0]["message"])
         self.assertIn("non-working", near[1]["message"])
-        # With ten times as many positions, only every tenth is checked. These are the same 64 positions, but
-        # each is compared with its own flanks.
+        # With 640 positions, only every tenth is checked. These are the same positions as without the key,
+        # so the warnings are the same.
         self.assertEqual(told(84, errors + "-0.1\n[contact]\npositions = 640"), near)
         # If there are many pitches, the first one is checked.
         far = told(84, errors + "-0.1\n[contact]\npitches = 64")

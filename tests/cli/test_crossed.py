@@ -92,8 +92,8 @@ class Crossed(unittest.TestCase):
             crowned = f"[gear1.modifications]\nlead_crowning_um = {share * needed[0]}"
             r = Run("pair", RING.format(crowned, "shaft_angle_deg = 10"), "--json")
             self.assertEqual([w["code"] for w in r.json["warnings"] if w["code"] == "saddle_gap"], codes)
-        # Without crowning, an edge touches first, by about the crowning that is needed. With crowning, the
-        # flanks touch inside their limits.
+        # Without crowning, an edge touches before the flank would, by about the crowning that is needed. With
+        # crowning, the flanks touch inside their limits.
         lead = {}
         for crowning in (0, 3 * needed[0]):
             text = RING.format(f"[gear1.modifications]\nlead_crowning_um = {crowning}", "shaft_angle_deg = 10")

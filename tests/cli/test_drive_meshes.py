@@ -26,8 +26,8 @@ class Meshes(unittest.TestCase):
         self.assertGreaterEqual(compared, 12)
 
     def test_a_mesh_carries_its_torque(self):
-        """Three planets share the torque of the sun. The tooth force of the mesh with the ring equals
-        that of the mesh with the sun."""
+        """Three planets share the torque of the sun. The tooth forces of a planet in its meshes with the
+        sun and with the ring are equal."""
         sun = Run("drive", SET + "torque_Nm = 60\n", "--take", "1").out
         ring = Run("drive", SET + "torque_Nm = 60\n", "--take", "2").out
         torque = [float(re.search(r"torque_Nm = (\S+)", spec).group(1)) for spec in (sun, ring)]
@@ -72,8 +72,8 @@ torque_Nm = 5
         self.assertTrue(all(line.startswith("# ") and len(line) <= 80 for line in spec.out.split("title")[0].splitlines()))
 
     def test_a_mesh_carries_its_rating(self):
-        """The safeties of a mesh equal those of the drive. They are lower for the gear with fewer load
-        cycles."""
+        """The safeties of a mesh equal those of the drive. If the flanks of its gears are used differently,
+        the spec has the more severe use for both gears, so its safeties may be lower."""
         rating = ('\n[rating]\ntorque_Nm = 40\nspeed_rpm = 1450\nlife_h = 20000\nquality = 6\nface_load_factor = 1.3\n'
                   'lubricant_viscosity_40C_mm2_s = 220\nmaterial = { name = "16MnCr5" }\n')
         train = (SOURCE / "examples/drives/two_stage_gearbox.toml").read_text() + rating
@@ -170,7 +170,8 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         self.assertEqual(tight.json["verdict"]["findings"][0]["code"], "negative_backlash")
 
     def test_a_rack_drives(self):
-        """Speed and force of a rack that drives give the speed of the pinion by its pitch circle, and the torque with the arm d/2."""
+        """If a rack drives, its speed is the pitch line velocity of the pinion. Its force has the lever arm
+        d/2."""
         back = self.LIFT.replace('input = "shaft"\noutput = "bar"', 'input = "bar"\noutput = "shaft"')
         drive = Run("drive", back.replace("speed_rpm = 60", "speed_m_per_s = 0.5").replace("torque_Nm = 10", "force_N = 800"), "--json")
         self.assertEqual(drive.status, 0, drive.err)
@@ -253,8 +254,8 @@ class DoubleHelical(unittest.TestCase):
         spec = Run("drive", stage, "--take", "1").out
         for table in ("[load]", "[errors]", "[gear2.double_helical]"):
             self.assertIn(table, spec)
-        # The transmission error of the drive is that of the whole gears, not of one half. The input turns
-        # counter-clockwise, so its working flanks are the non-working flanks of the verb contact.
+        # The transmission error of the drive is computed for the whole gears, not for one half. The input
+        # turns counter-clockwise, so its working flanks are the non-working flanks of the verb contact.
         drive = Run("drive", stage, "--json").json["drive"]["transmission_error"]["output_arcsec_peak_to_peak"]
         contact = Run("contact", spec, "--json").json["contact"]
         self.assertAlmostEqual(drive, contact["non_working_flank"]["peak_to_peak_arcsec"], 8)

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""The program takes no function whose last bit depends on the C library from the C library (cmake/gw_elementary.cmake).
+"""Tests that the program calls no function of the C library whose last bit may differ between C
+libraries (cmake/gw_elementary.cmake).
 
-Law: of the functions of libm, it calls only those below, which are exact, and those for long double, whose results
-Boost rounds to a double.
+Law: the program calls two kinds of functions of libm. Those in EXACT are exact. Those in LONG_DOUBLE
+have results that Boost rounds to a double.
 """
 import os
 import pathlib

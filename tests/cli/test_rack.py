@@ -47,7 +47,8 @@ class ARack(unittest.TestCase):
             self.assertEqual(answer["pair"]["mounting_distance_mm"], 20 + 18)
 
     def test_contact_under_errors_is_that_of_a_large_wheel(self):
-        # 1 µm of a wheel of 4000 teeth at r = 4000 mm; the limit differs by the order of 1/z2.
+        # A wheel of 4000 teeth has the radius r = 4000 mm. Its results differ from those of a rack by the
+        # order of 1/z2.
         errors = "[gear1.modifications]\nlead_crowning_um = 10\nprofile_crowning_um = 5\n" \
                  "[errors]\ncrossing_deg = 0.02\ncenter_distance_mm = 0.05\n[contact]\npattern = true\n"
         rack = json.loads(Run("contact", RACK + errors, "--json").out)["contact"]

@@ -75,8 +75,8 @@ class Stop(unittest.TestCase):
         self.assertEqual((run.status, run.err), (0, ""))
 
     def test_what_pair_refuses_is_marked_by_fit(self):
-        """A gear with two teeth and a wheel at a centre distance that no standard tooth allows. There is
-        no line of action with teeth."""
+        """The verb fit marks each branch that the verb pair rejects, and gives the same message. A gear
+        with two teeth has such branches."""
         wish = ("[gear1]\nteeth = 2\nnormal_module_mm = 2\nhelix_angle_deg = 20\n"
                 "[gear2]\nteeth = 30\nnormal_module_mm = 2\nhelix_angle_deg = -20\n[pair]\ncenter_distance_mm = {}\n")
         marked = 0

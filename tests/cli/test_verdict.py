@@ -68,7 +68,7 @@ class VerdictTest(unittest.TestCase):
         said = Run("pair", near, "--json").json["verdict"]
         self.assertIn("requires profile shifts with a sum of -0.65", said["headline"])
         self.assertIn("reference centre distance is 52 mm", said["headline"])
-        # The remedy contains the greatest tip diameter, in hundredths of a millimetre, without a finding.
+        # The remedy is the greatest tip diameter, in steps of 0.01 mm, at which there is no finding.
         long = GREEN.replace("teeth = 41", "teeth = 41\ntip_diameter_mm = 88")
         found = next(f for f in Run("pair", long, "--json").json["verdict"]["findings"] if f["code"] == "form_circle")
         (key, tip), = found["change"].items()

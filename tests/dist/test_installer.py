@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Installs the program for Windows under Wine, runs it by its name, removes it again, and compares the registry.
+"""Installs the program for Windows under Wine, runs it by its name, removes it, and compares the registry.
 
     tests/dist/test_installer.py SETUP.EXE
 
-Laws: after the removal the user's PATH is what it was before the installation, whatever stood in it; a file that the
-user put into the folder is still there; everything that was installed is gone.
+Laws: after the removal, the user's PATH is the same as before the installation, for any value of PATH.
+A file that the user put into the folder still exists. All installed files and entries are removed.
 """
 import argparse
 import os

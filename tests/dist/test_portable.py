@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""Compares a portable program with the native one, and runs what a user of its system runs first.
+"""Compares a portable program with the native one, and runs the first commands of a user of its system.
 
     tests/dist/test_portable.py NATIVE PROGRAM [--under wine [--may-skip]] [--examples N]
 
-1. Every verb on every example: the same exit status and keys, and the same numbers of --json, because all programs have
-   one set of elementary functions; on ARM, where Eigen fuses multiplications and additions, within kNear of the native
-   ones. The script prints how many numbers differ, and by how many units in the last place (ulp).
-2. `run` on every example: the same files. The script prints how many have the same bytes.
-3. Names and titles in Unicode, CRLF, a byte order mark, UTF-16, batch, a missing file, folders that take no file.
-4. The program needs no library beside it; that for Windows has less than 12 MB.
+1. For every verb and example, exit status, keys and numbers of --json are the same, because all programs
+   have the same elementary functions. On ARM, Eigen fuses multiplications and additions, so numbers may
+   differ by kNear. The script prints how many numbers differ, and by how many units in the last place (ulp).
+2. For every example, `run` writes the same files. The script prints how many have the same bytes.
+3. The program handles names and titles in Unicode, CRLF, a byte order mark, UTF-16, batch, a missing
+   file, and folders that accept no file.
+4. The program needs no library beside it. The program for Windows has less than 12 MB.
 """
 import argparse
 import contextlib
@@ -23,7 +24,8 @@ import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
 VERBS = "gear pair contact load measure rate identify fit drive".split()
-# Relative to the value, or to 1 for smaller values. A quantity near zero is a difference of large ones.
+# Relative to the value, or to 1 for smaller values, because a quantity near zero is often the
+# difference of large ones.
 kNear = 1e-9
 
 
@@ -91,8 +93,8 @@ def place(x):
 
 
 class Differences:
-    """Compares the numbers of two answers: their count, the ulp of each difference, and the
-    place of the greatest relative one."""
+    """Compares the numbers of two answers. Counts them, and stores the ulp of each difference and the
+    path of the greatest relative difference."""
 
     def __init__(self):
         self.values, self.ulps, self.greatest, self.where, self.broken = 0, [], 0.0, "", ""

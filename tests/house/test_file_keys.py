@@ -1,14 +1,14 @@
 """Tests that no room below the catalogue uses the keys, tables or terms of a file.
 
-Rooms below the catalogue (CONTRIBUTING.md, the block marked `rooms`) speak of the members of their structs; the catalogue
-turns those into keys. In their string literals must not stand:
+Rooms below the catalogue (CONTRIBUTING.md, the block marked `rooms`) name the members of their structs.
+The catalogue converts these names to keys. String literals of these rooms must not contain:
 
-    key     a key of a spec that says a unit, "tip_diameter_mm": docs/schema/spec.schema.json has them all
-    table   the header of a table, "[gear1" or "[pair]", or the words table, key (of a file), spec file, TOML
-    gear    a path that begins with gear1. or gear2., which gear/gear.hpp puts together
-    tick    a member between backticks that no key has: doors could not spell it
+    key     a key of a spec with a unit, "tip_diameter_mm" (all keys are in docs/schema/spec.schema.json)
+    table   the header of a table, "[gear1" or "[pair]", or the words table, key, spec file, TOML
+    gear    a path that begins with gear1. or gear2. (gear/gear.hpp composes these paths)
+    tick    a member between backticks that belongs to no key, so that no interface can convert it
 
-Each rule is first tried on a snippet that breaks it.
+Each rule is first tested with a snippet that violates it.
 """
 
 import json
@@ -24,7 +24,7 @@ LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 RAW = re.compile(r'R"\(.*?\)"', re.S)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.S)
 UNIT = re.compile(r"_(?:mm|deg|um|per_in|arcsec|rpm)$")
-# The other units that members leave out: kStrengthUnits of catalogue/key.cpp.
+# Other units that member names omit, as in kStrengthUnits of catalogue/key.cpp.
 STRENGTH_UNIT = re.compile(r"_(?:kW|Nm|C|MPa|HV|m2|m2K_per_W|kg_per_m3)$")
 TABLE = re.compile(r"\[(?:gear\d?|pair|fit|search|errors|contact|compensate)\b|\btwo tables\b|\bthe table\b|\ba table\b|"
                    r"\bspec file\b|\bTOML\b|\bthe key\b|\bkeys\b")
@@ -48,16 +48,16 @@ def members(keys, catalogue):
     for text in catalogue:
         for fields in re.findall(r"\.fields = \{([^{}]*)\}|\.with_fields\(\{([^{}]*)\}\)", text):
             names |= {part for field in re.findall(r'"([^"]*)"', "".join(fields)) for part in field.split(".")}
-        # A limit of a search is the member of its key without the suffix.
+        # A limit of a search is a member whose name is the key without the suffix.
         names |= {re.sub(r"_(?:min|max)$", "", key) for key in re.findall(r'\blimit\(\s*"(\w+)"', text)}
-    # These are composed in modification_keys.cpp and error_keys.cpp, for a relief and for an error.
+    # modification_keys.cpp and error_keys.cpp compose the names of these members of reliefs and errors.
     return names | {"amount", "reach", "shape", "helix_twist", "cutter_lead"}
 
 
 def literals(text):
-    """Returns the string literals of a source, with neighbours joined, but none of includes and
-    comments."""
-    # Comments are removed, but not text inside a literal that looks like a comment.
+    """Returns the string literals of a source. Adjacent literals are joined. Literals in includes and
+    in comments are omitted."""
+    # Text inside a literal that looks like a comment is kept.
     out, at = [], 0
     token = re.compile(f"{RAW.pattern}|{LITERAL.pattern}|{COMMENT.pattern}|'(?:[^'\\\\]|\\\\.)'", re.S)
     last_end = None

@@ -6,12 +6,12 @@
     ```
     <!-- end -->
 
-    verbatim  the block holds the file, letter for letter
-    complete  every program has a block, and every block a program
-    length    a program has 20 to 60 lines, what it prints not counted
+    verbatim  a block is the file, letter for letter
+    complete  every program has a block, and every block has a program
+    length    a program has 20 to 60 lines, not counting its output
 
-With GW_WRITE_DOCS in the environment the blocks are written anew. Each rule is first tried on a page that
-breaks it, so that a rule that has gone blind fails.
+If GW_WRITE_DOCS is set, the blocks are replaced. Each rule is first tested with a page that violates it,
+so that a rule that no longer detects anything fails.
 """
 
 import os
@@ -26,8 +26,7 @@ LINES = range(20, 61)
 
 
 def written(page, programs):
-    """Returns the page with every block made from its program. Blocks without one are
-    kept."""
+    """Returns the page with every block replaced by its program. A block without a program is kept."""
     def block(found):
         text = programs.get(found.group(2))
         return found.group(0) if text is None else f"{found.group(1)}```cpp\n{text}```\n{found.group(3)}"

@@ -2,19 +2,20 @@
 
 The rows of rooms are read from CONTRIBUTING.md (the block marked `rooms`, highest first). Rules:
 
-    room      a file of gearwright/ROOM includes its own room or rows below, never a room beside it;
-              *_test.cpp may include every room; nothing in gearwright/ includes apps/
-    door      the only file of gearwright/ itself is gearwright.hpp, for programs: it may include every
-              room but apps, and no room includes it
-    store     the files of large searches know base only
+    room      a file of gearwright/ROOM includes only its own room and lower rows, not another room of its
+              row; *_test.cpp may include every room; no file of gearwright/ includes apps/
+    door      the only file in gearwright/ itself is gearwright.hpp, which is for programs. It may include
+              every room except apps, and no room includes it
+    store     the files of large searches include only base
     cycle     no header includes itself through others
-    kernel    only the tests cad/step*_test.cpp and their reader know OCCT (its headers end in .hxx)
-    relative  includes of our own start at the root
-    opening   a header starts with a comment (its idea) and holds #pragma once
+    kernel    only the tests cad/step*_test.cpp and their reader use OCCT, whose headers end in .hxx
+    relative  includes of project files start at the root
+    opening   a header starts with a comment and contains #pragma once
     length    no source file is longer than 450 lines
-    path      no source names a folder of somebody's machine
+    path      no source contains the name of a folder of a particular machine
 
-Each rule is first tried on snippets that break it, so that a rule that has gone blind fails.
+Each rule is first tested with snippets that violate it, so that a rule that no longer detects anything
+fails.
 """
 
 import os
@@ -31,7 +32,7 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.M)
 MACHINE_PATH = re.compile(r"(?<![\w.])/(?:work|root|home)/\w|\.\./(?:" + "sha" + "red)")
 DOOR = "gearwright/gearwright.hpp"
 KERNEL = re.compile(r"gearwright/cad/(step\w*_test\.cpp|testing/step_reader\.[ch]pp)$")
-# The bootstrap script works in its own chroot, in which root's home is known.
+# The bootstrap script uses the home folder of root in a chroot of its own.
 PATH_EXEMPT = {"tools/bootstrap_check.sh"}
 
 
@@ -115,8 +116,8 @@ def check_form(path, text):
 
 
 def find_cycles(graph):
-    """Returns the cycles of the include graph {file: [files]}, each as the list of files that
-    close it."""
+    """Returns the cycles of the include graph {file: [files]}, each as a list of files that ends with
+    its first file."""
     state, stack, cycles = {}, [], []
 
     def visit(node):
@@ -149,7 +150,7 @@ def check_house(files, rows):
 
 
 def self_test(rows):
-    """Checks that every rule finds the snippet that breaks it and accepts valid ones."""
+    """Checks that every rule rejects the snippets that violate it and accepts valid ones."""
     head = "// An idea.\n#pragma once\n"
 
     def header(*targets):
@@ -199,8 +200,8 @@ def self_test(rows):
 
 
 def source_files():
-    """Returns the sources of the project: files that git tracks or would track, or without git
-    all except the builds."""
+    """Returns the sources of the project. These are the files that git tracks or would track. Without
+    git, they are all files except those of builds."""
     listed = subprocess.run(
         ["git", "-C", str(ROOT), "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
         capture_output=True)

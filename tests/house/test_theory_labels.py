@@ -1,15 +1,16 @@
 """Tests that every equation cited by the code occurs in the theory pages exactly once.
 
-An equation is a line inside a ``` block of docs/theory/NN-*.md that ends in its label, [TN.m] or
-[TN.ma]; N is the page's number. A citation is a label anywhere else: in gearwright/, apps/, docs/, in
-examples. [T2.1]...[T2.4] (with the one-character ellipsis too) and [T2.1, T2.3] cite all that they name.
+An equation is a line inside a ``` block of docs/theory/NN-*.md that ends with its label, [TN.m] or
+[TN.ma], where N is the number of the page. A label anywhere else is a citation, in gearwright/, apps/,
+docs/ or examples. A range [T2.1]...[T2.4] (also with the one-character ellipsis) and a list [T2.1, T2.3]
+cite every label in them.
 
     unique    no label is defined twice
-    page      a label stands on the page of its number
-    cited     every citation has its equation
-    used      a page's numbers have no hole: 1, 2, ... up to the greatest
+    page      a label is on the page with its number
+    cited     every citation has an equation
+    used      the labels of a page have consecutive numbers 1, 2, ...
 
-Each rule is first tried on pages that break it, so that a rule that has gone blind fails.
+Each rule is first tested with pages that violate it, so that a rule that no longer detects anything fails.
 """
 
 import os
@@ -99,7 +100,7 @@ def self_test():
     expect("[T2.7] has no equation", {"docs/theory/02-x.md": page + "by [T2.7]\n"}, {})
     expect("runs backward", sound, {"gearwright/a.cpp": "// [T2.2]…[T2.1]\n"})
     expect("is missing between", {"docs/theory/02-x.md": page.replace("T2.1", "T2.3")}, {})
-    # A label in running text defines nothing.
+    # A label in running text does not define an equation.
     expect("has no equation", {"docs/theory/02-x.md": "by the law\n[T2.1]\n"}, {})
 
 
@@ -114,7 +115,7 @@ def main():
             if p.suffix in SUFFIXES and name not in pages and p.name != Path(__file__).name:
                 if "node_modules" not in name:
                     texts[name] = p.read_text(encoding="utf-8")
-    # The page on notation explains labels, but defines none.
+    # The page on notation explains labels but defines no equation.
     cited = sum(len(citations(t)) for n, t in texts.items() if n.startswith("gearwright/"))
     assert len(pages) >= 4 and cited >= 20, f"{len(pages)} pages, {cited} citations: looked in the wrong place"
     faults = check_labels(pages, texts)

@@ -1,21 +1,20 @@
-"""Tests that every equation of the theory pages has the function that computes it and the test
-that proves it.
+"""Tests that every equation of the theory pages has a function that computes it and a test that proves it.
 
 The last sections of docs/theory/NN-*.md are `In the code and in the tests`, a table, and `Sources`. A row
 of the table has three cells: labels, functions, tests.
 
     | [T2.1] | `involute`, [math/involute.hpp](../../gearwright/math/involute.hpp) | `Involute.known_values`, [...](...) |
 
-A name belongs to the next link after it; semicolons part one file from the next.
+A name belongs to the next link after it. Semicolons separate files.
 
-    complete  every equation of the page has a row, and no row names another equation
-    function  the file exists, and the function or type is declared, defined or called there
-    cited     one of the row's files, or its neighbour (.hpp, .cpp), cites the label
-    test      TEST(Suite, name) stands in the .cpp, `def name` in the .py, "name" in the .json of golden values
-    page      every page names its sources and shows its figure, docs/theory/images/NN-*.svg
+    complete  every equation of the page has a row, and no row contains any other equation
+    function  the file exists, and declares, defines or calls the function or type
+    cited     one of the files of the row, or its neighbour (.hpp, .cpp), cites the label
+    test      the .cpp contains TEST(Suite, name), the .py `def name`, the .json of golden values "name"
+    page      every page has sources and shows its figure, docs/theory/images/NN-*.svg
 
-Who renames a function renames it in the table too; the message says where. Each rule is first tried on
-pages that break it, so that a rule that has gone blind fails.
+If a function is renamed, the table must be changed too. The message contains the line. Each rule is first
+tested with pages that violate it, so that a rule that no longer detects anything fails.
 """
 
 import posixpath
@@ -31,7 +30,7 @@ NAME = re.compile(r"`([^`]+)`")
 
 
 def sections(text):
-    """Returns {title without its number: (line, body)} of the second level."""
+    """Returns {title without its number: (line, body)} of the sections of the second level."""
     parts = re.split(r"^## (?:\d+\.\d+ )?(.*)$", text, flags=re.M)
     found, line = {}, 1 + parts[0].count("\n")
     for title, body in zip(parts[1::2], parts[2::2]):
@@ -41,7 +40,7 @@ def sections(text):
 
 
 def references(cell):
-    """Returns every (name, file as linked, or None) of a cell."""
+    """Returns every (name, linked file or None) of a cell."""
     found = []
     for part in cell.split(";"):
         link = LINK.search(part)
@@ -55,8 +54,8 @@ def without_comments(text):
 
 
 def declares(text, name):
-    """Returns true if C++ declares, defines or calls `a::b`: every part occurs, the last one as a function, a
-    type or a named lambda."""
+    """Returns true if C++ declares, defines or calls `a::b`. Every part must occur, and the last part must
+    be a function, a type or a named lambda."""
     code = without_comments(text)
     *scopes, last = (re.escape(part) for part in name.split("::"))
     if not all(re.search(rf"\b{scope}\b", code) for scope in scopes):
@@ -80,7 +79,7 @@ def cites(path, label, read):
 
 
 def check_row(where, page, cells, read):
-    """Returns all faults of one row. read(path) is the text of a file of ours, or None."""
+    """Returns all faults of one row. read(path) returns the text of a project file, or None."""
     if len(cells) != 3:
         return [f"{where}: a row has three cells: equations, functions, tests"], []
     faults, files = [], set()

@@ -1,18 +1,20 @@
-"""Deflection of the flank of a helical tooth along the face, under a load on a part of it, computed with bricks.
+"""Computes the deflection of the flank of a helical tooth along the face, under a load on a part of the
+face, with brick elements.
 
-The transverse section, three teeth with their exact outline and the rest of the gear smooth at the root circle, is cut
-into quadrilaterals of eight nodes and swept along the helix into bricks of twenty (C3D20), fixed at the bore. The
-end faces are planes z = const. CalculiX solves the model. No code of the program is used: rack, involute and trochoid
-are written here.
+The transverse section consists of three teeth with their exact outline and the rest of the gear, which is
+smooth at the root circle. It is divided into quadrilaterals of eight nodes, which are swept along the helix
+into bricks of twenty nodes (C3D20) and fixed at the bore. The end faces are planes z = const. CalculiX
+solves the model. Rack, involute and trochoid are written here, so no code of the program is used.
 
-    python3 tooth_bricks.py          computes all cases into tooth_bricks.json beside this file (six runs of half a minute)
+    python3 tooth_bricks.py          writes all cases to tooth_bricks.json (six runs of half a minute)
 
-Lengths in normal modules, E = 1, nu = 0.3, force 1: displacements are E u m_n / F. The force lies as a bump
-15/(16c) (1 - s^2/c^2)^2 along the outline's arc length s, c = 0.3, even over the part of the face, along the normal of the
-screw surface; a reading is the same bump at one height, along the same normal turned there: `bumps`. `strip` is the same
-with the bumps replaced in the half space by a strip of Hertz, half width 0.05, read at its centre, as [T12.9] does it: what
-[[load.probe]] prints. Away from the load both are the same. z runs from 0, one end of the face; the helix is right-handed,
-the flank that of the side y > 0.
+Lengths are in normal modules, E = 1, nu = 0.3, and the force is 1, so displacements are E u m_n / F. The
+force has the distribution ("bump") 15/(16c) (1 - s^2/c^2)^2 along the arc length s of the outline, with
+c = 0.3. It is uniform over the loaded part of the face and normal to the screw surface. A reading is the
+mean with the same bump at one height, along the normal at that height. These are the values `bumps`. For
+`strip`, both bumps are replaced in the half space by a Hertz strip of half width 0.05, read at its centre,
+as in [T12.9]. [[load.probe]] prints these values. Far from the load, `bumps` and `strip` are equal. z begins
+with 0 at one end of the face. The helix is right-handed, and the flank is at y > 0.
 """
 import json
 import os
@@ -29,13 +31,15 @@ TEETH, ALPHA, FACE = 25, np.radians(20), 10.0
 RACK_TIP, RACK_ROUND = 1.25, 0.38  # ISO53-A
 BUMP, STRIP = 0.3, 0.05  # half widths
 POISSON = 0.3
-# Numbers of elements along the half outline and across to the centre line of the loaded tooth, of its neighbours.
+# Numbers of elements along the half outline and across to the centre line, for the loaded tooth and for
+# its neighbours.
 LOADED, BESIDE = (12, 3), (5, 2)
 UNDER, BODY, REST = 2, 3, 6
-# Layers of half a module, or of a quarter of a module under a load.
+# Layers have half a module, or a quarter of a module under a load.
 HEIGHTS = sorted({*np.arange(0, FACE + 0.1, 0.5), 0.25, 4.75, 9.75})
 READ = sorted({*np.arange(0, FACE + 0.1, 1.0), 0.25, 4.75, 9.75})
-# Helix angle, diameter of the bore, loads: above the reference circle, on a part of the face.
+# GEARS: diameter of the bore by helix angle. LOADS: height above the reference circle, and part of the
+# face.
 GEARS = {30: 12.0, 45: 16.0}
 LOADS = [(0.7, (0.0, 0.5)), (0.7, (4.5, 5.0)), (0.7, (9.5, 10.0))]
 
@@ -45,16 +49,17 @@ def reference_radius(beta):
 
 
 def outline(beta, points=4000):
-    """The half tooth of the transverse section, y > 0, from the middle of the space to the tip: points and arc lengths."""
+    """Returns points and arc lengths of half a tooth in the transverse section, y > 0, from the middle of
+    the space to the tip."""
     r = reference_radius(beta)
     alpha_t = np.arctan(np.tan(ALPHA) / np.cos(beta))
     r_b = r * np.cos(alpha_t)
-    # The rounding of the rack's tip touches bottom and flank in the normal section. The transverse
-    # one is wider by 1/cos beta.
+    # The rounding of the rack's tip is tangent to tip line and flank in the normal section. In the
+    # transverse section, it is wider by 1/cos beta.
     t = np.linspace(np.pi / 2, ALPHA, points)
     y = RACK_ROUND - RACK_TIP - RACK_ROUND * np.sin(t)
     x = (np.pi / 4 + (RACK_TIP - RACK_ROUND) * np.tan(ALPHA) + RACK_ROUND / np.cos(ALPHA) - RACK_ROUND * np.cos(t)) / np.cos(beta)
-    # Where the normal meets the pitch line, which rolls on r.
+    # The point at which the normal meets the pitch line, which rolls on the circle of radius r.
     pitch = x - y * np.cos(t) * np.cos(beta) / np.sin(t)
     fillet = (r + y + 1j * (x - pitch)) * np.exp(1j * pitch / r)
     roll = np.linspace(np.sqrt(abs(fillet[-1] / r_b) ** 2 - 1), np.sqrt(((r + 1) / r_b) ** 2 - 1), points)
@@ -67,7 +72,7 @@ def outline(beta, points=4000):
 
 
 def halved(ends):
-    """Inserts a middle between each two values."""
+    """Inserts the middle between each two adjacent values."""
     ends = np.asarray(ends, float)
     all_of_them = np.empty(2 * len(ends) - 1)
     all_of_them[::2] = ends
@@ -76,7 +81,8 @@ def halved(ends):
 
 
 class Section:
-    """Quadrilaterals of eight nodes: nodes (complex), elements (rows of 8), the loaded flank's nodes and their s."""
+    """Quadrilaterals of eight nodes. Contains the nodes (complex), the elements (rows of 8), and the nodes
+    of the loaded flank with their arc lengths s."""
 
     def __init__(self, beta, bore):
         self.nodes, self.elements, self._known = [], [], {}
@@ -137,7 +143,8 @@ class Section:
 
 
 def offsets(points=400):
-    """Distances along s between load and reading, with their weights: for two bumps, and for a strip and its centre."""
+    """Returns the distances along s between load and reading with their weights, for two bumps and for a
+    strip and its centre."""
     t, weight = np.polynomial.legendre.leggauss(points)
     t, weight = (t + 1) / 2, weight / 2  # concentrated towards 0 by t^3, where 1/R is large
     y, of_y = np.polynomial.legendre.leggauss(60)
@@ -152,7 +159,8 @@ def offsets(points=400):
 
 
 def half_space(slope, stretch, z, part):
-    """-H[b, b] + H[a, a] at a height, R^2 = x^2 + 2 slope x dz + stretch dz^2, mirrored at both ends of the face."""
+    """Returns the displacement by a strip minus the displacement by bumps, -H[b, b] + H[a, a], at one
+    height, with R^2 = x^2 + 2 slope x dz + stretch dz^2. The load is mirrored at both ends of the face."""
     def mean(x, weight):
         def integral(dz):
             across = abs(x) * np.sqrt(1 - slope * slope / stretch)
@@ -167,7 +175,7 @@ def quadratic(x):
 
 
 class Tooth:
-    """The bricks of one gear, with its loads and readings."""
+    """The brick model of one gear, with its loads and readings."""
 
     def __init__(self, beta_deg, bore):
         self.beta = np.radians(beta_deg)
@@ -183,7 +191,8 @@ class Tooth:
         self.unknowns = 3 * int(there.sum())
 
     def place(self, above):
-        """On the flank: arc length, normal and tangent of the outline, and dx/dz along the helix but for its unit."""
+        """Returns for a point of the flank: arc length, normal and tangent of the outline, and d(x + iy)/dz
+        along the helix."""
         w, s = outline(self.beta)
         at = np.interp(reference_radius(self.beta) + above, abs(w), s)
         tangent = np.interp(at + 0.01, s, w) - np.interp(at - 0.01, s, w)
@@ -195,7 +204,8 @@ class Tooth:
         return half_space((tangent * np.conj(rise)).real, 1 + abs(rise) ** 2, z, part)
 
     def bump(self, above):
-        """Positions under the bump, each with its element, x and weight; and the normal of the screw surface at height 0."""
+        """Returns points under the bump, each as its element, x and weight, and the normal of the screw surface
+        at height 0."""
         middle, normal, _, rise = self.place(above)
         g, weight = np.polynomial.legendre.leggauss(200)
         at = middle + BUMP * g
@@ -209,7 +219,7 @@ class Tooth:
         return e, x, weight * 15 / 16 * (1 - g * g) ** 2, normal / length, axial / length
 
     def reading(self, above, height):
-        """Node numbers and the weights of their displacements."""
+        """Returns node numbers with the weights of their displacements."""
         e, x, weight, normal, axial = self.bump(above)
         layer = int(np.argmin(abs(self.z - height)))
         turned = normal * np.exp(1j * self.twist * self.z[layer])
@@ -222,7 +232,7 @@ class Tooth:
         return of_node
 
     def load(self, above, part):
-        """Forces on nodes: the faces of the bricks on the flank have eight."""
+        """Returns the forces on nodes. The face of a brick on the flank has eight nodes."""
         e, x, weight, normal, axial = self.bump(above)
         force = {}
         g, gw = np.polynomial.legendre.leggauss(3)
@@ -270,7 +280,7 @@ class Tooth:
         file.write("*NODE PRINT,NSET=FLANK\nU\n*END STEP\n")
 
     def displacements(self, above, part):
-        """At READ, under one load: a run of CalculiX on one core."""
+        """Returns the displacements at READ under one load. CalculiX runs on one core."""
         with tempfile.TemporaryDirectory() as folder:
             case = pathlib.Path(folder) / "tooth"
             with open(f"{case}.inp", "w") as file:

@@ -1,17 +1,18 @@
-"""Planets between a sun and a ring as springs: their forces by a slow minimisation of the energy.
+"""Computes the forces of planets between a sun and a ring, as springs, by a slow minimisation of the energy.
 
-Each gear is a circle with an axis, a displacement of this axis and a rotation. A mesh acts along the straight line through its
-pitch point that touches both base circles. Nothing of the program is used: no signs of teeth, no rows, no Newton steps.
-scipy minimises Σ ∫F dδ − M φ, by BFGS and Powell's method in turn until the energy does not fall. The printed number is the
-error of the moment on the sun.
+Each gear is a circle with an axis, a displacement of this axis and a rotation. A mesh acts along the
+straight line through its pitch point that is tangent to both base circles. No code of the program is used:
+no signs of teeth, no rows, no Newton steps. scipy minimises Σ ∫F dδ − M φ by BFGS and Powell's method in
+turn until the energy does not decrease. The printed number is the error of the moment on the sun.
 
-    python3 planet_springs.py          all cases anew, into planet_springs.json beside this file (two minutes)
+    python3 planet_springs.py          writes all cases to planet_springs.json (two minutes)
 
-Lengths in mm, forces in N, angles in rad, counter-clockwise. All motions are those in the frame of the carrier, where the ring
-does not rotate. `distances` are those of the meshes in the order from the sun to the ring. `axes` are the polar coordinates of
-copy 0 of each rider, the idler first if there is one, and `pins` are the tangential errors of [rider][copy]. `floating` names
-the body that is free to move radially. A spring is F = k δ for δ > 0, or F = k δ + c δ² with `bend` = c. `lead` is the approach
-of the flanks of the mesh before the bodies move, as e_0 of docs/theory/13-drives.md: δ = y + lead.
+Lengths are in mm, forces in N, angles in rad, counter-clockwise. All motions are relative to the carrier. In
+this frame, the ring does not rotate. `distances` are the centre distances of the meshes in the order from
+the sun to the ring. `axes` are the polar coordinates of copy 0 of each rider, the idler first if there is
+one. `pins` are the tangential errors of [rider][copy]. `floating` is the body that is free to move radially.
+A spring is F = k δ for δ > 0, or F = k δ + c δ² with `bend` = c. `lead` is the approach of the flanks before
+the bodies move, e_0 of docs/theory/13-drives.md: δ = y + lead.
 """
 import json
 import math
@@ -32,7 +33,8 @@ def polar(radius, angle):
 
 
 def motion(case):
-    """Sense of the sun in the frame of the carrier, and whether the sun drives its mesh. Willis: (ω_s − ω_c)/(ω_r − ω_c) = k."""
+    """Returns the sense of rotation of the sun in the frame of the carrier, and whether the sun drives its
+    mesh, by Willis: (ω_s − ω_c)/(ω_r − ω_c) = k."""
     sun, ring = case["teeth"][0], case["teeth"][-1]
     k = ring / sun * (-1) ** len(case["teeth"])
     speed = {case["fixed"]: 0.0, case["input"]: 1.0}
@@ -70,7 +72,8 @@ class Set:
         return polar(radius, angle + self.case["angles"][i])
 
     def line(self, i, m):
-        """Pitch point of the mesh between gears m and m + 1, and the direction of the force on gear m + 1."""
+        """Returns the pitch point of the mesh between gears m and m + 1, and the direction of the force on gear
+        m + 1."""
         a, b = self.axis(i, m), self.axis(i, m + 1)
         ring = m + 1 == self.meshes
         apart = b - a
@@ -90,7 +93,8 @@ class Set:
         return pitch, push
 
     def approaches(self, x):
-        """x: rotations of the sun and of the riders times their base radii, then the displacement of the floating body."""
+        """Returns the approaches of all meshes. x contains the rotations of the sun and of the riders times
+        their base radii, and the displacement of the floating body."""
         sun = x[0] / self.bases[0]
         moved = x[-2:] if self.case["floating"] else np.zeros(2)
         shift = {name: moved if self.case["floating"] == name else np.zeros(2) for name in ("sun", "ring", "carrier")}
@@ -166,7 +170,7 @@ def random_case(rng, number):
     if idler:
         a, b, c = distances[0], distances[2], distances[1]
         axes.insert(0, [a, math.acos((a * a + b * b - c * c) / (2 * a * b))])
-    places = ring - sun if idler else ring + sun  # where a planet meshes
+    places = ring - sun if idler else ring + sun  # number of places around the carrier at which a planet meshes
     torque = float(rng.uniform(5e3, 5e5))
     bases = [half * math.cos(math.radians(20)) * z for z in teeth]
     force = torque / bases[0] / copies
