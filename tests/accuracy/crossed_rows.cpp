@@ -56,7 +56,7 @@ std::string words(const BasePair<double>& g) {
                      g[1].radius);
 }
 
-// If a length is a difference of lengths, its error is relative to a.
+// The error of a length that is a difference of lengths, relative to the centre distance a.
 double of_distance(double got, const Exact& e, double a) {
   return std::abs(static_cast<double>((Exact(got) - e) / Exact(a)));
 }

@@ -186,8 +186,8 @@ std::vector<Row> mesh_rows() {
                          (ring ? -m * (1 + in2.profile_shift) : m * (1 + in2.profile_shift));
     if (ring && tip_2 < g2.base_diameter / 2 * 1.001) continue;
     const double form_1 = g1.base_diameter / 2 * (1 + draw.uniform(1e-4, 0.01));
-    // The flank of an external gear starts above the base circle. That of an internal gear ends
-    // beyond the tip.
+    // The flank of an external gear starts above the base circle, and the flank of an internal gear
+    // ends beyond the tip.
     const double form_2 =
         ring ? tip_2 + 2 * m : g2.base_diameter / 2 * (1 + draw.uniform(1e-4, 0.02));
     const double face = draw.uniform(5.0, 20.0) * m;

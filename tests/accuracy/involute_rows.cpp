@@ -41,8 +41,8 @@ std::vector<Row> involute_rows() {
     roll.see(relative_error(involute_of_roll(xi), involute_of_roll(Exact(xi))),
              fmt::format("ξ = {}", xi));
     const double y = log_uniform(1e-15, 50.0);
-    // The inverse is evaluated by its own function value. One Newton step from it in 50 digits
-    // gives the error.
+    // The error of the inverse is computed from its function value, as one Newton step in 50
+    // digits.
     const auto judge = [&](Row& row, double a) {
       const Exact t = tan(Exact(a));
       const Exact step = (t - Exact(a) - Exact(y)) / (t * t);

@@ -81,8 +81,7 @@ class BruteContact {
                   z - p_.one.z_high, p_.two.rho_low - rho_2, rho_2 - p_.two.rho_high,
                   p_.two.z_low - q.z(), q.z() - p_.two.z_high});
     const double sense = p_.internal ? -1.0 : 1.0;
-    // The tooth of gear 2 that is next to space 0 and that tooth 0 of gear 1 drives or is driven
-    // by.
+    // The tooth of gear 2 next to space 0 that is in contact with tooth 0 of gear 1.
     const double tooth = p_.gear2_drives ? -pi : pi;
     const double rest = pi + sense * (tooth - 2 * pi * k) / n2;
     const double inside_rho = std::clamp(rho_2, p_.two.rho_low, p_.two.rho_high);

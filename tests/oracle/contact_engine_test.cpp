@@ -65,7 +65,7 @@ TEST(ContactEngine, case_file) {
       const Vec3 want = tca::vector(t, "point_f").cast<double>();
       EXPECT_LT((contact.in_housing(j.w1, touch.z) - want).norm(), 1e-10 * size);
     }
-    // The room's own result for one of them, with the flank data at this point.
+    // The contact room computes one of these positions, with the flank data at this point.
     const json& k = c.at("contact");
     const double rotation = number_of(k, "phi1p"), delta = number_of(k, "delta");
     Transmission transmission(contact);
@@ -328,7 +328,8 @@ ContactTally screws(std::uint64_t seed, ScrewKind kind, int pairs, int clouds) {
       } else {
         ++tally.edges;
       }
-      // An inner contact may be the lesser of two. The cloud checks a few of both kinds.
+      // The cloud checks a few contacts of both kinds, because even an inner contact may be a
+      // lesser maximum.
       const bool looked =
           p.kind == TouchKind::interior ? tally.clouds % 2 == 0 : tally.clouds % 2 == 1;
       if (tally.clouds >= clouds || !looked) continue;

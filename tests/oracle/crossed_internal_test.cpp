@@ -302,8 +302,7 @@ TEST(CrossedInternal, a_crowned_spur_gear_keeps_the_ratio) {
     if (!(at_least->mesh.true_ratio > 1.02)) continue;
     const double crowning = 3.0 * at_least->needed_crowning[k].value_or(1.0);
     if (crowning > 0.05 * specs.first.normal_module)
-      continue;  // a greater crowning is not a
-                 // modification
+      continue;  // a greater crowning is not a modification
     SCOPED_TRACE(property::describe(specs));
     ++pairs;
     ContactSet set = set_of(*at_least, i % 2 == 0);

@@ -71,7 +71,7 @@ double twist_of(const Gear& gear, double delta) {
   return std::copysign(1.0 / (r * std::tan(lead_angle(gear, delta))), gear.twist());
 }
 
-// The gear that results from cutting with its own rack.
+// The outline that the gear's own rack cuts if its lead angle is changed by `delta`.
 Outline outline_of(const Gear& gear, double delta) {
   if (delta == 0.0) return gear.tooth->outline;
   const CylindricalSpec& spec = gear.spec;
@@ -239,7 +239,7 @@ std::optional<DisplacedPair> displaced_arcs(std::uint64_t seed) {
   return p;
 }
 
-// Either of them, with racks that have a wrong lead.
+// Involutes or arcs whose racks have a wrong lead angle.
 std::optional<DisplacedPair> displaced_leads(std::uint64_t seed) {
   auto p = seed % 2 == 0 ? displaced_involutes(seed) : displaced_arcs(seed);
   if (!p) return std::nullopt;

@@ -86,8 +86,8 @@ TEST_P(ArcCases, SlopeOfTheFile) {
   EXPECT_CLOSE(slope, number(file(), "te_slope_at_0"), 1e-11);
 }
 
-// The version with the Jacobian by hand in double, always started from the last position, agrees
-// with the slow one.
+// The fast form, with an analytic Jacobian in double, agrees with the slow form if each position is
+// computed from the last one.
 TEST_P(ArcCases, FastFormStaysWithThem) {
   const ArcPair pair = arc_pair(file());
   const FastArcTouch fast(pair);
@@ -114,8 +114,8 @@ TEST_P(ArcCases, FastFormStaysWithThem) {
   }
 }
 
-// With all errors, and with a shaft angle for which the crossing must compensate so that the arcs
-// fit.
+// All errors at once, with a shaft angle and a nearly equal crossing error, which together leave
+// the axes nearly parallel, so that the arcs fit.
 TEST(FiveEquationFast, CrossedAxes) {
   ArcPair pair = case_named("m10_30_150_all");
   pair.mounting.shaft_angle = 0.2L, pair.mounting.crossing += 0.2L + 1e-4L;

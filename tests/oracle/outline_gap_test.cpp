@@ -219,10 +219,9 @@ TEST_P(OutlineGapOracle, pairs_are_free_within_their_true_play_and_tight_at_its_
   EXPECT_GE(run.pairs, kLeastPairs);
 }
 
-// Two former faults. An envelope ends where the normal no longer passes the pitch point, and before
-// its end it returns to a radius that it has already left; the reported contact was 4 and 7 µm away
-// from the other gear. In the second case, a flank begins at the base circle, where its curvature
-// is infinite.
+// Two cases that are easily computed wrongly. An envelope ends where the normal no longer passes
+// the pitch point, and before its end it returns to a radius that it has already left. In the
+// second case, a flank begins at the base circle, where its curvature is infinite.
 TEST(OutlineGapOracle, pairs_found_wrong_before) {
   for (const std::uint64_t seed : {118034, 190350, 236345})
     EXPECT_EQ(check(seed, seed + 1).pairs, 1);

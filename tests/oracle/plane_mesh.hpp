@@ -24,7 +24,8 @@ struct PlaneTooth {
 
 struct PlaneMesh {
   std::vector<std::complex<double>> nodes;
-  /// Corners counter-clockwise, the middles of the sides after them from the first side on.
+  /// The corners of each triangle, counter-clockwise, followed by the middles of its sides,
+  /// beginning with the first side.
   std::vector<std::array<int, 6>> triangles;
   std::vector<int> held;
   std::map<int, PlaneTooth> teeth;  ///< the teeth with their outline

@@ -1,10 +1,11 @@
 // Teeth in plane strain, computed with six-node triangles. This is an independent method for the
 // deflection and strain of a gear's section. It shares only the given outline with the engine.
 //
-//   Each tooth is covered by rungs from flank to flank, parabolas that bend down to the centre line;
-//   squares between them and the body's rays are cut into two triangles. The rungs crowd at a load.
-//   Some teeth to either side of tooth 0 are real, the rest of the rim is smooth. E = 1; lengths in
-//   any unit, a yield is E·u/F′.
+//   Each tooth is divided by parabolas from flank to flank, which bend down to the centre line. The
+//   parabolas are closer together near a load. The quadrilaterals between them, and those between
+//   the rays of the body, are cut into two triangles each. Some teeth on either side of tooth 0
+//   have their outline, and the rest of the rim is smooth. E = 1; lengths in any unit; yield
+//   E·u/F′.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,13 +18,12 @@ namespace gearwright::oracle {
 struct PlaneGear {
   int teeth = 0;      ///< number of teeth |z|
   bool ring = false;  ///< teeth point inwards
-  double held = 0.0;  ///< radius at which the body is fixed: that of the bore, or for an internal
-                      ///< gear that of the outside
+  double held = 0.0;  ///< radius at which the body is fixed: radius of the bore or, for an
+                      ///< internal gear, of the outside
   double poisson = 0.3;
   int real_teeth = 1;  ///< number of teeth with their outline on each side of tooth 0
-  /// Points on one side from the middle of the space to the end of this side at the tip, y > 0,
-  /// with the centre line of the tooth on the x axis; and the number of points that precede the
-  /// flank.
+  /// Points of one side y > 0, from the middle of the space to the end of this side at the tip. The
+  /// centre line of the tooth is the x axis. `root_points` precede the flank.
   std::vector<std::complex<double>> outline;
   std::size_t root_points = 0;
 };

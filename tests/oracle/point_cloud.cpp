@@ -16,8 +16,8 @@ namespace {
 constexpr Real kNothing = -std::numeric_limits<Real>::infinity();
 constexpr Real kInverseGolden = 0.618033988749894848204586834365638118L;
 
-// Relative to the flank: a maximum nearer to a bound than this lies on the bound. Bounds are met to
-// 1e-15, and a smooth peak is located to 1e-9 of its radius of curvature.
+// Relative to the flank. A maximum that is nearer to a bound than this counts as lying on the
+// bound. Bounds are met to 1e-15, and a smooth peak is located to 1e-9 of its radius of curvature.
 constexpr Real kOnBound = 1e-7L;
 // If the values of neighbouring sections differ by less than this, they do not form a peak. It is a
 // hundred rounding errors of an angle of one turn.

@@ -65,7 +65,8 @@ struct CloudSteps {
   int sections = 100, radii = 48;
 };
 
-/// Tooth pair k alone. φ_2 is that of the gears. Absent if no point of flank 1 is admitted.
+/// The contact of tooth pair k alone. φ_2 is the rotation of gear 2. Absent if no point of flank 1
+/// is admitted.
 /// Accuracy  φ_2 1e-15 rad. The position is accurate to 1e-9 of the flank on a smooth peak of
 ///           curvature 1, and on a flat one as far as φ_2 is constant. The bound of an edge is met
 ///           to 1e-15
@@ -81,8 +82,8 @@ std::optional<CloudTouch> cloud_touch(const CloudPair& pair, Real rotation_1,
                                       CloudSteps steps = {});
 
 /// θ(ρ) of the flank of a circular arc between two rack angles. ρ must be monotone along it.
-/// Throws    std::invalid_argument if it does not, or for ρ beyond both ends by more than 1e-12 of
-///           it
+/// Throws    std::invalid_argument if ρ is not monotone, or for a ρ that is outside both ends by
+///           more than 1e-12 of its value
 class ArcOutline {
  public:
   ArcOutline(const ArcFlank& flank, Real theta_low, Real theta_high);

@@ -280,9 +280,9 @@ TEST(PointCloud, EdgesOfTouchingScrews) {
   EXPECT_GE(faces, 5);
 }
 
-// Spur gears crossed by Δγ touch with a face end: TE = Δγ b/(2 r_2) to first order, b the narrower
-// face; with gear 2 narrower it is gear 2's edge, a curve across flank 1. Tilted by Δδ it is Δδ b
-// tan α/(2 r_2).
+// Spur gears crossed by Δγ touch with a face end. To first order, TE = Δγ b/(2 r_2), with b the
+// narrower face. If gear 2 is narrower, its edge touches, which is a curve across flank 1. If the
+// axes are tilted by Δδ instead, TE = Δδ b tan α/(2 r_2).
 TEST(PointCloud, MisalignedSpurGearsTouchWithAFaceEnd) {
   const Screws s = screws(20, 37, 0, 0, 10);
   const Real r_2 = 37 * 3 / 2.0L, b = 16, small = 1e-5L;

@@ -136,7 +136,7 @@ inline ScrewContact random_screws(property::Random& random, ScrewKind kind) {
       FlankModifications f;
       f.lead_crowning = m * random.logarithmic(1e-4, 3e-2);
       s.set.removal[i] = std::make_shared<RemovalField>(f, FlankExtent{r_b, lo, hi, b});
-      // Removed along the normal, turned by it over the arm r_b cos β_b.
+      // A removal along the normal corresponds to a turn of the section with the arm r_b cos β_b.
       const double arm = r_b / std::hypot(1.0, r_b * twist);
       s.lead[i].crowning = 4 * f.lead_crowning / (b * b * arm);
     }

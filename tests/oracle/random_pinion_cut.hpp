@@ -20,7 +20,8 @@ namespace gearwright::oracle {
 
 using property::Random;
 
-/// A rack without protuberance: named, sharp or rounded, some with something at the bottom.
+/// A rack without protuberance: a named rack, or one with sharp or rounded tips. Some racks have a
+/// rounding, a ramp or a land at the bottom.
 inline StraightRack random_cutter_rack(Random& random, Angle alpha) {
   if (random.chance(0.35)) {
     static constexpr const char* kNames[] = {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"};

@@ -16,7 +16,6 @@
 //     minimum.
 // (5) ψ is measured from the line of centres, where cutting takes place, and p is first moved into
 //     the half pitch. Therefore the roll and its rounding error are small.
-//     the half pitch: the roll stays small, and its rounding with it.
 #include "tests/oracle/swept_pinion.hpp"
 
 #include <algorithm>

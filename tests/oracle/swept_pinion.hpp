@@ -69,7 +69,7 @@ class SweptPinion {
   double clearance(const Eigen::Vector2d& p) const { return nearest(p).clearance; }
   Nearest nearest(const Eigen::Vector2d& p) const;
 
-  /// The same for many points, in the given order.
+  /// The clearances of many points, in the given order.
   std::vector<double> clearances(const std::vector<Eigen::Vector2d>& points) const;
 
  private:

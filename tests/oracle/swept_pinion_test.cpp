@@ -148,8 +148,9 @@ Vector2d gear_flank(const SharpCutter& c, int gear_teeth, double a, double radiu
   return polar(radius, kPi / teeth - half_space - s * (involute_of_tan(t) - involute_of_tan(t_w)));
 }
 
-/// The flank from the point conjugate to the cutter's base circle to the point conjugate to its
-/// edge, then the trochoid of the edge, then the root circle. The gear must not be undercut.
+/// Checks three parts of the gear, which must not be undercut: the flank from the point conjugate
+/// to the cutter's base circle to the point conjugate to its edge, the trochoid of the edge, and
+/// the root circle.
 void check_sharp(const SharpCutter& c, int gear_teeth, double a) {
   const SweptPinion sweep({c.teeth, gear_teeth, a}, c.curves());
   const double teeth = std::abs(gear_teeth), s = gear_teeth > 0 ? 1 : -1;

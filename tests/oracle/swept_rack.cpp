@@ -3,7 +3,8 @@
 //   q(ψ) = (w, h)   path of the point past the cutter,   q′ = (cos β (ρ cos ψ − r), −ρ sin ψ)
 //
 // (1) g(ψ), the distance of q from the cutter, changes by no more than the length of the path. An
-//     interval of half width δ about ψ with g(ψ) − δ max|q′| above the best value holds nothing.
+//     interval of half width δ about ψ with g(ψ) − δ max|q′| above the best value contains no
+//     minimum.
 // (2) A minimum g ≥ 0 has its foot on a straight part, with q′ along it:
 //       A cos ψ + B sin ψ = C, solved outright;
 //     or on a circle about c (a sharp corner is a circle of radius 0):

@@ -78,8 +78,9 @@ class SweptRack {
   ///   > 0 material left, by so much     = 0 on the finished surface     < 0 cut away
   /// Units     p in mm, gear frame, transverse section; result mm in the metric of the file's head
   /// Accuracy  results ≥ 0: 1e-12 mm for ρ ≤ 500 mm, and no position can have been missed (see the
-  ///           source). Results < 0: never deeper than the truth and never on the wrong side by
-  ///           more than 1e-12 mm; the depth is that of a local minimum, the deepest one of a scan
+  ///           source). Results < 0: the depth of a local minimum, the deepest one of a scan. They
+  ///           are never deeper than the true minimum, and never on the wrong side by more than
+  ///           1e-12 mm
   double clearance(PlanePoint p) const;
 
  private:

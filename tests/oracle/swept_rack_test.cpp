@@ -244,9 +244,9 @@ TEST(SweptRack, agrees_with_a_plain_scan_of_all_positions) {
   }
 }
 
-// The edge drawn with straight pieces of at most 2e-4 m: distances from it are right to the piece's
-// sagitta, (2e-4)²/(8 ρ) = 5e-8 m for the smallest radius here (0.1 m), plus the half piece by
-// which the nearest vertex may be off: sqrt(d² + (1e-4 m)²) − d < 1e-4 m.
+// The edge is drawn with straight pieces of at most 2e-4 m. Distances from it have two errors: the
+// sagitta of a piece, (2e-4)²/(8 ρ) = 5e-8 m for the smallest radius here (0.1 m), and the effect
+// of half a piece, by which the nearest vertex may be off: sqrt(d² + (1e-4 m)²) − d < 1e-4 m.
 TEST(SweptRack, cutter_distance_is_that_from_its_drawn_edge) {
   RackNumbers n = with_protuberance();
   n.tool_addendum = 0.7;

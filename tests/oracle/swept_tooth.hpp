@@ -51,9 +51,10 @@ double involute_half_angle(const SweptRack& rack, double radius);
 
 /// The lowest radius from which the finished surface is this involute. Absent if there is no such
 /// radius.
-/// Accuracy  undercut, the surface leaves at an angle: 1e-11 mm over the sine of the angle; else it
-///           leaves along the tangent, and its quadratic departure is extrapolated to 1e-7 m;
-///           within 1e-3 m of the base circle there is no room for that: 1e-6 mm
+/// Accuracy  if the tooth is undercut, the surface leaves the involute at an angle: 1e-11 mm over
+///           the sine of this angle. Otherwise the surface leaves along the tangent, and its
+///           quadratic departure is extrapolated: 1e-7 m. Within 1e-3 m of the base circle, it
+///           cannot be extrapolated: 1e-6 mm
 std::optional<double> form_radius(const SweptRack& rack);
 
 /// The smallest half angle of the tooth below the form radius. Absent for a severed tooth.

@@ -52,7 +52,7 @@ void check(const ScrewPair& p) {
 /// On parallel axes, the section z = 0 represents all sections. No face limits it.
 bool one_section(const ScrewPair& p) { return parallel(p) && p.half_face == 0.0; }
 
-/// The distance from the nearest end of either flank, mm, and which end that is.
+/// Sets `margin`, the distance from the nearest end of either flank, mm, and `where`, this end.
 void to_ends(const ScrewPair& p, const Flank& flank, double u_1, double z_1, double u_2,
              Touch& touch) {
   const double r_1 = p.first.base_radius, r_2 = p.second.base_radius;

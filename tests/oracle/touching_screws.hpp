@@ -82,8 +82,8 @@ Eigen::Vector3d flank_normal(const Screw& gear, int sigma, double u, double z);
 /// part of the flank lies within the tip cylinder and outside the base cylinder of gear 2.
 /// Units     mm, rad
 /// Accuracy  rotation 1e-13 rad, at an edge too; point 1e-12 mm over sin² Σ, at an edge 1e-7 of the
-///           flank. A corner of two tips less than 1/200 of the way of the flank through the other
-///           gear is passed over
+///           flank. A corner of two tips is overlooked if it is smaller than 1/200 of the part of
+///           the flank that lies inside the other gear
 /// Throws    std::invalid_argument for numbers outside the domains above, or parallel axes whose
 ///           helices do not fit
 std::optional<Touch> touch_of_tooth(const ScrewPair& pair, double rotation_1, Side side, int tooth);

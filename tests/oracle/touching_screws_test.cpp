@@ -129,8 +129,9 @@ TEST_P(ConjugateScrews, path_of_one_tooth_ends_at_the_tips) {
   }
 }
 
-// At other centre distances, the backlash is that of the formulas; it is negative if the teeth are
-// too thick. It is equal for both flanks, because a half turn about the centre line exchanges them.
+// At other centre distances, the backlash equals the value of the formulas, which is negative if
+// the teeth are too thick. It is equal for both flanks, because a half turn about the centre line
+// exchanges them.
 TEST_P(ConjugateScrews, play_at_other_centre_distances) {
   for (const ConjugatePlay& wanted : GetParam().plays) {
     ConjugateMesh mesh{};

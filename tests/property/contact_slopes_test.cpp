@@ -92,7 +92,7 @@ TEST(ContactSlopes, sensitivities_to_errors) {
     EXPECT_GT(seen[k], 2) << to_string(k);
 }
 
-// The same for the amount of every modification on either gear.
+// The exact derivatives with respect to the amount of every modification equal central differences.
 TEST(ContactSlopes, sensitivities_to_modifications) {
   using P = RemovalField::Parameter;
   int compared = 0;
@@ -145,8 +145,8 @@ TEST(ContactSlopes, sensitivities_to_modifications) {
   EXPECT_GT(compared, 100);
 }
 
-// The contact point of crowned pairs moves within the flanks, and that of an edge moves along the
-// edge.
+// The contact point of crowned pairs moves within the flanks, and the contact point of an edge
+// moves along the edge.
 TEST(ContactSlopes, the_point_moves_as_said) {
   int compared = 0;
   Random random(44);

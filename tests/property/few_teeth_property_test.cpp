@@ -1,6 +1,6 @@
 // Tests gears with one to twelve teeth over the whole range of shifts, helix angles and circular
-// fillets, and gears that a third of them cut. Each case ends with an outline that obeys its laws,
-// with a flag, or with an error and its key. A contract is never violated.
+// fillets. A third of them cut another gear, which is tested too. Each case ends with an outline
+// that obeys its laws, with a flag, or with an error and its key. A contract is never violated.
 //
 //   P, ρ, θ    the end point of the flank, in polar coordinates     C   centre of a circular fillet
 //   t          direction from the axis to where the flank's normal at P touches the base circle

@@ -241,9 +241,7 @@ TEST(GeneratedPairTouch, random_cutters_and_what_they_cut) {
     const auto with_play = mount_as<ParallelPair>(*cutter, *gear, {e + (ring ? -kPlay : kPlay)});
     if (!with_play || !meets_long_enough(*with_play)) continue;
     if (!with_play->interference.empty() || !with_play->beyond_flank.empty())
-      continue;  // the pair
-                 // reports
-                 // it
+      continue;  // reported by the pair
     ++apart;
     PitchTurn{*with_play};
   }

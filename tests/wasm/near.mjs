@@ -1,8 +1,9 @@
 // Compares two JSON texts: equal bits, or equal except for the last digits of numbers.
 //
-//   error   |a − b| / max(|a|, |b|, scale), where scale is 1 of what the number is made of in the core,
-//           in the unit that its key ends with: a transmission error of a conjugate pair is the difference
-//           of two angles of about 1 rad, a gap that of two radii, and 0 but for their rounding
+//   error   |a − b| / max(|a|, |b|, scale). The scale is the size of the terms from which the number is
+//           computed, in the unit at the end of its key. The transmission error of a conjugate pair is the
+//           difference of two angles of about 1 rad, and a gap is the difference of two radii. Both are 0
+//           except for the rounding errors of these terms.
 
 /** For contact: 45 units in the last place of numbers of 1. Sums of products in another order differ by a few. */
 export const kNear = 1e-14;

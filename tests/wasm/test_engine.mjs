@@ -41,7 +41,7 @@ const tests = {
     const said = JSON.parse(engine.run("pair", example("helical_pair")));
     for (const [name, record] of [["gear", said.gears[0]], ["pair", said.pair], ["verdict", said.verdict]])
       for (const key of Object.keys(record)) assert.ok(table(name).some((q) => q.key === key), `${name}.${key}`);
-    // Each verb's own table, by the schema of results.
+    // Every table of the schema of results exists.
     for (const name of Object.keys(JSON.parse(engine.schema("result")).$defs))
       assert.ok(quantities.some((t) => t.name.replaceAll(" ", "_") === name), `no table ${name}`);
     assert.equal(inputs[0].name, "spec");
@@ -134,7 +134,7 @@ const tests = {
           near(Math.hypot(...axis), 1, 1e-12);
         }
         if (name === "misaligned_pair") assert.notEqual(session.pose(1, rotation)[8], 0);
-        // And there on the outline of each: of sections a chord away at most.
+        // The point also lies on the outline of each gear in its section, except for the error of a chord.
         for (const gear of [1, 2]) {
           const s = session.section(gear, 0.0002);
           const x = session.pose(gear, rotation);
@@ -219,7 +219,7 @@ const tests = {
     assert.match(start("dxf", 1).toString("utf8", 0, 200), /SECTION/);
     assert.match(start("svg", 2).toString("utf8", 0, 200), /<svg/);
     assert.match(start("report").toString("utf8", 0, 60), /<!doctype html>/i);
-    // 3MF is a ZIP: its parts unpack, though not zlib packed them.
+    // A 3MF file is a ZIP archive. zlib must be able to unpack its parts, although it did not pack them.
     const zip = start("3mf", 1);
     let at = 0;
     let model = "";

@@ -5,8 +5,8 @@
 //   near      contact and load: words, flags, lists and keys are identical, and numbers are within kNear, or kSolved
 //             under load, as near.mjs measures. Eigen adds products in another order where it has vectors.
 //
-// Two ways through WebAssembly are tested, the engine of the page and the program under node. Their
-// texts must be the same bytes.
+// Two WebAssembly builds are tested, the engine of the page and the program under node. Their texts must
+// be the same bytes.
 import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";

@@ -1,4 +1,4 @@
-// Times of the engine's calls, the best of many: node tests/wasm/times.mjs [EXAMPLE …]
+// Prints the least time of each call of the engine over many calls: node tests/wasm/times.mjs [EXAMPLE …]
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { loadEngine, source } from "./engine.mjs";
