@@ -74,8 +74,8 @@ struct ReliefProposal {
   double root_amount(double pitch_deviation) const;
 };
 
-/// The reliefs for the errors and deflections of the task. The helix modifications are those of
-/// `lead` if given, otherwise those of the input.
+/// The reliefs for the errors and deflections of the task. The helix modifications are `lead` if it
+/// is given. Otherwise, the input contains them.
 ///
 /// Formula   [T12.28], [T12.29], [T12.30]
 /// Domain    a pair with line contact, and the compliance of its teeth (contract)

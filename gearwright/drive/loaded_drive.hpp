@@ -40,7 +40,7 @@ std::optional<Error> check_load(const Drive& drive, const DriveLoadCase& load);
 /// Formula   each position is the equilibrium of all planets, [T13.25]; the peaks of several mesh
 ///           frequencies are added as in transmission_error()
 /// Laws      equal planets at equal phases share equally; the shares of a mesh add up to 1; three
-///           planets with a floating sun share equally whatever the errors of their pins
+///           planets with a floating sun share equally for any errors of their pins
 /// Domain    one request for each mesh (contract)
 /// Errors    as check_load(); `load` for stepped planets; `load.floating` if there is no
 ///           equilibrium; as mesh_springs(), with the name of the mesh

@@ -215,7 +215,7 @@ TEST(LoadedDriveTest, OneMeshHasTheLoadedCurveOfItsPair) {
     const LoadedContact contact = loaded_contact(setup->pair(gear2_drives), setup->gear(1),
                                                  setup->gear(2), *compliance, request);
     const double at_output = gear2_drives ? 58.0 / 19 : 1.0;
-    // The drive is computed at fewer positions, which are not among those of the pair.
+    // The drive is computed at fewer positions, which differ from the positions of the pair.
     const double whole = contact.torques[0].peak_to_peak.rad() * at_output;
     EXPECT_LE(loaded.error.peak_to_peak, whole * (1 + 1e-6));
     EXPECT_NEAR(loaded.error.peak_to_peak, whole, 0.05 * whole);

@@ -249,8 +249,8 @@ TEST(PlanetEquilibriumTest, LossesActAlongTheChain) {
   }
 }
 
-// Makes the drive of a case in tests/oracle/planets. The oracle gives the pins of an idler before
-// those of the planet, which is the first rider of a set.
+// Makes the drive of a case in tests/oracle/planets. In the oracle, the pins of an idler precede
+// the pins of the planet. In a set, the planet is the first rider.
 Drive drive_of(const nlohmann::json& c) {
   const std::vector<int> teeth = c["teeth"];
   const bool idler = teeth.size() == 4;

@@ -39,7 +39,7 @@ ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
                             const PairCompliance& compliance, const LeadProposal& lead,
                             double pitch_deviation);
 
-// The spec of a proposal: that of the job with other flank modifications.
+// The spec of a proposal is the spec of the job with other flank modifications.
 
 /// The tree with the modifications of the proposal. Its reliefs replace all profile modifications
 /// of both gears. Its crowning and slope replace all helix modifications. Either of these also

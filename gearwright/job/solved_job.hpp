@@ -38,9 +38,9 @@ std::optional<Error> two_gears_error(const JobSpec& spec);
 /// single-helical.
 std::optional<Error> one_helix_error(const SolvedJob& job);
 
-/// "search", "identify" or "fit" if solve() rejects the spec because this verb must first compute
-/// its unknown numbers. The text is empty for other errors. The error may already contain keys of
-/// the file.
+/// Returns "search", "identify" or "fit" if solve() rejects the spec because the verb of this name
+/// must first compute unknown numbers. The text is empty for other errors. The error may already
+/// contain keys of the file.
 std::string_view finder_of(const JobSpec& spec, const Error& error);
 
 }  // namespace gearwright

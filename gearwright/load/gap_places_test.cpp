@@ -134,8 +134,8 @@ TEST(GapPlaces, AreThoseOfAScan) {
   EXPECT_GT(edges, 100);
 }
 
-// The kind of a position is an edge if and only if its radius is that of a tip or of an end of a
-// flank.
+// The kind of a position is an edge if and only if its radius equals the radius of a tip or of an
+// end of a flank.
 TEST(GapPlaces, EdgesLieAtTheEndsOfTheFlanks) {
   std::array<int, 4> seen{};
   for (const Case& c : cases()) {

@@ -23,7 +23,7 @@ struct Small {
 };
 
 // The widths are a thousandth of usual widths, so that terms of second order are a thousandth of
-// those of first order.
+// the terms of first order.
 std::vector<Small> small_tolerances() {
   const auto range = [](const char* name, double width, auto of, Influence influence) {
     return Small{testing::tolerance(name, 1.0, -width, width, of), width, influence};

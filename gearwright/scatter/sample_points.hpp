@@ -26,7 +26,8 @@ class SamplePoints {
 
   /// x of sample n of a replicate, in the users' units.
   std::vector<double> at(int replicate, std::uint32_t n) const { return from(0, replicate, n); }
-  /// x of sample n from the second half of a point set of twice the dimension.
+  /// x of sample n of a second, independent set. It uses the second half of the coordinates of
+  /// points with twice the dimension.
   std::vector<double> of_other_half(int replicate, std::uint32_t n) const {
     return from(dimensions_, replicate, n);
   }

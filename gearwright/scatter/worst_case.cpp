@@ -133,7 +133,7 @@ class Box {
   const ContactSetup& setup_;
   const ScatterTask& task_;
   ScatterQuantity quantity_;
-  std::vector<std::array<double, 2>> sides_;  // by coordinate
+  std::vector<std::array<double, 2>> sides_;  // range of each coordinate
   std::vector<int> choices_;                  // number of corner positions of each tolerance
 };
 

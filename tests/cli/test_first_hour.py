@@ -93,7 +93,7 @@ class Places(unittest.TestCase):
         self.assertEqual(self.place(toml, "a.toml"), (5, 3))
         # This error is found only when the spec is solved.
         self.assertEqual(self.place(toml.replace("shfit", "shift"), "a.toml"), (9, 1))
-        # If a key is missing, the position is that of its table.
+        # If a key is missing, the position of its table is given.
         self.assertEqual(self.place(GEAR + "[gear2]\nnormal_module_mm = 2\n", "a.toml"), (5, 2))
         self.assertEqual(self.place(GEAR, "a.toml"), (None, None))
         tree = '{"gear1": {"teeth": 20,\n  "normal_module_mm": 2},\n "gear2": {"teeth": 30, "rack": {"kind": "straight",\n     "dedendum": 9}}}'

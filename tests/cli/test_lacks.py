@@ -101,7 +101,7 @@ class Inherited(Asked):
         self.assertEqual(one["rating"], both["rating"])
         self.assertEqual(self.notes(one, "inherited"), [(2, "Gear 2 takes these absent values from gear 1: material 16MnCr5.")])
         self.assertEqual(self.notes(both, "inherited"), [])
-        # The accuracy grade may be in three tables: that of the gear, its tolerances, or [rating].
+        # The accuracy grade may be in three tables: of the gear, of its tolerances, or [rating].
         rating = RATING.replace("quality = 6\n", "")
         for words in ("quality = 6", "[gear1.tolerance]\nquality = 6"):
             given = self.answer("rate", TWO.format(words, "") + STEEL.format(1, "16MnCr5") + rating)

@@ -115,9 +115,9 @@ struct PlainRegion {
 };
 
 /// Domain    a region that is not empty, by `region_not_empty`; otherwise nothing is returned
-/// Accuracy  area 1e-4 of itself with 600 slices (measured: 3.1e-5); s_lo, s_hi 1e-12, the edges
-///           1e-8 where a slice is but a point. A second interval of a slice that lies between two
-///           of its 49 samples is not seen
+/// Accuracy  area 1e-4 of itself with 600 slices (measured: 3.1e-5); s_lo, s_hi 1e-12; the edges
+///           1e-8 if a slice is only a point. A second interval of a slice is missed if it lies
+///           between two of the 49 samples of the slice
 std::optional<PlainRegion> measure_region(const PlainProblem& problem, long double m, int z1,
                                           int z2, long double c_min, long double c_max,
                                           int slices = 600);

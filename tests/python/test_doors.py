@@ -144,8 +144,8 @@ def test_scatter(tmp_path):
     with pytest.raises(gw.FileError):
         answer.to_parquet(tmp_path / "absent" / "samples.parquet")
     assert pickle.loads(pickle.dumps(answer)).members.shape == (32,)
-    assert len(answer.figures) == 3  # the distribution, the cumulative curve, and that of the
-                                     # backlash
+    assert len(answer.figures) == 3  # histogram and cumulative curve of the
+                                     # transmission error, histogram of the backlash
     marked = gw.scatter(p, **keys, pattern=True)
     assert [f.title for f in marked.figures[3:]] == ["Contact pattern of gear 1", "Contact pattern of gear 2"]
     share = np.array(marked.pattern.gear1.share)

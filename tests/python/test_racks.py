@@ -1,5 +1,5 @@
-"""Tests a pinion and its rack as a Pair: its results are those of the program, and results that need two gears are
-rejected."""
+"""Tests a pinion and its rack as a Pair. Its results equal the results of the program, and results that
+need two gears are rejected."""
 
 import json
 import pickle

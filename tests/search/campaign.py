@@ -1,5 +1,5 @@
-"""A search in many chunks, for tests of interrupted and distributed searches. Its files must be those of
-a single process."""
+"""A search in many chunks, for tests of interrupted and distributed searches. Its files must equal the
+files of a single process."""
 import json
 import os
 import random

@@ -1,4 +1,4 @@
-"""Tests a search in many chunks. The files are those of a single process, no matter which processes
+"""Tests a search in many chunks. The files equal the files of a single process, no matter which processes
 compute the chunks and which of them are killed.
 
     shards   one after the other, or at the same time
@@ -188,7 +188,7 @@ class FinishedFolder(unittest.TestCase):
         self.assertEqual(run()[0], 0)  # the same spec gives the same files again
         self.assertEqual(contents(where / "o"), before)
         (where / "case.toml").write_text('title = "other words"\n' + spec())
-        self.assertEqual(run()[0], 0)  # these options do not affect the result
+        self.assertEqual(run()[0], 0)  # the title does not affect the result
         before = contents(where / "o")
         (where / "case.toml").write_text(spec(contact_ratio_min=1.3))
         for args in ((), ("--chunk", 50), ("--threads", 1)):

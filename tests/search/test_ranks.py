@@ -1,4 +1,4 @@
-"""Tests gearwright-mpi on two ranks. The files are those of a single process even if processes are
+"""Tests gearwright-mpi on two ranks. The files equal the files of a single process even if processes are
 killed, and no rank waits forever.
 
 Exit status 77: mpirun is not installed.

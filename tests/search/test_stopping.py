@@ -45,7 +45,7 @@ class Stopping(unittest.TestCase):
     def test_what_seemed_to_hang(self):
         began = time.monotonic()
         r = Run("search", spec(SHORTENED), "--json", folder=folder())
-        self.assertLess(time.monotonic() - began, 20)  # 1 s; a former version took 205 s
+        self.assertLess(time.monotonic() - began, 20)  # usually 1 s
         self.assertEqual([c["key"] for c in r.json["search"]["changes"]], ["search.tip_clearance_min"])
         self.assertEqual(r.json["warnings"], [])
 

@@ -111,11 +111,11 @@ def parent_of(process):
 
 
 class NoCluster(Exception):
-    """The cluster cannot be started here."""
+    """Raised if the cluster cannot be started here."""
 
 
 class TwoNodes:
-    """with TwoNodes() as cluster: ..."""
+    """The cluster, for use as a context: with TwoNodes() as cluster: ..."""
 
     def __init__(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="gearwright_slurm_"))
