@@ -46,6 +46,8 @@ enum class Scope {
   everything,  ///< all gears, and the pair if there are two gears
 };
 
+/// Computes the absent data, then makes the gears and, if `scope` includes the pair, mounts them.
+///
 /// Domain    gear 1 is given (contract)
 /// Errors    name the invalid member of the input: "gear2.profile_shift", "pair.center_distance"
 Result<Arranged> arrange(const GivenPair& given, Scope scope = Scope::everything);

@@ -95,6 +95,8 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
 FaceDeflection face_deflection(const LoadTask& task, const PairCompliance& compliance,
                                double torque);
 
+/// The helix slope and the crowning of gear 1 that compensate a deflection and a deviation.
+///
 /// `face_1` is the face of gear 1 and `face` the common face, mm. `deviation` is f_Hβ of both gears
 /// together over the common face, mm, normal to the flank.
 ///

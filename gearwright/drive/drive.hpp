@@ -137,6 +137,8 @@ struct DriveInput {
   int harmonics = 3;  ///< number of harmonics of the phasing and the transmission error
 };
 
+/// Computes the drive of a graph. Load and ratings are computed by other functions.
+///
 /// Errors    as check_graph, drive_motion, power_flow and assemble
 Result<Drive> make_drive(const DriveInput& input);
 

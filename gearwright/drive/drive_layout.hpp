@@ -40,6 +40,8 @@ struct DriveLayout {
   double angle_at(const Drive& drive, std::size_t placed, double height) const;
 };
 
+/// Computes the layout of a drive in the initial position.
+///
 /// Errors    as drive_places(); `drive.gear` if a gear has no geometry; `drive.mesh` or
 ///           `drive.body` if teeth do not mesh
 Result<DriveLayout> drive_layout(const Drive& drive);

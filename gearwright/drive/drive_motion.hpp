@@ -38,6 +38,8 @@ struct DriveMotion {
 /// The row of a mesh in W.   Domain  a checked graph
 std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh);
 
+/// Computes the speeds of all bodies, the ratio and the degrees of freedom.
+///
 /// Formula   W ω = 0, ω = 0 for fixed bodies, solved for each input with the speed 1;
 ///           [T13.1]…[T13.5]
 /// Domain    a checked graph with at least one input (contract)

@@ -35,6 +35,8 @@ struct DrivePlaces {
   Vec2 axis_of(const Drive& drive, std::size_t body, int copy) const;
 };
 
+/// Computes the axes of all bodies and the slots of all gears.
+///
 /// Errors    `drive.gear` if a gear is a rack; `drive.mesh` if the axes of a mesh coincide or are
 ///           in a loop of shafts that does not close; `drive.body` if a planet has no possible
 ///           position

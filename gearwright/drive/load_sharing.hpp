@@ -51,6 +51,8 @@ struct SharingSolution {
 inline constexpr double kSharingResidual = 1e-11;
 inline constexpr int kSharingSteps = 200;
 
+/// Computes the displacements and forces at which the bodies are in equilibrium.
+///
 /// Formula   Newton steps with H = Σ w F′ c cᵀ; a step that passes the minimum along its direction
 ///           is halved; [T13.25]
 /// Laws      scaling all springs scales all forces; a linear problem takes one step

@@ -37,6 +37,8 @@ struct DriveLoadCase {
 ///           `load.pin_errors` if there are no planets, or not one number for each pin
 std::optional<Error> check_load(const Drive& drive, const DriveLoadCase& load);
 
+/// Computes the load shares of all planets and the transmission error of the drive under load.
+///
 /// Formula   each position is the equilibrium of all planets, [T13.25]; the peaks of several mesh
 ///           frequencies are added as in transmission_error()
 /// Laws      equal planets at equal phases share equally; the shares of a mesh add up to 1; three

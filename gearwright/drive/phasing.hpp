@@ -36,6 +36,8 @@ struct Phasing {
 /// Formula   γ_i = frac(z u_i); [T13.16]
 std::vector<Rational> mesh_phases(int teeth, const std::vector<Rational>& turns);
 
+/// Computes the remaining fractions of the harmonics 1 to `harmonics`, and their classification.
+///
 /// Formula   R_k = |Σ e^{−2πikγ_i}|/N, F_k^± = |Σ e^{−2πikγ_i ± 2πi u_i}|/N; [T13.18], [T13.19]
 /// Domain    one phase for each element of `turns`, at least one (contract)
 Phasing phasing(const std::vector<Rational>& phases, const std::vector<Rational>& turns,

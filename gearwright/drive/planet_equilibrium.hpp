@@ -46,6 +46,8 @@ struct PlanetState {
 ///           equally around a floating sun
 class PlanetEquilibrium {
  public:
+  /// Prepares the equations of a set.
+  ///
   /// `nominal` is the force of an equal share of the load in each mesh of the drive, N along the
   /// transverse line of action.
   ///
@@ -56,6 +58,8 @@ class PlanetEquilibrium {
 
   /// The meshes of the set that carry load.
   const std::vector<std::size_t>& meshes() const { return meshes_; }
+  /// Computes the equilibrium in one position.
+  ///
   /// `states` is indexed by [mesh of meshes()][planet].
   PlanetState solve(const std::vector<std::vector<MeshState>>& states) const;
 

@@ -25,6 +25,8 @@ struct CompensateAnswer : CompensateView {
   Verdict verdict;  ///< verdict on the corrected pair under the spec's errors
 };
 
+/// Computes the corrections, the corrected spec and its verdict.
+///
 /// Errors    the errors of answer_contact; `errors` if nothing touches in the uncorrected pair;
 ///           `compensate.corrections` for a correction that the teeth do not permit;
 ///           `compensate.range` if nothing touches in a corner of the range with any correction
@@ -41,6 +43,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress = 
 
 class LoadedAim {
  public:
+  /// Computes the compliance of the teeth for the load of the job.
+  ///
   /// Errors    the errors of load_task; the errors of judge_load if nothing touches or if the
   ///           slices are too fine
   static Result<LoadedAim> of(SolvedJob& job, Progress* progress);

@@ -20,6 +20,8 @@ struct IdentifyAnswer {
   std::vector<std::vector<std::string>> notes;
 };
 
+/// Computes the candidates for the unknown gear of the spec.
+///
 /// Errors    `gear1.measured` if it is missing; the errors of identify, with the keys of the spec
 Result<IdentifyAnswer> answer_identify(const JobSpec& spec);
 

@@ -24,6 +24,8 @@ struct ProposeAnswer : ProposeView {
   Verdict verdict;  ///< on the recommended proposal, whose warnings replace the job's
 };
 
+/// Computes the proposals, their effects and the verdict on the recommended one.
+///
 /// Errors    `load.torques` if neither [load] nor [rating] gives a torque; teeth with point
 ///           contact; double-helical gears; the errors of answer_load
 Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress = nullptr);

@@ -71,6 +71,8 @@ Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDe
 /// Laws      (1) the rows and files do not depend on the numbers of threads, shards and ranks
 Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options);
 
+/// The content of a file.
+///
 /// Throws    IoError
 std::string text_of_file(const std::filesystem::path& path);
 

@@ -20,6 +20,8 @@ struct ChunkFinds {
 
 std::string pack(const ChunkFinds& finds);
 
+/// Converts the bytes of pack() back to designs.
+///
 /// Throws    IoError if the bytes were not made by pack(). `where` names the bytes in the message
 ChunkFinds unpack(std::string_view bytes, const std::string& where);
 

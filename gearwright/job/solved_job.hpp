@@ -21,6 +21,8 @@ struct SolvedJob : Arranged {
   int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
 };
 
+/// Computes the gears and the pair of a spec.
+///
 /// Errors    keys with their table, "gear2.profile_shift"; the errors of arrange(), halve() and
 ///           halves_of(); `pair.shaft_angle` for double-helical gears on crossed axes; `gear2.form`
 ///           for a rack, if the scope is more than the gears

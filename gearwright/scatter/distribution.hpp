@@ -28,6 +28,8 @@ struct DistributionSpec {
 
 class Distribution {
  public:
+  /// Checks the spec and makes its distribution.
+  ///
   /// Errors    `range` if l > h or if an end is not finite (l = h is a number that does not vary),
   ///           `cpk` ≤ 0, `offset` not inside the range, `shape` ≤ 0
   static Result<Distribution> of(const DistributionSpec& spec);

@@ -42,6 +42,8 @@ struct RobustCorrections {
   JudgedFamily before, after;
 };
 
+/// Computes the corrections, and the family without and with them.
+///
 /// Domain    as scatter_of(); at least one correction, which the setup can take; bounds as stated;
 ///           0 < percent < 100; can_minimise() (contract)
 /// Errors    as scatter_of(); `percentile`, if no sample has a peak to peak

@@ -134,6 +134,8 @@ struct Scatter {
   std::optional<PatternDensity> density;
 };
 
+/// Computes all samples of a family and their statistics.
+///
 /// Domain    at least one tolerance, samples a power of two, replicates ≥ 1, 0 < confidence < 1
 ///           (contract)
 /// Errors    as check_ends(); `tolerances` if they have more coordinates than the table of Sobol's
