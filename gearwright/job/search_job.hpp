@@ -78,10 +78,11 @@ inline constexpr std::int64_t kMaxChunks = 1'000'000;
 /// Runs the search of the spec.
 ///
 /// Throws    IoError
-/// Errors    --yes-large for a large search or grid, with its duration or number of points; no
-///           numbers of teeth that give the ratio; more chunks than kMaxChunks; --out with an
-///           existing campaign, or with a finished search of another spec; --resume without a
-///           campaign or for another spec; --shard or --resume without --out
+/// Errors    --yes-large if the search or its grid is large (the message gives the duration or the
+///           number of points); --out if the folder contains a campaign, or a finished search of
+///           another spec; --resume without a campaign or for another spec; --shard or --resume
+///           without --out. It is also an error if no numbers of teeth give the ratio, or if there
+///           are more chunks than kMaxChunks
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
 

@@ -78,7 +78,7 @@ bool changed(const RemovalField& member, const RemovalField& drawn) {
 
 // The difference of a member from the pair as drawn.
 struct LinearFamily::Member {
-  std::array<double, 6> error;                   // by kErrorKinds
+  std::array<double, 6> error;                   // in the order of kErrorKinds
   std::array<const RemovalField*, 2> removal{};  // null without a change
 };
 

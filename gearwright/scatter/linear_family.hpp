@@ -37,7 +37,7 @@ class LinearFamily {
  private:
   struct Place {
     double te;                           // rad in N
-    std::array<double, 6> by_error;      // by kErrorKinds
+    std::array<double, 6> by_error;      // in the order of kErrorKinds
     std::array<RemovalTurn, 2> removal;  // of each gear
     std::array<double, 2> drawn;         // mm removed in the drawing
   };
