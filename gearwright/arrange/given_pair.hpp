@@ -18,7 +18,7 @@ struct PairInput {
   std::optional<Angle> shaft_angle;       ///< Σ, signed
   Mounting mounting = Mounting::tight;
   bool choose_profile_shifts = true;  ///< true if absent shifts follow from a given centre distance
-  bool shorten_tips = false;          ///< tips are shortened by k m_n if no tip diameter is given
+  bool shorten_tips = false;          ///< true to shorten tips by k m_n if no tip diameter is given
   std::optional<double> friction_coefficient;  ///< μ
   std::optional<double> speed_rpm;             ///< n_1  1/min
   // The backlash that thinning of the teeth must produce, in one of three forms.

@@ -68,7 +68,7 @@ struct ReliefProposal {
   double root_factor = 1.0;  ///< C_f/C_a2; it is not 1, because the flank of gear 1 starts below
                              ///< the first contact
 
-  /// C_a of each gear and C_f of gear 1, mm. `pitch_deviation` is the sum for both gears, mm,
+  /// C_a of each gear and C_f of gear 1, mm. `pitch_deviation` is f_pt of both gears together, mm,
   /// normal to the flank.
   std::array<double, 2> tip_amount(double pitch_deviation) const;
   double root_amount(double pitch_deviation) const;

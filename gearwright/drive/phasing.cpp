@@ -14,7 +14,7 @@ namespace {
 constexpr double kNothing = 1e-12;
 
 // Returns |Σ e^{2πit}|/N for N angles t in turns. Whole turns are removed from the exact fractions
-// first, so that a sum that vanishes is exactly 0.
+// first, and a result that differs from 0 only by rounding is set to 0.
 double share_left(const std::vector<Rational>& turns) {
   std::complex<double> sum = 0.0;
   for (const Rational& t : turns) sum += std::polar(1.0, 2 * std::numbers::pi * t.frac().value());

@@ -321,8 +321,8 @@ TEST(PlanetEquilibriumTest, AgreesWithAMinimisationOfTheEnergy) {
     for (std::size_t i = 0; i < planets; ++i)
       for (std::size_t k = 0; k < meshes; ++k)
         EXPECT_NEAR(state.forces[k][i], c["forces"][i][k].get<double>(), 3e-6 * share);
-    // Two opposite forces do not resist a displacement perpendicular to them, which is then not
-    // unique.
+    // Two opposite forces do not resist a displacement perpendicular to them. The displacement is
+    // then not unique.
     const auto& carried = state.forces[0];
     if (std::count_if(carried.begin(), carried.end(), [](double f) { return f > 0.0; }) < 3)
       continue;

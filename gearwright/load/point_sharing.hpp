@@ -32,7 +32,7 @@ struct PointSharing {
   bool found = false;
 };
 
-/// Uses Newton's method; a step is halved until the residual decreases.
+/// Computes the forces by Newton's method. A step is halved until the residual decreases.
 ///
 /// Domain    at least one point; moment, arm, softness > 0; G positive semidefinite (contract)
 PointSharing share_points(const PointProblem& problem);

@@ -1,4 +1,4 @@
-"""Tests drives: made from keys, read by name, with the numbers of the program."""
+"""Tests drives. They are made from keys, and their values are read by name and equal those of the program."""
 
 import copy
 import math

@@ -42,7 +42,7 @@ class Campaign(unittest.TestCase):
         return start(self.where, self.out, *self.CHUNK, *args, **options)
 
     def check(self):
-        """Checks that the files equal those of a single process, and that the journal adds up. Returns
+        """Checks that the files equal the files of a single process, and that the journal adds up. Returns
         the writers of the chunks."""
         files = contents(self.out)
         for name, one in self.alone.items():
