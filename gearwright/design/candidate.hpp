@@ -66,7 +66,8 @@ void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch)
 inline constexpr double kSieveDoubt = 1e-10;
 /// Verdicts of the filter for a trial. The first three name the limit that certainly rejects the
 /// trial. kSievePass means that the point with the longest path meets these three limits. kSieveAsk
-/// means that the filter cannot decide. In the last two cases, the graph decides.
+/// means that the filter cannot decide. In these two cases, the s1–s2 graph of the trial decides
+/// (design/shift_graph.hpp).
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
                         kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
 

@@ -38,12 +38,12 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b) {
 
 namespace {
 
-constexpr double kFarOff = 1e9;  // modules; greater than the distance of any point
+constexpr double kFarOff = 1e9;  // modules; greater than the distance of any point from a border
 // Distances from a border below this value, modules, are rounding errors.
 constexpr double kSameEnd = 1e-9;
 
 // The greatest value of f over [a, b], found at nodes and by golden section around the highest
-// node. If it is negative, the result may be another value of f.
+// node. If the greatest value is negative, a smaller value of f may be returned.
 template <class F>
 double greatest(const F& f, double a, double b, double bend) {
   if (!(a < b)) return f(a);
@@ -88,9 +88,9 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const double nearest = std::clamp(0.0, range.lo, range.hi);
   const double at_nearest = off_walls(nearest);
   if (at_nearest >= kWallDistance) return place(nearest);
-  // As a function of Σ, the distance has one maximum, except if the region consists of several
-  // pieces, which is rare. The search climbs from `nearest` in growing steps. It then returns to
-  // the first point that is far enough from the borders.
+  // As a function of Σ, the distance from the borders has one maximum, except if the region
+  // consists of several pieces, which is rare. The search climbs from `nearest` in growing steps.
+  // It then returns to the first point that is far enough from the borders.
   constexpr double kStep = 0.05;  // modules, a tenth of the usual distance
   const double right = std::min(nearest + kStep, range.hi);
   const double left = std::max(nearest - kStep, range.lo);
@@ -124,7 +124,7 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
                                 std::min(nearest, here), std::max(nearest, here));
     if (root.found()) return place(root.x);
   }
-  // For external gears at extended centres, the distance is known to have only one maximum.
+  // For external gears at extended centres, the distance from the borders has only one maximum.
   const SearchProblem& problem = graph.problem();
   const bool one_hump = problem.mounting == Mounting::extended && !problem.internal() &&
                         !problem.crossed() && fillets == Fillets::left_out;

@@ -45,7 +45,7 @@ using TeethBand = std::array<int, 2>;  ///< both ends included
 
 struct DriveSearchProblem {
   DriveKind kind = DriveKind::planetary;
-  std::array<double, 2> ratio{};       ///< both ends included, signed
+  std::array<double, 2> ratio{};       ///< band of i, both ends included, signed
   std::optional<double> target_ratio;  ///< by default the middle of the band
   TeethBand planets{3, 3};
   /// Bands for the members of this kind of set. By default, those of teeth_band() are used.

@@ -192,7 +192,7 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   const auto f = [&](double s) { return PitchSum(p.teeth, sign * s).min() - t; };
   const Root root = find_root(f, 0.0, std::numbers::pi - 3 * kMargin);
   if (root.found())
-    result.nearest_shaft_angle = Angle::radians(sign * root.x);  // none for |Σ| ≤ 179.8°
+    result.nearest_shaft_angle = Angle::radians(sign * root.x);  // absent if |Σ| exceeds 179.7°
 }
 
 std::optional<Error> contradiction(const FitProblem& p) {

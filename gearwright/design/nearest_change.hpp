@@ -5,8 +5,8 @@
 // that do not help at any value are omitted. There are two kinds of numbers:
 //   limits          A change widens the region of every trial. The result is the smallest change
 //                   over all trials. They are evaluated in random order, each first with a change
-//                   slightly smaller than the best one so far. Only a trial that is then feasible
-//                   (about ln n of n trials) is bisected.
+//                   slightly smaller than the best one so far. Only for a trial that is then
+//                   feasible (about ln n of n trials), its smallest change is found by bisection.
 //   ratio, teeth    A change adds trials with the same limits. The nearest feasible one is used.
 //
 // For rated designs, the load, the face width and the steel are changed as well. A bisection of the

@@ -202,8 +202,8 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
              rows.back() = *design_row(graph, wish.detail);
            return true;
          }
-         // If a region remains, the reason is that the tips cut into the fillets at all points that
-         // were tried.
+         // If no limit removes the whole region, the trial is rejected because the tips cut into
+         // the fillets at all points that were tried.
          const Limit limit = graph.what_kills().value_or(Limit::interference);
          ++result.rejected[static_cast<std::size_t>(limit)];
          return true;

@@ -33,7 +33,7 @@ struct ShiftRegion {
   RegionDetail detail = RegionDetail::whole;
   std::vector<Interval> sums;            ///< ranges of Σ; more than one if the region consists of
                                          ///< several pieces
-  std::array<Vec2, 2> lo_edge, hi_edge;  ///< the complete slices at the ends
+  std::array<Vec2, 2> lo_edge, hi_edge;  ///< ends of the slices with the least and the greatest Σ
   Vec2 lo, hi;
   double area = 0.0;                    ///< computed only with RegionDetail::whole
   std::vector<Interval> balanced_sums;  ///< Σ of the feasible points on the line of Eq. 11
