@@ -89,7 +89,9 @@ Result<LoadRequest> request_of(DriveJob& job, const Json& expanded, std::size_t 
                                const LoadInput& load) {
   Json tables = mesh_spec(job, expanded, mesh).tables;
   for (const char* table : {"rating", "scatter", "drawing"}) tables.erase(table);
-  tables["load"]["torque_Nm"] = 1.0;  // only bodies, slices and accuracy are used
+  // [load] must have a torque. Its value has no effect, because the request is used only for the
+  // gear bodies, the slices and the accuracy.
+  tables["load"]["torque_Nm"] = 1.0;
   const auto spec = read_spec_tree(tables);
   if (!spec) return spec.error();
   auto solved = solve(*spec, Scope::pair);

@@ -1,4 +1,4 @@
-// The verb identify computes the gears that agree with the readings of an unknown gear.
+// The verb `identify` computes the gears that agree with the readings of an unknown gear.
 // Internal to job/ and the program.
 #pragma once
 
@@ -22,7 +22,7 @@ struct IdentifyAnswer {
 
 /// Computes the candidates for the unknown gear of the spec.
 ///
-/// Errors    `gear1.measured` if it is missing; the errors of identify, with the keys of the spec
+/// Errors    `gear1.measured` if it is missing; the errors of identify(), with the keys of the spec
 Result<IdentifyAnswer> answer_identify(const JobSpec& spec);
 
 /// {"identify": {"candidates", "contradiction", "next_measurement", "reason"}}

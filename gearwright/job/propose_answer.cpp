@@ -19,7 +19,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kLimitPositions = 16;  // per pitch, at the limits of the helix slopes
+constexpr int kLimitPositions = 16;  // greatest number of positions per pitch for the scores at the
+                                     // limits of the helix slope deviation
 
 std::optional<Error> not_made_for(const SolvedJob& job) {
   if (auto error = one_helix_error(job)) return error;
@@ -183,7 +184,8 @@ std::string origin(const ProposeAnswer& a, std::size_t i) {
 
 std::size_t recommended(const std::vector<Proposal>& list) {
   GW_EXPECTS(!list.empty());
-  constexpr double kWorth = 0.99;  // a proposal with more changes must be better by 1 %
+  constexpr double kWorth = 0.99;  // a later proposal, with more changes, replaces the best one
+                                   // only if its merit is smaller by 1 %
   const Proposal& given = list.front();
   const auto relative = [](double x, double to) { return std::isfinite(to) ? x / to : 1.0; };
   const auto merit = [&](const Proposal& p) {

@@ -179,7 +179,7 @@ Json result_schema() {
                          {"items",
                           {{"anyOf", Json{schema.reference(gear_quantities().table()),
                                           schema.reference(rack_quantities().table())}}}}};
-  // The verb measure and --as-rack add these data to a gear.
+  // The verb `measure` and --as-rack add these data to a gear.
   const Json rack = schema.reference(as_rack_quantities().table());
   const Json measure = schema.reference(measure_quantities().table());
   // A double-helical gear has its additional data at the same level.
