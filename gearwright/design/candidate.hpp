@@ -25,7 +25,7 @@ inline constexpr std::size_t kBatch = 1024;
 struct CandidateConstants {
   double tan_alpha = 0.0;                                      ///< tan α_n
   std::array<double, 2> addendum{}, dedendum{}, edge_depth{};  ///< of the two racks
-  std::array<double, 2> flank_depth{};                         ///< for the interference limit
+  std::array<double, 2> flank_depth{};  ///< depth of the straight edge, for the interference limit
   bool tight = false, shorten = false;
 };
 
@@ -79,8 +79,8 @@ struct SieveConstants {
   double min_path = 0.0;             ///< K, least length of the path of contact
   std::array<double, 2> addendum{};
   bool tight = false, internal = false;
-  bool path = false;  ///< true if the third limit is evaluated, which requires an external pair at
-                      ///< extended centres
+  bool path = false;  ///< true if the limit of the contact ratio is evaluated, which requires an
+                      ///< external pair at extended centres
 };
 
 struct SieveBatch {

@@ -91,7 +91,7 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   // As a function of Σ, the distance from the borders has one maximum, except if the region
   // consists of several pieces, which is rare. The search climbs from `nearest` in growing steps.
   // It then returns to the first point that is far enough from the borders.
-  constexpr double kStep = 0.05;  // modules, a tenth of the usual distance
+  constexpr double kStep = 0.05;  // modules, first step of Σ
   const double right = std::min(nearest + kStep, range.hi);
   const double left = std::max(nearest - kStep, range.lo);
   const double at_right = right > nearest ? off_walls(right) : -kFarOff;

@@ -176,7 +176,7 @@ class SetSearch {
   }
 
   double size_of(const TeethOfSet& z, const SetMeshes& meshes) const {  // modules
-    constexpr double kRootDepth = 1.25;  // modules, of the basic rack
+    constexpr double kRootDepth = 1.25;  // dedendum of the basic rack, modules
     const int rings = std::max(z[at(M::ring)], z[at(M::ring2)]);
     const int planets = std::max(z[at(M::planet)], z[at(M::planet2)]);
     const double outer = 2 * distance(meshes.list[0]) + planets * transverse_ + 2.0;

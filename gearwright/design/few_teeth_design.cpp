@@ -20,7 +20,8 @@ namespace gearwright {
 namespace {
 
 constexpr int kSteepestHelix = 75;     // degrees; greatest helix angle
-constexpr double kMinTipFillet = 0.1;  // modules; a cutter with a smaller tip radius overheats
+constexpr double kMinTipFillet = 0.1;  // least radius of the pinion's tip fillet, modules; a cutter
+                                       // of this shape with a smaller radius would overheat
 constexpr double kSameRatio = 0.02;
 // Sums of shifts count as equal if they differ by less than this, modules. The grid has steps of
 // 0.001.
@@ -36,7 +37,7 @@ constexpr double kSameRadius = 1e-9;
 // contact ratios of two candidates fall into the same step, the candidate with the smaller
 // |x1 + x2| is better.
 struct Rank {
-  double ratio, sum;  // in whole steps
+  double ratio, sum;  // contact ratio and |x1 + x2|, as whole numbers of steps
 
   static Rank of(double ratio, double shift_sum) {
     return {std::floor(ratio / kSameRatio), std::round(std::abs(shift_sum) / kSameSum)};

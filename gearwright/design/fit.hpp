@@ -50,8 +50,8 @@ struct FitBranch {
 struct Fit {
   std::vector<FitBranch> branches;  ///< by ascending |β_1|, or by ascending α_wn for known gears
   std::string reason;               ///< why there is no solution; empty if there is one
-  std::optional<double> nearest_distance;    ///< mm, at the given shaft angle
-  std::optional<Angle> nearest_shaft_angle;  ///< at the given centre distance
+  std::optional<double> nearest_distance;    ///< nearest possible a at the given Σ, mm
+  std::optional<Angle> nearest_shaft_angle;  ///< nearest possible Σ at the given a
 };
 
 /// Computes the absent values.

@@ -31,9 +31,10 @@ namespace {
 constexpr double kMargin = 0.1 * kRadPerDeg;     // least distance between a working helix angle and
                                                  // 90°
 constexpr double kSteepest = 89.0 * kRadPerDeg;  // greatest helix angle of a gear
-constexpr double kParallel = 1e-9;               // rad, as in pair/partners.cpp
-constexpr int kCells = 512;  // number of cells of the range of β_w1 for finding roots of functions
-                             // of unknown shape
+constexpr double kParallel = 1e-9;               // greatest |Σ| of parallel axes, rad, as in
+                                                 // pair/partners.cpp
+constexpr int kCells = 512;  // number of cells into which the range of β_w1 is divided to find the
+                             // roots of functions of unknown shape
 // H as a function of β_w1 at one shaft angle, and its minimum.
 class PitchSum {
  public:
