@@ -14,7 +14,7 @@ namespace gearwright {
 struct IdentifyAnswer {
   int gear;  ///< 1 or 2, the gear with the readings
   Identification found;
-  std::vector<Json> specs;  ///< for each candidate, the spec as read with that gear
+  std::vector<Json> specs;  ///< for each candidate, the spec with the data of that candidate
   /// For each candidate, its number and likelihood, followed by facts that the readings do not
   /// determine.
   std::vector<std::vector<std::string>> notes;
