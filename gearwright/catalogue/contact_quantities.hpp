@@ -32,7 +32,8 @@ struct ContactView {
   std::array<std::string, 2> map_axes{};             ///< names of the errors x and y of the map
   std::optional<Angle> continuous_span{};            ///< peak-to-peak value of the continuous
                                                      ///< transmission error
-  const std::vector<double>* float_axial = nullptr;  ///< mm, for each position; null for one helix
+  const std::vector<double>* float_axial = nullptr;  ///< Δz  mm, of gear 1 relative to gear 2 at
+                                                     ///< each position; null for a single helix
   std::vector<ContactView> halves{};  ///< the halves of a double-helical pair, z > 0 and z < 0
 };
 
