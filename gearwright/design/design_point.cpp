@@ -57,7 +57,7 @@ double greatest(const F& f, double a, double b, double bend) {
     if (value > top) top = value, best = i;
   }
   // climb() stops as soon as a value is positive. A constant above the maximum is therefore
-  // subtracted.
+  // subtracted from f.
   const double above = top + 1.0;
   const double x =
       detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
@@ -67,12 +67,13 @@ double greatest(const F& f, double a, double b, double bend) {
 
 // `asked` means that points at which a tip cuts into a fillet are excluded.
 enum class Fillets { asked, left_out };
-// Considers the points on the line of balanced strength that keep a distance from the borders, and
-// returns the one with Σ nearest 0.
+// Considers the points on the line of balanced strength that keep the desired distance from the
+// borders (kWallDistance), and returns the one with Σ nearest 0.
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
   if (!(range.lo <= range.hi) || line_is_outside(graph, range.lo, range.hi)) return std::nullopt;
-  // If fillets are checked, the distance is not continuous, so its curvature has no upper limit.
+  // If fillets are checked, the distance from the borders jumps as a function of Σ, so its second
+  // derivative has no upper limit.
   const double bend =
       fillets == Fillets::asked ? std::numeric_limits<double>::infinity() : kMostBend;
   const Trial& t = graph.trial();

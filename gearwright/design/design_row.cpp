@@ -185,7 +185,7 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
 }
 
 bool has_design(const ShiftGraph& graph) {
-  // Most trials have no region. This test is faster than the search for a feasible point.
+  // Most trials have no region. has_feasible_sums() is faster than the search for a feasible point.
   if (!graph.has_feasible_sums()) return false;
   const SearchProblem& problem = graph.problem();
   if (!problem.limits.clear_fillets && !problem.rating && !problem.draw) return true;

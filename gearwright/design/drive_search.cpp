@@ -407,7 +407,7 @@ std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
-  // Candidates are in such an order that only an earlier candidate can dominate a later one.
+  // The candidates are sorted by their costs, so only an earlier one can dominate a candidate.
   std::vector<std::size_t> front;
   const auto beats = [&](const std::vector<double>& a, const std::vector<double>& b) {
     return a != b && std::equal(a.begin(), a.end(), b.begin(), std::less_equal<>());

@@ -196,7 +196,7 @@ class Search {
     return c;
   }
 
-  // The cutter, its gear, and the generating centre distance E.
+  // The cutter as a spec and as a gear, and the generating centre distance E.
   struct Place {
     CylindricalSpec cutter;
     Gear gear;

@@ -67,8 +67,8 @@ class PitchSum {
     std::vector<double> found;
     for (const auto& [from, to] : {std::pair{lo_, argmin_}, std::pair{argmin_, hi_}}) {
       const Root root = find_root(f, from, to);
-      // If the bracket contains no root, the root lies outside the range. H is so great there that
-      // no practical gear has this value.
+      // If the bracket contains no root, the solution lies outside the range of β_w1. H is so great
+      // there that no practical gear has this value.
       if (root.stop == RootStop::no_bracket) continue;
       GW_ENSURES(root.found());
       if (found.empty() || found.back() != root.x) found.push_back(root.x);
@@ -181,7 +181,7 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
                                       Angle::radians(std::acos(cos_wn)).deg()))
                       .rule;
   if (p.teeth[1] < 0) return;
-  // The smallest sum of the pitch diameters is z1 + z2. The sum grows with |Σ|.
+  // H is at least z1 + z2, its value on parallel axes, and grows with |Σ|.
   if (!(t > p.teeth[0] + p.teeth[1])) {
     result.reason += fmt::format(
         "; at the given centre distance there is no such pair at any shaft angle, because even on "

@@ -44,13 +44,14 @@ struct NearestChanges {
   std::optional<DesignRow> safest;
 };
 
-/// The greatest number of trials that are evaluated repeatedly.
+/// Greatest number of trials of a search for which changes are computed, because trials are then
+/// evaluated repeatedly.
 inline constexpr std::int64_t kMaxForChange = 2'000'000;
 /// Greatest number of graphs computed for one member. 2000 graphs of the slowest kind, those with
 /// shortened tips, take 1 s.
 inline constexpr std::int64_t kMaxChangeQuestions = 10'000;
 
-/// Returns the changes by ascending effort. The watch receives the number of trials.
+/// Returns the changes by ascending effort. The watch receives the number of evaluations of trials.
 ///
 /// Domain    no design is feasible; size() ≤ kMaxForChange (contract)
 NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& watch = {},

@@ -241,7 +241,7 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
   return {x1, path_length(at, sum, x1)};
 }
 
-// The point with E = K between the maximum of the path length and a bound. Absent if there is none.
+// The x1 with E = K between the x1 of the longest path and a bound of x1. Absent if there is none.
 std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, const Longest& top,
                                               LineSide side, double bound) const {
   const bool below = side == LineSide::lo;
