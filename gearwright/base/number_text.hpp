@@ -25,7 +25,7 @@ int digits_between(double x, double other);
 
 /// A number with six significant digits, as it is written in a sentence.
 std::string format_number(double x);
-/// The number x with six digits, or with as many more as distinguish x from `other`.
+/// The number x with six digits, or with more if six do not distinguish x from `other`.
 std::string format_number(double x, double other);
 
 }  // namespace gearwright

@@ -121,7 +121,8 @@ std::string arrow(double from, double to, int decimals) {
   return fmt::format("{} → {}", fixed_decimals(from, decimals), fixed_decimals(to, decimals));
 }
 
-// The score that determines the pressure. With tolerances, it is the score at their limits.
+// The score whose pressure is compared. If there is a helix slope deviation, it is the score at the
+// limits of this deviation.
 const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limits : p.worst; }
 
 int edge_rank(const Proposal& p) { return p.worst.edge_carries ? 2 : pressed(p).edge_carries; }

@@ -329,7 +329,8 @@ PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer, Pro
 
 namespace {
 
-// The first key that needs derivatives of one pair of flanks, which a double-helical pair does not have.
+// The first key that needs derivatives of one pair of flanks, which a double-helical pair does not
+// have.
 std::optional<Error> not_for_halves(const ScatterInput& input) {
   for (const auto& [key, given] :
        {std::pair("robust", input.robust.has_value()), std::pair("worst_case", input.worst_case),
