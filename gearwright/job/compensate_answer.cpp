@@ -76,8 +76,8 @@ std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetu
 }
 
 std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup) {
-  // An involute pair touches along lines. `compensate` corrects its lead by helix slope
-  // modifications instead of a lead angle.
+  // There is no result for an involute pair. It touches along lines, and `compensate` corrects its
+  // lead by helix slope modifications instead of a lead angle.
   const ArcPair* arcs = job.pair->arcs();
   if (!arcs || setup.gear(1).twist() == 0.0) return std::nullopt;
   const bool gear2_drives = job.spec.contact.driver == 2;
