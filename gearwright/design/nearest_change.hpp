@@ -7,7 +7,7 @@
 //                   over all trials. They are evaluated in random order, each first with a change
 //                   slightly smaller than the best one so far. Only for a trial that is then
 //                   feasible (about ln n of n trials), its smallest change is found by bisection.
-//   ratio, teeth    A change adds trials with the same limits. The nearest feasible one is used.
+//   ratio, teeth    A change adds trials but keeps the limits. The nearest feasible trial is used.
 //
 // For rated designs, the load, the face width and the steel are changed as well. A bisection of the
 // whole search would evaluate each trial in every step. Here, each trial is evaluated only a few
