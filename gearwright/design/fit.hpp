@@ -1,8 +1,8 @@
 // Finds gears for a given centre distance, shaft angle and ratio. This is the inverse of computing
 // a pair.
 //
-//   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, with β_w2 = Σ − β_w1: the sum of the pitch diameters in units
-//        of p_n/π
+//   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, with β_w2 = Σ − β_w1: the sum of the pitch diameters in
+//        units of p_n/π
 //   T = 2 a cos α_wn/(m_n cos α_n), the required value of H
 //                                              theory: docs/theory/04-conjugate-action.md, 4.9
 //
