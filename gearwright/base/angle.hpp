@@ -14,11 +14,13 @@ class Angle {
   static constexpr Angle degrees(double value) { return Angle(value * kRadPerDeg); }
   static constexpr Angle arcseconds(double value) { return Angle(value * kRadPerArcsec); }
   constexpr double rad() const { return rad_; }
-  /// The angle in degrees. A value given with at most ten decimals is returned as given: 60°, not 59.99999999999999°.
+  /// The angle in degrees. A value given with at most ten decimals is returned as given: 60°, not
+  /// 59.99999999999999°. Angles of 1e5° and more are not rounded. For smaller angles, the number of
+  /// units of 1e-10° is at most 1e15, which a double holds exactly.
   constexpr double deg() const {
     constexpr double kDecimals = 1e10;
     const double x = rad_ * kDegPerRad;
-    if (!(x > -1e5 && x < 1e5) || x == 0.0) return x;  // a count of up to 1e15 units is exact
+    if (!(x > -1e5 && x < 1e5) || x == 0.0) return x;
     const double units = x * kDecimals + (x < 0.0 ? -0.5 : 0.5);
     const double given = static_cast<double>(static_cast<long long>(units)) / kDecimals;
     return given * kRadPerDeg == rad_ ? given : x;
@@ -55,8 +57,8 @@ struct SinCos {
 
 /// Sine and cosine of the turn 2π k/n [T1.4] for integers k and n.
 ///
-/// Accuracy  the quarter turns are exact ({0,1}, {1,0}, {0,-1}, {-1,0}). k and k + n give the same bits, because k
-///           is reduced as an integer into the first eighth of the turn
+/// Accuracy  the quarter turns are exact ({0,1}, {1,0}, {0,-1}, {-1,0}). k and k + n give the same
+///           bits, because k is reduced as an integer into the first eighth of the turn
 /// Domain    n ≥ 1 (contract)
 SinCos sincos_turn(long long k, long long n);
 

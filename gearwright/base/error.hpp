@@ -37,7 +37,8 @@ struct Error {
 
   /// "rack.dedendum = 9: the tooth of the cutter becomes pointed before …"
   std::string message() const;
-  /// The message as part of another sentence, with the field in backticks: "`rack.dedendum` = 9: …".
+  /// The message as part of another sentence, with the field in backticks: "`rack.dedendum` = 9:
+  /// …".
   std::string quoted() const;
 };
 
@@ -49,9 +50,10 @@ Error absent_input(std::string field, std::string_view rest = {});
 Error refused(std::string field, double value, std::string rule);
 Error refused(std::string field, int value, std::string rule);
 
-/// The error of a value outside its limits. `rule` contains {} for each limit. The value and the limits are written
-/// with six digits, or with as many as distinguish them. A limit is rounded towards the allowed side, so that the
-/// printed limit is itself allowed. If there are two limits, they are the least and the greatest allowed value.
+/// The error of a value outside its limits. `rule` contains {} for each limit. The value and the
+/// limits are written with six digits, or with more if six do not distinguish them. A limit is
+/// rounded towards the allowed side, so that the printed limit is itself allowed. If there are two
+/// limits, they are the least and the greatest allowed value.
 Error refused(std::string field, double value, std::initializer_list<double> limits,
               std::string_view rule);
 

@@ -20,7 +20,7 @@ inline void append_u32(std::string& out, std::uint32_t value) {
   out.append(bytes, 4);
 }
 
-/// IEEE 754 single precision.
+/// Appends a number in IEEE 754 single precision.
 inline void append_f32(std::string& out, float value) {
   static_assert(std::numeric_limits<float>::is_iec559 && sizeof(float) == 4);
   std::uint32_t bits = 0;

@@ -19,13 +19,13 @@ inline constexpr int kUsualDigits = 6;  ///< significant digits of a number in a
 /// 0.100000.
 std::string with_digits(double x, int digits);
 
-/// The number of significant digits, at least six, that distinguishes x from `other`. It is six if x and `other` are
-/// equal.
+/// The least number of significant digits, but at least six, that distinguishes x from `other`. It
+/// is six if x and `other` are equal.
 int digits_between(double x, double other);
 
 /// A number with six significant digits, as it is written in a sentence.
 std::string format_number(double x);
-/// The number x with six digits, or with as many more as distinguish x from `other`.
+/// The number x with six digits, or with more if six do not distinguish x from `other`.
 std::string format_number(double x, double other);
 
 }  // namespace gearwright

@@ -1,5 +1,5 @@
-// The version without zlib computes CRC-32 with a table of 256 remainders. It compresses with stb_image_write.h
-// (libstb-dev), which uses fixed Huffman codes and finds matches within 32 kB.
+// The version without zlib computes CRC-32 with a table of 256 remainders. It compresses with
+// stb_image_write.h (libstb-dev), which uses fixed Huffman codes and finds matches within 32 kB.
 #include <array>
 #include <climits>
 #include <cstdlib>
@@ -17,8 +17,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kQuality = 8;  // number of candidates compared for a match; at least 5, and larger
-                             // values are slower
+constexpr int kQuality = 8;  // number of candidates compared for a match, at least 5; a larger
+                             // number takes more time
 constexpr std::size_t kZlibHeader = 2;   // bytes before the deflate stream
 constexpr std::size_t kZlibTrailer = 4;  // bytes of the Adler-32 checksum after it
 

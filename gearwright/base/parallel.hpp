@@ -22,7 +22,8 @@ void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int 
 /// items per thread are in memory at a time.
 ///
 ///   next   writes the next item and returns false if there is none
-///   work   is called from many threads at once
+///   work   computes the result of an item; it is called from many threads at once
+///   take   receives each result, in order
 void in_order(const std::function<bool(std::string&)>& next,
               const std::function<std::string(const std::string&)>& work,
               const std::function<void(const std::string&)>& take, int threads = 0);

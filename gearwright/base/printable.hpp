@@ -23,8 +23,8 @@ struct Utf8Point {
   std::size_t bytes;
 };
 
-/// The first code point of a text that is not empty. If the first byte does not start a code point, the result is
-/// U+FFFD with one byte.
+/// The first code point of a text that is not empty. If the first byte does not start a code point,
+/// the result is U+FFFD with one byte.
 Utf8Point first_of_utf8(std::string_view text);
 
 std::u32string code_points(std::string_view utf8);

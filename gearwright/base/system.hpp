@@ -1,6 +1,7 @@
 // The functions that differ among operating systems: open files, processes, the console.
 //
-// No other file includes a header of an operating system. Internal to base/, store/, job/ and the programs.
+// No other file includes a header of an operating system. Internal to base/, store/, job/ and the
+// programs.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,8 @@
 
 namespace gearwright {
 
-/// An open file, which the destructor closes. Failures are returned as error numbers (errno); 0 means success.
+/// An open file, which the destructor closes. Failures are returned as error numbers (errno); 0
+/// means success.
 class FileHandle {
  public:
   /// Creates a file for writing. An existing file is emptied.
@@ -63,8 +65,9 @@ bool is_terminal(std::FILE* stream);
 /// A path with the separators of this system, in UTF-8.
 std::string native_text(std::filesystem::path path);
 
-/// Prepares the process and returns the arguments of the program in UTF-8, without the program name. After the call,
-/// output is also in UTF-8, and writing beyond the file size limit returns an error instead of ending the program.
+/// Prepares the process and returns the arguments of the program in UTF-8, without the program
+/// name. After the call, output is also in UTF-8, and writing beyond the file size limit returns an
+/// error instead of ending the program.
 std::vector<std::string> start_program(int argc, char** argv);
 
 }  // namespace gearwright

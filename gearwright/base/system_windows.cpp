@@ -3,7 +3,7 @@
 #include <process.h>
 #include <sys/stat.h>
 #include <windows.h>
-// must follow windows.h
+// The headers below must follow windows.h.
 #include <shellapi.h>
 
 #include <algorithm>
@@ -13,10 +13,11 @@
 
 #include "gearwright/base/system.hpp"
 
-// libstdc++ converts a std::string to a path with mbrtowc, whose encoding is the C locale. In msvcrt this cannot be
-// UTF-8, so the linker replaces mbrtowc by this function (--wrap, cmake/gw_portable.cmake), which converts UTF-8 to
-// UTF-16. For a character of two UTF-16 units, it returns the first unit with three of the four bytes. It keeps the
-// second unit in `state` and returns it with the fourth byte.
+// libstdc++ converts a std::string to a path with mbrtowc, whose encoding is that of the C locale.
+// In msvcrt, this cannot be UTF-8, so the linker replaces mbrtowc by this function (--wrap,
+// cmake/gw_portable.cmake), which converts UTF-8 to UTF-16. For a character of two UTF-16 units, it
+// returns the first unit with three of the four bytes. It keeps the second unit in `state` and
+// returns it with the fourth byte.
 extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t most,
                                       std::mbstate_t* state) {
   constexpr auto kBad = static_cast<std::size_t>(-1), kPart = static_cast<std::size_t>(-2);

@@ -1,8 +1,8 @@
 // Conversions between the internal units (mm, rad) and the units of drawings, files and users.
 //
-// The name of a constant has the form target unit per source unit: x rad are x * kDegPerRad degrees, and c µm are
-// c * kMmPerUm mm. Because 1/1000 is not exact in double, x * kMmPerUm and x / kUmPerMm differ in the last bit, so
-// both constants exist.
+// The name of a constant has the form target unit per source unit: x rad are x * kDegPerRad
+// degrees, and c µm are c * kMmPerUm mm. Because 1/1000 is not exact in double, x * kMmPerUm and
+// x / kUmPerMm may differ in the last bit, so both constants exist.
 #pragma once
 
 #include <numbers>

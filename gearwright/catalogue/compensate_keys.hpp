@@ -62,7 +62,7 @@ struct CompensateInput {
   CompensateAim aim = CompensateAim::transmission_error;
   std::vector<std::size_t> corrections;    ///< indices in kCorrections; if empty, the default
                                            ///< corrections for the kind of pair
-  std::optional<double> centering_arcsec;  ///< cost of a pattern at the end of the face
+  std::optional<double> centering_arcsec;  ///< cost of a contact pattern at the end of the face
   /// [compensate.range]: the least and the greatest value of each error, by its index in
   /// error_entries.
   std::array<std::optional<std::array<double, 2>>, kErrorCount> range{};

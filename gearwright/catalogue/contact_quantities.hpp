@@ -25,14 +25,15 @@ struct ContactView {
   const ContactResult* working;      ///< the working flanks
   const ContactResult* non_working;  ///< the non-working flanks, at the same positions
   double marking = 0.0;              ///< thickness of the marking compound, mm
-  std::optional<Angle> min_play{};   ///< least backlash, rotation of gear 2; < 0 if the gears jam
+  std::optional<Angle> min_play{};   ///< least backlash as rotation of gear 2; < 0 if the gears jam
   std::vector<NamedSlope> slopes{};  ///< one entry for each requested derivative
   const std::array<FlankRaster, 2>* pattern = nullptr;
   const ErrorMap* map = nullptr;
-  std::array<std::string, 2> map_axes{};             ///< names of x and y
+  std::array<std::string, 2> map_axes{};             ///< names of the errors x and y of the map
   std::optional<Angle> continuous_span{};            ///< peak-to-peak value of the continuous
                                                      ///< transmission error
-  const std::vector<double>* float_axial = nullptr;  ///< mm, for each position; null for one helix
+  const std::vector<double>* float_axial = nullptr;  ///< Δz  mm, of gear 1 relative to gear 2 at
+                                                     ///< each position; null for a single helix
   std::vector<ContactView> halves{};  ///< the halves of a double-helical pair, z > 0 and z < 0
 };
 

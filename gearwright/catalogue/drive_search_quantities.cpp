@@ -9,7 +9,7 @@ namespace {
 
 using F = FoundDrive;
 
-// The value with this key in the result of the verb drive.
+// The value with this key in the result of the verb `drive`.
 Value of_drive(const F& f, std::string_view key) {
   for (const Quantity<Drive>& q : drive_quantities().list())
     if (q.info.key == key) return q.get(f.drive);

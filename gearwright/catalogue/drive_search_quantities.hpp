@@ -11,8 +11,8 @@
 
 namespace gearwright {
 
-/// A drive in the result of a search, computed in the same way as by the verb drive. Its verdict is
-/// green.
+/// A drive in the result of a search, computed in the same way as by the verb `drive`. Its verdict
+/// is green.
 struct FoundDrive {
   DriveCandidate candidate;
   Drive drive;

@@ -62,7 +62,7 @@ const KeyTable& error_keys();
 
 /// [contact.map]: a map of the peak-to-peak transmission error as a function of two errors.
 struct ContactMapInput {
-  std::array<std::size_t, 2> key{};              ///< indices of x and y in error_entries
+  std::array<std::size_t, 2> key{};              ///< indices of the errors x and y in error_entries
   std::array<std::array<double, 2>, 2> range{};  ///< lower and upper end for x and y
   std::array<int, 2> points{21, 21};
 };
@@ -72,7 +72,7 @@ struct ContactInput {
   bool given = false;
   int positions = 64;  ///< number of positions per pitch
   int pitches = 1;
-  double marking = 0.00635;  ///< mm
+  double marking = 0.00635;  ///< thickness of the marking compound, mm
   int driver = 1;
   bool pattern = false;          ///< true if the result includes the raster of both flanks
   std::vector<Angle> rotations;  ///< rotations of gear 1, used instead of positions

@@ -13,7 +13,7 @@ struct BranchView {
   FitBranch branch;
   Value spec;                                        ///< the whole spec of this branch
   std::optional<double> transverse_contact_ratio{};  ///< only for a design with few teeth
-  std::optional<std::string> refused{};              ///< reason why the verb pair rejects the spec
+  std::optional<std::string> refused{};              ///< reason why the verb `pair` rejects `spec`
 };
 
 struct FitView {

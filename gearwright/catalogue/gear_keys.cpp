@@ -21,7 +21,7 @@ constexpr double kMaxTeeth = 100'000;
 constexpr double kMinModule = 1e-3, kMaxModule = 1e3;                  // mm
 constexpr double kMinPressure = 1, kMaxPressure = 60, kMaxHelix = 89;  // degrees
 constexpr double kMaxShift = 1e4;                                      // modules
-constexpr double kMinPitch = 0.0254, kMaxPitch = 25400;                // 25.4 mm / m_n
+constexpr double kMinPitch = 0.0254, kMaxPitch = 25400;                // 1/in, 25.4 mm / m_n
 
 // The normal pressure angle for a transverse pressure angle, both in degrees: tan α_n = tan α_t cos
 // β.

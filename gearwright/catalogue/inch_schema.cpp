@@ -65,7 +65,8 @@ void add_words(Json& words) {
       words.push_back(inch(word.get<std::string>()));
 }
 
-// Converts the keys that each key needs: { tip_relief_um = ["tip_relief_start_mm"] }.
+// Adds conditions for the keys that each key needs: { tip_relief_um = ["tip_relief_start_mm"] }.
+// Each of these keys may be given under either of its two names.
 void add_needs(Json& schema, const Json& needs) {
   for (const auto& [key, keys] : needs.items()) {
     Json required = Json::object();

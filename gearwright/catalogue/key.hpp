@@ -74,7 +74,7 @@ struct KeyList {
   /// Returns the word of which `word` is a synonym, or "" if it is not a synonym.
   std::string_view (*meant)(std::string_view word) = nullptr;
   std::string_view must{};  ///< for a list of tables, the requirement on the list
-  int first = 1;            ///< number of the first element in a path
+  int first = 1;            ///< number that a path uses for the first element
   bool numbers = false;     ///< for a key of a table: true if a list of numbers is also allowed
 };
 

@@ -126,7 +126,7 @@ bool of_one_kind(std::string_view a, std::string_view b) {
 // "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
-  // The result contains the name of the other table only if `table` has no key with the same name.
+  // The result contains the name of the table with the key only if `table` has no key of this name.
   const auto named = [&](const Key& key, const std::string& where) {
     return table.find(key.key) ? std::string(key.key) : fmt::format("{} in [{}]", key.key, where);
   };

@@ -14,7 +14,7 @@ const KeyTable& pair_keys();
 /// The keys of [gear2] if gear 2 is a rack.
 const KeyTable& rack_bar_keys();
 
-// The keys of [fit], which are the inputs of the verb fit in addition to the gears and the pair.
+// The keys of [fit], which are the inputs of the verb `fit` in addition to the gears and the pair.
 
 /// [fit]
 struct FitInput {

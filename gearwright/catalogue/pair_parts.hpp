@@ -47,7 +47,8 @@ void add_sliding(Quantities<S>& q, const char* meaning, G get) {
 const Quantities<CrossedPlace>& place_quantities();
 const Quantities<CrossedPlaces>& places_quantities();
 
-/// The line of action of any pair. Each line is given by its two ends.
+/// The line of action of any pair: its length, and the two ends of the leading and of the trailing
+/// line.
 struct LineView {
   double length;
   std::array<Vec3, 2> leading, trailing;

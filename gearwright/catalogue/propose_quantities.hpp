@@ -46,7 +46,7 @@ struct Proposal {
 struct ProposeView {
   double torque = 0.0;                                      ///< N mm, torque on gear 1 for which
                                                             ///< the amounts are computed
-  std::optional<std::array<double, 2>> short_deflection{};  ///< C_i  mm
+  std::optional<std::array<double, 2>> short_deflection{};  ///< C_i  mm, for the shortest reliefs
   std::optional<double> pitch_deviation{};     ///< mm, normal to the flank, of both gears together
   std::optional<double> helix_deviation{};     ///< mm, over the common face, of both gears together
   std::optional<FaceDeflection> deflection{};  ///< deflection of the shafts plus the deflection in

@@ -15,9 +15,9 @@ namespace gearwright {
 
 /// [scatter.bearings]
 struct ScatterBearings {
-  double span = 0.0;    ///< L  mm
-  double radius = 0.0;  ///< R  mm
-  double offset = 0.0;  ///< c  mm
+  double span = 0.0;    ///< L  mm, distance of the bearings of a shaft
+  double radius = 0.0;  ///< R  mm, of the circle in which a bore can lie
+  double offset = 0.0;  ///< c  mm, position of the gears from the middle of the span, towards +z
 };
 
 /// [scatter.gearN]. Distributions are in the units of their keys.

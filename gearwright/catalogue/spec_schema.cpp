@@ -138,7 +138,7 @@ Json gears_or_search() {
   const Json either{{"anyOf", {whole, reference(blank_keys())}}};
   const Json either_second{{"anyOf", {second, reference(blank_keys())}}};
   Json known{{"properties", {{"gear1", whole}, {"gear2", second}}}};
-  // If gear 2 has readings, the verb identify computes the module of both gears from them.
+  // If gear 2 has readings, the verb `identify` computes the module of both gears from them.
   Json unknown = required({"gear2"});
   unknown["properties"] = {{"gear1", required({"teeth"})},
                            {"gear2", required({"teeth", "measured"})}};
@@ -169,7 +169,7 @@ Json whole_gear() {
                 required({"transverse_module_mm"}),
                 required({"basic"}),
                 required({"cut_by"}),
-                required({"measured"})};  // for a gear whose module identify computes
+                required({"measured"})};  // for a gear whose module `identify` computes
   return s;
 }
 

@@ -22,7 +22,7 @@ std::string joined(std::string_view path, std::string_view key) {
   return path.empty() ? std::string(key) : std::string(path) + "." + std::string(key);
 }
 
-// All keys of `table` at `path` that set the member.
+// Adds all keys of `table` at `path` that set the member to `found`.
 void find_keys(const KeyTable& table, const std::string& path, std::string_view member,
                std::vector<Spelling>& found) {
   for (const Key& key : table.keys) {

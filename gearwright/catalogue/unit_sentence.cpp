@@ -45,7 +45,7 @@ std::optional<NumberText> number_at(std::string_view text) {
     end += 2;
     skip_digits();
   }
-  if (end < text.size() && of_word(text[end])) return std::nullopt;  // "2nd"
+  if (end < text.size() && of_word(text[end])) return std::nullopt;  // a part of a word, "2nd"
   return NumberText{text.substr(0, end),
                     std::strtod(std::string(text.substr(0, end)).c_str(), nullptr)};
 }

@@ -124,7 +124,8 @@ double value_in(UnitSystem units, Unit unit, double value) {
 int digits_in(UnitSystem units, Unit unit, int digits) {
   const UnitPair* pair = pair_of(units, unit);
   if (!pair) return digits;
-  const bool larger = (pair->ratio->size > 1) != pair->ratio->inverse;  // inch: one more decimal
+  // True if the unit in the inch system is the larger one, as for in and mm.
+  const bool larger = (pair->ratio->size > 1) != pair->ratio->inverse;
   return std::max(0, digits + (larger ? 1 : -1));
 }
 

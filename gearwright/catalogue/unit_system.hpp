@@ -59,7 +59,8 @@ const KeyUnit* inch_unit(std::string_view key);
 /// span_mm = { 3 = 19.751 }.
 bool is_in_unit_of_table(std::string_view key);
 
-/// The name of a key or a path of the catalogue in this system: "face_width_in" for "face_width_mm".
+/// The name in this system of a key or a path of the catalogue: "face_width_in" for
+/// "face_width_mm".
 std::string key_in(UnitSystem units, std::string_view key);
 /// The name in the catalogue of a key of an inch spec: "face_width_mm" for "face_width_in".
 std::string metric_key(std::string_view key);

@@ -25,7 +25,7 @@ inline constexpr std::size_t kBatch = 1024;
 struct CandidateConstants {
   double tan_alpha = 0.0;                                      ///< tan α_n
   std::array<double, 2> addendum{}, dedendum{}, edge_depth{};  ///< of the two racks
-  std::array<double, 2> flank_depth{};                         ///< for the interference limit
+  std::array<double, 2> flank_depth{};  ///< depth of the straight edge, for the interference limit
   bool tight = false, shorten = false;
 };
 
@@ -66,7 +66,8 @@ void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch)
 inline constexpr double kSieveDoubt = 1e-10;
 /// Verdicts of the filter for a trial. The first three name the limit that certainly rejects the
 /// trial. kSievePass means that the point with the longest path meets these three limits. kSieveAsk
-/// means that the filter cannot decide. In the last two cases, the graph decides.
+/// means that the filter cannot decide. In these two cases, the s1–s2 graph of the trial decides
+/// (design/shift_graph.hpp).
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
                         kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
 
@@ -78,8 +79,8 @@ struct SieveConstants {
   double min_path = 0.0;             ///< K, least length of the path of contact
   std::array<double, 2> addendum{};
   bool tight = false, internal = false;
-  bool path = false;  ///< true if the third limit is evaluated, which requires an external pair at
-                      ///< extended centres
+  bool path = false;  ///< true if the limit of the contact ratio is evaluated, which requires an
+                      ///< external pair at extended centres
 };
 
 struct SieveBatch {

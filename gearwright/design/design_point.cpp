@@ -38,12 +38,12 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b) {
 
 namespace {
 
-constexpr double kFarOff = 1e9;  // modules; greater than the distance of any point
+constexpr double kFarOff = 1e9;  // modules; greater than the distance of any point from a border
 // Distances from a border below this value, modules, are rounding errors.
 constexpr double kSameEnd = 1e-9;
 
 // The greatest value of f over [a, b], found at nodes and by golden section around the highest
-// node. If it is negative, the result may be another value of f.
+// node. If the greatest value is negative, a smaller value of f may be returned.
 template <class F>
 double greatest(const F& f, double a, double b, double bend) {
   if (!(a < b)) return f(a);
@@ -57,7 +57,7 @@ double greatest(const F& f, double a, double b, double bend) {
     if (value > top) top = value, best = i;
   }
   // climb() stops as soon as a value is positive. A constant above the maximum is therefore
-  // subtracted.
+  // subtracted from f.
   const double above = top + 1.0;
   const double x =
       detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
@@ -67,12 +67,13 @@ double greatest(const F& f, double a, double b, double bend) {
 
 // `asked` means that points at which a tip cuts into a fillet are excluded.
 enum class Fillets { asked, left_out };
-// Considers the points on the line of balanced strength that keep a distance from the borders, and
-// returns the one with Σ nearest 0.
+// Considers the points on the line of balanced strength that keep the desired distance from the
+// borders (kWallDistance), and returns the one with Σ nearest 0.
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
   if (!(range.lo <= range.hi) || line_is_outside(graph, range.lo, range.hi)) return std::nullopt;
-  // If fillets are checked, the distance is not continuous, so its curvature has no upper limit.
+  // If fillets are checked, the distance from the borders jumps as a function of Σ, so its second
+  // derivative has no upper limit.
   const double bend =
       fillets == Fillets::asked ? std::numeric_limits<double>::infinity() : kMostBend;
   const Trial& t = graph.trial();
@@ -88,10 +89,10 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const double nearest = std::clamp(0.0, range.lo, range.hi);
   const double at_nearest = off_walls(nearest);
   if (at_nearest >= kWallDistance) return place(nearest);
-  // As a function of Σ, the distance has one maximum, except if the region consists of several
-  // pieces, which is rare. The search climbs from `nearest` in growing steps. It then returns to
-  // the first point that is far enough from the borders.
-  constexpr double kStep = 0.05;  // modules, a tenth of the usual distance
+  // As a function of Σ, the distance from the borders has one maximum, except if the region
+  // consists of several pieces, which is rare. The search climbs from `nearest` in growing steps.
+  // It then returns to the first point that is far enough from the borders.
+  constexpr double kStep = 0.05;  // modules, first step of Σ
   const double right = std::min(nearest + kStep, range.hi);
   const double left = std::max(nearest - kStep, range.lo);
   const double at_right = right > nearest ? off_walls(right) : -kFarOff;
@@ -124,7 +125,7 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
                                 std::min(nearest, here), std::max(nearest, here));
     if (root.found()) return place(root.x);
   }
-  // For external gears at extended centres, the distance is known to have only one maximum.
+  // For external gears at extended centres, the distance from the borders has only one maximum.
   const SearchProblem& problem = graph.problem();
   const bool one_hump = problem.mounting == Mounting::extended && !problem.internal() &&
                         !problem.crossed() && fillets == Fillets::left_out;

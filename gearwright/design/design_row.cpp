@@ -185,7 +185,7 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
 }
 
 bool has_design(const ShiftGraph& graph) {
-  // Most trials have no region. This test is faster than the search for a feasible point.
+  // Most trials have no region. has_feasible_sums() is faster than the search for a feasible point.
   if (!graph.has_feasible_sums()) return false;
   const SearchProblem& problem = graph.problem();
   if (!problem.limits.clear_fillets && !problem.rating && !problem.draw) return true;
@@ -219,7 +219,8 @@ std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
 
 namespace {
 
-// Rounds a cost to multiples of kSame, because the rounding errors of equal costs depend on the module.
+// Rounds a cost to multiples of kSame. Otherwise, rounding errors, which depend on the module,
+// would rank designs of equal cost.
 double settled(double cost) {
   constexpr double kSame = 1e-11;
   constexpr double kTooLarge = 1e4;  // from this value on, rounding errors exceed a step of kSame

@@ -100,10 +100,8 @@ class ParetoFront {
  public:
   explicit ParetoFront(const SearchProblem& problem) : problem_(&problem) {}
   void add(const DesignRow& row);
-  const std::vector<DesignRow>& rows() const {
-    return rows_;
-  }  ///< in the order in which they were
-     ///< added
+  /// In the order in which they were added.
+  const std::vector<DesignRow>& rows() const { return rows_; }
 
  private:
   const SearchProblem* problem_;

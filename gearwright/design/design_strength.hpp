@@ -49,7 +49,7 @@ double mass_of(const ShiftGraph& graph, const DesignRow& row);
 // The strength of an internal gear depends on the number of teeth of its cutter. Its path of
 // contact depends on the radius at which its fillet begins. Both are known only after a tooth has
 // been generated, which takes as long as a hundred ratings. Measured in modules, they are equal for
-// all designs with the same wheel.
+// all designs whose wheels have the same number of teeth, rack, helix angle and profile shift.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 
 /// The cutter of an internal gear. There is no cutter if every cutter would remove a part of the

@@ -176,7 +176,7 @@ class SetSearch {
   }
 
   double size_of(const TeethOfSet& z, const SetMeshes& meshes) const {  // modules
-    constexpr double kRootDepth = 1.25;  // modules, of the basic rack
+    constexpr double kRootDepth = 1.25;  // dedendum of the basic rack, modules
     const int rings = std::max(z[at(M::ring)], z[at(M::ring2)]);
     const int planets = std::max(z[at(M::planet)], z[at(M::planet2)]);
     const double outer = 2 * distance(meshes.list[0]) + planets * transverse_ + 2.0;
@@ -407,7 +407,7 @@ std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
-  // Candidates are in such an order that only an earlier candidate can dominate a later one.
+  // The candidates are sorted by their costs, so only an earlier one can dominate a candidate.
   std::vector<std::size_t> front;
   const auto beats = [&](const std::vector<double>& a, const std::vector<double>& b) {
     return a != b && std::equal(a.begin(), a.end(), b.begin(), std::less_equal<>());

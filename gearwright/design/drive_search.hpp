@@ -45,7 +45,7 @@ using TeethBand = std::array<int, 2>;  ///< both ends included
 
 struct DriveSearchProblem {
   DriveKind kind = DriveKind::planetary;
-  std::array<double, 2> ratio{};       ///< both ends included, signed
+  std::array<double, 2> ratio{};       ///< band of i, both ends included, signed
   std::optional<double> target_ratio;  ///< by default the middle of the band
   TeethBand planets{3, 3};
   /// Bands for the members of this kind of set. By default, those of teeth_band() are used.
@@ -113,8 +113,8 @@ struct DriveSearchResult {
 
 /// All candidates that meet the limits.
 ///
-/// Formula   the sums of teeth of all meshes with a common centre distance differ by at most
-///           `coaxial_teeth`, because all meshes of a set have the same module
+/// Formula   all meshes of a set have the same module, so meshes with a common centre distance must
+///           have nearly equal sums of teeth: they differ by at most `coaxial_teeth`
 /// Domain    bands from 1 to kMostDriveTeeth (contract)
 /// Errors    `drive.fixed`, `drive.input` or `drive.output` if the set has no such member, or if
 ///           one member has two of these functions

@@ -20,14 +20,15 @@ namespace gearwright {
 namespace {
 
 constexpr int kSteepestHelix = 75;     // degrees; greatest helix angle
-constexpr double kMinTipFillet = 0.1;  // modules; a cutter with a smaller tip radius overheats
+constexpr double kMinTipFillet = 0.1;  // least radius of the pinion's tip fillet, modules; a cutter
+                                       // of this shape with a smaller radius would overheat
 constexpr double kSameRatio = 0.02;
 // Sums of shifts count as equal if they differ by less than this, modules. The grid has steps of
 // 0.001.
 constexpr double kSameSum = 1e-6;
 // Helix angles are rounded to 1/kHelixSteps of a degree, so that drawings show them exactly.
 constexpr double kHelixSteps = 1e9;
-// Relative difference between the least centre distance and the sum of the base radii.
+// Relative amount by which the least centre distance exceeds the sum of the base radii.
 constexpr double kOffBase = 1e-9;
 // Relative rounding error between two computations of the same radius.
 constexpr double kSameRadius = 1e-9;
@@ -36,7 +37,7 @@ constexpr double kSameRadius = 1e-9;
 // contact ratios of two candidates fall into the same step, the candidate with the smaller
 // |x1 + x2| is better.
 struct Rank {
-  double ratio, sum;  // in whole steps
+  double ratio, sum;  // contact ratio and |x1 + x2|, as whole numbers of steps
 
   static Rank of(double ratio, double shift_sum) {
     return {std::floor(ratio / kSameRatio), std::round(std::abs(shift_sum) / kSameSum)};
@@ -195,7 +196,7 @@ class Search {
     return c;
   }
 
-  // The cutter, its gear, and the generating centre distance E.
+  // The cutter as a spec and as a gear, and the generating centre distance E.
   struct Place {
     CylindricalSpec cutter;
     Gear gear;
@@ -229,8 +230,8 @@ class Search {
       return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance
                : std::numeric_limits<double>::quiet_NaN();
     };
-    // The search proceeds in steps of one degree, because the difference does not exist if the
-    // shifts have no backlash-free centre distance.
+    // `miss` is the difference from the given centre distance. The search proceeds in steps of one
+    // degree, because `miss` is NaN where the shifts have no backlash-free centre distance.
     double before = 0.0;
     for (int degree = 1; degree <= kSteepestHelix; ++degree) {
       const double beta = Angle::degrees(degree).rad();
@@ -241,7 +242,7 @@ class Search {
   }
 
   // The generating centre distance E for a given helix angle and centre distance a, from the
-  // equation E + σ j/(2 tan α_wt) = a. The shift of the wheel follows from E.
+  // equation E + σ j/(2 tan α_wt) = a with the backlash j. The shift of the wheel follows from E.
   std::optional<double> distance_within(const Gear& cutter) const {
     const double r =
         cutter.base_radius() * std::abs(1.0 + static_cast<double>(p_.teeth[1]) / p_.teeth[0]);

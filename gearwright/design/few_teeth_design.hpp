@@ -1,7 +1,7 @@
 // Design of a pinion with few teeth and its wheel. Among the profile shifts that cause no undercut,
 // cusp, pointed tooth or interference, those with the longest path of contact are chosen.
 //
-//   x1, x2   profile shifts of pinion and wheel, the two unknowns       C    clearance at both tips, mm
+//   x1, x2   profile shifts of pinion and wheel, the unknowns     C    clearance at both tips, mm
 //
 // A pinion whose tip is longer by C cuts the wheel. The wheel is therefore conjugate to the tip
 // fillet and the root fillet of the pinion. The tips of both gears are then shortened by C.
@@ -38,8 +38,8 @@ struct FewTeethProblem {
   double root_offset = 0.0;               ///< distance between the root fillet and the undercut
                                           ///< limit
   double min_tip_land = 0.0;              ///< least normal thickness at both tips
-  double min_gap = 0.0;                   ///< smallest chord of both tooth spaces at the start of
-                                          ///< the flanks
+  double min_gap = 0.0;                   ///< least permissible chord of the tooth spaces of both
+                                          ///< gears at the start of the flanks
   double clearance = 0.0;                 ///< C
   double backlash = 0.0;                  ///< circumferential backlash
   double contact_ratio = 1.2;             ///< total contact ratio, which determines the face width

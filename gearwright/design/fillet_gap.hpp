@@ -8,9 +8,10 @@
 //   gap      the minimum over the fillet of (angle of the fillet − angle of the corner)·radius
 //                                              theory: docs/theory/09-design-search.md, 9.3
 //
-// The gap is measured along a circle. It has the sign of the true distance, and its magnitude is
-// not smaller. Near the start of the flank, it is small, because the corner has just left the
-// flank. Therefore only its sign is checked, and the form clearance serves as the margin.
+// The gap is measured along a circle. It has the sign of the distance between corner and fillet,
+// and its magnitude is at least as great. Near the start of the flank, the gap is small, because
+// the corner has just left the flank. Therefore only its sign is checked, and the form clearance
+// serves as the margin.
 #pragma once
 
 #include <optional>

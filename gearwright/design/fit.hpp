@@ -1,8 +1,8 @@
 // Finds gears for a given centre distance, shaft angle and ratio. This is the inverse of computing
 // a pair.
 //
-//   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, with β_w2 = Σ − β_w1: the sum of the pitch diameters in units
-//        of p_n/π
+//   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, with β_w2 = Σ − β_w1: the sum of the pitch diameters in
+//        units of p_n/π
 //   T = 2 a cos α_wn/(m_n cos α_n), the required value of H
 //                                              theory: docs/theory/04-conjugate-action.md, 4.9
 //
@@ -50,8 +50,8 @@ struct FitBranch {
 struct Fit {
   std::vector<FitBranch> branches;  ///< by ascending |β_1|, or by ascending α_wn for known gears
   std::string reason;               ///< why there is no solution; empty if there is one
-  std::optional<double> nearest_distance;    ///< mm, at the given shaft angle
-  std::optional<Angle> nearest_shaft_angle;  ///< at the given centre distance
+  std::optional<double> nearest_distance;    ///< nearest possible a at the given Σ, mm
+  std::optional<Angle> nearest_shaft_angle;  ///< nearest possible Σ at the given a
 };
 
 /// Computes the absent values.

@@ -67,7 +67,8 @@ inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double
 template <class F>
 double climb(const F& f, double a, double b, const Hump& hump = {}) {
   constexpr double kGolden = 0.6180339887498949;
-  // This value suits variables of the order of 1, such as shifts and their sums.
+  // Width of the interval at which the search ends. It suits variables of the order of 1, such as
+  // shifts and their sums.
   constexpr double kNarrow = 1e-13;
   constexpr double kUnknown = -std::numeric_limits<double>::infinity();
   double x = b - kGolden * (b - a);

@@ -31,9 +31,10 @@ namespace {
 constexpr double kMargin = 0.1 * kRadPerDeg;     // least distance between a working helix angle and
                                                  // 90°
 constexpr double kSteepest = 89.0 * kRadPerDeg;  // greatest helix angle of a gear
-constexpr double kParallel = 1e-9;               // rad, as in pair/partners.cpp
-constexpr int kCells = 512;  // number of cells of the range of β_w1 for finding roots of functions
-                             // of unknown shape
+constexpr double kParallel = 1e-9;               // greatest |Σ| of parallel axes, rad, as in
+                                                 // pair/partners.cpp
+constexpr int kCells = 512;  // number of cells into which the range of β_w1 is divided to find the
+                             // roots of functions of unknown shape
 // H as a function of β_w1 at one shaft angle, and its minimum.
 class PitchSum {
  public:
@@ -66,8 +67,8 @@ class PitchSum {
     std::vector<double> found;
     for (const auto& [from, to] : {std::pair{lo_, argmin_}, std::pair{argmin_, hi_}}) {
       const Root root = find_root(f, from, to);
-      // If the bracket contains no root, the root lies outside the range. H is so great there that
-      // no practical gear has this value.
+      // If the bracket contains no root, the solution lies outside the range of β_w1. H is so great
+      // there that no practical gear has this value.
       if (root.stop == RootStop::no_bracket) continue;
       GW_ENSURES(root.found());
       if (found.empty() || found.back() != root.x) found.push_back(root.x);
@@ -180,7 +181,7 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
                                       Angle::radians(std::acos(cos_wn)).deg()))
                       .rule;
   if (p.teeth[1] < 0) return;
-  // The smallest sum of the pitch diameters is z1 + z2. The sum grows with |Σ|.
+  // H is at least z1 + z2, its value on parallel axes, and grows with |Σ|.
   if (!(t > p.teeth[0] + p.teeth[1])) {
     result.reason += fmt::format(
         "; at the given centre distance there is no such pair at any shaft angle, because even on "
@@ -192,7 +193,7 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   const auto f = [&](double s) { return PitchSum(p.teeth, sign * s).min() - t; };
   const Root root = find_root(f, 0.0, std::numbers::pi - 3 * kMargin);
   if (root.found())
-    result.nearest_shaft_angle = Angle::radians(sign * root.x);  // none for |Σ| ≤ 179.8°
+    result.nearest_shaft_angle = Angle::radians(sign * root.x);  // absent if |Σ| exceeds 179.7°
 }
 
 std::optional<Error> contradiction(const FitProblem& p) {

@@ -35,7 +35,8 @@ class Least {
         std::int64_t most_questions)
       : knob_(&knob), watch_(&watch), max_questions_(most_questions), problem_(problem) {}
 
-  /// The nearest value with which a design exists. The change is rounded up to four digits.
+  /// The nearest value with which a design exists. The change is rounded away from zero to a number
+  /// of four digits.
   std::optional<double> find() {
     if (knob_->value == knob_->far || !reach()) return std::nullopt;
     const auto to = knob_->kind == Knob::Kind::limit ? of_limit() : of_new_trials();

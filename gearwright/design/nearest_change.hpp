@@ -5,9 +5,9 @@
 // that do not help at any value are omitted. There are two kinds of numbers:
 //   limits          A change widens the region of every trial. The result is the smallest change
 //                   over all trials. They are evaluated in random order, each first with a change
-//                   slightly smaller than the best one so far. Only a trial that is then feasible
-//                   (about ln n of n trials) is bisected.
-//   ratio, teeth    A change adds trials with the same limits. The nearest feasible one is used.
+//                   slightly smaller than the best one so far. Only for a trial that is then
+//                   feasible (about ln n of n trials), its smallest change is found by bisection.
+//   ratio, teeth    A change adds trials but keeps the limits. The nearest feasible trial is used.
 //
 // For rated designs, the load, the face width and the steel are changed as well. A bisection of the
 // whole search would evaluate each trial in every step. Here, each trial is evaluated only a few
@@ -44,13 +44,14 @@ struct NearestChanges {
   std::optional<DesignRow> safest;
 };
 
-/// The greatest number of trials that are evaluated repeatedly.
+/// Greatest number of trials of a search for which changes are computed, because trials are then
+/// evaluated repeatedly.
 inline constexpr std::int64_t kMaxForChange = 2'000'000;
 /// Greatest number of graphs computed for one member. 2000 graphs of the slowest kind, those with
 /// shortened tips, take 1 s.
 inline constexpr std::int64_t kMaxChangeQuestions = 10'000;
 
-/// Returns the changes by ascending effort. The watch receives the number of trials.
+/// Returns the changes by ascending effort. The watch receives the number of evaluations of trials.
 ///
 /// Domain    no design is feasible; size() ≤ kMaxForChange (contract)
 NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& watch = {},

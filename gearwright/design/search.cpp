@@ -21,8 +21,8 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   return *this;
 }
 
-// Represents an absent limit of a shift or a distance, modules. It exceeds all real values, and its
-// square is finite.
+// Represents an absent limit of a shift or a centre distance, modules. It exceeds all shifts and
+// distances that occur, and its square is finite.
 constexpr double kNoLimit = 1e9;
 
 Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {
@@ -94,8 +94,8 @@ class Sieve {
       a_lo = (*distance)[0] / t.module;
       a_hi = (*distance)[1] / t.module;
     }
-    // Shortened tips are thicker, so x_max is not the greatest shift. The filter then uses only the
-    // limit of the problem, and the graph computes the greatest shift.
+    // If tips are shortened, they are thicker, so a shift may exceed x_max. The filter then uses
+    // only the limit of the problem, and the graph computes the greatest shift.
     const double hi_1 = shortened_ ? ceiling_ : g_1.x_max;
     const double hi_2 = shortened_ ? ceiling_ : g_2.x_max;
     const double values[] = {g_1.r, g_1.x_min, hi_1, g_2.r, g_2.x_min, hi_2, a_lo, a_hi};
@@ -202,8 +202,8 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
              rows.back() = *design_row(graph, wish.detail);
            return true;
          }
-         // If a region remains, the reason is that the tips cut into the fillets at all points that
-         // were tried.
+         // If no limit removes the whole region, the trial is rejected because the tips cut into
+         // the fillets at all points that were tried.
          const Limit limit = graph.what_kills().value_or(Limit::interference);
          ++result.rejected[static_cast<std::size_t>(limit)];
          return true;

@@ -99,8 +99,8 @@ void SearchSpace::next(Cursor& c) const {
 
 Trial SearchSpace::trial_of(const Cursor& c) const {
   const Angle beta = problem_->helix[c.helix];
-  // β2 = Σ − β1 on crossed axes, β2 = β1 for an internal gear, β2 = −β1 for an external pair on parallel
-  // axes.
+  // β2 = Σ − β1 on crossed axes, β2 = β1 for an internal gear, β2 = −β1 for an external pair on
+  // parallel axes.
   const Angle mate = problem_->crossed()    ? *problem_->shaft_angle - beta
                      : problem_->internal() ? beta
                                             : Angle() - beta;

@@ -18,9 +18,9 @@ using detail::raise;
 
 namespace {
 
-// Relative difference between the least centre distance and the sum of the base radii. At this
-// distance, the working pressure angle is 4e-5 rad. At smaller distances, double precision cannot
-// decide whether the gears mesh.
+// Relative amount by which the least centre distance exceeds the sum of the base radii. At this
+// centre distance, the working pressure angle is 4e-5 rad. At smaller distances, double precision
+// cannot decide whether the gears mesh.
 constexpr double kMinOpening = 1e-9;
 
 }  // namespace
@@ -150,7 +150,7 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
 ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   Sums s = plain_sums(limits, Band::asked);
   if (s.lo_edge == ShiftEdge::Cmax && s.hi_edge == ShiftEdge::Cmax)
-    return s;  // the limit cannot be reached
+    return s;  // no Σ meets the upper limit of the centre distance
   // The range also ends at the corners of the rectangle of shifts. A corner is a point, so no edge
   // is named.
   raise(s.lo, gears_[0].x_min + gears_[1].x_min);
@@ -241,7 +241,7 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
   return {x1, path_length(at, sum, x1)};
 }
 
-// The point with E = K between the maximum of the path length and a bound. Absent if there is none.
+// The x1 with E = K between the x1 of the longest path and a bound of x1. Absent if there is none.
 std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, const Longest& top,
                                               LineSide side, double bound) const {
   const bool below = side == LineSide::lo;

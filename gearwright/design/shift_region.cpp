@@ -138,9 +138,9 @@ double sum_at(double from, double to, double theta) {
 }
 
 // Greatest number of bisections for the integral of the area. Near an end at which x1 varies as a
-// square root, seven more digits need three bisections.
+// square root, three bisections add seven correct digits.
 constexpr unsigned kBisections = 10;
-constexpr double kAreaTolerance = 1e-12;  // modules², for the area under the stretch
+constexpr double kAreaTolerance = 1e-12;  // modules², for the area under one stretch of a side
 // Relative rounding error of a bound of x1, which is a difference of radii. The tolerance of the
 // integral must not be smaller; otherwise rounding would cause repeated bisections.
 constexpr double kAreaRounding = 1e-13;

@@ -33,7 +33,7 @@ struct ShiftRegion {
   RegionDetail detail = RegionDetail::whole;
   std::vector<Interval> sums;            ///< ranges of Σ; more than one if the region consists of
                                          ///< several pieces
-  std::array<Vec2, 2> lo_edge, hi_edge;  ///< the complete slices at the ends
+  std::array<Vec2, 2> lo_edge, hi_edge;  ///< ends of the slices with the least and the greatest Σ
   Vec2 lo, hi;
   double area = 0.0;                    ///< computed only with RegionDetail::whole
   std::vector<Interval> balanced_sums;  ///< Σ of the feasible points on the line of Eq. 11
@@ -51,8 +51,8 @@ std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
 /// are only just met. If no point on the line of balanced strength keeps this distance, half of the
 /// greatest distance on the line is used. The band of centre distances does not count as a border.
 inline constexpr double kWallDistance = 0.05;
-/// Considers the points on the line of balanced strength that keep a distance from the borders, and
-/// returns the one with Σ nearest 0. Absent if there is no such point. If interference is
+/// Considers the points on the line of balanced strength that keep this distance from the borders,
+/// and returns the one with Σ nearest 0. Absent if there is no such point. If interference is
 /// permitted, the point need not keep the distance. If it then lies at a border, the result is
 /// absent, and ShiftRegion::balanced contains the point. If Σ = 0 is feasible, all limits are
 /// usually evaluated only once.

@@ -31,8 +31,8 @@ void add_strength_knobs(const SearchProblem& problem, std::vector<Knob>& knobs);
 /// Steels of the built-in table that are stronger than the steel of gear 1, weakest first. Empty if
 /// the material is a plastic.
 std::vector<Material> stronger_steels(const SearchRating& rating);
-/// The design whose safety factors come nearest to the required ones. At most this number of
-/// randomly chosen trials is considered.
+/// The design whose safety factors come nearest to the required ones. At most `most_questions`
+/// randomly chosen trials are considered.
 std::optional<DesignRow> safest_design(const SearchProblem& problem, const SearchWatch& watch,
                                        std::int64_t most_questions);
 

@@ -54,7 +54,8 @@ Shifts thick_enough(const TrialGear& g, double k) {
   if (g.teeth > 0) {
     const double start = std::max(edge, 0.0);
     as_a_rule = margin(start) >= 0.0 && margin(hi) < 0.0;
-    // From about a hundred teeth on, the tip may be too thin even on the base circle.
+    // Even a tip on the base circle, at the shift `edge`, may be too thin if the gear has more than
+    // about a hundred teeth. The general search below then finds the interval.
     if (as_a_rule && margin(edge) >= 0.0) return {edge, find_root(margin, start, hi).x, true};
   }
   const auto pieces = where_not_negative(margin, lo, hi, 64);

@@ -76,8 +76,8 @@ std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetu
 }
 
 std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup) {
-  // An involute pair touches along lines. `compensate` corrects its lead by helix slope
-  // modifications instead of a lead angle.
+  // There is no result for an involute pair. It touches along lines, and `compensate` corrects its
+  // lead by helix slope modifications instead of a lead angle.
   const ArcPair* arcs = job.pair->arcs();
   if (!arcs || setup.gear(1).twist() == 0.0) return std::nullopt;
   const bool gear2_drives = job.spec.contact.driver == 2;
@@ -89,7 +89,7 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
     const auto slope = [&](double d) {
       return middle_slope(setup, gear2_drives, gear, Angle::radians(d));
     };
-    constexpr double kReach = 0.01;  // rad: slightly more than half a degree
+    constexpr double kReach = 0.01;  // rad; greatest change of the lead angle, more than 0.5°
     const auto lo = slope(-kReach);
     const auto hi = slope(kReach);
     if (!lo || !hi || *lo * *hi > 0.0) continue;
@@ -321,7 +321,9 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
 
 namespace {
 
-constexpr double kSamePressure = 0.1;  // MPa; one ten-thousandth of usual flank pressures
+// Pressures that differ by less than this, MPa, count as equal. It is one ten-thousandth of usual
+// flank pressures.
+constexpr double kSamePressure = 0.1;
 
 }  // namespace
 

@@ -35,7 +35,7 @@ const Value kNothing;
 
 // The values of one column, a value for each row.
 using Cells = std::vector<const Value*>;
-using Rows = std::vector<const ValueRecord*>;  // null if a row has no such record
+using Rows = std::vector<const ValueRecord*>;  // a record for each row, null if the row has none
 
 // Calls f(column, cells) for each column of a table that is also in JSON and has a value in at
 // least one row.

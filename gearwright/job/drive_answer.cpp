@@ -242,7 +242,7 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   Json table = expanded["drive"]["gear"][gear];
   table.erase("name");
   table.erase("body");
-  if (job.drive.graph.gears[gear].rack) {  // the pinion of the rack contains the other data
+  if (job.drive.graph.gears[gear].rack) {  // the teeth are in the table of its pinion
     Json bar = Json::object();
     for (const auto& [key, value] : table.items())
       if (rack_bar_keys().find(key)) bar[key] = value;

@@ -1,4 +1,4 @@
-// The answer of the verb drive. Internal to job/ and its tests.
+// The answer of the verb `drive`. Internal to job/ and its tests.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@ namespace gearwright {
 /// Tables for users: the whole drive, bodies, meshes, planets, phases, and the stages of a train.
 std::string drive_listing(const Drive& drive, UnitSystem units);
 
-/// The answer of the verb drive. It includes the drive under load if the spec has [load].
+/// The answer of the verb `drive`. It includes the drive under load if the spec has [load].
 ///
 /// Errors    the errors of solve_drive() and load_drive()
 Result<Answer> answer_drive(const JobSpec& spec, Progress* progress = nullptr);
 
-/// The answer of the verb drive with each mesh rated by ISO 6336.
+/// The answer of the verb `drive` with each mesh rated by ISO 6336.
 ///
 /// Errors    the errors of solve_drive() and load_drive(); `rating.…` for the errors of
 ///           rate_meshes() and material_of()
@@ -34,7 +34,8 @@ inline constexpr std::size_t kDefaultDrives = 100;
 /// True if the spec has a [search] for drives.
 bool searches_drives(const JobSpec& spec);
 
-/// The best drives of the search, each computed by the verb drive. `specs` contains their specs.
+/// The best drives of the search, each computed by the verb `drive`. Answer::specs contains the
+/// spec of each drive.
 ///
 /// Domain    a spec with a search for drives (contract)
 /// Errors    the errors of search_drives(), with the keys of the spec
@@ -50,9 +51,9 @@ struct MeshSpec {
 };
 
 /// The spec of a mesh has its two gears at their centre distance, with the shifts and tip diameters
-/// in the drive. If the mesh carries load, it also has the torque, the speed relative to the
-/// carrier, the driving gear and the rating. The tables for errors, contact, drawing and scatter
-/// are copied from the drive. If one gear is a rack, the rack is gear 2.
+/// that they have in the drive. If the mesh carries load, the spec also has the torque, the speed
+/// relative to the carrier, the driving gear and the rating. The tables for errors, contact,
+/// drawing and scatter are copied from the drive. If one gear is a rack, the rack is gear 2.
 ///
 /// Laws      the pair of this spec has the same numbers as the mesh in the drive
 /// Domain    expanded = expanded_spec() of the drive (contract)

@@ -53,7 +53,8 @@ Result<double> torque_of(const JobSpec& spec, const Drive& drive) {
   return given.empty() ? std::abs(*own) : given.front();
 }
 
-// The position errors of the pins in mm. A single number applies to the first pin.
+// The position errors of the pins in mm. A single number applies to the first pin, and all other
+// pins then have no error.
 std::vector<double> pins_of(const LoadInput& input, const Drive& drive) {
   std::vector<double> pins;
   for (const double error : input.pin_errors) pins.push_back(error * kMmPerUm);
@@ -89,7 +90,9 @@ Result<LoadRequest> request_of(DriveJob& job, const Json& expanded, std::size_t 
                                const LoadInput& load) {
   Json tables = mesh_spec(job, expanded, mesh).tables;
   for (const char* table : {"rating", "scatter", "drawing"}) tables.erase(table);
-  tables["load"]["torque_Nm"] = 1.0;  // only bodies, slices and accuracy are used
+  // [load] must have a torque. Its value has no effect, because the request is used only for the
+  // gear bodies, the slices and the accuracy.
+  tables["load"]["torque_Nm"] = 1.0;
   const auto spec = read_spec_tree(tables);
   if (!spec) return spec.error();
   auto solved = solve(*spec, Scope::pair);

@@ -1,4 +1,4 @@
-// The verb identify computes the gears that agree with the readings of an unknown gear.
+// The verb `identify` computes the gears that agree with the readings of an unknown gear.
 // Internal to job/ and the program.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace gearwright {
 struct IdentifyAnswer {
   int gear;  ///< 1 or 2, the gear with the readings
   Identification found;
-  std::vector<Json> specs;  ///< for each candidate, the spec as read with that gear
+  std::vector<Json> specs;  ///< for each candidate, the spec with the data of that candidate
   /// For each candidate, its number and likelihood, followed by facts that the readings do not
   /// determine.
   std::vector<std::vector<std::string>> notes;
@@ -22,7 +22,7 @@ struct IdentifyAnswer {
 
 /// Computes the candidates for the unknown gear of the spec.
 ///
-/// Errors    `gear1.measured` if it is missing; the errors of identify, with the keys of the spec
+/// Errors    `gear1.measured` if it is missing; the errors of identify(), with the keys of the spec
 Result<IdentifyAnswer> answer_identify(const JobSpec& spec);
 
 /// {"identify": {"candidates", "contradiction", "next_measurement", "reason"}}

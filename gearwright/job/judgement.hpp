@@ -17,7 +17,8 @@ namespace gearwright {
 struct JudgedParts {
   const ContactResult* contact = nullptr;  ///< under the spec's errors
   const RatingAnswer* rating = nullptr;    ///< with the required safeties of the spec
-  bool load = false;  ///< true if computed; its findings are warnings of the job
+  bool load = false;  ///< true if contact under load is computed; its findings are warnings of the
+                      ///< job
 };
 
 /// The verdict, with the keys of a file.

@@ -33,9 +33,9 @@ std::string pad_left(const std::string& s, std::size_t n) {
 }
 
 constexpr std::size_t kWordsWidth = 38;  // minimum width, if all labels are shorter
-constexpr std::size_t kSymbolWidth = 9;  // "F_z/F_t" and two blanks
+constexpr std::size_t kSymbolWidth = 9;  // the longest symbol, "F_z/F_t", and two blanks
 constexpr std::size_t kValueWidth = 13;  // "-123456.1234"; a line for two gears then has 80 columns
-constexpr std::size_t kUnitWidth = 11;   // "N/(mm µm)" and two blanks before a note
+constexpr std::size_t kUnitWidth = 11;   // the longest unit, "N/(mm µm)", and two blanks
 
 std::string line(const std::string& words, std::size_t words_width, const std::string& symbol,
                  const std::vector<std::string>& values, std::string_view unit,

@@ -13,7 +13,8 @@ namespace gearwright {
 std::string title_listing(const JobSpec& spec, std::string_view before = "");
 std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair, UnitSystem units);
-/// The pair and its range within the tolerances. The listing is empty without a pair.
+/// The values of the pair and their ranges within the tolerances. The listing is empty without a
+/// pair.
 std::string pair_listing(const SolvedJob& job);
 /// Lists records side by side, in these units, under the headings `columns`. Without `columns`
 /// there is one record, which may have two values for each quantity. `note` returns the text at the

@@ -139,8 +139,8 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
 
 namespace {
 
-// The result over equal positions of one pitch. If the spec has other rotations, it is computed
-// again.
+// The result at equally spaced positions over one pitch. If the spec lists rotations instead, the
+// result for these positions is computed here.
 Result<LoadAnalysis> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answer,
                                   Progress* progress) {
   if (job.spec.load.rotations.empty()) return answer;

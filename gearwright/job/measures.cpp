@@ -35,7 +35,7 @@ Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, in
 // are those of North American practice, 1.728/P for an external and 1.68/P for an internal gear
 // (ANSI/AGMA 2002-B88, the sizes of Van Keuren), if they touch the usable flanks.
 MeasureInput tools_of(const SolvedJob& job, int which) {
-  constexpr double kExternal = 1.728, kInternal = 1.68;  // modules
+  constexpr double kExternal = 1.728, kInternal = 1.68;  // diameters of balls and pins, modules
   MeasureInput tools = job.spec.gear(which).measure;
   const auto pitch_given = [&](int gear) {
     return job.spec.given.contains(gear_field(gear, "normal_diametral_pitch_per_in"));

@@ -1,4 +1,4 @@
-// The verb measure, and the description of a gear by another rack. Internal to job/ and the
+// The verb `measure`, and the description of a gear by another rack. Internal to job/ and the
 // program.
 #pragma once
 

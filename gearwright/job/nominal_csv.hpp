@@ -31,7 +31,7 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
 // The K-diagrams of all flanks that have modifications or an accuracy grade, for the page.
 
 /// One diagram for each gear if both flanks are equal, otherwise one for each flank. A modification
-/// that does not fit its flank is omitted, because the verb contact reports it.
+/// that does not fit its flank is omitted, because the verb `contact` reports it.
 std::vector<KDiagram> k_diagrams(const SolvedJob& job);
 
 }  // namespace gearwright

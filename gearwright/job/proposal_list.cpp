@@ -137,8 +137,8 @@ ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
   if (lead.any()) {
     for (const ReliefProposal& r : reliefs) list.proposals.push_back(tips_of(r, 0.0));
     add({});
-    list.remarks.clear();  // the next search makes the remarks again, for the helix modifications
-                           // of `lead`
+    list.remarks.clear();  // replaced by remarks on the reliefs with the helix modifications of
+                           // `lead`
     reliefs = find_reliefs(job, task, compliance, &lead, list.remarks);
   }
   for (const ReliefProposal& r : reliefs) add(tips_of(r, 0.0));

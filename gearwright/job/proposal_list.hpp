@@ -26,7 +26,8 @@ GradeDeviations grade_deviations(const SolvedJob& job);
 struct ProposalList {
   std::vector<Proposal> proposals;
   std::optional<std::array<double, 2>>
-      short_deflection{};            ///< C_i  mm, with the helix modifications of the spec
+      short_deflection{};            ///< C_i  mm, for the shortest reliefs with the helix
+                                     ///< modifications of the spec
   std::vector<std::string> remarks;  ///< sentences about reliefs that are missing or small
 };
 

@@ -19,7 +19,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kLimitPositions = 16;  // per pitch, at the limits of the helix slopes
+constexpr int kLimitPositions = 16;  // greatest number of positions per pitch for the scores at the
+                                     // limits of the helix slope deviation
 
 std::optional<Error> not_made_for(const SolvedJob& job) {
   if (auto error = one_helix_error(job)) return error;
@@ -120,7 +121,8 @@ std::string arrow(double from, double to, int decimals) {
   return fmt::format("{} → {}", fixed_decimals(from, decimals), fixed_decimals(to, decimals));
 }
 
-// The score that determines the pressure. With tolerances, it is the score at their limits.
+// The score whose pressure is compared. If there is a helix slope deviation, it is the score at the
+// limits of this deviation.
 const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limits : p.worst; }
 
 int edge_rank(const Proposal& p) { return p.worst.edge_carries ? 2 : pressed(p).edge_carries; }
@@ -183,7 +185,8 @@ std::string origin(const ProposeAnswer& a, std::size_t i) {
 
 std::size_t recommended(const std::vector<Proposal>& list) {
   GW_EXPECTS(!list.empty());
-  constexpr double kWorth = 0.99;  // a proposal with more changes must be better by 1 %
+  constexpr double kWorth = 0.99;  // a later proposal, with more changes, replaces the best one
+                                   // only if its merit is smaller by 1 %
   const Proposal& given = list.front();
   const auto relative = [](double x, double to) { return std::isfinite(to) ? x / to : 1.0; };
   const auto merit = [&](const Proposal& p) {

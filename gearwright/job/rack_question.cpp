@@ -1,4 +1,4 @@
-// The option --as-rack of the verb gear describes the same teeth by another rack.
+// The option --as-rack of the verb `gear` describes the same teeth by another rack.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -33,7 +33,8 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text) {
     if (part.empty()) return std::nullopt;
     char* end = nullptr;
     const double v = std::strtod(part.c_str(), &end);
-    good = good && part.find_first_not_of("0123456789.eE+-") == std::string::npos;  // no hex
+    // strtod also accepts hexadecimal numbers, "inf" and "nan", which are rejected here.
+    good = good && part.find_first_not_of("0123456789.eE+-") == std::string::npos;
     good = good && end == part.c_str() + part.size() && std::isfinite(v) && v > 0.0;
     return v;
   };

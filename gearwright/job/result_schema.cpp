@@ -179,10 +179,10 @@ Json result_schema() {
                          {"items",
                           {{"anyOf", Json{schema.reference(gear_quantities().table()),
                                           schema.reference(rack_quantities().table())}}}}};
-  // The verb measure and --as-rack add these data to a gear.
+  // The verb `measure` and --as-rack add these data to a gear.
   const Json rack = schema.reference(as_rack_quantities().table());
   const Json measure = schema.reference(measure_quantities().table());
-  // A double-helical gear has its additional data at the same level.
+  // The additional data of a double-helical gear are members of the gear itself.
   const Json halves = schema.properties_of(double_helical_quantities().table());
   Json& gear = schema.definitions()[definition_name(gear_quantities().table())]["properties"];
   gear["as_rack"] = rack;

@@ -95,7 +95,8 @@ class Writer {
     relate("assembly", {{"assembly", unit_}, {"part", id}});
   }
 
-  // The default cutter of a ring is left out, because the reader chooses the same default.
+  // Adds the tool of a gear. The default cutter of a ring is left out, because a reader of the file
+  // chooses the same default.
   void add_tool(const Gear& gear, const std::string& name, const std::string& flank) {
     if (gear.cut_by && gear.cut_by->by_default) return;
     const StraightRack& rack = gear.spec.straight_rack();

@@ -22,9 +22,13 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kFewSamples = 256;       // of all replicates, for loaded teeth and for patterns
-constexpr int kLoadedPositions = 16;   // per pitch, if [load] has none
-constexpr int kDensityPositions = 16;  // per pitch; a parabola interpolates the gap between them
+// Greatest number of samples in all replicates together, for loaded teeth and for patterns.
+constexpr int kFewSamples = 256;
+// Number of positions per pitch for loaded teeth, if [load] does not give it.
+constexpr int kLoadedPositions = 16;
+// Greatest number of positions per pitch for patterns. A parabola interpolates the gap between
+// positions.
+constexpr int kDensityPositions = 16;
 
 // Adds the tolerances of an accuracy grade that the spec does not give individually.
 class Grades {
@@ -131,8 +135,8 @@ class Grades {
   double helix_total_ = 0.0;  // F_β of the worse gear  mm
 };
 
-// Positions per pitch, if [contact] gives no number. They are sufficient for the peak-to-peak
-// transmission error.
+// Number of positions per pitch, if [contact] does not give it. It is sufficient for the
+// peak-to-peak transmission error.
 constexpr int kPositions = 32;
 
 Distribution distribution_of(const DistributionSpec& spec) {
@@ -325,7 +329,8 @@ PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer, Pro
 
 namespace {
 
-// The first key that needs derivatives of one pair of flanks, which a double-helical pair does not have.
+// The first key that needs derivatives of one pair of flanks, which a double-helical pair does not
+// have.
 std::optional<Error> not_for_halves(const ScatterInput& input) {
   for (const auto& [key, given] :
        {std::pair("robust", input.robust.has_value()), std::pair("worst_case", input.worst_case),
@@ -380,12 +385,12 @@ void warn_of_samples(const Scatter& scatter, std::vector<Warning>& warnings) {
   if (scatter.jam.count > 0) {
     double least = 0.0;
     for (const ScatterSample& sample : scatter.samples)
-      if (sample.member.jams())
-        least = std::min(least, sample.member[ScatterQuantity::least_play]);
-    warnings.push_back({WarningCode::samples_jam,
-                        fmt::format("The gears jam in {} of {} samples. The least play of gear 2 is "
-                                    "{:.5f} degrees.",
-                                    scatter.jam.count, scatter.jam.of, least * kDegPerRad)});
+      if (sample.member.jams()) least = std::min(least, sample.member[ScatterQuantity::least_play]);
+    warnings.push_back(
+        {WarningCode::samples_jam,
+         fmt::format("The gears jam in {} of {} samples. The least play of gear 2 is "
+                     "{:.5f} degrees.",
+                     scatter.jam.count, scatter.jam.of, least * kDegPerRad)});
   }
   if (scatter.contact_lost.count > 0)
     warnings.push_back({WarningCode::samples_lose_contact,

@@ -41,7 +41,7 @@ DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, in
 PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer,
                           Progress* progress = nullptr, int most = 0);
 
-/// Replaces the names in an error of the room scatter by keys of [scatter].
+/// Replaces the names in an error of the functions of scatter/ by keys of [scatter].
 Error of_scatter(const ScatterTask& task, Error error);
 
 /// The view refers to `answer`.

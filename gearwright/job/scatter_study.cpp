@@ -98,7 +98,7 @@ std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
 // The designs of the result of a search: its folder, its search.json or the output of --json.
 //
 // Throws    IoError
-// Errors    "--designs": a file of another kind, a search that is not finished
+// Errors    "--designs": a file that is not the result of a search, a search that is not finished
 Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
   std::error_code error;
   const bool folder = fs::is_directory(given, error);

@@ -57,8 +57,8 @@ struct StudyRun {
 ///
 /// Throws    WorkStopped
 /// Errors    "--designs" if the search of the spec does not have the design; an error of [scatter],
-///           which concerns all designs. A failure that concerns this design only becomes a part of
-///           its row.
+///           which concerns all designs. A failure that concerns only this design is a part of its
+///           row.
 Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDesign& design,
                        const StudyOptions& options);
 

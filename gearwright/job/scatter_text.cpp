@@ -45,7 +45,8 @@ ValueMap by_input(const ScatterTask& task, const std::vector<double>& x) {
   return map;
 }
 
-// The errors of the spec with the changes of this sample, and the changes of the other inputs.
+// The errors of the spec with the changes of this sample, and the changes of those inputs that are
+// not errors of the spec.
 ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector<double>& x) {
   std::array<double, kErrorCount> errors = job.spec.errors.value;
   ValueMap others;
@@ -75,7 +76,7 @@ ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector
   return sample;
 }
 
-// `x_of` returns the coordinates of a sample.
+// The distribution of one quantity as a view. `x_of` returns the coordinates of a sample.
 template <class Of>
 SpreadView spread_view(const SolvedJob& job, const ScatterAnswer& a, const SpreadEntry& entry,
                        const Spread& spread, const Of& x_of) {

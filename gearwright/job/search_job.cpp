@@ -24,7 +24,8 @@ namespace {
 constexpr std::int64_t kMinChunk = 1 << 18;
 constexpr std::int64_t kShare =
     1 << 16;  // number of trials that a thread takes at a time, if no file is made
-constexpr std::int64_t kMaxChunk = 1 << 22;  // a thread holds the designs of one chunk
+// Greatest default number of trials in a chunk. A thread keeps the designs of its chunk in memory.
+constexpr std::int64_t kMaxChunk = 1 << 22;
 
 void flatten(const Json& node, const std::string& path, std::string& lines) {
   if (node.is_object()) {

@@ -1,4 +1,4 @@
-// The verb search: runs a search in memory, or as a campaign whose finished chunks stay on disk.
+// The verb `search`: runs a search in memory, or as a campaign whose finished chunks stay on disk.
 //
 //   trials   0 … N − 1, divided into chunks of equal size      campaign   many chunks and a folder
 //

@@ -33,8 +33,8 @@ void SearchWorkers::work(const Done& done) {
   const SearchWatch watch = [&](std::int64_t trials) {
     trials_done_ += trials;
     if (stopped()) return false;
-    constexpr unsigned kSeldom = 16;  // number of graphs between checks of the clock, so that
-                                      // checks take no time
+    constexpr unsigned kSeldom = 16;  // number of graphs between reports of the progress, so that
+                                      // the reports take little time
     if (trials > 0 || asked++ % kSeldom == 0) tell();
     return true;
   };

@@ -124,7 +124,7 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
   if (spec.drive) return "";
   if (!spec.has(1)) return spec.measured[0] ? "identify" : "search";
   if (!spec.has(2)) return "";
-  // The verb fit can compute the position, the helices and the profile shifts.
+  // The verb `fit` can compute the position, the helices and the profile shifts.
   const bool found_by_fit =
       error.kind == FailureKind::placement || error.kind == FailureKind::missing;
   const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;

@@ -112,7 +112,7 @@ Result<CaseOutcome> run_case(const Json& c) {
 }  // namespace
 
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text) {
-  constexpr int kDeepest = 64;  // a real case has ten levels
+  constexpr int kDeepest = 64;  // greatest depth of nesting; a real case has ten levels
   const auto unreadable = [](const std::string& why) {
     return Error{"", "", "the case file cannot be read: " + why};
   };

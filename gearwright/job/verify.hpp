@@ -28,8 +28,8 @@ struct CaseOutcome {
 
 /// Runs the cases of one file.
 ///
-/// Errors    a case file of another form; a file without a case, because an empty check must not
-///           pass
+/// Errors    a file that does not have the form above; a file without a case, because an empty
+///           check must not pass
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text);
 
 }  // namespace gearwright

@@ -20,7 +20,7 @@ std::optional<SheetFormat> sheet_format(const std::filesystem::path& path);
 struct WorkshopSheets {
   std::vector<Sheet> sheets;
   std::string scales;   ///< "1:1, 1:2"
-  double deviation_mm;  ///< greatest deviation of the outlines
+  double deviation_mm;  ///< greatest deviation of the drawn outlines from the exact ones
 };
 
 /// One sheet for each of these gears, 1 or 2. `tolerance_mm` applies to the outlines.

@@ -17,7 +17,7 @@
 
 namespace gearwright {
 
-/// True if the spec has one of the three tables.
+/// True if the spec has [planetary], [[stage]] or [drive].
 bool is_drive(const Json& tree);
 
 /// The graph of the drive and, for a train, its stages. [planetary] and [[stage]], the short forms,

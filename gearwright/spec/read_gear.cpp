@@ -181,7 +181,8 @@ Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   return whole;
 }
 
-// The default addendum of a cutter is sufficient for the tip clearance.
+// Default addendum of a cutter, modules. It cuts deep enough for the tip clearance of the mating
+// gear.
 constexpr double kCutterAddendum = 1.25;
 
 // The rack in [gearN], by default ISO53-A. `module`, in mm, selects one of the racks of GB/T 12759.

@@ -15,7 +15,7 @@ namespace {
 
 using Tree = boost::property_tree::ptree;
 
-constexpr int kDeepest = 32;  // REXS has six levels
+constexpr int kDeepest = 32;  // greatest depth of nested elements; REXS has six levels
 
 // The parser is recursive, with one call for each level, so the depth is checked before it runs.
 bool too_deep(std::string_view xml) {

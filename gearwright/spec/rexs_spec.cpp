@@ -65,8 +65,8 @@ class Reader {
     return std::nullopt;
   }
 
-  // The first component with one of these types that shares a relation of one of these types with
-  // `id`.
+  // The first component with a type in `types` that belongs to the same relation as `id`. The type
+  // of the relation must be in `relations`.
   const Component* related(std::string_view id, std::initializer_list<std::string_view> relations,
                            std::initializer_list<std::string_view> types) const {
     for (const RexsRelation& r : model_.relations) {

@@ -219,7 +219,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   };
   spec.measured = {read_measured(tree, 1), read_measured(tree, 2)};
   const bool unknown = spec.measured[0] || spec.measured[1];
-  for (const char* table : {"planetary", "stage", "drive"}) t.any(table);  // in spec/read_drive.cpp
+  for (const char* table : {"planetary", "stage", "drive"}) t.any(table);  // read below
   if (is_drive(tree)) {
     for (const char* table : {"gear1", "gear2", "pair", "search"})
       t.refuse(table,

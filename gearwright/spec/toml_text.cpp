@@ -61,8 +61,8 @@ bool tables(const Json& v) {
          std::all_of(v.begin(), v.end(), [](const Json& item) { return item.is_object(); });
 }
 
-// Plain values are written first, because a value after the heading of a table would belong to that
-// table.
+// Writes a table. Plain values are written first, because a value after the heading of an inner
+// table would belong to the inner table.
 void write_table(const Json& table, const std::string& path, std::string& out) {
   for (const auto& [key, value] : table.items()) {
     if (!value.is_object() && !tables(value))

@@ -52,7 +52,7 @@ class ChunkFolder {
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path path(std::int64_t chunk) const;
   bool there(std::int64_t chunk) const;
-  /// The numbers of all chunk files in ascending order. The list is empty if the folder does not exist.
+  /// The numbers of all chunk files in ascending order. The list is empty if there is no folder.
   std::vector<std::int64_t> list() const;
 
   /// The chunk, or nothing if its file does not exist.
@@ -61,8 +61,8 @@ class ChunkFolder {
   void write(std::int64_t chunk, std::string_view payload, const ChunkCounts& counts) const;
   /// Renames the file so that it no longer counts as a chunk.
   void set_aside(std::int64_t chunk) const;
-  /// Removes the temporary files of dead processes of this host, and all temporary files that are older
-  /// than a day.
+  /// Removes the temporary files of dead processes of this host, and all temporary files that are
+  /// older than a day.
   void remove_stale_parts() const;
 
  private:

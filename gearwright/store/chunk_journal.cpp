@@ -17,7 +17,7 @@ namespace {
 
 // A call waits this long for a lock and then fails. A process that holds a lock longer hangs.
 constexpr int kBusyMilliseconds = 60'000;
-constexpr int kLongestNap = 5;  // ms
+constexpr int kLongestNap = 5;  // longest wait between two attempts, ms
 
 // SQLite calls this with the number of earlier calls and tries again if the result is 1. With its
 // default handler, which sleeps up to 100 ms, two processes that wrote continuously kept each other

@@ -4,8 +4,9 @@
 //   campaign(key, value)    `fingerprint`, `chunks`, `counts`
 //   chunks(chunk, tested, feasible, <one column for each constraint>, bytes, writer, finished)
 //
-// `bytes` is the length of the payload, and `finished` is the time in UTC. Both `writer` and `finished`
-// are null in a row that was restored from the chunk file. No result of a search depends on the journal.
+// `bytes` is the length of the payload, and `finished` is the time in UTC. Both `writer` and
+// `finished` are null in a row that was restored from the chunk file. No result of a search depends
+// on the journal.
 //
 // Internal to store/, used through chunk_store.hpp.
 #pragma once

@@ -119,7 +119,8 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
     changed = fmt::format("{} belongs to another search, and there is no journal",
                           files.path(chunks[i]).filename().string());
   }
-  // In this case the search was killed before its first chunk, so it can start again.
+  // A search of this campaign without chunks was killed before its first chunk was finished, so it
+  // can start again.
   const bool just_begun = changed.empty() && chunks.empty();
   if (as == OpenAs::fresh && !just_begun) {
     const std::string all = old.empty() ? now.at("chunks") : Record(old)["chunks"];
@@ -186,8 +187,8 @@ std::vector<std::int64_t> ChunkStore::Impl::finished() const {
   return chunks;
 }
 
-// Renames a broken chunk and returns its fault, or nothing if the chunk is not broken. The chunk is read again under
-// the lock, because another process may have renamed or replaced it since it was read.
+// Renames a broken chunk and returns its fault, or nothing if the chunk is not broken. The chunk is
+// read again under the lock, because another process may have renamed or replaced it in between.
 std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
   const std::lock_guard lock(mutex);
   ChunkJournal::Transaction transaction(journal);
@@ -228,7 +229,8 @@ void ChunkStore::Impl::add(std::int64_t chunk, const ChunkCounts& counts) {
 
 // Checks every file and makes the journal agree with the files.
 void ChunkStore::Impl::square_accounts() {
-  // The rows are read before the files, so a row without a file has lost its file.
+  // A file is written before its row, and the rows are read before the files. Therefore, a row
+  // without a file shows that the file was lost.
   const std::set<std::int64_t> rows = journal.chunks();
   std::set<std::int64_t> lost = rows;
   std::vector<ChunkRow> without_row;
@@ -271,7 +273,8 @@ Result<ChunkStore> ChunkStore::open(const fs::path& folder, const Campaign& camp
   auto impl = std::make_unique<Impl>(folder, campaign.chunks, rejected_names.size(),
                                      std::move(writer), std::move(files), rejected_names);
   {
-    // If several processes start at the same moment, one begins the campaign and the others find it.
+    // If several processes start at the same moment, one begins the campaign, and the others find
+    // it.
     ChunkJournal::Transaction transaction(impl->journal);
     const Record old = impl->journal.campaign();
     if (auto error = refusal(folder, old, record, impl->files, as)) return *std::move(error);

@@ -51,13 +51,14 @@ enum class OpenAs {
 
 /// Every member may be called from several threads at once. A store does not survive fork().
 ///
-/// Throws    IoError from every member if a folder cannot be read or written, if the disk is full, or
-///           if SQLite fails (with its message and the path of the journal)
+/// Throws    IoError from every member if a folder cannot be read or written, if the disk is full,
+///           or if SQLite fails (with its message and the path of the journal)
 class ChunkStore {
  public:
-  /// Opens `folder` and checks every chunk file in it against its checksum. A broken file is renamed
-  /// with a note and counts as missing. Temporary files are removed if their process on this host is
-  /// dead or if they are older than a day. `writer` is the name in the rows of the journal.
+  /// Opens `folder` and checks every chunk file in it against its checksum. A broken file is
+  /// renamed, reported by notes() and counts as missing. Temporary files are removed if their
+  /// process on this host is dead or if they are older than a day. `writer` is the name of this
+  /// process in the rows of the journal.
   ///
   /// Errors    key "--out" if a search exists and `as` is fresh, if no search exists and `as` is
   ///           resume, or if fingerprint, number of chunks or list of names differ; the message
@@ -77,11 +78,11 @@ class ChunkStore {
   /// The unfinished chunks, ascending.
   std::vector<std::int64_t> missing() const;
 
-  /// Saves a finished chunk, either whole or not at all. An existing chunk is replaced; the bytes are
-  /// the same, whichever process writes the chunk.
+  /// Saves a finished chunk, either whole or not at all. An existing chunk is replaced by one with
+  /// the same bytes, because the bytes do not depend on the process that writes the chunk.
   ///
-  /// Throws    IoError. If the error names the journal, the chunk itself is saved, and the next open()
-  ///           writes its row
+  /// Throws    IoError. If the error names the journal, the chunk itself is saved, and the next
+  ///           open() writes its row
   void put(std::int64_t chunk, std::string_view bytes, const ChunkCounts& counts);
 
   /// The bytes of a finished chunk, checked against its checksum.

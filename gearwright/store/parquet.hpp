@@ -1,8 +1,9 @@
 // Result tables of a search as Apache Parquet files, which DuckDB, pandas, Spark and MATLAB read.
 //
-// A table is flat: it has named columns, each of one type, and rows are added one after another. Rows are kept in
-// memory until a row group is full and are then written column by column. The memory does not grow with the table,
-// except for about 100 bytes of footer for each column of a group.
+// A table is flat: it has named columns, each of one type, and rows are added one after another.
+// Rows are kept in memory until a row group is full and are then written column by column. The
+// memory does not grow with the table, except for about 100 bytes of footer for each column of a
+// group.
 //
 //   int32, int64   PLAIN
 //   float64        BYTE_STREAM_SPLIT: first bytes of all values, then second bytes, ..., which
@@ -53,8 +54,8 @@ class ParquetWriter {
   /// allows.
   static constexpr std::size_t kGroupTextBytes = std::size_t{64} << 20;
 
-  /// Opens exactly `part_file`, which the caller renames when the table is complete (write_file_by in
-  /// base/output_file.hpp). The `key_values` are written into the footer.
+  /// Opens exactly `part_file`, which the caller renames when the table is complete (write_file_by
+  /// in base/output_file.hpp). The `key_values` are written into the footer.
   ///
   /// Domain    at least one column; names not empty and unique; UTF-8 throughout (contract)
   ParquetWriter(const std::filesystem::path& part_file, std::vector<ParquetColumn> columns,
@@ -90,8 +91,8 @@ class ParquetWriter {
   std::unique_ptr<State> state_;
 };
 
-/// The value of a key in the footer of a table made by ParquetWriter, or nothing if there is no such
-/// table or key.
+/// The value of a key in the footer of a table made by ParquetWriter, or nothing if there is no
+/// such table or key.
 ///
 /// Throws    IoError if the file exists and cannot be read
 std::optional<std::string> parquet_note(const std::filesystem::path& file, std::string_view key);

@@ -35,7 +35,7 @@ void end_row(ColumnChunk& chunk, std::size_t row);
 /// The data page, before compression: definition levels if nulls are possible, then the values.
 std::string page_of(const ColumnChunk& chunk, std::size_t rows);
 
-/// Fields of the struct Statistics: the number of nulls and, for numbers, the range.
+/// Writes the fields of the struct Statistics: the number of nulls and, for numbers, the range.
 void write_statistics(Thrift& out, const ColumnChunk& chunk, std::size_t rows);
 
 }  // namespace gearwright
