@@ -95,7 +95,8 @@ ReferenceInput<T> as_rack(const BaseGear<T>& gear, const T& alpha_n) {
 // The rack that cuts a given root diameter and root form diameter. It is used for gears that are given
 // by their base cylinder.
 //
-//   d_f, d_Ff             root and root form diameter, mm
+//   d, d_f, d_Ff          reference, root and root form diameter, mm
+//   ρ_C, ρ_F              radii of curvature of the flank at d and at d_Ff, mm
 //   h_fP*, ρ_fP*, h_Ff*   dedendum, tip rounding and flank depth of the rack, in modules
 //                                              theory: docs/theory/04-conjugate-action.md, 4.2
 

@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// The x with which the gear meshes with the cutter at E without backlash:
+// The profile shift x with which the gear meshes with the cutter at E without backlash:
 // x + x_0 = (inv α_w − inv α_t)(z_0 + z)/(2 tan α_n). [T6.12]
 double shift_at(const Gear& cutter, int teeth, double roll_w) {
   const ReferenceGeometry<double>& g = cutter.reference();
