@@ -54,7 +54,7 @@ struct Material {
   std::optional<double> hardness_HV{};     ///< hardness of the surface
   std::optional<double> yield_strength{};  ///< R_e  N/mm²
   bool from_table = false;                 ///< true if the limits come from the built-in table
-  /// Values of a plastic by temperature. If a list is not empty, it replaces the number above.
+  /// Values of a plastic by temperature. If a list is not empty, it replaces the single number.
   ByTemperature sigma_Hlim_by{}, sigma_Flim_by{}, youngs_modulus_by{};
 
   bool surface_hardened() const {

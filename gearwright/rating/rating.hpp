@@ -49,7 +49,7 @@ struct RatingInput {
                                        ///< given
   std::optional<double> misalignment;  ///< f_ma  µm, with `shafts`; default as for a mounting
   std::optional<RatedBody> body;
-  std::array<std::optional<double>, 2> rim{};  ///< s_R  mm
+  std::array<std::optional<double>, 2> rim{};  ///< s_R  mm, rim thickness for Y_B
   LifeChoice life;
   PlasticInput plastic;  ///< for VDI 2736
   std::array<Material, 2> materials;
