@@ -60,7 +60,7 @@ struct PlanetShares {
   double mean(std::size_t planet) const;
   double greatest(std::size_t planet) const;
   double least(std::size_t planet) const;
-  /// In mm; none if no body floats.
+  /// Length of the greatest displacement, mm; none if no body floats.
   std::optional<double> greatest_displacement() const;
 };
 

@@ -197,7 +197,7 @@ bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made)
 // less than that of the generating racks. If it is also less than the verdict requires, the tip is
 // lowered by k m_n, which restores the clearance of the racks.
 void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
-  constexpr double kLeast = 0.1;  // m_n
+  constexpr double kLeast = 0.1;  // m_n, the tip clearance that the verdict requires
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     for (const std::size_t side : {0, 1}) {
       const std::size_t g = graph.meshes[m].gears[side];

@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kCloses = 1e-6;  // allowed gap in a closed loop of shafts, relative to a
+constexpr double kCloses = 1e-6;  // allowed gap in a loop of shafts, relative to the distance
 
 Vec2 polar(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
