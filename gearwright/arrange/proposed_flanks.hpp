@@ -65,8 +65,8 @@ struct ReliefProposal {
   std::array<bool, 2> unloaded{true, true};
   std::array<double, 2> tip_start{};  ///< mm, diameters, rounded to 1 µm
   double root_start = 0.0;            ///< mm, diameter on gear 1
-  double root_factor = 1.0;  ///< C_f/C_a2; it is not 1, because the flank of gear 1 starts below
-                             ///< the first contact
+  double root_factor = 1.0;  ///< C_f/C_a2; it is > 1 if the flank of gear 1 starts below the first
+                             ///< contact
 
   /// C_a of each gear and C_f of gear 1, mm. `pitch_deviation` is f_pt of both gears together, mm,
   /// normal to the flank.

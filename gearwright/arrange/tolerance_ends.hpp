@@ -32,8 +32,8 @@ std::optional<Error> apply_tip_fits(Arranged& nominal);
 /// Gears and pair at both ends. None if there are no tolerances.
 ///
 /// Errors    as arrange() for the gears at one end; `pair.backlash` if the tolerance of the centre
-///           distance alone changes the backlash by more than its range; `pair.distance_tolerance`
-///           if ISO 286 has no such tolerance
+///           distance alone changes the backlash by more than the given range of the backlash;
+///           `pair.distance_tolerance` if ISO 286 has no such tolerance
 Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal, Scope scope);
 
 /// One toleranced number.
