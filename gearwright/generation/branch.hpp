@@ -16,7 +16,7 @@
 
 namespace gearwright::detail {
 
-/// The end of the last branch lies on the tip circle within this relative difference.
+/// A height counts as reaching the tip circle if it is below the tip by at most this fraction.
 inline constexpr double kAtTip = 1e-9;
 
 struct Branch {

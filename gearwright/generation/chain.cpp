@@ -85,7 +85,7 @@ const Branch* at_height(const std::vector<Branch>& chain, double h) {
 
 std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height) {
   std::vector<Branch> chain;
-  const Branch* before = nullptr;  // the last branch of the chain before it was shortened
+  const Branch* before = nullptr;  // the last branch added to the chain
   for (const Branch& branch : branches) {
     if (branch.height_lo >= tip_height && !chain.empty() && chain.back().height_hi >= tip_height)
       continue;
@@ -97,7 +97,7 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
     }
     std::size_t kept = chain.size();
     if (next.height_hi <= chain.back().height_lo) {
-      // The whole branch lies below the last branch, so an earlier branch of the chain may hide it.
+      // All of `next` lies below the last branch of the chain, so an earlier branch may hide it.
       const Branch* below = at_height(chain, next.height_hi);
       if (below && below->theta_at(next.height_hi) < next.theta_at(next.height_hi)) continue;
     }
@@ -107,7 +107,7 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
       j = joint(chain[kept - 1], next);
     }
     if (j.kind == Joint::next_hidden) continue;
-    // The crossing lies beyond the tip.
+    // If the crossing lies beyond the tip, `next` does not bound the tooth.
     if (j.kind == Joint::at_height && j.height >= tip_height) continue;
     if (j.kind == Joint::last_hidden) {
       chain.clear();

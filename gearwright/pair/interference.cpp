@@ -148,7 +148,7 @@ void find_internal_margins(ParallelPair& p) {
     margins.involute = p.mesh.rho1_A - roll(*form, g1.base_radius()) * g1.base_radius();
   }
   const auto clamp = [](double v) { return std::clamp(v, -1.0, 1.0); };
-  // If the tip circles do not intersect, no tip can collide with another.
+  // If the tip circles do not intersect, no tip can collide with a mating tip.
   if (r_a2 < a + r_a1) {
     const double theta_1 =
         std::acos(clamp((r_a2 * r_a2 - r_a1 * r_a1 - a * a) / (2 * a * r_a1))) + inv_a1 - inv_w;

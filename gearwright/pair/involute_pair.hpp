@@ -27,7 +27,7 @@ struct Interference {
   std::string message;                 ///< one sentence
 };
 
-/// A backlash-free position of a crossed pair.
+/// A position of the axes of a crossed pair without backlash.
 struct CrossedPlace {
   double center_distance;       ///< mm
   Angle shaft_angle;            ///< Σ
