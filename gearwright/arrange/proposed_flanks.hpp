@@ -24,8 +24,8 @@ namespace gearwright {
 //
 // Short tip reliefs on both gears leave one base pitch of the path without relief, so an unrelieved
 // tooth is always in contact. Each relief covers half of the remaining path, (ε_α − 1) p_bt/2. A
-// long relief covers (ε_α − 1) p_bt. It ends where single pair contact begins. Root reliefs divide
-// the path in the same way from the other end.
+// long relief covers (ε_α − 1) p_bt. It ends where single pair contact begins. The root relief of a
+// gear has the same length as its tip relief and lies at the other end of the path.
 //                                       theory: docs/theory/12-loaded-contact.md
 
 enum class ReliefLength { short_relief, long_relief };

@@ -102,7 +102,7 @@ struct Drive {
   std::vector<PlanetSet> sets;
   std::optional<DriveBacklash> backlash;  ///< none if there are several inputs, redundant meshes or
                                           ///< no geometry
-  std::optional<DriveError> error;        ///< none as for backlash, or if a mesh loses contact
+  std::optional<DriveError> error;        ///< none if `backlash` is none or a mesh loses contact
   std::vector<std::optional<MeshRating>> ratings;  ///< of each mesh; empty if they are not rated
   std::optional<LoadedDrive> loaded;               ///< none if no load was requested
   std::vector<Warning> findings;

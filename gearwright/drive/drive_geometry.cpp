@@ -87,8 +87,8 @@ class Completion {
   }
 
  private:
-  // The number of unknown shifts of a mesh. A mesh with two of them is completed last, because
-  // other meshes may determine one.
+  // The number of unknown shifts of a mesh. A mesh with two unknown shifts is completed last,
+  // because another mesh may determine one of them.
   int unknowns(std::size_t m) const {
     int count = 0;
     for (const std::size_t g : graph_.meshes[m].gears) count += made_.shift[g] ? 0 : 1;

@@ -47,7 +47,7 @@ struct DynamicInput {
 };
 
 struct Dynamic {
-  Factor n_E1;  ///< 1/min
+  Factor n_E1;  ///< resonance speed of the pinion, 1/min
   Factor N;
   Factor K_v;
 };

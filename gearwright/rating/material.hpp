@@ -110,8 +110,8 @@ std::optional<Material> material_named(std::string_view name,
 
 struct Life {
   Factor factor;     ///< Z_NT or Y_NT
-  double reference;  ///< exponent of the other factors: 0 at static stress, 1 above the reference
-                     ///< number of cycles, and linear in log N between them
+  double reference;  ///< exponent of factors for the reference number, such as Z_L: 0 at static
+                     ///< stress, 1 above that number of cycles, linear in log N between them
 };
 
 /// The user's choices for long lives.

@@ -57,7 +57,7 @@ enum class Adjustable {
   teeth,                ///< z
   helix_angle,          ///< β     degrees
   face_width,           ///< b     mm
-  bore,                 ///< mm
+  bore,                 ///< mm, diameter
   lead_crowning,        ///< C_β   µm, both flanks
   lead_slope,           ///< C_Hβ  µm, both flanks
   center_distance,      ///< a     mm, of the pair
