@@ -370,7 +370,7 @@ Removal RemovalField::at(double u, double z, const Piece& piece) const {
   return sum;
 }
 
-// [T14.21]
+// Removal of a wave at x, measured along the profile or the face, and its derivatives. [T14.21]
 RemovalField::WaveJet RemovalField::wave(const FormWave& wave, double x, double middle,
                                          double width) {
   const double rate = 2 * std::numbers::pi * wave.waves / width;

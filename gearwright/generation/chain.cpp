@@ -171,8 +171,8 @@ std::optional<double> passes_below(const Branch& a, const Branch& b, double from
       continue;
     }
     if (gap(before) < 0.0) return find_root(gap, before, h).x;
-    // The two curves coincide here and possibly over some length, for example after a has passed
-    // below b.
+    // The two curves coincide at `before` and possibly over some length, for example after a has
+    // passed below b.
     for (double near = h; near - before > kSameHeight * std::abs(before);) {
       near = before + 0.5 * (near - before);
       if (gap(near) < -kRounding) return find_root(gap, near, h).x;

@@ -41,7 +41,7 @@ class RackTrochoid final : public Curve {
   Vec2 point(double tau) const override;
   CurvePoint at(double tau) const override;
   double polar_angle(double tau) const override;
-  /// [T8.6]
+  /// The point W and its first two derivatives by τ, in polar form. [T8.6]
   PolarJet polar_jet(double tau) const;
   /// Returns ln |W| and its derivative by τ. A search for a radius needs only this part of
   /// polar_jet.

@@ -41,7 +41,7 @@ struct StraightRackEdge {
       false;  ///< true if the radius of a named rack did not fit and was replaced
 };
 
-/// The edge in mm.
+/// The edge of a rack, in mm.
 ///
 /// Errors    the member of `rack`, such as `rack.dedendum`, with its value and the allowed range
 Result<StraightRackEdge> make_edge(const StraightRack& rack, double normal_module,
