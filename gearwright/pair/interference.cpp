@@ -94,7 +94,7 @@ void find_form_clearance(InvolutePair& p) {
   }
 }
 
-// [T2.23]
+// Computes the clearances of both tips, and warns if one is too small. [T2.23]
 void find_tip_clearance(InvolutePair& p) {
   const double a = p.center_distance;
   const Gear& g1 = p.gears[0];

@@ -281,7 +281,7 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
     const double hi = std::max(b.rho_root, b.rho_tip);
     const auto meets = [&](double rho) { return rho >= lo && rho <= hi; };
     // The next arc of B continues where this one ends, so a small deviation does not matter.
-    constexpr double kNear = 1e-7;  // of the arc
+    constexpr double kNear = 1e-7;  // accuracy of u
     const auto crossing = [&](const EnvelopeNode& one, const EnvelopeNode& two, double limit) {
       return zero_between([&](double u) { return family.envelope(u).radius - limit; }, one.u,
                           one.radius - limit, two.u, two.radius - limit, kNear,
