@@ -84,7 +84,7 @@ ProfileArc::Found ProfileArc::find(double rho) const {
   double pace = chord / (hi - lo);
   constexpr double kShort = 2e-6;  // longest last step, relative to the radius of curvature and to
                                    // the radius
-  constexpr int kMost = 60;        // bisection alone would need fewer
+  constexpr int kMost = 60;        // greatest number of steps; bisection alone would need fewer
   for (int i = 0;; ++i) {
     const CurvePoint at_u = arc->at(u);
     const ProfilePlace p = place_of(at_u);

@@ -73,8 +73,8 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
 
 }  // namespace
 
-// Computes the deepest diameter of each gear that the mating gear's tip touches, and the distance
-// of this circle from the start of the usable flank. [T2.25]
+// Computes, for each gear, the diameter down to which the mating gear's tip touches it, and the
+// radial distance from the start of the usable flank to this diameter. [T2.25]
 void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   for (int i : {0, 1}) {

@@ -10,7 +10,7 @@ namespace gearwright {
 namespace {
 
 struct Saddle {
-  double L;                                      // mm
+  double L;                                      // mm, between the base tangent points
   double sin2, cos2;                             // sin² η and cos² η
   double begin, end;                             // λ_1 of the path
   std::array<double, 2> curvature_per_crowning;  // K_i/C_βi  1/mm²
