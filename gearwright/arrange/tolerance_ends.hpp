@@ -56,7 +56,8 @@ std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tol
 Result<Arranged> at_corner(const Arranged& nominal, const std::vector<TolerancedNumber>& tolerances,
                            const ToleranceCorner& corner);
 
-/// "At a centre distance of 59.985 mm and a thickness allowance of −0.02 mm on gear 1".
+/// A corner in words, for example "At a centre distance of 59.985 mm and a thickness allowance of
+/// −0.02 mm on gear 1".
 std::string corner_words(const std::vector<TolerancedNumber>& tolerances,
                          const ToleranceCorner& corner);
 

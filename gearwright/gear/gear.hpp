@@ -127,10 +127,10 @@ Result<Gear> make_gear(const CylindricalSpec& spec);
 
 // Names of the members of gear 1 and gear 2 in errors, such as "gear1.teeth".
 
-/// "gear1" or "gear2"
+/// The name of gear 1 or 2: "gear1" or "gear2".
 inline std::string gear_field(int which) { return "gear" + std::to_string(which); }
 
-/// "gear1.teeth"
+/// The name of a member of gear 1 or 2, for example "gear1.teeth".
 inline std::string gear_field(int which, std::string_view member) {
   return gear_field(which) + "." + std::string(member);
 }
