@@ -177,8 +177,8 @@ namespace {
 
 constexpr double kNear = 1e-12;  // mm or degrees; within this tolerance, the printed backlash
                                  // equals the requested one
-constexpr double kSame = 1e-9;   // if the final difference is larger, no tooth thickness gives this
-                                 // backlash
+constexpr double kSame = 1e-9;   // if the final backlash differs from the requested one by more, no
+                                 // tooth thickness gives it
 constexpr int kMostSteps = 12;   // greatest number of secant steps; involute teeth need one step
 
 struct Wanted {

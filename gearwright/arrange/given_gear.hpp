@@ -74,7 +74,7 @@ struct MeasureInput {
   std::optional<int> span_teeth{};         ///< k
   std::optional<double> ball_diameter{};   ///< D_M  mm
   std::optional<double> pin_diameter{};    ///< D_M  mm
-  std::optional<double> chord_diameter{};  ///< d_y  mm
+  std::optional<double> chord_diameter{};  ///< d_y  mm, at which the jaws touch
 };
 
 /// The accuracy grade of the flanks, thickness allowances that are given by a series or a
@@ -83,8 +83,8 @@ struct ToleranceInput {
   std::optional<int> quality;                           ///< A, the ISO 1328 grade
   FlankTolerances edition = FlankTolerances::iso_2013;  ///< edition of ISO 1328-1
   std::optional<std::string> series;                    ///< series of DIN 3967, for example "cd25"
-  std::optional<Ends> span;                             ///< W_k  mm
-  std::optional<Ends> over_balls;                       ///< M_d  mm
+  std::optional<Ends> span;                             ///< W_k  mm, least and greatest
+  std::optional<Ends> over_balls;                       ///< M_d  mm, least and greatest
   /// A_da, mm: lower and upper deviation of d_a. The upper deviation gives the longer tooth of an
   /// external gear and the shorter tooth of an internal gear.
   std::optional<Ends> tip_deviations;

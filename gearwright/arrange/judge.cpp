@@ -139,8 +139,8 @@ bool set_allowance(GivenPair& given, GearInput& gear, double value) {
   return true;
 }
 
-// If the transverse module is given, changing the helix angle would also change the normal module.
-// The function therefore returns false.
+// Sets the helix angle and returns true. If the transverse module is given, this would also change
+// the normal module, so the function only returns false.
 bool set_helix(GearInput& gear, double degrees) {
   if (gear.transverse_given) return false;
   gear.cylindrical.helix_angle = Angle::degrees(degrees);
@@ -148,8 +148,8 @@ bool set_helix(GearInput& gear, double degrees) {
   return true;
 }
 
-// `value` is the whole face including the gap of a double-helical gear. `face_width` is the face of
-// one half.
+// Sets the face width to `value`, which includes the gap of a double-helical gear. The member
+// `face_width` is the face of one half.
 void set_face(GearInput& gear, double value) {
   gear.cylindrical.face_width =
       gear.double_helical ? (value - gear.double_helical->gap) / 2 : value;

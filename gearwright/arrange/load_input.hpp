@@ -16,9 +16,9 @@ namespace gearwright {
 struct LoadProbeInput {
   int gear = 1;
   double diameter = 0.0;                     ///< mm, at which the load acts
-  std::optional<std::array<double, 2>> z{};  ///< mm, of both ends of the load
+  std::optional<std::array<double, 2>> z{};  ///< mm, heights of both ends of the load
   std::optional<double> half_width{};        ///< mm, of the Hertz strip
-  std::vector<double> read_z{};              ///< mm, at which the deflection is computed
+  std::vector<double> read_z{};              ///< mm, heights at which the deflection is computed
 };
 
 /// The load on a pair or a drive, and the resolution of the computation.
@@ -30,8 +30,8 @@ struct LoadInput {
   std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of positions
   std::optional<int> slices{};     ///< by default fair_slices()
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
-  double deflection_slope = 0.0;  ///< µm
-  double deflection_bow = 0.0;    ///< µm
+  double deflection_slope = 0.0;  ///< S  µm, increase over the common face, towards +z
+  double deflection_bow = 0.0;    ///< B  µm, height of the parabola in the middle
   double deflection_offset =
       0.0;  ///< µm, constant over the face; used for a half of a double-helical gear
   std::vector<LoadProbeInput> probes{};

@@ -28,8 +28,8 @@ std::optional<Error> forbidden_shifts(const GivenPair& given);
 /// None if the lead crowning in `given` prevents this in both directions of rotation.
 std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair);
 
-/// Adds each warning of `found` that `warnings` does not contain yet. Inserts `before` at the
-/// beginning of its message.
+/// Adds to `warnings` each warning of `found` that it does not contain yet. The messages of added
+/// warnings begin with `before`.
 void add_new(std::vector<Warning> found, std::vector<Warning>& warnings,
              std::string_view before = {});
 inline constexpr std::string_view kSecondHalf = "Half at z < 0: ";

@@ -24,8 +24,8 @@ namespace gearwright {
 //
 // Short tip reliefs on both gears leave one base pitch of the path without relief, so an unrelieved
 // tooth is always in contact. Each relief covers half of the remaining path, (ε_α − 1) p_bt/2. A
-// long relief covers (ε_α − 1) p_bt. It ends where single pair contact begins. Root reliefs divide
-// the path in the same way from the other end.
+// long relief covers (ε_α − 1) p_bt. It ends where single pair contact begins. The root relief of a
+// gear has the same length as its tip relief and lies at the other end of the path.
 //                                       theory: docs/theory/12-loaded-contact.md
 
 enum class ReliefLength { short_relief, long_relief };
@@ -65,8 +65,8 @@ struct ReliefProposal {
   std::array<bool, 2> unloaded{true, true};
   std::array<double, 2> tip_start{};  ///< mm, diameters, rounded to 1 µm
   double root_start = 0.0;            ///< mm, diameter on gear 1
-  double root_factor = 1.0;  ///< C_f/C_a2; it is not 1, because the flank of gear 1 starts below
-                             ///< the first contact
+  double root_factor = 1.0;  ///< C_f/C_a2; it is > 1 if the flank of gear 1 starts below the first
+                             ///< contact
 
   /// C_a of each gear and C_f of gear 1, mm. `pitch_deviation` is f_pt of both gears together, mm,
   /// normal to the flank.

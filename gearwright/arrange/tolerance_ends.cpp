@@ -37,7 +37,7 @@ Result<Ends> of_span(const Gear& gear, const GearInput& input) {
     return gear.spec.thickness_allowance + (length - span->length) * per;
   };
   Ends ends{allowance(read[0]), allowance(read[1])};
-  // On an internal gear, the greater span belongs to the thinner tooth.
+  // On an internal gear, the greater span belongs to the thinner tooth, so the order must change.
   std::sort(ends.begin(), ends.end());
   return ends;
 }
@@ -244,7 +244,7 @@ std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
     if (nominal.completed.gears[i]->tolerance.tip_deviations)
       add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,
           upper.gears[i].tip_diameter);
-    // The cutter or the given base cylinder determines the thickness of these teeth.
+    // If a gear has a cutter or a given base cylinder, that alone determines its tooth thickness.
     if (nominal.completed.gears[i]->cut_by || nominal.completed.gears[i]->basic) continue;
     add(TolerancedNumber::Of::thickness, which, lower.gears[i].spec.thickness_allowance,
         upper.gears[i].spec.thickness_allowance);

@@ -32,8 +32,8 @@ std::optional<Error> apply_tip_fits(Arranged& nominal);
 /// Gears and pair at both ends. None if there are no tolerances.
 ///
 /// Errors    as arrange() for the gears at one end; `pair.backlash` if the tolerance of the centre
-///           distance alone changes the backlash by more than its range; `pair.distance_tolerance`
-///           if ISO 286 has no such tolerance
+///           distance alone changes the backlash by more than the given range of the backlash;
+///           `pair.distance_tolerance` if ISO 286 has no such tolerance
 Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal, Scope scope);
 
 /// One toleranced number.
@@ -56,7 +56,8 @@ std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tol
 Result<Arranged> at_corner(const Arranged& nominal, const std::vector<TolerancedNumber>& tolerances,
                            const ToleranceCorner& corner);
 
-/// "At a centre distance of 59.985 mm and a thickness allowance of −0.02 mm on gear 1".
+/// A corner in words, for example "At a centre distance of 59.985 mm and a thickness allowance of
+/// −0.02 mm on gear 1".
 std::string corner_words(const std::vector<TolerancedNumber>& tolerances,
                          const ToleranceCorner& corner);
 

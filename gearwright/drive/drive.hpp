@@ -60,7 +60,7 @@ struct PlanetShares {
   double mean(std::size_t planet) const;
   double greatest(std::size_t planet) const;
   double least(std::size_t planet) const;
-  /// In mm; none if no body floats.
+  /// Length of the greatest displacement, mm; none if no body floats.
   std::optional<double> greatest_displacement() const;
 };
 
@@ -102,7 +102,7 @@ struct Drive {
   std::vector<PlanetSet> sets;
   std::optional<DriveBacklash> backlash;  ///< none if there are several inputs, redundant meshes or
                                           ///< no geometry
-  std::optional<DriveError> error;        ///< none as for backlash, or if a mesh loses contact
+  std::optional<DriveError> error;        ///< none if `backlash` is none or a mesh loses contact
   std::vector<std::optional<MeshRating>> ratings;  ///< of each mesh; empty if they are not rated
   std::optional<LoadedDrive> loaded;               ///< none if no load was requested
   std::vector<Warning> findings;

@@ -87,8 +87,8 @@ class Completion {
   }
 
  private:
-  // The number of unknown shifts of a mesh. A mesh with two of them is completed last, because
-  // other meshes may determine one.
+  // The number of unknown shifts of a mesh. A mesh with two unknown shifts is completed last,
+  // because another mesh may determine one of them.
   int unknowns(std::size_t m) const {
     int count = 0;
     for (const std::size_t g : graph_.meshes[m].gears) count += made_.shift[g] ? 0 : 1;
@@ -197,7 +197,7 @@ bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made)
 // less than that of the generating racks. If it is also less than the verdict requires, the tip is
 // lowered by k m_n, which restores the clearance of the racks.
 void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
-  constexpr double kLeast = 0.1;  // m_n
+  constexpr double kLeast = 0.1;  // m_n, the tip clearance that the verdict requires
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     for (const std::size_t side : {0, 1}) {
       const std::size_t g = graph.meshes[m].gears[side];

@@ -46,7 +46,7 @@ struct DriveGear {
   std::string name;
   std::size_t body = 0;
   int teeth = 0;                        ///< z, < 0 for a ring
-  std::optional<RackBar> rack{};        ///< set if the gear is a rack; its body moves with v/p_t
+  std::optional<RackBar> rack{};        ///< set if the gear is a rack; its body has the speed v/p_t
   std::optional<CylindricalSpec> spec;  ///< data of the teeth, except z and x
   std::optional<double> shift;          ///< x; computed if absent
   std::array<FlankModifications, 2> modifications{};  ///< right flank, left flank

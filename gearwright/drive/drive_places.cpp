@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kCloses = 1e-6;  // allowed gap in a closed loop of shafts, relative to a
+constexpr double kCloses = 1e-6;  // allowed gap in a loop of shafts, relative to the distance
 
 Vec2 polar(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
@@ -58,7 +58,7 @@ class Placing {
   }
   bool rides(std::size_t body) const { return graph_.bodies[body].carrier.has_value(); }
 
-  // The central gears that mesh with a planet have the axis of its carrier.
+  // Gives the central gears that mesh with a planet the axis of its carrier.
   void join_coaxial() {
     for (std::size_t b = 0; b < graph_.bodies.size(); ++b) axis_.push_back(b);
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {

@@ -23,7 +23,7 @@ constexpr int kHalvings = 60;
 constexpr double kRounding = std::numeric_limits<double>::epsilon();
 
 struct State {
-  VectorXd gradient;
+  VectorXd gradient;      // Σ w F c − Q
   double scale = 0.0;     // greatest component of |Q| + Σ |w F c|
   double rounding = 0.0;  // effect of rounded approaches, as a force
 };

@@ -46,8 +46,8 @@ struct SharingSolution {
   bool found() const { return stop == Stop::converged; }
 };
 
-/// Relative. The rounding errors of sums over some tens of springs are about a thousand times
-/// smaller.
+/// Greatest residual of a converged solution. The rounding errors of sums over some tens of springs
+/// are about a thousand times smaller.
 inline constexpr double kSharingResidual = 1e-11;
 inline constexpr int kSharingSteps = 200;
 

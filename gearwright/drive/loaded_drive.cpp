@@ -170,8 +170,8 @@ class DriveUnderLoad {
     return std::nullopt;
   }
 
-  // The curve of all meshes of one frequency. The loaded curve leaves out the meshes of planets,
-  // because make_set() adds them.
+  // The summed errors of all meshes of one frequency. The loaded curve leaves out the meshes of
+  // planets, because make_set() adds them.
   LoadedDrive::Curve curve_of(std::size_t first) const {
     LoadedDrive::Curve curve;
     curve.frequency_ratio = drive_.frequency_ratio(first).value_or(0.0);

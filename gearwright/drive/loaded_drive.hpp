@@ -21,10 +21,10 @@ namespace gearwright {
 /// The load of a drive and the resolution of its meshes.
 struct DriveLoadCase {
   double torque = 0.0;                  ///< T  N m, on the input, > 0
-  int positions = 64;                   ///< least number over a period of the mesh
-  int harmonics = 3;                    ///< number for the transmission error
+  int positions = 64;                   ///< least number of positions per period of the meshes
+  int harmonics = 3;                    ///< number of harmonics of the transmission error
   std::optional<std::size_t> floating;  ///< body that is free to move radially
-  std::vector<double> pin_errors;       ///< mm, as PlanetErrors::pins
+  std::vector<double> pin_errors;       ///< mm, in the order of PlanetErrors::pins
   std::vector<LoadRequest> requests;    ///< of each mesh: bodies, slices, accuracy
   MeshErrors errors{};                  ///< errors of mounting of the meshes
 };

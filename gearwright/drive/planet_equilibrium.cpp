@@ -38,9 +38,9 @@ PlanetEquilibrium::PlanetEquilibrium(const Drive& drive, const PlanetSet& set,
   find_rows(phases, errors);
 }
 
-// The torque on the driven gear is the torque of the driving gear times the efficiency [T13.6]. The
-// weights make the forces of all meshes balance. They are products of efficiencies along the chain
-// of the meshes.
+// Finds the weights with which the forces of all meshes balance. The torque on a driven gear is the
+// torque of its driving gear times the efficiency [T13.6], so the weights are products of
+// efficiencies along the chain of the meshes.
 void PlanetEquilibrium::find_weights(const std::vector<MeshPhase>& phases) {
   const DriveGraph& graph = drive_.graph;
   const auto share = [&](std::size_t m, int side) {
@@ -67,8 +67,8 @@ void PlanetEquilibrium::find_weights(const std::vector<MeshPhase>& phases) {
   }
 }
 
-// A common rotation of all bodies changes no approach, so one central body is held: the output or,
-// if it is not a central body, a fixed body.
+// Assigns a column to each unknown. A common rotation of all bodies changes no approach, so one
+// central body is held: the output or, if it is not a central body, a fixed body.
 void PlanetEquilibrium::find_unknowns() {
   const DriveGraph& graph = drive_.graph;
   columns_.assign(graph.bodies.size(), std::nullopt);

@@ -36,7 +36,7 @@ struct MeshState {
 struct PlanetState {
   std::vector<std::vector<double>> forces;  ///< N, [mesh of PlanetEquilibrium::meshes()][planet]
   double output = 0.0;  ///< δφ_o, rotation of the drive's output by this set [T13.27]  rad
-  Vec2 displacement = Vec2::Zero();  ///< D  mm, in the frame of the carrier
+  Vec2 displacement = Vec2::Zero();  ///< D of the floating body  mm, in the carrier's frame
   bool found = false;
 };
 

@@ -41,10 +41,10 @@ class Rational {
   friend Rational operator+(const Rational& a, const Rational& b);
   friend Rational operator-(const Rational& a, const Rational& b) { return a + -b; }
   friend Rational operator*(const Rational& a, const Rational& b);
-  /// Domain  b ≠ 0 (contract)
+  /// The quotient a/b.   Domain  b ≠ 0 (contract)
   friend Rational operator/(const Rational& a, const Rational& b);
   Rational operator-() const;
-  /// Domain  neither fraction has overflow (contract)
+  /// True if the fractions are equal.   Domain  neither has overflow (contract)
   friend bool operator==(const Rational& a, const Rational& b);
 
  private:

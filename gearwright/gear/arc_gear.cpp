@@ -29,7 +29,8 @@ std::optional<Error> check_spec(const CylindricalSpec& spec) {
   return std::nullopt;
 }
 
-// The diameter at which the two flanks meet on the last arc of the edge; none if they do not meet.
+// The diameter at which the two flanks of a tooth meet on the part that the last arc of the edge
+// cuts; none if they do not meet there.
 std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdge& edge) {
   const auto* last = std::get_if<EdgeCircle>(&edge.arcs.back().shape);
   GW_EXPECTS(last != nullptr);

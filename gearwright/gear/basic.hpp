@@ -60,7 +60,8 @@ bool has_rack(const BaseGear<T>& gear, const T& alpha_n) {
   return cos(alpha_n) > abs(sin(gear.helix_angle));
 }
 
-/// The reference data of the gear for a rack with the pressure angle α_n, without allowance.
+/// The reference data of the gear for a rack with the pressure angle α_n. The profile shift alone
+/// gives the tooth thickness, and the allowance is 0.
 ///
 /// Formula   m_n = p_bn/(π cos α_n), sin β = sin β_b/cos α_n, x from s_bt; [T4.2], [T4.3]
 /// Domain    0 < α_n < π/2, has_rack (contract)
@@ -95,7 +96,8 @@ ReferenceInput<T> as_rack(const BaseGear<T>& gear, const T& alpha_n) {
 // The rack that cuts a given root diameter and root form diameter. It is used for gears that are given
 // by their base cylinder.
 //
-//   d_f, d_Ff             root and root form diameter, mm
+//   d, d_f, d_Ff          reference, root and root form diameter, mm
+//   ρ_C, ρ_F              radii of curvature of the flank at d and at d_Ff, mm
 //   h_fP*, ρ_fP*, h_Ff*   dedendum, tip rounding and flank depth of the rack, in modules
 //                                              theory: docs/theory/04-conjugate-action.md, 4.2
 

@@ -14,12 +14,12 @@ namespace gearwright {
 
 /// The values on the drawing. The face width of the gear includes both halves and the gap.
 struct DoubleHelical {
-  double gap = 0.0;                         ///< mm, between the halves
-  double stagger_pitches = 0.0;             ///< s, offset of the half at z < 0 from the other half
+  double gap = 0.0;              ///< mm, between the halves
+  double stagger_pitches = 0.0;  ///< s  pitches, offset of the half at z < 0 from the other
   std::optional<double> groove_diameter{};  ///< mm, of the groove in the gap
   std::optional<double> hob_diameter{};     ///< d_a0  mm; if absent, the run-out is not computed
-  Angle hob_lead_angle{};                   ///< γ_0
-  double hob_half_length = 0.0;             ///< l_0   mm
+  Angle hob_lead_angle{};                   ///< γ_0   lead angle of the hob
+  double hob_half_length = 0.0;             ///< l_0   mm, half the cutting length of the hob
 };
 
 /// End of the message for an absent face width.

@@ -147,7 +147,7 @@ void warn_about_tooth(Gear& gear) {
 //   δ = r_b (θ − θ_i)   projection along the normal of the involute, mm [T2.35]
 //   θ, θ_i              polar angles of the outline and of the involute at one radius
 
-constexpr double kNoise = 1e-9;  // modules
+constexpr double kNoise = 1e-9;  // modules; a smaller δ is a rounding error
 constexpr int kHalfDigits = std::numeric_limits<double>::digits / 2;
 
 double beyond_involute(const Gear& gear, const Vec2& p) {
@@ -166,8 +166,8 @@ double greatest(const Gear& gear, const Arc& arc) {
   return -std::min(least, boost::math::tools::brent_find_minima(less, lo, hi, kHalfDigits).second);
 }
 
-// The projection of the tip; none if no arc beyond the flank projects by more than 1e-9 modules. The
-// result is the greatest δ of each arc, to rounding if δ has only one maximum.
+// The projection of the tip, which is the greatest δ on the arcs beyond the flank; none if it is at
+// most 1e-9 modules. It is accurate to rounding if δ has only one maximum on each arc.
 std::optional<TipBulge> tip_bulge(const Gear& gear) {
   GW_EXPECTS(gear.involute() && gear.exists());
   if (!gear.tooth || !gear.tooth->form_radius) return std::nullopt;

@@ -41,7 +41,7 @@ struct CylindricalSpec {
 /// The final position of a pinion cutter.
 struct PinionCutting {
   int cutter_teeth;           ///< z_0
-  double distance;            ///< E  mm
+  double distance;            ///< E  mm, from the axis of the cutter to the axis of the gear
   double tip_rounding = 0.0;  ///< ρ_a0  mm, radius of the cutter's tip corners; 0 if sharp
   bool by_default = false;    ///< true if gear/pinion_cut.hpp chose the cutter
 };
@@ -88,7 +88,7 @@ struct Gear {
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
   std::optional<TipBulge> tip_bulge;                 ///< none if the tip does not project
   std::optional<Bore> bore;             ///< bore of the body, or rim of an internal gear
-  std::optional<double> gap;            ///< mm, if this gear is one half of a double-helical gear
+  std::optional<double> gap;            ///< mm, to the other half of a double-helical gear
   std::optional<GeneratedTooth> tooth;  ///< none for an internal gear that no pinion cutter has cut
   std::vector<Warning> warnings;
 
@@ -127,10 +127,10 @@ Result<Gear> make_gear(const CylindricalSpec& spec);
 
 // Names of the members of gear 1 and gear 2 in errors, such as "gear1.teeth".
 
-/// "gear1" or "gear2"
+/// The name of gear 1 or 2: "gear1" or "gear2".
 inline std::string gear_field(int which) { return "gear" + std::to_string(which); }
 
-/// "gear1.teeth"
+/// The name of a member of gear 1 or 2, for example "gear1.teeth".
 inline std::string gear_field(int which, std::string_view member) {
   return gear_field(which) + "." + std::string(member);
 }

@@ -19,8 +19,8 @@ namespace {
 // flanks, half the tip land of most teeth is left.
 constexpr double kMaxAmount = 0.1;
 // Greatest slope of a relief over its depth or length. The material is removed along the normal of the
-// unmodified flank, with an error of half the square of the slope, here 2 % of the amount. A steeper
-// relief is a chamfer, which is a separate surface.
+// unmodified flank. The relative error of the amount is half the square of the slope, here 2 %. A
+// steeper relief is a chamfer, which is a separate surface.
 constexpr double kSteepest = 0.2;
 // Least depth of a profile relief, relative to the depth of the flank, and least length of an end
 // relief, relative to the face width. A shorter relief is an edge.
@@ -370,7 +370,7 @@ Removal RemovalField::at(double u, double z, const Piece& piece) const {
   return sum;
 }
 
-// [T14.21]
+// Removal of a wave at x, measured along the profile or the face, and its derivatives. [T14.21]
 RemovalField::WaveJet RemovalField::wave(const FormWave& wave, double x, double middle,
                                          double width) {
   const double rate = 2 * std::numbers::pi * wave.waves / width;

@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// The x with which the gear meshes with the cutter at E without backlash:
+// The profile shift x with which the gear meshes with the cutter at E without backlash:
 // x + x_0 = (inv α_w − inv α_t)(z_0 + z)/(2 tan α_n). [T6.12]
 double shift_at(const Gear& cutter, int teeth, double roll_w) {
   const ReferenceGeometry<double>& g = cutter.reference();
@@ -184,7 +184,7 @@ std::optional<Gear> cut_by_default(const Gear& ring) {
     for (const double rounding : {ring.spec.straight_rack().root_fillet_radius, 0.2, 0.0}) {
       const auto cutter = cutter_of(ring, z_0, rounding);
       if (!cutter) continue;
-      // A cutter that removes part of the flank is not suitable.
+      // A cutter is suitable if it leaves the whole flank up to the tip.
       auto cut = cut_with(ring, *cutter);
       if (cut && cut->tooth->tip_form_radius == cut->tooth->tip_radius &&
           cut->tooth->tip_radius == ring.tip_diameter / 2) {

@@ -25,7 +25,7 @@ std::vector<double> spline_slopes(const std::vector<double>& x, const std::vecto
     return {s[0] - h[0] * half_second, s[0] + h[0] * half_second, s[1] + h[1] * half_second};
   }
   std::vector<double> m(n),
-      above(n);  // right-hand side and later slopes; upper diagonal over pivot
+      above(n);  // m: right-hand side, later slopes; above: upper diagonal over pivot
   const double first = h[0] + h[1];
   above[0] = first / h[1];
   m[0] = ((h[0] + 2 * first) * h[1] * s[0] + h[0] * h[0] * s[1]) / first / h[1];

@@ -20,7 +20,7 @@ namespace gearwright {
 struct Topography {
   std::vector<double> diameters;  ///< mm, ascending, two or more
   std::vector<double> heights;    ///< z  mm, ascending, two or more
-  std::vector<double> removed;    ///< mm, [i heights.size() + j] at diameter i and height j
+  std::vector<double> removed;    ///< mm, [i · heights.size() + j] at diameter i, height j
 };
 
 /// True if the members have the required sizes and order.

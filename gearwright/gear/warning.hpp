@@ -15,7 +15,7 @@ enum class Severity {
   caution,  ///< the gears run, but the user should check this
   problem,  ///< the gears cannot be made or do not run as specified
 };
-/// The codes, the worst first. Findings of the same level are reported in this order.
+/// The codes, the worst first. Findings of equal severity are reported in this order.
 enum class WarningCode {
   contact_lost,  ///< at some positions no tooth pair touches
   // The gear does not exist.

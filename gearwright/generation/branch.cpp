@@ -126,8 +126,8 @@ void write_outline(const std::vector<Branch>& chain, const ToothEnds& ends, Gene
   }
 }
 
-// Every branch other than the flank is a fillet. Branches below the flank belong to the root fillet,
-// and branches above it to the tip fillet.
+// Names the branches other than the flank. Branches below the flank belong to the root fillet, and
+// branches above it to the tip fillet.
 void name_by_place(std::vector<Branch>& chain) {
   const auto is_flank = [](const Branch& b) { return b.name == ArcName::flank; };
   const auto flank = std::find_if(chain.begin(), chain.end(), is_flank);

@@ -16,7 +16,7 @@
 
 namespace gearwright::detail {
 
-/// The end of the last branch lies on the tip circle within this relative difference.
+/// A height counts as reaching the tip circle if it is below the tip by at most this fraction.
 inline constexpr double kAtTip = 1e-9;
 
 struct Branch {
@@ -27,7 +27,7 @@ struct Branch {
   bool smooth_start =
       false;          ///< true if the branch continues smoothly from the end of the preceding
                       ///< branch
-  double side = 1.0;  ///< height = side·|W|; −1 on an internal gear
+  double side = 1.0;  ///< height = side · radius; −1 on an internal gear
   std::vector<double> turns = {};  ///< parameters at which the half angle is stationary
   bool ends_on_center_line =
       false;  ///< true for a rounded tip: θ = 0 at its end, but the tooth is not pointed

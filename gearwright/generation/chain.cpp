@@ -85,7 +85,7 @@ const Branch* at_height(const std::vector<Branch>& chain, double h) {
 
 std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height) {
   std::vector<Branch> chain;
-  const Branch* before = nullptr;  // the last branch of the chain before it was shortened
+  const Branch* before = nullptr;  // the last branch added to the chain
   for (const Branch& branch : branches) {
     if (branch.height_lo >= tip_height && !chain.empty() && chain.back().height_hi >= tip_height)
       continue;
@@ -97,7 +97,7 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
     }
     std::size_t kept = chain.size();
     if (next.height_hi <= chain.back().height_lo) {
-      // The whole branch lies below the last branch, so an earlier branch of the chain may hide it.
+      // All of `next` lies below the last branch of the chain, so an earlier branch may hide it.
       const Branch* below = at_height(chain, next.height_hi);
       if (below && below->theta_at(next.height_hi) < next.theta_at(next.height_hi)) continue;
     }
@@ -107,7 +107,7 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
       j = joint(chain[kept - 1], next);
     }
     if (j.kind == Joint::next_hidden) continue;
-    // The crossing lies beyond the tip.
+    // If the crossing lies beyond the tip, `next` does not bound the tooth.
     if (j.kind == Joint::at_height && j.height >= tip_height) continue;
     if (j.kind == Joint::last_hidden) {
       chain.clear();
@@ -127,8 +127,8 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
 
 namespace {
 
-// An end is not moved if the relative difference of the heights is at most this. At a stationary
-// radius, only half of the digits of the parameter are accurate.
+// An end of a branch is not moved if its height would change by at most this fraction. Where the
+// radius is stationary, only half of the digits of the parameter of a moved end are accurate.
 constexpr double kSameHeight = 1e-12;
 
 void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double lo, double hi) {
@@ -146,7 +146,7 @@ constexpr double kHeightRounding = 1e-14;
 
 // Returns the least difference of the half angles of a and b at any height that equals h within
 // rounding. At the start of a branch that is tangent to a circle about the axis, θ varies like the
-// square root of the height, so this error matters.
+// square root of the height, so a rounding error of h changes θ much more than θ is rounded.
 double surely_above(const Branch& a, const Branch& b, double h) {
   const double near = kHeightRounding * std::abs(h);
   const double below = a.theta_at(std::max(a.height_lo, h - near));
@@ -171,8 +171,8 @@ std::optional<double> passes_below(const Branch& a, const Branch& b, double from
       continue;
     }
     if (gap(before) < 0.0) return find_root(gap, before, h).x;
-    // The two curves coincide here and possibly over some length, for example after a has passed
-    // below b.
+    // The two curves coincide at `before` and possibly over some length, for example after a has
+    // passed below b.
     for (double near = h; near - before > kSameHeight * std::abs(before);) {
       near = before + 0.5 * (near - before);
       if (gap(near) < -kRounding) return find_root(gap, near, h).x;

@@ -25,16 +25,16 @@
 
 namespace gearwright {
 
-/// [gearN.root_fillet]
+/// The circular root fillet that [gearN.root_fillet] of a spec requests.
 struct RootFilletSpec {
   double offset = 0.0;  ///< mm, l_C = max(l_F, 0) + offset
 };
 
-/// [gearN.tip_fillet]: a length and the dimension that it specifies.
+/// The circular tip fillet that [gearN.tip_fillet] of a spec requests, by one of its dimensions.
 struct TipFilletSpec {
   enum class By {
     radius,      ///< r_t
-    l,           ///< l_J
+    l,           ///< l_J, position of the point J on the flank
     end_radius,  ///< end of the finished tip on the centre line of the tooth
     corner       ///< ρ_a of each tip corner; a land is left between the two corners
   };

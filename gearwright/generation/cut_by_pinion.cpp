@@ -129,7 +129,7 @@ class Cutting {
     if (branch.height_lo < branch.height_hi) all.push_back(std::move(branch));
   }
 
-  // Returns true if the next branch continues smoothly.
+  // Adds the branches of an arc. Returns true if the next branch continues smoothly.
   bool add_arc(const Arc& arc, bool smooth) {
     return visit_curve<AxisCircle, Involute>(
         *arc.curve,

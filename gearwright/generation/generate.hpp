@@ -28,10 +28,10 @@ struct GeneratedTooth {
   std::optional<double> form_radius;      ///< mm, start of the flank; empty if no flank is left
   std::optional<double> tip_form_radius;  ///< mm, end of the flank
   std::optional<Angle> neck_half_angle;   ///< smallest half angle of the root fillet, signed
-  std::optional<double> neck_radius;      ///< mm, radius of the neck
+  std::optional<double> neck_radius;      ///< mm, radius at that half angle
   bool through_axis = false;  ///< true if the root circle would have a radius of 0 or less
   bool severed = false;       ///< true if the root fillets of both flanks meet (tooth cut off)
-  bool pointed = false;       ///< true if the two flanks meet below the end of blank and cutter
+  bool pointed = false;       ///< true if the two flanks meet before blank or cutter ends the tooth
   bool tip_cut_by_rack =
       false;  ///< true if the bottom land of the cutter, not the blank, ends the tooth
   bool rounded_tip =

@@ -85,8 +85,8 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
 Vec2 PinionEnvelope::point(double t) const {
   const Contact c = contact(t);
   const double side = motion_.side();
-  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear, the conjugate is taken and
-  // negated.
+  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear, it is replaced by the
+  // negative of its conjugate.
   const double along = side * (r_g_ + c.lambda() * c.w / r_p_);
   const double across = c.lambda() * c.s / r_p_;
   const double turn = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned;

@@ -41,7 +41,7 @@ class RackTrochoid final : public Curve {
   Vec2 point(double tau) const override;
   CurvePoint at(double tau) const override;
   double polar_angle(double tau) const override;
-  /// [T8.6]
+  /// The point W and its first two derivatives by τ, in polar form. [T8.6]
   PolarJet polar_jet(double tau) const;
   /// Returns ln |W| and its derivative by τ. A search for a radius needs only this part of
   /// polar_jet.
@@ -69,8 +69,8 @@ class RackTrochoid final : public Curve {
 };
 
 // Computes W = (r + x + ik) e^{iφ} and its derivatives by τ; inline, because the inner loop of contact/
-// calls it. The height is split into the height of the centre and q sin τ, so that no term is divided
-// by more than sin² τ.
+// calls it. In the code, x is the height of the circle's centre, so the cutter's point is at the
+// height x + q sin τ. With these two terms, nothing is divided by more than sin² τ.
 inline PolarJet RackTrochoid::polar_jet(double tau) const {
   const double r = motion_.pitch_radius, cos_beta = motion_.cos_beta;
   const double x = circle_.center.x(), q = circle_.q;

@@ -29,7 +29,7 @@ struct Base {
   double eta;    // η_b; negative if there is no space on the base cylinder
 };
 
-// [T10.5]
+// The base cylinder of a gear whose teeth have this transverse thickness on it, mm. [T10.5]
 Base base_of(const Gear& gear, double base_thickness) {
   const ReferenceGeometry<double>& g = gear.reference();
   return {g.base_diameter, std::cos(g.base_helix_angle), std::tan(g.base_helix_angle), gear.side(),

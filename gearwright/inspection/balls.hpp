@@ -40,8 +40,8 @@ struct BallSeat {
 /// The dimension over two pins, or between them in an internal gear.
 struct PinReading {
   std::optional<double> two_free;    ///< mm, least dimension over two pins that can tilt
-  std::optional<double> three;       ///< mm, over two pins between parallel anvils; for a helical
-                                     ///< gear also over three pins
+  std::optional<double> three;       ///< mm, between parallel anvils over two pins, or over three
+                                     ///< pins of a helical gear
   std::optional<double> three_pins;  ///< M_d3R mm, with one anvil on two neighbouring pins
 };
 

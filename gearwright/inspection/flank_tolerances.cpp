@@ -67,7 +67,7 @@ void add_single_flank(FlankToleranceValues& t, int quality, const ToleranceSubje
   t.single_flank = rounded_tolerance(f * (F_p + tooth));
 }
 
-// [T10.15]…[T10.17]
+// The tolerances by the formulas of 2013. [T10.15]…[T10.17]
 FlankToleranceValues of_2013(int quality, const ToleranceSubject& gear) {
   const double d = gear.reference_diameter, m = gear.normal_module, b = gear.face_width;
   const double f = step_factor(quality);
@@ -92,7 +92,7 @@ FlankToleranceValues of_2013(int quality, const ToleranceSubject& gear) {
           {}};
 }
 
-// [T10.18]
+// The tolerances by the formulas of 1995 for mean values of ranges. [T10.18]
 FlankToleranceValues of_1995(int quality, const ToleranceSubject& gear) {
   const double d = mean_of_range(kDiameters, gear.reference_diameter);
   const double m = mean_of_range(kModules, gear.normal_module);

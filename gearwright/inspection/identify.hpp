@@ -47,9 +47,9 @@ struct IdentifyProblem {
   std::optional<Angle> helix_angle;            ///< β, if known; 0 for a spur gear
   std::vector<SpanReading> spans;
   std::vector<DiameterReading> balls;
-  double span_uncertainty = 0.02;     ///< mm
-  double balls_uncertainty = 0.02;    ///< mm
-  MaybeReading<double> tip, root;     ///< mm
+  double span_uncertainty = 0.02;     ///< u of each span, mm
+  double balls_uncertainty = 0.02;    ///< u of each dimension over balls, mm
+  MaybeReading<double> tip, root;     ///< tip and root diameter, mm
   MaybeReading<double> lead;          ///< mm, > 0 right hand
   MaybeReading<Angle> helix;          ///< measured helix angle
   MaybeReading<double> distance;      ///< centre distance to the mating gear, mm

@@ -26,7 +26,7 @@ NominalPoint nominal_point(const Gear& gear, const RemovalField& removal, FlankS
   const double phi = hand * (psi_b - sigma * roll) + gear.twist() * height;
   const Vec3 u(std::cos(phi), std::sin(phi), 0.0), e(-std::sin(phi), std::cos(phi), 0.0);
   const Vec3 k(0.0, 0.0, 1.0);
-  // [T10.26]
+  // The point and the normal of the unmodified flank. [T10.26]
   const Vec3 plain = r_b * (u + hand * sigma * roll * e) + height * k;
   const Vec3 n = hand * (cos_b * e - sin_b * k);
   const double rho = r_b * std::sqrt(1 + roll * roll);

@@ -49,7 +49,7 @@ std::vector<NominalPoint> nominal_points(const Gear& gear, const RemovalField& r
                                          const PointGrid& grid);
 
 /// Points of the root fillet next to a flank of tooth 0, from the root land to d_Ff, in rows of ascending
-/// height over the same part of the face. Modifications do not change the fillet.
+/// height over the evaluation range of the helix. Modifications do not change the fillet.
 ///
 /// Formula   P = R(2π z/p_z) p + z k with a point p of the fillet in the section z = 0 and its normal e,
 ///           n ∝ e − (2π/p_z)(e · k × p) k; [T10.29]

@@ -96,7 +96,7 @@ std::optional<int> whole(std::string_view text) {
   return value;
 }
 
-// The standard tolerance of a grade, mm; none beyond the table.
+// The standard tolerance of a grade for a nominal size, mm; none beyond the table.
 std::optional<double> tolerance_grade(int grade, double size) {
   const std::size_t row = row_of(kSizes, size);
   if (row == kSizes.size()) return std::nullopt;

@@ -21,7 +21,7 @@ namespace gearwright {
 /// Errors    `series` if there is no such series, or if the reference diameter exceeds 10 000 mm
 Result<std::array<double, 2>> thickness_allowances(std::string_view series,
                                                    double reference_diameter);
-/// The ± deviation of JS, half of the tolerance grade, mm. [T10.21]
+/// The ± deviation of JS, half of the tolerance of its grade, mm. [T10.21]
 ///
 /// Errors    `tolerance` if it is not JS1 to JS12; `center_distance` above 3150 mm
 Result<double> js_deviation(std::string_view tolerance, double center_distance);

@@ -67,7 +67,7 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   const double change = in.center_distance - c0;
   const double difference = in.concave.radius - in.convex.radius;
   GW_EXPECTS(difference > 0.0);
-  // [T7.17]; if the change is 0, this is [T7.9].
+  // The sine of the first-order angle. [T7.17]; if the change is 0, [T7.9].
   const double s = (in.concave.b - in.convex.b - change) / difference;
   if (!(s > 0.0 && s < 1.0)) return std::nullopt;
   const double first = std::asin(s);
@@ -151,7 +151,7 @@ double tool_setting_change(const ArcMeshInput& in, Angle normal_angle, double de
   GW_EXPECTS(theta > 0.0 && theta < std::numbers::pi / 2);
   const double c0 = in.pitch_radius_convex + in.pitch_radius_concave;
   const double c = in.center_distance + delta_distance;
-  // (C0 + w)² + (w cot θ sin λ)² = C²
+  // Solves (C0 + w)² + (w cot θ sin λ)² = C² for w.
   const double t = std::sin(in.lead_angle.rad()) / std::tan(theta);
   const double k = 1.0 + t * t;
   const double rest = (c - c0) * (c + c0);

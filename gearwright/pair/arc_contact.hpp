@@ -48,14 +48,15 @@ struct ArcContact {
                               ///< < 0 if there is play
   double radius_convex;       ///< distance of the point from the axis of the convex gear, mm
   double radius_concave;      ///< distance of the point from the axis of the concave gear, mm
-  Mat2 curvature_convex;      ///< K in (t, u), 1/mm
-  Mat2 curvature_concave;     ///< likewise
+  Mat2 curvature_convex;      ///< K of the convex flank in (t, u), 1/mm
+  Mat2 curvature_concave;     ///< K of the concave flank in (t, u), 1/mm
   std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; interference if ≤ 0
   Angle angle;                ///< between the direction of k1 and the projection of the axis
-  double transverse_radius_convex;  ///< radius of curvature of the transverse profile, mm; > 0 if
-                                    ///< its centre lies on the side of the convex gear
   double
-      transverse_radius_concave;   ///< likewise for the concave gear, with the same sign convention
+      transverse_radius_convex;  ///< radius of curvature of the convex transverse profile, mm; > 0
+                                 ///< if its centre lies on the side of the convex gear
+  double transverse_radius_concave;  ///< radius of curvature of the concave profile, mm; > 0 if its
+                                     ///< centre lies on the side of the convex gear
   double line_contact_difference;  ///< ρ_2 − ρ_1 of the transverse profiles in line contact, mm
 };
 

@@ -308,7 +308,7 @@ Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> dista
     if (auto error = find_contacts(pair)) return *error;
   }
   const CylindricalSpec &s_1 = pair.gears[0].spec, &s_2 = pair.gears[1].spec;
-  // [T7.11]
+  // ε_β = b sin |β|/(π m_n). [T7.11]
   pair.overlap_ratio = std::min(s_1.face_width, s_2.face_width) *
                        std::sin(std::abs(s_1.helix_angle.rad())) / (kPi * s_1.normal_module);
   pair.face_for_contact = longest_gap(pair);

@@ -45,8 +45,8 @@ struct ArcPair : MountedGears {
 std::vector<WorkingArc> convex_arcs(const Gear& gear);
 std::vector<WorkingArc> concave_arcs(const Gear& gear);
 
-/// Permitted differences of modules and helix angles. Gears cut with another lead, to compensate
-/// for errors of the housing, differ by less.
+/// Permitted differences of modules and helix angles. Leads that are changed to compensate for
+/// errors of the housing cause smaller differences.
 constexpr double kNearModule = 0.005;              ///< relative difference of the modules
 constexpr Angle kNearHelix = Angle::degrees(0.5);  ///< greatest |β_1 + β_2|
 constexpr double kSameAsWritten = 1e-9;            ///< smaller differences count as equal

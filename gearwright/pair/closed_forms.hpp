@@ -18,7 +18,7 @@
 
 namespace gearwright {
 
-/// The α with inv α = y, without iteration.
+/// Computes the α with inv α = y, without iteration.
 ///
 /// Formula   α = c + c³ P(c²) with c = ∛(3y) for y < 1.1, otherwise α = π/2 − s − s³ Q(s²) with s =
 ///           1/(y + π/2); section 2.1
@@ -40,7 +40,7 @@ struct BacklashColumns {
   std::array<const double*, kIn> in{};
 };
 
-/// Normal backlash j_n at a centre distance, mm; < 0 if the teeth overlap.
+/// Computes the normal backlash j_n at a centre distance, mm; < 0 if the teeth overlap.
 ///
 /// Formula   j_n cos α_wn = m_n cos α_n (z1 + z2)(inv α_wt − inv α_0); [T2.24], [T2.16]
 /// Domain    whole z1 ≥ 1 and z2 below 1e6, a > |r_b1 + r_b2|

@@ -68,7 +68,7 @@ class TipMotion {
   const Body& a() const { return a_; }
   const Body& b() const { return b_; }
   double rho() const { return tip_.rho; }
-  /// Azimuth of axis B.
+  /// Azimuth of the axis of B in the frame of A.
   double start() const { return start_; }
   /// The direction of the axis of B, in the frame of A.
   Vec3 axis() const { return to_b_.linear().transpose() * Vec3(0, 0, 1); }
@@ -165,7 +165,7 @@ GapOver inside(const TipMotion& motion, double limit) {
     };
     return Window{deepest, end(-kPi), end(kPi)};
   };
-  // The windows are stored, because many positions have the same height.
+  // The windows are stored, because many (u, v) have the same height z.
   const auto windows = std::make_shared<std::map<double, std::optional<Window>>>();
   return [=, &motion](double u, double v) {
     const double z = v * motion.a().half_face;

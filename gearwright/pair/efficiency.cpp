@@ -47,7 +47,7 @@ SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& me
   Linear u{w[0].at - w[1].at, w[0].slope - w[1].slope};
   const double A = u.slope.squaredNorm();
   GW_ENSURES(A > 0.0);
-  const double origin = -u.at.dot(u.slope) / A;  // position of least sliding, from `begin`
+  const double origin = -u.at.dot(u.slope) / A;  // distance from `begin` to the least |u|, mm
   const double k = std::abs(u.at.x() * u.slope.y() - u.at.y() * u.slope.x()) / A;
   u = u.from(origin);
   for (Linear& wi : w) wi = wi.from(origin);

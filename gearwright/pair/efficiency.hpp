@@ -16,7 +16,7 @@
 namespace gearwright {
 
 struct Efficiency {
-  std::optional<double> gear1_drives;  ///< none if self-locking: gear 1 cannot drive
+  std::optional<double> gear1_drives;  ///< η_12; none if gear 1 cannot drive (self-locking)
   std::optional<double> gear2_drives;
 };
 
@@ -31,7 +31,7 @@ struct SlidingShares {
 /// Domain    the clipped path has a length (contract)
 SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& mesh);
 
-/// Domain    μ ≥ 0 (contract)
+/// The efficiencies η_12 and η_21 for the coefficient of friction μ.   Domain: μ ≥ 0 (contract)
 Efficiency efficiency(const SlidingShares& shares, double friction);
 
 // Zones of the line of action, by the number of tooth pairs in contact.

@@ -101,7 +101,7 @@ double signed_distance(const Arc& arc, const Vec2& p) {
       arc.curve->polar_angle(outward ? arc.curve->parameter_at_radius(rho, arc.begin, arc.end)
                                      : arc.curve->parameter_at_radius(rho, arc.end, arc.begin));
   double angle = std::atan2(p.y(), p.x());
-  // with one tooth, the angle may exceed π
+  // If the gear has one tooth, the angle may exceed π.
   if (angle < theta - std::numbers::pi) angle += 2 * std::numbers::pi;
   return angle >= theta ? least : -least;
 }

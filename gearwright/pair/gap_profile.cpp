@@ -84,7 +84,7 @@ ProfileArc::Found ProfileArc::find(double rho) const {
   double pace = chord / (hi - lo);
   constexpr double kShort = 2e-6;  // longest last step, relative to the radius of curvature and to
                                    // the radius
-  constexpr int kMost = 60;        // bisection alone would need fewer
+  constexpr int kMost = 60;        // greatest number of steps; bisection alone would need fewer
   for (int i = 0;; ++i) {
     const CurvePoint at_u = arc->at(u);
     const ProfilePlace p = place_of(at_u);
@@ -123,8 +123,8 @@ GapProfile::GapProfile(const Outline& outline)
     if (is_land(arc) || begin == end) continue;
     arcs_.push_back({&arc, begin, end, arc.curve->radius_is_closed_form()});
   }
-  // Smaller angles are rounding errors, or so blunt that the contact of the adjacent arcs is
-  // equivalent.
+  // A smaller angle between two arcs is a rounding error, or the corner is so blunt that contact of
+  // the arcs is equivalent to contact of the corner.
   constexpr double kSmooth = 1e-7;  // rad
   // The mating gear cannot reach a concave corner. An angle near half a turn may be a cusp, where the
   // sign of the turn is undetermined. A cusp is included, because an additional corner does no harm.

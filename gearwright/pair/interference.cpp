@@ -73,8 +73,8 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
 
 }  // namespace
 
-// The deepest diameter of each gear that the mating gear's tip touches, and the distance of this
-// circle from the start of the usable flank. [T2.25]
+// Computes, for each gear, the diameter down to which the mating gear's tip touches it, and the
+// radial distance from the start of the usable flank to this diameter. [T2.25]
 void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   for (int i : {0, 1}) {
@@ -94,7 +94,7 @@ void find_form_clearance(InvolutePair& p) {
   }
 }
 
-// [T2.23]
+// Computes the clearances of both tips, and warns if one is too small. [T2.23]
 void find_tip_clearance(InvolutePair& p) {
   const double a = p.center_distance;
   const Gear& g1 = p.gears[0];
@@ -148,7 +148,7 @@ void find_internal_margins(ParallelPair& p) {
     margins.involute = p.mesh.rho1_A - roll(*form, g1.base_radius()) * g1.base_radius();
   }
   const auto clamp = [](double v) { return std::clamp(v, -1.0, 1.0); };
-  // If the tip circles do not intersect, no tip can collide with another.
+  // If the tip circles do not intersect, no tip can collide with a mating tip.
   if (r_a2 < a + r_a1) {
     const double theta_1 =
         std::acos(clamp((r_a2 * r_a2 - r_a1 * r_a1 - a * a) / (2 * a * r_a1))) + inv_a1 - inv_w;

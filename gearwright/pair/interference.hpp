@@ -6,17 +6,18 @@
 
 namespace gearwright::detail {
 
-/// Contact root diameters and form clearances. Findings: `base_tangent`, `form_circle` or
+/// Computes contact root diameters and form clearances. Findings: `base_tangent`, `form_circle` or
 /// `contact_lost_to_undercut`.
 void find_form_clearance(InvolutePair& pair);
-/// Clearances of tips and roots, [T2.23]. Findings: `no_tip_clearance` or `root`. On crossed axes with
-/// an internal gear, the clearances are least at an end of a face. [T4.37]
+/// Computes the clearances between tips and roots. Findings: `no_tip_clearance` or `root`. If axes
+/// with an internal gear cross, the clearances are least at an end of a face. [T2.23], [T4.37]
 void find_tip_clearance(InvolutePair& pair);
-/// Internal pairs: involute, trochoid and trimming interference. [T2.27], [T2.28]
+/// Computes the margins of an internal pair against involute, trochoid and trimming interference.
+/// [T2.27], [T2.28]
 void find_internal_margins(ParallelPair& pair);
-/// Clearances between tip corners and fillets. Finding: `tip_to_fillet`. [T2.26]
+/// Computes the clearances between tip corners and fillets. Finding: `tip_to_fillet`. [T2.26]
 void find_fillet_clearance(ParallelPair& pair);
-/// Overlap of the outlines, contact beyond the flanks, and the free play of two gears.
+/// Finds overlap of the outlines and contact beyond the flanks, and computes the free play.
 /// [T2.29]…[T2.33] `half_play` is half the play of the flanks as a turn of gear 2. `normal_play` is
 /// the whole play along the normal, mm. `saddle` is the depth, mm, to which flanks overlap beside
 /// their line of action.
@@ -24,7 +25,7 @@ void find_fillet_clearance(ParallelPair& pair);
 /// Domain    both gears with a tooth. On crossed axes, only tips are compared with the mating gear:
 ///           with its fillets [T4.33] and, if one gear is an internal gear, also with its flanks
 void find_collisions(MountedGears& pair, double half_play, double normal_play, double saddle = 0.0);
-/// find_collisions() for an involute pair. It keeps in `interference` only the findings that
+/// Calls find_collisions() for an involute pair. It keeps in `interference` only the findings that
 /// explain an overlap, so it must be called last.
 void find_overlap(InvolutePair& pair, double saddle);
 

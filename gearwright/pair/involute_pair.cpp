@@ -204,7 +204,7 @@ double saddle_depth(const CrossedPair& p) {
   return kHigherOrders * depth;
 }
 
-// Reference and extended centre distance, and the tip shortening.
+// Computes the reference and the extended centre distance, and the tip shortening.
 void find_distances(InvolutePair& p) {
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];

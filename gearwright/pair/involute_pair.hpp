@@ -27,7 +27,7 @@ struct Interference {
   std::string message;                 ///< one sentence
 };
 
-/// A backlash-free position of a crossed pair.
+/// A position of the axes of a crossed pair without backlash.
 struct CrossedPlace {
   double center_distance;       ///< mm
   Angle shaft_angle;            ///< Σ
@@ -58,10 +58,10 @@ struct InvolutePair : MountedGears {
   std::vector<Interference>
       interference;  ///< the findings that explain the overlap, or all findings if no overlap was
   ///< computed
-  bool flanks_meet() const;           ///< true if the path has a length and both gears have a
-                                      ///< usable flank
-  double path_length() const;         ///< g_α, crossed AE  mm; 0 without contact
-  double contact_ratio() const;       ///< ε_α + ε_β, crossed AE/p_bn; 0 without contact
+  bool flanks_meet() const;      ///< true if the path has a length and both gears have a
+                                 ///< usable flank
+  double path_length() const;    ///< g_α, or AE on crossed axes  mm; 0 without contact
+  double contact_ratio() const;  ///< ε_α + ε_β, or AE/p_bn on crossed axes; 0 without contact
   double contact_ratio_true() const;  ///< contact ratio with the clipped path
   double normal_backlash() const { return mesh.backlash.normal; }  ///< j_n  mm
   std::array<double, 2> working_pitch_diameter() const {           ///< d_w  mm

@@ -213,7 +213,7 @@ class CornerFamily {
       u_0_ = arc.u_at_radius(deepest_);
       if (!(u_0_ < 1.0)) reaches_ = false;
     } else {
-      // The zero of the straight line through the values at both ends.
+      // The u < 0 at which the straight line through excess() at both ends of the arc is 0.
       u_0_ = -at_root / (at_tip - at_root);
       t_0_ = std::sqrt(-u_0_ / (1.0 - u_0_));
     }
@@ -235,7 +235,7 @@ class CornerFamily {
     const Vec2 p(corner_.rho * c, corner_.rho * s);
     const Vec2 d(m_.k * m_.a + m_.epsilon * p.x(), m_.epsilon * p.y());
     const auto gap = m_.gap_of(b, std::atan2(d.y(), d.x()) + m_.kappa * phi);
-    // D' = iε ρ_c e^{iw} over D.
+    // D'/D with D' = iε ρ_c e^{iw}.
     const double square = d.squaredNorm();
     const double radial = m_.epsilon * (p.x() * d.y() - p.y() * d.x()) / square;
     const double across = m_.epsilon * (p.x() * d.x() + p.y() * d.y()) / square;
@@ -281,7 +281,7 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
     const double hi = std::max(b.rho_root, b.rho_tip);
     const auto meets = [&](double rho) { return rho >= lo && rho <= hi; };
     // The next arc of B continues where this one ends, so a small deviation does not matter.
-    constexpr double kNear = 1e-7;  // of the arc
+    constexpr double kNear = 1e-7;  // accuracy of u
     const auto crossing = [&](const EnvelopeNode& one, const EnvelopeNode& two, double limit) {
       return zero_between([&](double u) { return family.envelope(u).radius - limit; }, one.u,
                           one.radius - limit, two.u, two.radius - limit, kNear,

@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNoLength = 1e-9;  // modules: smaller values are rounding errors
+constexpr double kNoLength = 1e-9;  // modules: a shorter length is a rounding error
 // Permitted deviation of the start of a fillet from the depth of the mating tip, modules. The fillet
 // radii of ISO 53 are rounded to two digits (0.38 for 0.37993).
 constexpr double kRoundedFillet = 1e-4;
@@ -57,8 +57,8 @@ RackGeometry geometry(const Gear& pinion, const RackBar& bar) {
   return r;
 }
 
-// Approach and recess on the usable flanks. The pinion's flank begins at its form circle or base
-// tangent point, and the rack's flank ends with its straight part. [T2.39]
+// Clips approach and recess to the usable flanks. The pinion's flank begins at its form circle or
+// base tangent point, and the rack's flank ends with its straight part. [T2.39]
 void clip(RackPair& p) {
   const double r_b = p.pinion.base_radius();
   const double reach = p.pinion.reference_diameter / 2 * std::sin(alpha_t(p.pinion));

@@ -10,7 +10,7 @@ namespace gearwright {
 namespace {
 
 struct Saddle {
-  double L;                                      // mm
+  double L;                                      // mm, between the base tangent points
   double sin2, cos2;                             // sin² η and cos² η
   double begin, end;                             // λ_1 of the path
   std::array<double, 2> curvature_per_crowning;  // K_i/C_βi  1/mm²
@@ -58,8 +58,8 @@ bool clears_beside_line(const MeshInput<double>& in, const Mesh<double>& mesh,
                both * lambda * (lambda + s.L) >
            s.sin2;
   };
-  // The left-hand side of this inequality is a parabola in λ. Its least value is at the vertex, or
-  // at an end of the path if the vertex lies beyond the path.
+  // The left-hand side of the inequality in clear_at is a parabola in λ. Its least value is at the
+  // vertex, or at an end of the path if the vertex lies beyond the path.
   const double vertex = both > 0.0 ? -s.L / 2 - (K_1 - K_2) * s.sin2 / (2 * both) : s.begin;
   return clear_at(s.begin) && clear_at(s.end) && clear_at(std::clamp(vertex, s.begin, s.end));
 }

@@ -127,6 +127,8 @@ struct MinDistanceSeries {
   }
 };
 
+/// Prepares the approximations for a pair.
+///
 /// Formula   [T5.18], [T5.19], [T5.23]
 /// Domain    common m_n > 0 and 0 < α < π/2, |β| < π/2, z_1 > 0, z_2 ≠ 0; an internal gear has more
 ///           virtual teeth than its pinion and the same helix angle (contract)

@@ -24,7 +24,7 @@
 
 namespace gearwright {
 
-/// The gear g, whose helix angle reaches 90° first.
+/// The gear g, whose helix angle reaches 90° first when α_n increases.
 template <class T>
 int limiting_gear(const BasePair<T>& gears) {
   using std::abs;

@@ -47,7 +47,7 @@ struct DynamicInput {
 };
 
 struct Dynamic {
-  Factor n_E1;  ///< 1/min
+  Factor n_E1;  ///< resonance speed of the pinion, 1/min
   Factor N;
   Factor K_v;
 };
@@ -67,7 +67,7 @@ Dynamic dynamic_factor(const DynamicInput& in);
 //   C_M      correction by measurements, 0.8
 //   C_R, C_B, E/E_St   corrections for gear body, basic rack and material
 
-/// A gear body with web and rim. Without it, the body is a solid disc.
+/// A gear body with web and rim. If it is absent, the body is a solid disc.
 struct RatedBody {
   double web_share = 1.0;    ///< b_s/b, 0.2 … 1.2
   double rim_modules = 5.0;  ///< s_R/m_n, ≥ 1

@@ -54,7 +54,7 @@ struct Material {
   std::optional<double> hardness_HV{};     ///< hardness of the surface
   std::optional<double> yield_strength{};  ///< R_e  N/mm²
   bool from_table = false;                 ///< true if the limits come from the built-in table
-  /// Values of a plastic by temperature. If a list is not empty, it replaces the number above.
+  /// Values of a plastic by temperature. If a list is not empty, it replaces the single number.
   ByTemperature sigma_Hlim_by{}, sigma_Flim_by{}, youngs_modulus_by{};
 
   bool surface_hardened() const {
@@ -110,8 +110,8 @@ std::optional<Material> material_named(std::string_view name,
 
 struct Life {
   Factor factor;     ///< Z_NT or Y_NT
-  double reference;  ///< exponent of the other factors: 0 at static stress, 1 above the reference
-                     ///< number of cycles, and linear in log N between them
+  double reference;  ///< exponent of factors for the reference number, such as Z_L: 0 at static
+                     ///< stress, 1 above that number of cycles, linear in log N between them
 };
 
 /// The user's choices for long lives.

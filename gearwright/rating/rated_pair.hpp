@@ -59,7 +59,7 @@ struct RatedPair {
   double beta_b = 0.0;
   double center_distance = 0.0;  ///< a     mm
   double u = 0.0;                ///< z2/z1, negative for an internal pair
-  double face_width = 0.0;       ///< b     mm, the lesser one; b_B for double-helical gears
+  double face_width = 0.0;       ///< b     mm, the lesser of both; b_B for double-helical gears
   int halves = 1;  ///< 2 for double-helical gears, whose halves share the load equally
   double epsilon_alpha = 0.0;
   double epsilon_beta = 0.0;

@@ -47,9 +47,10 @@ struct RatingInput {
   std::optional<PinionMounting> mounting;
   std::optional<MeshShafts> shafts;    ///< used to compute K_Hβ if neither K_Hβ nor a mounting is
                                        ///< given
-  std::optional<double> misalignment;  ///< f_ma  µm, with `shafts`; default as for a mounting
+  std::optional<double> misalignment;  ///< f_ma  µm, used with `shafts`; by default from the helix
+                                       ///< slope tolerances
   std::optional<RatedBody> body;
-  std::array<std::optional<double>, 2> rim{};  ///< s_R  mm
+  std::array<std::optional<double>, 2> rim{};  ///< s_R  mm, rim thickness for Y_B
   LifeChoice life;
   PlasticInput plastic;  ///< for VDI 2736
   std::array<Material, 2> materials;

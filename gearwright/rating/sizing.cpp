@@ -9,9 +9,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kDecades = 1e6;      // relative to the torque of the input, in both directions
-constexpr double kSameTorque = 1e-9;  // relative
-constexpr double kSameFace = 1e-7;    // relative
+constexpr double kDecades = 1e6;      // greatest ratio, up or down, to the torque of the input
+constexpr double kSameTorque = 1e-9;  // relative accuracy of the torque
+constexpr double kSameFace = 1e-7;    // relative accuracy of the face width
 
 bool safe(const RatedPair& pair, const RatingInput& input, const WantedSafety& wanted) {
   const auto r = rate(pair, input);

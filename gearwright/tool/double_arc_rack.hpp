@@ -45,13 +45,15 @@ struct DoubleArcDerived {
                                  ///<      datum line
   double
       contact_thickness;  ///< S_a*  thickness of the tooth at the contact point of the convex arc
-  double concave_offset;  ///< l_f*
+  double concave_offset;  ///< l_f*  distance of the concave arc's centre beyond the space's middle
   double root_radius;     ///< r_g*  full radius of the cutter's tip
-  double step_radius;     ///< r_j*
-  Angle convex_begin;     ///< δ_1
-  Angle concave_end;      ///< δ_2
+  double step_radius;     ///< r_j*  radius of the arc of the step
+  Angle convex_begin;     ///< δ_1   normal angle at the lower end of the convex arc
+  Angle concave_end;      ///< δ_2   normal angle at the upper end of the concave arc
 };
 
+/// Computes the numbers of the rack that follow from the given ones.
+///
 /// Errors    the member of `rack` that makes the rack impossible, such as `rack.step_depth`
 Result<DoubleArcDerived> derived(const DoubleArcRack& rack);
 

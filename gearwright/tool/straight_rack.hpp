@@ -19,11 +19,11 @@ struct StraightRack {
   double dedendum = 1.25;            ///< h_fP*  depth of the cutter below the datum line
   double root_fillet_radius = 0.38;  ///< ρ_fP*  radius of the cutter's tip rounding
   double tip_fillet_radius = 0.0;    ///< ρ_1*   radius of the cutter's bottom rounding
-  std::optional<double> tool_addendum{};  ///< end of the straight flank above the datum line
+  std::optional<double> tool_addendum{};  ///< height of the flank's end above the datum line
   std::optional<Angle>
       semi_topping_angle{};   ///< pressure angle of a ramp that replaces the bottom rounding
-  double protuberance = 0.0;  ///< pr_P*
-  Angle protuberance_angle = Angle::degrees(10);  ///< α_pr
+  double protuberance = 0.0;  ///< pr_P*  height above the straight flank, normal to it
+  Angle protuberance_angle = Angle::degrees(10);  ///< α_pr  of its straight line
   bool named =
       false;  ///< true for ISO 53; a tip rounding that does not fit is then replaced by the full radius
 };
@@ -41,7 +41,7 @@ struct StraightRackEdge {
       false;  ///< true if the radius of a named rack did not fit and was replaced
 };
 
-/// The edge in mm.
+/// The edge of a rack, in mm.
 ///
 /// Errors    the member of `rack`, such as `rack.dedendum`, with its value and the allowed range
 Result<StraightRackEdge> make_edge(const StraightRack& rack, double normal_module,

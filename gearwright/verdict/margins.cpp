@@ -14,7 +14,7 @@ namespace {
 struct Margin {
   WarningCode code;
   const char* what;  // example: "The form clearance at the root of gear {}"
-  double modules;
+  double modules;    // least clearance without a finding
 };
 
 constexpr Margin kForm{WarningCode::form_margin, "The form clearance at the root of gear {}",

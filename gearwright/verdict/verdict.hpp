@@ -38,7 +38,7 @@ Level level_of(Severity severity);
 /// Formula   2/3 (0.06 + 0.0005 a + 0.03 m_n); ISO/TR 10064-2:1996, annex A
 /// Units     mm
 double recommended_backlash(double center_distance, double normal_module);
-/// "ISO/TR 10064-2 recommends at least 0.100 mm".
+/// Example: "ISO/TR 10064-2 recommends at least 0.100 mm".
 std::string recommendation(double recommended_backlash);
 /// A backlash below this size is printed as 0.0000 mm and is called "no backlash", mm.
 constexpr double kNoBacklash = 0.5e-4;
@@ -57,7 +57,7 @@ enum class Adjustable {
   teeth,                ///< z
   helix_angle,          ///< β     degrees
   face_width,           ///< b     mm
-  bore,                 ///< mm
+  bore,                 ///< mm, diameter
   lead_crowning,        ///< C_β   µm, both flanks
   lead_slope,           ///< C_Hβ  µm, both flanks
   center_distance,      ///< a     mm, of the pair
