@@ -19,6 +19,14 @@ using Q = ScatterQuantity;
 
 Deviation none(const ContactSetup& setup) { return deviation_at(setup, {}, {}); }
 
+// The mean place of the contact along the face of a pair, relative to half of its width.
+double along_face(const ContactResult& pair, double face_width) {
+  double sum = 0.0;
+  for (const ContactPoint& p : pair.positions)
+    if (p.kind != TouchKind::line) sum += p.height[0] / (face_width / 2);
+  return sum / static_cast<double>(pair.positions.size());
+}
+
 TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
   for (auto drawn :
        {testing::crowned_helical_pair(), testing::plain_helical_pair(), testing::spur_pair(true)}) {
@@ -43,6 +51,7 @@ TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
       }
       EXPECT_EQ(m[Q::mean], sum / 32);
       EXPECT_EQ(m[Q::edge_share], edges / 32.0);
+      EXPECT_NEAR(m[Q::along_face], along_face(driving, drawn.gears[0].face_width), 1e-12);
       EXPECT_GE(m[Q::peak_to_peak], driving.peak_to_peak.rad());
       EXPECT_EQ(m[Q::peak_to_peak], continuous_peak_to_peak(setup, none(setup), request).value);
       EXPECT_FALSE(m.lost);
