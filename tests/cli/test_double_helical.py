@@ -117,12 +117,20 @@ class TwoHalves(unittest.TestCase):
                                           "--json").out)["scatter"]["peak_to_peak_arcsec"]["standard_deviation"], 0.01)
 
     def test_a_scatter_of_halves_rejects_what_needs_one_helix(self):
-        for key in ("worst_case", "loosening", "loaded", "pattern"):
-            run = Run("scatter", PAIR.format("") + self.SCATTER + f"{key} = true\n[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n"
-                      "[load]\ntorque_Nm = 100\n")
+        for key, table in (("worst_case", "worst_case = true\n"), ("loosening", "loosening = true\n"),
+                           ("loaded", "loaded = true\n"), ("pattern", "pattern = true\n"), ("robust", "[scatter.robust]\n"),
+                           ("gear1.pitch", 'quality = 6\n[scatter.gear1]\npitch = "F_p"\n'),
+                           ("gear2.pitch", 'quality = 6\n[scatter.gear2]\npitch = "F_p"\n')):
+            run = Run("scatter", PAIR.format("") + "[load]\ntorque_Nm = 100\n" + self.SCATTER + table +
+                      "[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n")
             self.assertEqual(run.status, 1, key)
             for words in (f"scatter.{key}", "double-helical"):
                 self.assertIn(words, run.err)
+
+    def test_a_grade_adds_no_pitches_of_halves(self):
+        found = json.loads(Run("scatter", PAIR.format("") + self.SCATTER + "quality = 6\nindices = true\n", "--json").out)["scatter"]
+        self.assertIn("gear1.profile_waves", found["inputs"])
+        self.assertEqual([name for name in found["inputs"] if name.endswith("pitch")], [])
 
     def contact(self, spec):
         return json.loads(Run("contact", spec, "--json").out)["contact"]
