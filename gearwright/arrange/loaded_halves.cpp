@@ -11,10 +11,9 @@ namespace gearwright {
 
 namespace {
 
-// The gear with the narrower half, 0 or 1.
-std::size_t narrower_of(const std::array<std::optional<Halves>, 2>& halves) {
+const Halves& narrower_of(const std::array<std::optional<Halves>, 2>& halves) {
   GW_EXPECTS(halves[0] && halves[1]);
-  return halves[1]->half_face_width < halves[0]->half_face_width ? 1 : 0;
+  return halves[1]->half_face_width < halves[0]->half_face_width ? *halves[1] : *halves[0];
 }
 
 }  // namespace
@@ -43,8 +42,7 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
                                    const std::array<std::optional<Halves>, 2>& halves,
                                    const ContactErrors& errors, const LoadInput& input,
                                    std::vector<Warning>& warnings, Progress* progress) {
-  const std::size_t of = narrower_of(halves);
-  const Halves& narrower = *halves[of];
+  const Halves& narrower = narrower_of(halves);
   const Gear& gear_1 = arranged.gear(1);
   LoadAnalysis whole;
   if (!input.probes.empty() || input.torques.empty()) {
@@ -54,17 +52,14 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
     if (!made || input.torques.empty()) return made;
     whole = std::move(made).take();
   }
-  const double middle = middle_of_half(arranged.gears[of]);
-  HalfPlace place{{middle, middle}};
   std::vector<Warning> found;
   auto made = loaded(arranged, errors, input_of_half(input, narrower, gear_1, false), found,
-                     progress, place);
+                     progress, HalfPlace{});
   if (!made) return made.error();
   add_new(std::exchange(found, {}), warnings);
   const LoadAnalysis first = std::move(made).take();
-  place = {place.middle, true, &*first.compliance};
   auto image = loaded(arranged, errors, input_of_half(input, narrower, gear_1, true), found,
-                      progress, place);
+                      progress, HalfPlace{true, &*first.compliance});
   if (!image) return image.error();
   add_new(std::move(found), warnings, kSecondHalf);
   LoadAnalysis second = std::move(image).take();

@@ -12,7 +12,7 @@ namespace gearwright {
 
 /// Computes each half under half of the torque, and combines them into the results of the whole
 /// gears. `arranged` is the half at z > 0. Deflections are given over the whole face including the
-/// gap. If mating halves differ in width, both are computed about the middle of the narrower half.
+/// gap, of the narrower gear if the faces differ.
 ///
 /// Domain    `halves` of both gears (contract)
 /// Errors    as loaded()

@@ -1,6 +1,7 @@
 // Laws: (1) without errors, a half behaves as a separate helical pair under half of the torque
 // (2) the deflections of the halves agree with the deflection of the whole face   (3) a stagger s
-// multiplies harmonic k of the loaded TE by |cos πks|   (4) mirrored errors exchange the halves.
+// multiplies harmonic k of the loaded TE by |cos πks|   (4) mirrored errors exchange the halves
+// (5) for a torque that vanishes, the teeth touch where they touch without load.
 #include "gearwright/arrange/loaded_halves.hpp"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/contact/halves.hpp"
 
 namespace gearwright {
 namespace {
@@ -18,8 +20,9 @@ struct Sample {
   std::array<std::optional<Halves>, 2> halves;
 };
 
-// A pair with z = 17 and 29, m_n = 3 mm, β = 25°, and b = 50 mm including a gap of 6 mm.
-Sample sample(double stagger) {
+// A pair with z = 17 and 29, m_n = 3 mm, β = 25°, and b = 50 mm including a gap of 6 mm. The pinion
+// may be crowned.
+Sample sample(double stagger, std::array<double, 2> faces = {50.0, 50.0}, double crowning = 0.0) {
   GivenPair given;
   for (const int which : {1, 2}) {
     given.gears[static_cast<std::size_t>(which - 1)].emplace();
@@ -28,12 +31,13 @@ Sample sample(double stagger) {
     g.cylindrical.normal_module = 3.0;
     g.cylindrical.helix_angle = Angle::degrees(which == 1 ? 25 : -25);
     g.helix_given = true;
-    g.cylindrical.face_width = 50.0;
+    g.cylindrical.face_width = faces[static_cast<std::size_t>(which - 1)];
     g.face_width_given = true;
     g.cylindrical.rack = *iso53_rack("ISO53-A");
     g.bore = Bore{.diameter = 20.0};
     g.double_helical = DoubleHelical{.gap = 6.0, .stagger_pitches = stagger};
   }
+  for (FlankModifications& flank : given.gear(1).modifications) flank.lead_crowning = crowning;
   EXPECT_FALSE(halve(given));
   Sample s{std::move(arrange(given)).take(), {}};
   for (const int which : {1, 2}) {
@@ -122,6 +126,54 @@ TEST(LoadedHalves, AreExchangedByMirroredErrors) {
   EXPECT_EQ(load(one, 1).peak_to_peak.rad(), load(two, 0).peak_to_peak.rad());
   const auto& along = load(one, 0).face_load;
   EXPECT_EQ((along - load(two, 1).face_load.reverse()).norm(), 0.0);
+}
+
+// Law (5). The faces are 50 and 34 mm wide, so the halves have their middles at 14 and 10 mm, and
+// the errors move the contact by about 1 mm. If the contact is inside the flanks, the middle of a
+// slice is at most half a slice, h/2, from the point of contact, where the gap is less than
+// C (h/b_B)² of the crowning C. The force of a half is 0.002 N, and a slice is stiffer than 1 N/µm.
+TEST(LoadedHalves, TouchWhereTheyTouchWithoutLoad) {
+  constexpr double kCrowning = 0.01, kYield = 2e-6;  // mm
+  const ContactErrors errors{.crossing = Angle::degrees(0.01),
+                             .intersecting = Angle::degrees(0.005)};
+  for (const auto& [faces, driver] :
+       {std::pair{std::array{50.0, 34.0}, 1}, {std::array{34.0, 50.0}, 2}}) {
+    const Sample s = sample(0.0, faces, kCrowning);
+    LoadInput input = torque(1e-4);
+    input.driver = driver;
+    input.positions = 4;
+    input.slices = 10;
+    const LoadAnalysis found = analysed(s, errors, input);
+    const ContactSetup setup = std::move(setup_of(s.half, errors)).take();
+    const HalvesPair pair = HalvesSetup(setup, 0.0).pair(errors, driver == 2);
+    const Gear& driven = s.half.gear(2);
+    for (const std::size_t i : {0, 1}) {
+      const ContactResult contact = analyse_contact(*pair.half[i], {input.positions});
+      const LoadedContact& load = *found.halves[i].contact;
+      const double width = load.slices[0].width();
+      const double sagging = kCrowning * std::pow(width / s.half.gear(1).spec.face_width, 2);
+      const double turn = (sagging + kYield) /
+                          (driven.base_radius() * std::cos(driven.reference().base_helix_angle));
+      int inside = 0;
+      for (std::size_t k = 0; k < contact.positions.size(); ++k) {
+        const ContactPoint& p = contact.positions[k];
+        const LoadedPosition& under = load.torques[0].positions[k];
+        EXPECT_NEAR(under.unloaded_te.rad(), p.te.rad(), 1e-12);
+        if (is_edge(p.kind)) continue;
+        ++inside;
+        EXPECT_NEAR(under.te.rad(), p.te.rad(), turn);
+        const auto& bears = *std::max_element(
+            under.pairs.begin(), under.pairs.end(),
+            [](const LoadedPair& a, const LoadedPair& b) { return a.share < b.share; });
+        Eigen::Index slice = 0;
+        bears.line_load.maxCoeff(&slice);
+        for (const std::size_t g : {0, 1})
+          EXPECT_NEAR(load.slices[g].middle(static_cast<int>(slice)),
+                      (i == 0 ? 1.0 : -1.0) * p.height[g], width);
+      }
+      EXPECT_GT(inside, 1);
+    }
+  }
 }
 
 }  // namespace

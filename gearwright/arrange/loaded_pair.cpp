@@ -7,6 +7,7 @@
 #include "gearwright/arrange/load_standard.hpp"
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/contact/halves.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/rating/material.hpp"
 
@@ -206,11 +207,15 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
   if (auto error = not_made_for(arranged)) return *error;
   auto setup = setup_of(arranged, errors);
   if (!setup) return setup.error();
-  if (half) setup = setup->half_at(half->middle, half->below);
+  if (half)
+    setup = HalvesSetup(*setup, arranged.completed.gear(1).double_helical->stagger_pitches)
+                .half(half->below);
   LoadTask task{std::move(setup).take(), {}, input.driver == 2};
   if (half) task.torque_share = 0.5;
   LoadRequest& request = task.request;
   request.regime = regime_of(arranged);
+  const ContactPair pair = task.pair();
+  request.middle = {pair.middle(1), pair.middle(2)};
   for (const int which : {1, 2}) {
     const auto& shaft = arranged.completed.gear(which).shaft;
     if (!shaft) continue;

@@ -30,10 +30,9 @@ struct LoadAnalysis {
   std::vector<LoadAnalysis> halves{};
 };
 
-/// The position of one half of a double-helical pair. Each half is computed as a separate pair. The
-/// half at z < 0 is computed as its mirror image.
+/// One half of a double-helical pair. Each half is computed as a separate pair. The half at z < 0 is
+/// computed as its mirror image.
 struct HalfPlace {
-  std::array<double, 2> middle{};  ///< mm, as in ContactMount
   bool below = false;
   const PairCompliance* ready = nullptr;  ///< compliance of the other half, which has equal teeth
 };

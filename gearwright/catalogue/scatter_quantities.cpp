@@ -334,7 +334,7 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
        Q::least_play},
       {{"long_period_arcsec", "transmission error until the same teeth mesh again", Unit::arcsec, 3,
         "transmission error over all pairs of teeth, peak to peak over the positions [T14.22]; "
-        "null without `pitch`"},
+        "null for double-helical gears and without accuracy grades"},
        Q::long_period},
   }};
   return entries;

@@ -206,6 +206,33 @@ TEST(ToothCompliance, OfOneToothIsSymmetricAndPositive) {
   }
 }
 
+// A table of some slices contains the same coefficients as a table of all slices of the face.
+TEST(ToothCompliance, OfPartOfTheFaceIsPartOfThatOfTheFace) {
+  for (const double twist : {0.0, 0.012}) {
+    auto section =
+        make_tooth_section(gear_of(kModule), twist, body_of(kModule), ComplianceAccuracy::draft);
+    ASSERT_TRUE(section) << section.error().message();
+    const ToothTable all(*section, {.face_width = 10.0, .slices = {10, -5.0, 5.0}});
+    const ToothTable part(*section, {.face_width = 10.0, .slices = {6, -4.0, 2.0}});
+    constexpr int kFirst = 1, kCount = 6;
+    LinePlaces line;
+    for (int j = 0; j < 10; ++j) line.push_back((*section)->s[1] + 0.09 * j);
+    const LinePlaces there(line.begin() + kFirst, line.begin() + kFirst + kCount);
+    const auto expect_same = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+      EXPECT_LT((a - b).cwiseAbs().maxCoeff(), 1e-12 * a.cwiseAbs().maxCoeff());
+    };
+    expect_same(all.same_tooth(line).block(kFirst, kFirst, kCount, kCount), part.same_tooth(there));
+    expect_same(all.other_tooth(1, line, line).block(kFirst, kFirst, kCount, kCount),
+                part.other_tooth(1, there, there));
+    const auto points = static_cast<Eigen::Index>(all.root().t.size());
+    Eigen::MatrixXd of_all = Eigen::MatrixXd::Zero(6 * points, 10);
+    Eigen::MatrixXd of_part = Eigen::MatrixXd::Zero(6 * points, kCount);
+    all.add_root_stress(0, all.on_grid(TablePlace{line[4], -2.5}), of_all);
+    part.add_root_stress(0, part.on_grid(TablePlace{line[4], -2.5}), of_part);
+    expect_same(of_all.middleCols(kFirst, kCount), of_part);
+  }
+}
+
 // Teeth that touch at points can touch at the ends of the face, so the table contains these ends.
 TEST(ToothCompliance, AtItsFreeEndsAToothYieldsMoreThanInItsMiddle) {
   auto section =

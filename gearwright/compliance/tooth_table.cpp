@@ -92,7 +92,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   other_.assign(2 * side + 1, same_);
   stress_.assign(3, std::vector<MatrixXd>(places_));
   // A spur gear is symmetric about the middle of the face.
-  const bool symmetric = s.tau == 0.0;
+  const bool symmetric = s.tau == 0.0 && slices_.lo == -slices_.hi;
   const int solved = symmetric ? (n_ + 1) / 2 : n_;
   // All positions are computed independently.
   parallel_for(static_cast<std::size_t>(places_), [&](std::size_t at) {

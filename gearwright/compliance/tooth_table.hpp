@@ -17,11 +17,15 @@
 
 namespace gearwright {
 
-/// The slices into which the face is divided, in normal modules. z = 0 is the middle of the face.
+/// The slices into which the face or a part of it is divided, in normal modules. z = 0 is the middle
+/// of the face.
 struct FaceSlices {
   int count = 32;
   double lo = 0.0, hi = 0.0;
   double width() const { return (hi - lo) / count; }
+  double middle() const { return (lo + hi) / 2; }
+  /// The same slices after reflection in the plane z = 0.
+  FaceSlices reflected() const { return {count, -hi, -lo}; }
   double middle(int j) const { return lo + (j + 0.5) * width(); }
 };
 

@@ -1,7 +1,7 @@
 // The quality of the contact of a pair, as the few numbers that corrections improve.
 //
 //   TE  transmission error (transmission.hpp)     N   frame of contact_pair.hpp
-//   h   mean position of the contact along the face, −1 to 1
+//   h   mean position of the contact along the face, −1 to 1, towards +z
 //   p   mean position of the contact along the profile, if there is a target for it
 //                                 theory: docs/theory/08-contact.md, [T8.24]
 #pragma once

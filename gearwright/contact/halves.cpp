@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -43,24 +44,98 @@ std::vector<Angle> harmonics_of(const ContactResult& result, int per_pitch) {
   return harmonics(te);
 }
 
-// The mean of the TE of both halves, rad; NaN if a half does not touch.
+// Converts the analysis of the mirror image at rotations_of_second() to the result for half B.
+// `per_pitch` is the number of positions in one pitch; 0 if the caller gave the rotations.
+ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
+                          const std::vector<Influence>& influences, int per_pitch) {
+  ContactResult result = image;
+  for (ContactPoint& p : result.positions) p = in_mirror(p, mesh.behind(), mesh.half[1]->ratio());
+  for (std::size_t i = 0; i < result.sensitivities.size(); ++i) {
+    const Influence& by = influences[i];
+    const double sign = by.modified_gear == 0 ? mirror_sign(by.error) : 1.0;
+    for (Sensitivity& s : result.sensitivities[i]) s = {sign * s.te, sign * in_mirror(s.point)};
+  }
+  if (per_pitch > 0 && !result.contact_lost) result.harmonics = harmonics_of(result, per_pitch);
+  return result;
+}
+
+// Adds the contact of the whole gears to that of both halves.
+void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
+  const auto& [a, b] = found.half;
+  ContactResult& whole = found.whole;
+  const double per_mm = mesh.half[0]->ratio() * mesh.gear_1->twist();
+  std::vector<double> te;
+  for (std::size_t i = 0; i < a.positions.size(); ++i) {
+    const ContactPoint& p = a.positions[i];
+    const ContactPoint& q = b.positions[i];
+    ContactPoint both;
+    both.rotation1 = p.rotation1;
+    both.point = both.normal = Vec3::Constant(kNone);
+    both.diameter = both.height = {kNone, kNone};
+    if (p.kind == TouchKind::none || q.kind == TouchKind::none) {
+      whole.contact_lost = true;
+      found.float_axial.push_back(kNone);
+    } else {
+      both.te = (p.te + q.te) / 2;
+      both.rotation2 = (p.rotation2 + q.rotation2) / 2;
+      both.pair = p.pair;
+      both.kind = is_edge(q.kind) && !is_edge(p.kind) ? q.kind : p.kind;
+      found.float_axial.push_back((q.te - p.te).rad() / (2 * per_mm));
+      te.push_back(both.te.rad());
+    }
+    whole.positions.push_back(both);
+  }
+  if (te.empty()) return;
+  whole.peak_to_peak = Angle::radians(peak_to_peak(te));
+  whole.mean_slope = (a.mean_slope + b.mean_slope) / 2;
+  whole.unfinished = a.unfinished + b.unfinished;
+  if (per_pitch > 0 && !whole.contact_lost) whole.harmonics = harmonics_of(whole, per_pitch);
+}
+
+// The mean of the TE of both halves, rad; NaN if a half does not touch. TE of a half is that of the
+// leading branch of the two positions around a rotation.
 class MeanError {
  public:
-  explicit MeanError(const HalvesMesh& mesh) : mesh_(mesh), a_(*mesh.half[0]), b_(*mesh.half[1]) {}
-
-  double at(double rotation1) {
-    return (of(a_, *mesh_.half[0], rotation1) +
-            of(b_, *mesh_.half[1], rotation1 + mesh_.behind().rad())) /
-           2;
+  MeanError(const HalvesMesh& mesh, int positions)
+      : n_(positions), step_(mesh.half[0]->pitch() / positions) {
+    const double first = -0.5 * mesh.half[0]->pitch();
+    for (const auto& [pair, start] :
+         {std::pair(mesh.half[0], first), {mesh.half[1], first + mesh.behind().rad()}}) {
+      Half& half = halves_.emplace_back(*pair, start);
+      half.touches = one_pitch(half.transmission, start, positions);
+    }
   }
+
+  // At the rotation that is `x` steps after the first position.
+  double at(double x) { return (of(halves_[0], x) + of(halves_[1], x)) / 2; }
 
  private:
-  static double of(Transmission& transmission, const ContactPair& pair, double rotation1) {
-    const PairTouch t = transmission.at(pair.to_world(rotation1));
-    return t.found() ? pair.turned() * t.te() : kNone;
+  struct Half {
+    Half(const ContactPair& pair, double start) : transmission(pair), first(start) {}
+    Transmission transmission;
+    double first;  // rad
+    std::vector<PairTouch> touches{};
+  };
+
+  double of(Half& half, double x) {
+    const ContactPair& pair = half.transmission.pair();
+    PairTouch leads;
+    for (const double near : {std::floor(x), std::ceil(x)}) {
+      const auto i = (static_cast<long>(near) % n_ + n_) % n_;
+      const PairTouch& from = half.touches[static_cast<std::size_t>(i)];
+      if (x == near) return from.found() ? pair.turned() * from.te() : kNone;
+      if (!from.found() || half.transmission.wavy()) continue;
+      const double phi = from.phi + pair.to_world((x - near) * step_);
+      const PairTouch t = half.transmission.follow(from, phi);
+      if (t.found() && !(leads.found() && leads.te() > t.te())) leads = t;
+    }
+    if (!leads.found()) leads = half.transmission.at(pair.to_world(half.first + x * step_));
+    return leads.found() ? pair.turned() * leads.te() : kNone;
   }
-  const HalvesMesh& mesh_;
-  Transmission a_, b_;
+
+  long n_;
+  double step_;  // rad
+  std::deque<Half> halves_;
 };
 
 }  // namespace
@@ -97,10 +172,12 @@ std::vector<Angle> rotations_of_second(const Gear& gear_1, double stagger,
   return rotations;
 }
 
-HalvesSetup::HalvesSetup(const ContactSetup& setup, double stagger)
-    : half_{setup.half_at({middle_of_half(setup.gear(1)), middle_of_half(setup.gear(2))}, false),
-            setup.half_at({middle_of_half(setup.gear(1)), middle_of_half(setup.gear(2))}, true)},
-      stagger_(stagger) {}
+HalvesSetup::HalvesSetup(const ContactSetup& setup, double stagger, double side)
+    : half_{setup, setup}, stagger_(stagger) {
+  const std::array middles{side * middle_of_half(setup.gear(1)),
+                           side * middle_of_half(setup.gear(2))};
+  half_ = {setup.half_at(middles, false), setup.half_at(middles, true)};
+}
 
 HalvesPair HalvesSetup::pair(const ContactErrors& errors, bool gear2_drives) const {
   HalvesPair made{{half_[0].shared_pair(errors, gear2_drives),
@@ -110,53 +187,17 @@ HalvesPair HalvesSetup::pair(const ContactErrors& errors, bool gear2_drives) con
   return made;
 }
 
-ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
-                          const std::vector<Influence>& influences, int per_pitch) {
-  ContactResult result = image;
-  for (ContactPoint& p : result.positions) p = in_mirror(p, mesh.behind(), mesh.half[1]->ratio());
-  for (std::size_t i = 0; i < result.sensitivities.size(); ++i) {
-    const Influence& by = influences[i];
-    const double sign = by.modified_gear == 0 ? mirror_sign(by.error) : 1.0;
-    for (Sensitivity& s : result.sensitivities[i]) s = {sign * s.te, sign * in_mirror(s.point)};
-  }
-  if (per_pitch > 0 && !result.contact_lost) result.harmonics = harmonics_of(result, per_pitch);
-  return result;
-}
-
-WholeContact whole_contact(const HalvesMesh& mesh, const std::array<const ContactResult*, 2>& half,
-                           int per_pitch) {
-  const auto& [a, b] = half;
-  GW_EXPECTS(a->positions.size() == b->positions.size());
-  const double per_mm = mesh.half[0]->ratio() * mesh.gear_1->twist();
-  WholeContact whole;
-  std::vector<double> te;
-  for (std::size_t i = 0; i < a->positions.size(); ++i) {
-    const ContactPoint& p = a->positions[i];
-    const ContactPoint& q = b->positions[i];
-    ContactPoint both;
-    both.rotation1 = p.rotation1;
-    both.point = both.normal = Vec3::Constant(kNone);
-    both.diameter = both.height = {kNone, kNone};
-    if (p.kind == TouchKind::none || q.kind == TouchKind::none) {
-      whole.result.contact_lost = true;
-      whole.float_axial.push_back(kNone);
-    } else {
-      both.te = (p.te + q.te) / 2;
-      both.rotation2 = (p.rotation2 + q.rotation2) / 2;
-      both.pair = p.pair;
-      both.kind = is_edge(q.kind) && !is_edge(p.kind) ? q.kind : p.kind;
-      whole.float_axial.push_back((q.te - p.te).rad() / (2 * per_mm));
-      te.push_back(both.te.rad());
-    }
-    whole.result.positions.push_back(both);
-  }
-  if (te.empty()) return whole;
-  whole.result.peak_to_peak = Angle::radians(peak_to_peak(te));
-  whole.result.mean_slope = (a->mean_slope + b->mean_slope) / 2;
-  whole.result.unfinished = a->unfinished + b->unfinished;
-  if (per_pitch > 0 && !whole.result.contact_lost)
-    whole.result.harmonics = harmonics_of(whole.result, per_pitch);
-  return whole;
+HalvesContact analyse_contact(const HalvesMesh& mesh, const ContactRequest& request) {
+  HalvesContact found;
+  found.half[0] = analyse_contact(*mesh.half[0], request);
+  ContactRequest at = request;
+  at.rotations = rotations_of_second(*mesh.gear_1, mesh.stagger, request.rotations,
+                                     request.positions, request.pitches);
+  found.image = mesh.alike() ? found.half[0] : analyse_contact(*mesh.half[1], at);
+  const int per_pitch = request.rotations.empty() ? request.positions : 0;
+  found.half[1] = second_half(mesh, found.image, request.influences, per_pitch);
+  add_whole(mesh, per_pitch, found);
+  return found;
 }
 
 std::vector<double> transmission_error(const HalvesMesh& mesh, int positions) {
@@ -178,11 +219,10 @@ std::vector<double> transmission_error(const HalvesMesh& mesh, int positions) {
 
 std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
   if (mesh.alike()) return continuous_span(*mesh.half[0], positions);
-  MeanError mean(mesh);
-  const double step = mesh.half[0]->pitch() / positions;
+  MeanError mean(mesh, positions);
   std::vector<double> te;
   for (int i = 0; i < positions; ++i) {
-    te.push_back(mean.at((i - positions / 2) * step));
+    te.push_back(mean.at(i));
     if (std::isnan(te.back())) return std::nullopt;
   }
   double extreme[2];
@@ -197,9 +237,8 @@ std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
       // step.
       const double reach = value(i) - std::min(value(i - 1), value(i + 1));
       if (value(i) + reach < best) continue;
-      const double middle = (i - positions / 2) * step;
-      const auto lowered = [&](double rotation1) { return -sign * mean.at(rotation1); };
-      best = std::max(best, -lowered(place_of_least(lowered, middle - step, middle + step)));
+      const auto lowered = [&](double x) { return -sign * mean.at(x); };
+      best = std::max(best, -lowered(place_of_least(lowered, i - 1, i + 1)));
     }
     extreme[which] = sign * best;
   }

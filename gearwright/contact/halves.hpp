@@ -40,6 +40,11 @@ std::vector<Angle> rotations_of_second(const Gear& gear_1, double stagger,
 /// Converts the pattern on the mirror image of half B to the pattern on half B.
 FlankRaster in_mirror(const FlankRaster& raster);
 
+/// True if half B of a pair with these errors equals the mirror image of half A at all rotations.
+inline bool alike_halves(double stagger, const ContactErrors& errors) {
+  return stagger == 0.0 && errors == mirrored(errors);
+}
+
 /// A double-helical pair under its errors, driven by one of its gears.
 struct HalvesMesh {
   const Gear* gear_1 = nullptr;              ///< of half A
@@ -49,9 +54,7 @@ struct HalvesMesh {
   /// The rotation of half B minus the rotation of the gear.
   Angle behind() const { return gearwright::behind(stagger, *gear_1); }
   /// True if half B equals the mirror image of half A at all rotations.
-  bool alike() const {
-    return stagger == 0.0 && half[0]->place().errors == half[1]->place().errors;
-  }
+  bool alike() const { return alike_halves(stagger, half[0]->place().errors); }
 };
 
 /// The pairs of both halves under the same errors, which own their gears.
@@ -63,8 +66,10 @@ struct HalvesPair {
 /// Both halves of a double-helical pair, for errors that vary.
 class HalvesSetup {
  public:
+  /// `side` is −1 if half A, whose teeth `setup` has, lies at z < 0, and otherwise 1.
+  ///
   /// Domain    the setup of a pair whose gears have a gap (contract)
-  HalvesSetup(const ContactSetup& setup, double stagger);
+  HalvesSetup(const ContactSetup& setup, double stagger, double side = 1.0);
   HalvesPair pair(const ContactErrors& errors, bool gear2_drives) const;
   const ContactSetup& half(bool below) const { return half_[below]; }
   double stagger() const { return stagger_; }
@@ -74,28 +79,21 @@ class HalvesSetup {
   double stagger_;
 };
 
-/// Converts the analysis of the mirror image at rotations_of_second() to the result for half B.
-/// Contact points and normals are mirrored, and derivatives refer to the errors of the pair itself.
-///
-/// Domain    `per_pitch` is the number of positions in one pitch; 0 if the caller gave the
-///           rotations
-ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
-                          const std::vector<Influence>& influences, int per_pitch);
-
-/// The contact of the whole gears.
-struct WholeContact {
-  /// Rotations and TE of every position; the place of contact is NaN. `kind` is taken from half B
-  /// if only half B touches at an edge, otherwise from half A.
-  ContactResult result;
+/// The contact of both halves and of the whole gears at the same rotations of the gears.
+struct HalvesContact {
+  std::array<ContactResult, 2> half;  ///< A and B
+  ContactResult image;                ///< of the mirror image of half B, at rotations_of_second()
+  /// Rotations and TE of every position of the whole gears; the place of contact is NaN. `kind` is
+  /// taken from half B if only half B touches at an edge, otherwise from half A.
+  ContactResult whole;
   std::vector<double> float_axial;  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 };
 
-/// The contact of the whole gears, from the results of both halves at the same rotations.
+/// Derivatives refer to the errors of the pair itself.
 ///
 /// Formula   [T8.27]
-/// Domain    results at the same positions (contract); `per_pitch` as for second_half()
-WholeContact whole_contact(const HalvesMesh& mesh, const std::array<const ContactResult*, 2>& half,
-                           int per_pitch);
+/// Domain    as for a ContactPair
+HalvesContact analyse_contact(const HalvesMesh& mesh, const ContactRequest& request);
 
 /// TE of the whole gears over one pitch, at the positions of transmission_error() for a
 /// ContactPair.

@@ -13,6 +13,7 @@
 
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/testing/sample_pairs.hpp"
+#include "gearwright/scatter/testing/drawn_pair.hpp"
 
 namespace gearwright {
 namespace {
@@ -41,14 +42,6 @@ struct Both {
       : a(one.pair()), b(other_half(one).pair()), mesh{&one.gears[0], {&a, &b}, stagger} {}
 };
 
-ContactResult analyse_second(const HalvesMesh& mesh, ContactRequest request) {
-  const bool whole_pitch = request.rotations.empty();
-  request.rotations = rotations_of_second(*mesh.gear_1, mesh.stagger, request.rotations,
-                                          request.positions, request.pitches);
-  return second_half(mesh, analyse_contact(*mesh.half[1], request), request.influences,
-                     whole_pitch ? request.positions : 0);
-}
-
 TEST(Halves, AnInPlaneDeviationMovesAHalfByItsLever) {
   for (const bool gear2_drives : {false, true}) {
     SamplePair p = crowned_half();
@@ -64,6 +57,31 @@ TEST(Halves, AnInPlaneDeviationMovesAHalfByItsLever) {
     p.place.errors.axial = -z * (1 - std::cos(d));
     const auto here = transmission_error(p.pair(), 16);
     for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(there[i], here[i], 1e-13) << i;
+  }
+}
+
+// Law (1) for gears that are seen from the other face, so that half A lies at z < 0.
+TEST(Halves, HalfAMayLieOnEitherSide) {
+  auto drawn = testing::crowned_helical_pair();
+  const ContactSetup plain = drawn.setup();
+  drawn.gap = 6.0;
+  const ContactSetup setup = drawn.setup();
+  const double d = 0.002;                                  // rad
+  const double m = (6.0 + drawn.gears[0].face_width) / 2;  // the middle of a half
+  for (const double side : {1.0, -1.0}) {
+    const HalvesPair both =
+        HalvesSetup(setup, 0.0, side).pair({.intersecting = Angle::radians(d)}, false);
+    for (const std::size_t i : {0, 1}) {
+      const double tilt = i == 0 ? d : -d;  // half B is a mirror image
+      const auto there = transmission_error(*both.half[i], 16);
+      const auto here =
+          transmission_error(plain.pair({.center_distance = -side * m * std::sin(tilt),
+                                         .intersecting = Angle::radians(tilt),
+                                         .axial = -side * m * (1 - std::cos(tilt))},
+                                        false),
+                             16);
+      for (std::size_t k = 0; k < here.size(); ++k) EXPECT_NEAR(there[k], here[k], 1e-13) << k;
+    }
   }
 }
 
@@ -105,9 +123,7 @@ TEST(Halves, DerivativesAreThoseOfDifferences) {
     ContactRequest request;
     request.rotations = {Angle::radians(0.03)};
     request.influences = {{kind}};
-    const Both both(q, 0.25);
-    const auto a = analyse_contact(both.a, request);
-    const auto b = analyse_second(both.mesh, request);
+    const auto [a, b] = analyse_contact(Both(q, 0.25).mesh, request).half;
     return std::array{a.positions[0].te.rad(), a.sensitivities[0][0].te, b.positions[0].te.rad(),
                       b.sensitivities[0][0].te};
   };
@@ -126,13 +142,11 @@ TEST(Halves, AStaggerChangesHarmonics) {
   const SamplePair p = crowned_half();
   for (const double s : {0.5, -0.25, 0.1}) {
     const Both both(p, s);
-    const auto a = analyse_contact(both.a, {64});
-    const auto b = analyse_second(both.mesh, {64});
-    const auto whole = whole_contact(both.mesh, {&a, &b}, 64);
+    const HalvesContact found = analyse_contact(both.mesh, {64});
     for (std::size_t k = 1; k <= 4; ++k) {
       const double share = std::abs(std::cos(std::numbers::pi * static_cast<double>(k) * s));
-      EXPECT_NEAR(whole.result.harmonics[k - 1].rad(), share * a.harmonics[k - 1].rad(),
-                  1e-3 * a.harmonics[0].rad())
+      EXPECT_NEAR(found.whole.harmonics[k - 1].rad(), share * found.half[0].harmonics[k - 1].rad(),
+                  1e-3 * found.half[0].harmonics[0].rad())
           << k << " " << s;
     }
   }
@@ -145,12 +159,10 @@ TEST(Halves, AFloatingGearTakesUpAnAxialShift) {
   const auto at_rest = analyse_contact(still.a, {32});
   p.place.errors.axial = 1e-4;
   const Both moved(p, 0.0);
-  const auto a = analyse_contact(moved.a, {32});
-  const auto b = analyse_second(moved.mesh, {32});
-  const auto whole = whole_contact(moved.mesh, {&a, &b}, 32);
+  const HalvesContact found = analyse_contact(moved.mesh, {32});
   for (std::size_t i = 0; i < 32; ++i) {
-    EXPECT_NEAR(whole.result.positions[i].te.rad(), at_rest.positions[i].te.rad(), 1e-11);
-    EXPECT_NEAR(whole.float_axial[i], -1e-4, 1e-8);
+    EXPECT_NEAR(found.whole.positions[i].te.rad(), at_rest.positions[i].te.rad(), 1e-11);
+    EXPECT_NEAR(found.float_axial[i], -1e-4, 1e-8);
   }
 }
 
@@ -163,10 +175,7 @@ TEST(Halves, TheSpanIsThatOfManyPositions) {
     const auto span = continuous_span(both.mesh, 64);
     ASSERT_TRUE(span.has_value());
     constexpr int kMany = 2000;
-    const auto a = analyse_contact(both.a, {kMany});
-    const auto b = analyse_second(both.mesh, {kMany});
-    const auto whole = whole_contact(both.mesh, {&a, &b}, kMany);
-    const double comb = whole.result.peak_to_peak.arcsec();
+    const double comb = analyse_contact(both.mesh, {kMany}).whole.peak_to_peak.arcsec();
     EXPECT_GE(span->arcsec(), comb - 1e-9);
     EXPECT_LE(span->arcsec(), comb + 2e-3 * comb);
     EXPECT_NEAR(span->arcsec(), continuous_span(both.mesh, 200)->arcsec(), 1e-7);

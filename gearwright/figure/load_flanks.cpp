@@ -58,11 +58,12 @@ double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   return most;
 }
 
-// The loaded part of a tooth pair, in one or several pieces. The second coordinate of each point is
-// `of` its slice.
+// The loaded part of a tooth pair, in one or several pieces. The first coordinate of each point is
+// the height of its slice on gear `which`, and the second coordinate is `of` its slice.
 template <class Of>
-std::vector<Vec2> bearing_places(const LoadScene& scene, const LoadedPair& pair, const Of& of) {
-  const auto heights = heights_of(scene, 0);
+std::vector<Vec2> bearing_places(const LoadScene& scene, std::size_t which, const LoadedPair& pair,
+                                 const Of& of) {
+  const auto heights = heights_of(scene, which);
   std::vector<Vec2> line;
   for (std::size_t j = 0; j < heights.size(); ++j) {
     const bool bears = pair.pressure[static_cast<Eigen::Index>(j)] > 0.0;
@@ -110,7 +111,7 @@ Vec2 middle_of(const LoadedPoint& p, std::size_t which) {
 
 FlankRaster pressure_raster(const LoadScene& scene, std::size_t which) {
   const Gear& gear = *scene.gears[which];
-  const FaceSlices& s = scene.contact.slices[0];
+  const FaceSlices& s = scene.contact.slices[which];
   const double root = gear.root_form_radius().value_or(gear.base_radius());
   const double tip = gear.tip_form_radius();
   const auto [lo, hi] = std::minmax(root, tip);
@@ -158,7 +159,8 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });
   add_frames(f, scene, [&](const LoadedPair& pair, int frame) {
-    f.line(bearing_places(scene, pair, [&](std::size_t j) { return 2 * pair.radius[j][which]; }),
+    f.line(bearing_places(scene, which, pair,
+                          [&](std::size_t j) { return 2 * pair.radius[j][which]; }),
            "action bears", {}, frame);
   });
   return f;
@@ -188,7 +190,7 @@ Figure pressure_along_figure(const LoadScene& scene) {
   f.line(std::move(greatest), "before", "greatest value during a mesh");
   add_frames(f, scene, [&](const LoadedPair& pair, int frame) {
     f.line(
-        bearing_places(scene, pair,
+        bearing_places(scene, 0, pair,
                        [&](std::size_t j) { return pair.pressure[static_cast<Eigen::Index>(j)]; }),
         fmt::format("curve tp{}", ((pair.pair % 3) + 3) % 3), {}, frame);
   });

@@ -139,18 +139,28 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
   if (least && !flanks_jam) warn_of_jam(*least, {}, "root fillets and flanks are", warnings);
 }
 
-// Analyses the pair of a setup at the positions of the input.
-Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup, const ContactInput& input,
-                                std::vector<Warning>& warnings, Progress* progress) {
-  ContactAnswer answer{std::move(setup), {}, {}, {}, {}, {}, {}};
-  const bool gear2_drives = input.driver == 2;
-  ContactRequest request{input.positions, input.pitches, input.marking};
-  request.rotations = input.rotations;
+// The contact of the working and of the non-working flanks at the positions of the input.
+// Derivatives are computed for the working flanks.
+template <class MeshOf>
+auto both_flanks(const SolvedJob& job, const MeshOf& mesh, Progress* progress) {
+  const ContactInput& input = job.spec.contact;
+  ContactRequest request{input.positions, input.pitches, input.marking, input.rotations};
   request.progress = progress;
   ContactRequest other = request;
   for (const NamedInfluence& i : influences_of(job)) request.influences.push_back(i.influence);
-  answer.driving = analyse_contact(answer.setup->pair(gear2_drives), request);
-  answer.other = analyse_contact(answer.setup->pair(!gear2_drives), other);
+  const bool gear2_drives = input.driver == 2;
+  return std::array{analyse_contact(mesh(gear2_drives), request),
+                    analyse_contact(mesh(!gear2_drives), other)};
+}
+
+// Judges the contact of the pair of a setup, and adds what `input` requests.
+Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
+                                std::array<ContactResult, 2> found, const ContactInput& input,
+                                std::vector<Warning>& warnings, Progress* progress) {
+  ContactAnswer answer{std::move(setup), {}, {}, {}, {}, {}, {}};
+  const bool gear2_drives = input.driver == 2;
+  answer.driving = std::move(found[0]);
+  answer.other = std::move(found[1]);
   const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
   const auto& positions = answer.driving.positions;
   if (std::none_of(positions.begin(), positions.end(), touches))
@@ -201,39 +211,36 @@ Result<ContactAnswer> answer_of_halves(SolvedJob& job, const HalvesSetup& setup,
                                        Progress* progress) {
   ContactInput input = job.spec.contact;
   const bool drives_2 = input.driver == 2;
-  const int per_pitch = input.rotations.empty() ? input.positions : 0;
   const auto map = std::exchange(input.map, std::nullopt);
   const ContactSetup& half = setup.half(false);
-  auto first = answer_of(job, half, input, job.warnings, progress);
-  if (!first) return first.error();
   const ContactErrors& errors = half.place().errors;
-  const HalvesPair driving = setup.pair(errors, drives_2), other = setup.pair(errors, !drives_2);
-  input.rotations = rotations_of_second(half.gear(1), setup.stagger(), input.rotations,
-                                        input.positions, input.pitches);
-  std::vector<Warning> of_second;
-  auto found = answer_of(job, setup.half(true), input, of_second, progress);
-  if (!found) return found.error();
-  ContactAnswer second = std::move(found).take();
-  add_new(std::move(of_second), job.warnings, kSecondHalf);
-  std::vector<Influence> influences;
-  for (const NamedInfluence& i : influences_of(job)) influences.push_back(i.influence);
-
+  const std::array pairs{setup.pair(errors, false), setup.pair(errors, true)};
+  auto [driving, other] = both_flanks(
+      job, [&](bool gear2_drives) -> const HalvesMesh& { return pairs[gear2_drives].mesh; },
+      progress);
   ContactAnswer whole{half, {}, {}, {}, {}, {}, {}};
-  for (const std::array<const ContactResult*, 2> halves{&first->driving, &second.driving};
-       const ContactResult* one : halves)
+  for (const ContactResult* one : {&driving.half[0], &driving.image})
     whole.on_halves.positions.insert(whole.on_halves.positions.end(), one->positions.begin(),
                                      one->positions.end());
-  second.driving = second_half(driving.mesh, second.driving, influences, per_pitch);
-  second.other = second_half(other.mesh, second.other, {}, per_pitch);
+  auto first = answer_of(job, half, {std::move(driving.half[0]), std::move(other.half[0])}, input,
+                         job.warnings, progress);
+  if (!first) return first.error();
+  std::vector<Warning> of_second;
+  auto image = answer_of(job, setup.half(true), {std::move(driving.image), std::move(other.image)},
+                         input, of_second, progress);
+  if (!image) return image.error();
+  add_new(std::move(of_second), job.warnings, kSecondHalf);
+  ContactAnswer second = std::move(image).take();
+  second.driving = std::move(driving.half[1]);
+  second.other = std::move(other.half[1]);
   if (second.pattern)
     for (FlankRaster& raster : *second.pattern) raster = in_mirror(raster);
-  WholeContact both = whole_contact(driving.mesh, {&first->driving, &second.driving}, per_pitch);
-  whole.driving = std::move(both.result);
-  whole.float_axial = std::move(both.float_axial);
-  whole.other = whole_contact(other.mesh, {&first->other, &second.other}, per_pitch).result;
+  whole.driving = std::move(driving.whole);
+  whole.float_axial = std::move(driving.float_axial);
+  whole.other = std::move(other.whole);
   whole.min_play = least_play(whole.driving, whole.other, drives_2);
   whole.continuous_span =
-      continuous_span(driving.mesh, std::max(kLeastSpanPositions, input.positions));
+      continuous_span(pairs[drives_2].mesh, std::max(kLeastSpanPositions, input.positions));
   if (map) {
     const auto te_at = [&](double x, double y) {
       const HalvesPair at = setup.pair(errors_at(half, *map, x, y), drives_2);
@@ -267,7 +274,10 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
   if (!setup) return setup.error();
   if (job.halves[0])
     return answer_of_halves(job, {*setup, job.halves[0]->given.stagger_pitches}, progress);
-  return answer_of(job, std::move(setup).take(), job.spec.contact, job.warnings, progress);
+  auto found = both_flanks(
+      job, [&](bool gear2_drives) { return setup->pair(gear2_drives); }, progress);
+  return answer_of(job, std::move(setup).take(), std::move(found), job.spec.contact, job.warnings,
+                   progress);
 }
 
 ContactErrors errors_of(const SolvedJob& job) {
@@ -290,11 +300,6 @@ ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::s
                          double value) {
   error_entries()[index].set(errors, setup.gears(), value);
   return errors;
-}
-
-bool alike_halves(const SolvedJob& job) {
-  const ContactErrors errors = errors_of(job);
-  return job.halves[0]->given.stagger_pitches == 0.0 && errors == mirrored(errors);
 }
 
 std::vector<NamedInfluence> influences_of(const SolvedJob& job) {

@@ -30,10 +30,6 @@ Result<ContactSetup> setup_of(const SolvedJob& job);
 ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::size_t index,
                          double value);
 
-/// True if, under the errors of the spec, the halves of a double-helical pair are mirror images at
-/// all rotations.
-bool alike_halves(const SolvedJob& job);
-
 /// A number whose influence is computed, with its key in results and its unit in rad or mm.
 struct NamedInfluence {
   std::string key;    ///< "crossing_per_deg", "gear1_lead_crowning_per_um"
@@ -60,7 +56,7 @@ struct ContactAnswer {
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< if requested in [contact]
   std::vector<ContactAnswer>
       halves{};                       ///< for a double-helical pair, the halves at z > 0 and z < 0
-  std::vector<double> float_axial{};  ///< mm, for each position; see WholeContact
+  std::vector<double> float_axial{};  ///< mm, for each position; see HalvesContact
   ContactResult on_halves{};          ///< the positions of both halves, from which the verdict is
                                       ///< computed
 

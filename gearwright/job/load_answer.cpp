@@ -10,6 +10,7 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/contact/halves.hpp"
 #include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/load/load_summary.hpp"
@@ -201,7 +202,8 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
     for (const LoadAnalysis& half : pitch->halves)
       part.report->halves.push_back(scene_of(job, *half.contact, standard));
     if (pitch->halves.size() > 1) part.report->halves[1].part = "-2";
-    if (job.halves[0] && input.deflection_slope == 0.0 && alike_halves(job))
+    if (job.halves[0] && input.deflection_slope == 0.0 &&
+        alike_halves(job.halves[0]->given.stagger_pitches, errors_of(job)))
       part.report->halves.resize(1);
   }
   return std::optional(std::move(part));

@@ -103,8 +103,10 @@ class Grades {
          VaryingWave{which, false, gear.profile_waves.value_or(kWaves), f.profile_form}});
     all_.push_back({table + "helix_waves", 1.0, share,
                     VaryingWave{which, true, gear.helix_waves.value_or(kWaves), f.helix_form}});
-    all_.push_back(
-        {table + "pitch", 1.0, share, VaryingPitch{which, f.total_pitch, f.single_pitch}});
+    // The long period, which alone depends on pitches, is computed for single-helical pairs only.
+    if (!job_.halves[0])
+      all_.push_back(
+          {table + "pitch", 1.0, share, VaryingPitch{which, f.total_pitch, f.single_pitch}});
   }
 
   std::optional<Error> add_housing() {
@@ -329,18 +331,17 @@ PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer, Pro
 
 namespace {
 
-// The first key that needs derivatives of one pair of flanks, which a double-helical pair does not
-// have.
+// The first key that applies to single-helical pairs only. Derivatives, tooth contact under load, the
+// marking pattern and the long period of a sample are those of one pair of flanks.
 std::optional<Error> not_for_halves(const ScatterInput& input) {
   for (const auto& [key, given] :
        {std::pair("robust", input.robust.has_value()), std::pair("worst_case", input.worst_case),
         std::pair("loosening", input.loosening), std::pair("loaded", input.loaded),
-        std::pair("pattern", input.pattern)})
+        std::pair("pattern", input.pattern), std::pair("gear1.pitch", input.gears[0].pitch),
+        std::pair("gear2.pitch", input.gears[1].pitch)})
     if (given)
-      return Error{
-          fmt::format("scatter.{}", key), "",
-          "is not supported for double-helical gears, for which a scatter has percentiles, "
-          "probabilities and indices; leave it out"};
+      return Error{fmt::format("scatter.{}", key), "",
+                   "is not supported for double-helical gears; leave it out"};
   return std::nullopt;
 }
 

@@ -47,7 +47,9 @@ LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& 
       perfect_(perfect),
       undeflected_(request.undeflected()),
       rotations_(request.rotations) {
-  found_.slices = compliance.slices;
+  for (std::size_t g = 0; g < 2; ++g)
+    found_.slices[g] =
+        pair.turned() < 0.0 ? compliance.slices[g].reflected() : compliance.slices[g];
   found_.regime = request.regime;
   const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
   for (int g = 0; g < 2; ++g) {

@@ -114,7 +114,7 @@ struct LoadedContact {
   LoadedContact() = default;  ///< an empty result; loaded_contact() computes the values
   std::vector<LoadedTorque> torques;
   LoadRegime regime = LoadRegime::line;
-  std::array<FaceSlices, 2> slices;    ///< mm, on each gear; equal on both gears for line contact
+  std::array<FaceSlices, 2> slices;    ///< mm, on each gear, from the middle of its face
   std::array<double, 2> body_twist{};  ///< twist of each body, mm per N/mm at the base radius
   /// Points of each gear along the fillet in tension, starting at the root: mm in the section, with
   /// the centre line of the tooth as x axis and the loaded flank at y > 0.

@@ -45,6 +45,7 @@ LoadedPosition whole(const LoadedPosition& a, const LoadedPosition& b) {
 }  // namespace
 
 LoadedContact second_half(LoadedContact image, Angle behind, bool whole_pitch) {
+  for (FaceSlices& slices : image.slices) slices = slices.reflected();
   for (LoadedTorque& t : image.torques) {
     bool all = true;
     for (LoadedPosition& p : t.positions) {

@@ -62,7 +62,7 @@ class PositionSolver {
   // The approach of the flanks due to the deflection of the shafts, mm, at a height z in N.
   double deflection(double z) const {
     const FaceSlices& s = compliance_.slices[0];
-    const double x = pair_.turned() * z / (s.hi - s.lo);
+    const double x = pair_.turned() * (z - s.middle()) / (s.hi - s.lo);
     return request_.deflection_offset + request_.deflection_slope * x +
            request_.deflection_bow * (1 - 4 * x * x);
   }

@@ -40,6 +40,17 @@ double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadR
   return std::min(gears[0]->spec.face_width, gears[1]->spec.face_width);
 }
 
+// The slices of that part from the middle of the face, mm, in N. The narrower face lies within the
+// wider face, so it is the common face.
+FaceSlices slices_of(const std::array<const Gear*, 2>& gears, std::size_t which,
+                     const LoadRequest& request) {
+  const double face = face_of(gears, which, request.regime);
+  const std::size_t narrower = gears[1]->spec.face_width < gears[0]->spec.face_width ? 1 : 0;
+  const double middle =
+      request.regime == LoadRegime::point ? 0.0 : request.middle[narrower] - request.middle[which];
+  return {request.slices, middle - face / 2, middle + face / 2};
+}
+
 // A table does not depend on Young's modulus.
 bool same_body(const ElasticBody& a, const ElasticBody& b) {
   return a.bore_diameter == b.bore_diameter && a.poisson_ratio == b.poisson_ratio;
@@ -51,8 +62,8 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
                                                            int which, const LoadRequest& request) {
   const Gear& gear = which == 1 ? gear_1 : gear_2;
   const double m = gear.spec.normal_module;
-  const double face =
-      face_of({&gear_1, &gear_2}, static_cast<std::size_t>(which - 1), request.regime);
+  const FaceSlices slices =
+      slices_of({&gear_1, &gear_2}, static_cast<std::size_t>(which - 1), request);
   const double sin_b =
       std::sin(gear_1.spec.helix_angle.rad()) * std::cos(gear_1.spec.normal_pressure_angle.rad());
   // The loaded flank of the section lies at y > 0. For an external pair, the right flanks touch in
@@ -65,7 +76,7 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
   if (!section) return of_gear(which, section.error());
   ToothTableRequest t;
   t.face_width = gear.spec.face_width / m;
-  t.slices = {request.slices, -face / 2 / m, face / 2 / m};
+  t.slices = {slices.count, slices.lo / m, slices.hi / m};
   t.half_width = kHertzWidth * (gear_1.spec.normal_module / m);
   t.root_stress = request.root_stress;
   t.line_per_height = 1 / std::sqrt(1 - sin_b * sin_b);
@@ -114,8 +125,8 @@ Result<PairCompliance> pair_compliance(
   c.table = ready;
   c.bodies = request.bodies;
   for (std::size_t g = 0; g < 2; ++g) {
-    const double face = face_of({&gear_1, &gear_2}, g, request.regime);
-    c.slices[g] = {request.slices, -face / 2, face / 2};
+    c.slices[g] = slices_of({&gear_1, &gear_2}, g, request);
+    GW_EXPECTS(!request.shafts[g] || request.middle[0] == request.middle[1]);
     if (const auto& shaft = request.shafts[g])
       c.shafts[g] = shaft_influence(*shaft, c.slices[g], (g == 0 ? gear_1 : gear_2).root_diameter);
   }
@@ -141,9 +152,9 @@ Result<PairCompliance> pair_compliance(
 bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which) {
   const auto g = static_cast<std::size_t>(which - 1);
-  return of_a.accuracy == of_b.accuracy && of_a.slices == of_b.slices &&
-         of_a.root_stress == of_b.root_stress && of_a.regime == of_b.regime &&
-         face_of(a, g, of_a.regime) == face_of(b, g, of_b.regime) &&
+  const FaceSlices s = slices_of(a, g, of_a), t = slices_of(b, g, of_b);
+  return of_a.accuracy == of_b.accuracy && of_a.root_stress == of_b.root_stress &&
+         of_a.regime == of_b.regime && s.count == t.count && s.lo == t.lo && s.hi == t.hi &&
          same_body(of_a.bodies[g], of_b.bodies[g]) && same_tooth(*a[g], *b[g]);
 }
 

@@ -39,7 +39,9 @@ struct LoadRequest {
   double deflection_slope = 0.0;   ///< mm, increase from one end of the common face to the other
   double deflection_bow = 0.0;     ///< mm, height of the parabola in the middle of the face
   double deflection_offset = 0.0;  ///< mm, the part that is constant over the face
-  bool root_stress = true;         ///< if false, tables and positions have no root stress
+  /// z of the middle of the face of each gear, mm, in frame N; equal for gears with shafts.
+  std::array<double, 2> middle{};
+  bool root_stress = true;  ///< if false, tables and positions have no root stress
   Progress* progress = nullptr;
 
   bool deflects() const {
@@ -72,8 +74,8 @@ bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& 
 struct PairCompliance {
   std::array<std::shared_ptr<const ToothTable>, 2> table;
   std::array<ElasticBody, 2> bodies;
-  std::array<FaceSlices, 2> slices;  ///< mm, on each gear; equal on both gears for line contact
-  double half_width = 0.0;           ///< a0  mm
+  std::array<FaceSlices, 2> slices;                       ///< mm, on each gear, in frame N
+  double half_width = 0.0;                                ///< a0  mm
   std::array<std::optional<ShaftInfluence>, 2> shafts{};  ///< for the shafts of the request
 };
 

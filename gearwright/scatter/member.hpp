@@ -72,10 +72,11 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
 /// The numbers of the member with this deviation. For a double-helical pair, TE and backlash are those of
 /// the whole gears, one of which floats along its axis. Errors of mounting apply to both halves, and
 /// deviations of the teeth are the same on both halves. `edge_share` is the mean of both halves, and
-/// `along_face` is that of the half with the greater value, > 0 away from the apex. There is no
-/// `long_period`.
+/// `along_face` and `along_profile` are those of the half with the greater value; `along_face` is > 0
+/// away from the apex.
 ///
-/// Domain    positions ≥ 2; modifications that check_ends() accepts (contract)
+/// Domain    positions ≥ 2; modifications that check_ends() accepts; no deviations of pitch for a
+///           double-helical pair (contract)
 /// Accuracy  as analyse_contact() and continuous_extremes()
 /// Laws      (1) without deviations the numbers are those of analyse_contact()
 ///           (2) spur gears have the closed forms of [T14.14]
@@ -91,7 +92,7 @@ struct MemberSpan {
 };
 
 /// Domain    as member_at(); a field of removed material on each gear with a modification as an
-///           influence (contract)
+///           influence; no influences for a double-helical pair (contract)
 /// Accuracy  as continuous_extremes() and span_slope()
 MemberSpan continuous_peak_to_peak(const ContactSetup& setup, const Deviation& deviation,
                                    const MemberRequest& request,

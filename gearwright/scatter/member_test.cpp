@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/halves.hpp"
 #include "gearwright/math/sobol.hpp"
 #include "gearwright/scatter/testing/drawn_pair.hpp"
@@ -18,6 +19,14 @@ namespace {
 using Q = ScatterQuantity;
 
 Deviation none(const ContactSetup& setup) { return deviation_at(setup, {}, {}); }
+
+// The mean place of the contact along the face of a pair, relative to half of its width.
+double along_face(const ContactResult& pair, double face_width) {
+  double sum = 0.0;
+  for (const ContactPoint& p : pair.positions)
+    if (p.kind != TouchKind::line) sum += p.height[0] / (face_width / 2);
+  return sum / static_cast<double>(pair.positions.size());
+}
 
 TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
   for (auto drawn :
@@ -43,6 +52,7 @@ TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
       }
       EXPECT_EQ(m[Q::mean], sum / 32);
       EXPECT_EQ(m[Q::edge_share], edges / 32.0);
+      EXPECT_NEAR(m[Q::along_face], along_face(driving, drawn.gears[0].face_width), 1e-12);
       EXPECT_GE(m[Q::peak_to_peak], driving.peak_to_peak.rad());
       EXPECT_EQ(m[Q::peak_to_peak], continuous_peak_to_peak(setup, none(setup), request).value);
       EXPECT_FALSE(m.lost);
@@ -50,54 +60,92 @@ TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
   }
 }
 
-// Law (3). If the errors differ between the halves, TE is the mean of both halves.
-TEST(Member, OfADoubleHelicalPairIsTheWholePair) {
+// Law (3).
+TEST(Member, OfADoubleHelicalPairWithEqualHalvesIsAHalf) {
   auto drawn = testing::crowned_helical_pair();
-  drawn.errors = {.center_distance = 0.01};
-  const auto with_gap = [&](double gap) {
-    drawn.gap = gap;
-    return drawn.setup();
-  };
-  const ContactSetup plain = drawn.setup(), halves = with_gap(6.0);
-  for (const bool gear2_drives : {false, true}) {
-    const MemberRequest of_half{32, gear2_drives, {}, {}};
-    MemberRequest whole = of_half;
-    whole.stagger = 0.0;
-    const FamilyMember a = member_at(plain, none(plain), of_half);
-    const FamilyMember b = member_at(halves, none(halves), whole);
-    for (const Q q :
-         {Q::harmonic1, Q::harmonic2, Q::mean, Q::peak_to_peak, Q::edge_share, Q::least_play})
-      EXPECT_NEAR(a[q], b[q], 1e-12) << static_cast<int>(q);
-    EXPECT_EQ(a.lost, b.lost);
-    EXPECT_TRUE(std::isnan(b[Q::long_period]));
-
-    // The axes cross: both halves have different curves, and TE is their mean.
-    const std::vector<ScatterTolerance> tolerances{testing::crossing(0.05)};
-    const Deviation askew = deviation_at(halves, tolerances, std::vector{0.04});
-    const FamilyMember m = member_at(halves, askew, whole);
-    const std::array middles{middle_of_half(halves.gear(1)), middle_of_half(halves.gear(2))};
-    const auto te_of = [&](bool below) {
-      const ContactSetup half = halves.half_at(middles, below);
-      const ContactErrors errors = below ? mirrored(askew.errors) : askew.errors;
-      return transmission_error(half.pair(errors, gear2_drives), 32);
-    };
-    const std::vector<double> one = te_of(false), two = te_of(true);
-    double sum = 0.0, differ = 0.0;
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      sum += (one[i] + two[i]) / 2;
-      differ = std::max(differ, std::abs(one[i] - two[i]));
+  drawn.modifications.profile_crowning = 0.0;  // the contact remains in the middle of the face
+  const std::vector<ScatterTolerance> thick{
+      testing::tolerance("gear1.thickness_allowance_mm", 1.0, -0.02, 0.02, VaryingThickness{1})};
+  for (const double lead_slope : {0.0, 0.004}) {
+    drawn.modifications.lead_slope = lead_slope;
+    drawn.errors = {.center_distance = 0.01};
+    drawn.gap = {};
+    const ContactSetup plain = drawn.setup();
+    drawn.gap = 6.0;
+    const ContactSetup halves = drawn.setup();
+    for (const bool gear2_drives : {false, true}) {
+      const MemberRequest of_half{32, gear2_drives, {}, {}};
+      MemberRequest whole = of_half;
+      whole.stagger = 0.0;
+      for (const double allowance : {0.0, 0.01}) {
+        const FamilyMember a =
+            member_at(plain, deviation_at(plain, thick, std::vector{allowance}), of_half);
+        const FamilyMember b =
+            member_at(halves, deviation_at(halves, thick, std::vector{allowance}), whole);
+        for (const Q q : {Q::harmonic1, Q::harmonic2, Q::mean, Q::peak_to_peak, Q::along_face,
+                          Q::edge_share, Q::least_play})
+          EXPECT_NEAR(a[q], b[q], 1e-12) << static_cast<int>(q);
+        EXPECT_EQ(a.lost, b.lost);
+        EXPECT_TRUE(std::isnan(b[Q::long_period]));
+        EXPECT_EQ(b[Q::along_face] == 0.0, lead_slope == 0.0);
+      }
+      // Staggered halves touch in the middle of the face too if the teeth have no slope.
+      whole.stagger = 0.5;
+      const FamilyMember staggered = member_at(halves, none(halves), whole);
+      EXPECT_EQ(staggered[Q::along_face] == 0.0, lead_slope == 0.0);
     }
-    EXPECT_GT(differ, 1e-6);
-    EXPECT_NEAR(m[Q::mean], sum / 32, 1e-15);
-    // A change of thickness has the same effect on a double-helical pair as on the pair of one
-    // half.
-    const std::vector<ScatterTolerance> thick{
-        testing::tolerance("gear1.thickness_allowance_mm", 1.0, -0.02, 0.02, VaryingThickness{1})};
-    const FamilyMember t = member_at(halves, deviation_at(halves, thick, std::vector{0.01}), whole);
-    const FamilyMember u = member_at(plain, deviation_at(plain, thick, std::vector{0.01}), of_half);
-    EXPECT_NEAR(t[Q::least_play], u[Q::least_play], 1e-12);
-    EXPECT_NEAR(t[Q::mean], u[Q::mean], 1e-12);
   }
+}
+
+// The axes are askew, so that the halves differ, and half of the cases have edges in contact.
+TEST(Member, OfADoubleHelicalPairIsTheContactOfTheWholeGears) {
+  auto drawn = testing::crowned_helical_pair();
+  drawn.gap = 6.0;
+  const ContactSetup setup = drawn.setup();
+  const double face = drawn.gears[0].face_width;
+  const std::vector<ScatterTolerance> tolerances{testing::crossing(0.2),
+                                                 testing::intersecting(0.2)};
+  const ContactRequest at{.positions = 32};
+  int one_edge = 0, outward = 0, inward = 0;
+  for (const double stagger : {0.0, 0.5, 0.3}) {
+    for (const auto& [crossing, intersecting] :
+         {std::pair{0.04, 0.0}, {0.06, 0.1}, {-0.06, 0.1}, {0.03, -0.15}, {-0.11, 0.02}}) {
+      for (const bool gear2_drives : {false, true}) {
+        const Deviation askew =
+            deviation_at(setup, tolerances, std::vector{crossing, intersecting});
+        const FamilyMember m = member_at(setup, askew, {32, gear2_drives, {}, stagger});
+        const HalvesSetup halves(setup, stagger);
+        const HalvesPair driving = halves.pair(askew.errors, gear2_drives);
+        const HalvesContact found = analyse_contact(driving.mesh, at);
+        const HalvesContact other =
+            analyse_contact(halves.pair(askew.errors, !gear2_drives).mesh, at);
+        double sum = 0.0;
+        for (const ContactPoint& p : found.whole.positions) sum += p.te.rad();
+        EXPECT_NEAR(m[Q::mean], sum / 32, 1e-12);
+        EXPECT_NEAR(m[Q::harmonic1], found.whole.harmonics[0].rad(), 1e-12);
+        EXPECT_NEAR(m[Q::harmonic2], found.whole.harmonics[1].rad(), 1e-12);
+        EXPECT_NEAR(m[Q::harmonic3], found.whole.harmonics[2].rad(), 1e-12);
+        EXPECT_NEAR(m[Q::least_play], least_play(found.whole, other.whole, gear2_drives)->rad(),
+                    1e-12);
+        EXPECT_EQ(m[Q::peak_to_peak], continuous_span(driving.mesh, 32)->rad());
+        EXPECT_EQ(m[Q::peak_to_peak],
+                  continuous_peak_to_peak(setup, askew, {32, gear2_drives, {}, stagger}).value);
+        std::array<int, 2> edges{};
+        for (const std::size_t i : {0, 1})
+          for (const ContactPoint& p : found.half[i].positions) edges[i] += is_edge(p.kind);
+        EXPECT_EQ(m[Q::edge_share], (edges[0] + edges[1]) / 64.0);
+        // Half A extends away from the apex towards +z, and half B towards −z.
+        const double a = along_face(found.half[0], face), b = -along_face(found.half[1], face);
+        EXPECT_GT(std::abs(std::abs(a) - std::abs(b)), 1e-4);
+        EXPECT_NEAR(m[Q::along_face], std::abs(a) > std::abs(b) ? a : b, 1e-9);
+        one_edge += edges[0] != edges[1];
+        ++(m[Q::along_face] > 0.0 ? outward : inward);
+      }
+    }
+  }
+  EXPECT_GT(one_edge, 0);
+  EXPECT_GT(outward, 0);
+  EXPECT_GT(inward, 0);
 }
 
 TEST(Member, IsThePairWithItsErrorsAndModifications) {

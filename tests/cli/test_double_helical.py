@@ -102,27 +102,47 @@ class TwoHalves(unittest.TestCase):
 
     SCATTER = "[scatter]\nsamples = 8\nreplicates = 2\npercentiles = [50]\n"
 
+    def scatter(self, spec):
+        return json.loads(Run("scatter", spec, "--json").out)["scatter"]
+
     def test_scatter_is_that_of_the_whole_gears(self):
-        """Without tolerances, every sample has the numbers of contact, which are the means of both halves."""
-        errors = "[errors]\ncrossing_deg = 0.006\nintersecting_deg = 0.01\n"
-        found = json.loads(Run("scatter", PAIR.format("") + errors + self.SCATTER +
-                               "[scatter.errors]\ncenter_distance_mm = [0, 0]\n", "--json").out)["scatter"]
-        contact = self.contact(PAIR.format("") + errors + "[contact]\npositions = 32\n")
-        self.assertNotEqual(*(half["peak_to_peak_arcsec"] for half in contact["halves"]))
-        for key, of in (("peak_to_peak_arcsec", "continuous_peak_to_peak_arcsec"), ("least_play_deg", "least_play_deg")):
-            self.assertAlmostEqual(found[key]["mean"], contact[of], 9)
-        self.assertAlmostEqual(found["harmonic1_arcsec"]["mean"], contact["harmonics_arcsec"][0], 9)
-        self.assertIsNone(found["long_period_arcsec"])
-        self.assertGreater(json.loads(Run("scatter", PAIR.format("") + self.SCATTER + "[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n",
-                                          "--json").out)["scatter"]["peak_to_peak_arcsec"]["standard_deviation"], 0.01)
+        """Without tolerances, every sample has the numbers of contact, which are the means of both halves. The
+        place along the face is that of the half where it is farther out, > 0 away from the apex."""
+        for stagger, crowning, crossing in ((0, 0, 0.006), (0.5, 12, 0.012), (0.5, 12, -0.012), (0.25, 12, 0.07)):
+            spec = (PAIR.replace("gap_mm = 30", f"gap_mm = 30\nstagger_pitches = {stagger}").format("")
+                    + f"[gear1.modifications]\nlead_crowning_um = {crowning}\nprofile_crowning_um = {crowning}\n"
+                    + f"[errors]\ncrossing_deg = {crossing}\nintersecting_deg = 0.01\n")
+            found = self.scatter(spec + self.SCATTER + "[scatter.errors]\ncenter_distance_mm = [0, 0]\n")
+            contact = self.contact(spec + "[contact]\npositions = 32\n")
+            self.assertNotEqual(*(half["peak_to_peak_arcsec"] for half in contact["halves"]))
+            for key, of in (("peak_to_peak_arcsec", "continuous_peak_to_peak_arcsec"), ("least_play_deg", "least_play_deg")):
+                self.assertAlmostEqual(found[key]["mean"], contact[of], 9)
+            self.assertAlmostEqual(found["harmonic1_arcsec"]["mean"], contact["harmonics_arcsec"][0], 7)
+            self.assertIsNone(found["long_period_arcsec"])
+            halves = [half["positions"] for half in contact["halves"]]
+            edges = sum(p["kind"] not in ("interior", "line", "ridge") for half in halves for p in half)
+            self.assertAlmostEqual(found["edge_share"]["mean"], edges / 64, 12)
+            places = [away * sum(p["height_mm"][0] for p in half if p["kind"] != "line") / 30 / 32
+                      for away, half in zip((1, -1), halves)]
+            self.assertAlmostEqual(found["contact_along_face"]["mean"], max(places, key=abs), 9)
+        self.assertGreater(self.scatter(PAIR.format("") + self.SCATTER + "[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n")
+                           ["peak_to_peak_arcsec"]["standard_deviation"], 0.01)
 
     def test_a_scatter_of_halves_rejects_what_needs_one_helix(self):
-        for key in ("worst_case", "loosening", "loaded", "pattern"):
-            run = Run("scatter", PAIR.format("") + self.SCATTER + f"{key} = true\n[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n"
-                      "[load]\ntorque_Nm = 100\n")
+        for key, table in (("worst_case", "worst_case = true\n"), ("loosening", "loosening = true\n"),
+                           ("loaded", "loaded = true\n"), ("pattern", "pattern = true\n"), ("robust", "[scatter.robust]\n"),
+                           ("gear1.pitch", 'quality = 6\n[scatter.gear1]\npitch = "F_p"\n'),
+                           ("gear2.pitch", 'quality = 6\n[scatter.gear2]\npitch = "F_p"\n')):
+            run = Run("scatter", PAIR.format("") + "[load]\ntorque_Nm = 100\n" + self.SCATTER + table +
+                      "[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n")
             self.assertEqual(run.status, 1, key)
             for words in (f"scatter.{key}", "double-helical"):
                 self.assertIn(words, run.err)
+
+    def test_a_grade_adds_no_pitches_of_halves(self):
+        found = self.scatter(PAIR.format("") + self.SCATTER + "quality = 6\nindices = true\n")
+        self.assertIn("gear1.profile_waves", found["inputs"])
+        self.assertEqual([name for name in found["inputs"] if name.endswith("pitch")], [])
 
     def contact(self, spec):
         return json.loads(Run("contact", spec, "--json").out)["contact"]

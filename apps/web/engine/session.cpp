@@ -119,20 +119,14 @@ Result<Session::Found> Session::analyse(const ContactRequest& request) {
   if (!made) return made.error();
   const Touching& t = **made;
   Found found;
-  found.whole = analyse_contact(*t.pair, request);
   if (!t.both) {
+    found.whole = analyse_contact(*t.pair, request);
     found.flanks = {{contact_scene(flanked_gears(), *t.pair, marking(), found.whole), t.pair}};
     return found;
   }
-  const HalvesMesh& mesh = t.both->mesh;
-  const int per_pitch = request.rotations.empty() ? request.positions : 0;
-  ContactRequest at = request;
-  at.rotations =
-      rotations_of_second(*mesh.gear_1, mesh.stagger, at.rotations, at.positions, at.pitches);
-  const ContactResult second =
-      second_half(mesh, analyse_contact(*t.both->half[1], at), {}, per_pitch);
-  found.flanks = flanks_of(flanked_gears(), *t.both, marking(), {&found.whole, &second});
-  found.whole = whole_contact(mesh, {&found.whole, &second}, per_pitch).result;
+  HalvesContact both = analyse_contact(t.both->mesh, request);
+  found.flanks = flanks_of(flanked_gears(), *t.both, marking(), {&both.half[0], &both.half[1]});
+  found.whole = std::move(both.whole);
   return found;
 }
 
