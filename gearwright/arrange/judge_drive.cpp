@@ -209,19 +209,21 @@ std::string running(const Drive& drive) {
   for (const auto& rating : drive.ratings)
     if (rating) ratings.push_back(&rating->rating);
   text += safety_words(ratings);
-  if (least >= kNoBacklash) return text + fmt::format(" The least backlash is {:.3f} mm.", least);
+  if (least >= kNoBacklash) return text + fmt::format(" The least backlash is {:.4f} mm.", least);
   const auto& pair = drive.geometry.pairs[*tight];
   if (!pair) return text + " There is no backlash between the rack and its pinion.";
   const CylindricalSpec& spec = pair->gear(1).spec;
   const double recommended = recommended_backlash(pair->center_distance(), spec.normal_module);
-  // j_bn = −2 E_sn cos α_n and j_n = j_bn/cos α_wn, because both gears of a mesh get the same E_sn.
+  // The same E_sn of both gears changes j_bn by −2 (E_sn − mean) cos α_n, where `mean` is that of their
+  // present allowances, and j_n = j_bn/cos α_wn.
   const double per_allowance =
       2 * std::cos(spec.normal_pressure_angle.rad()) / pair->involute()->mesh.rack.angles.cos_alpha;
-  const double thinner = std::ceil(recommended / per_allowance * 100) / 100;
+  const double mean = (spec.thickness_allowance + pair->gear(2).spec.thickness_allowance) / 2;
+  const double allowance = std::floor((mean - (recommended - least) / per_allowance) * 100) / 100;
   return text + fmt::format(
                     " There is no backlash. A thickness allowance of {} mm on all gears gives "
                     "{:.3f} mm in the mesh {}; {}.",
-                    format_number(-thinner), per_allowance * thinner,
+                    format_number(allowance), least + per_allowance * (mean - allowance),
                     drive.graph.meshes[*tight].name, recommendation(recommended));
 }
 
