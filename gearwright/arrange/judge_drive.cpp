@@ -181,13 +181,6 @@ std::string fraction(const Rational& r) {
   return fmt::format("{:.6g} ({}/{})", r.value(), *p, *q);
 }
 
-// j_n of a mesh, mm; none without teeth.
-std::optional<double> backlash_at(const Drive& drive, std::size_t m) {
-  if (const auto& rack = drive.geometry.racks[m]) return rack->normal_backlash();
-  const auto& pair = drive.geometry.pairs[m];
-  return pair && pair->involute() ? std::optional(pair->normal_backlash()) : std::nullopt;
-}
-
 // Summary of a drive without faults: ratio, efficiency, safeties and least backlash of its meshes.
 std::string running(const Drive& drive) {
   std::string text = "The drive runs";
@@ -199,10 +192,10 @@ std::string running(const Drive& drive) {
   std::optional<std::size_t> tight;  // the mesh with the least backlash
   double least = 0.0;
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
-    const auto j = backlash_at(drive, m);
-    if (!j || (tight && *j >= least)) continue;
+    const auto backlash = mesh_backlash(drive.geometry, m);
+    if (!backlash || (tight && backlash->normal >= least)) continue;
     tight = m;
-    least = *j;
+    least = backlash->normal;
   }
   if (!tight) return text + " The teeth are not checked, because no module is given.";
   std::vector<const Rating*> ratings;
