@@ -12,7 +12,6 @@
 #include "gearwright/figure/figure_data.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
-#include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/report/crossed_figures.hpp"
@@ -112,12 +111,10 @@ struct PairFigures {
 
 std::vector<Figure> pair_figures(const PairValue& p) {
   if (!p.rack()) return p.pair().visit(PairFigures());
-  auto rack = rack_definition(*p.rack(), kShapes[1]);
-  if (!rack) raise(rack.error(), *p.model);
-  const RackScene scene{&*p.rack(), kShapes};
-  constexpr double kAspect = 1.2;
-  Figure mesh = rack_mesh_figure(scene, rack_window(scene, MeshFrame::mesh, kAspect));
-  mesh.definitions = gear_definition(p.rack()->pinion, kShapes[0]) + *rack;
+  auto made = rack_figure(*p.rack(), kShapes);
+  if (!made) raise(made.error(), *p.model);
+  Figure mesh = std::move(made).take();
+  mesh.definitions = gear_definition(p.rack()->pinion, kShapes[0]) + mesh.definitions;
   return {std::move(mesh)};
 }
 

@@ -181,13 +181,6 @@ std::string fraction(const Rational& r) {
   return fmt::format("{:.6g} ({}/{})", r.value(), *p, *q);
 }
 
-// j_n of a mesh, mm; none without teeth.
-std::optional<double> backlash_at(const Drive& drive, std::size_t m) {
-  if (const auto& rack = drive.geometry.racks[m]) return rack->normal_backlash();
-  const auto& pair = drive.geometry.pairs[m];
-  return pair && pair->involute() ? std::optional(pair->normal_backlash()) : std::nullopt;
-}
-
 // Summary of a drive without faults: ratio, efficiency, safeties and least backlash of its meshes.
 std::string running(const Drive& drive) {
   std::string text = "The drive runs";
@@ -199,29 +192,31 @@ std::string running(const Drive& drive) {
   std::optional<std::size_t> tight;  // the mesh with the least backlash
   double least = 0.0;
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
-    const auto j = backlash_at(drive, m);
-    if (!j || (tight && *j >= least)) continue;
+    const auto backlash = mesh_backlash(drive.geometry, m);
+    if (!backlash || (tight && backlash->normal >= least)) continue;
     tight = m;
-    least = *j;
+    least = backlash->normal;
   }
   if (!tight) return text + " The teeth are not checked, because no module is given.";
   std::vector<const Rating*> ratings;
   for (const auto& rating : drive.ratings)
     if (rating) ratings.push_back(&rating->rating);
   text += safety_words(ratings);
-  if (least >= kNoBacklash) return text + fmt::format(" The least backlash is {:.3f} mm.", least);
+  if (least >= kNoBacklash) return text + fmt::format(" The least backlash is {:.4f} mm.", least);
   const auto& pair = drive.geometry.pairs[*tight];
   if (!pair) return text + " There is no backlash between the rack and its pinion.";
   const CylindricalSpec& spec = pair->gear(1).spec;
   const double recommended = recommended_backlash(pair->center_distance(), spec.normal_module);
-  // j_bn = −2 E_sn cos α_n and j_n = j_bn/cos α_wn, because both gears of a mesh get the same E_sn.
+  // The same E_sn of both gears changes j_bn by −2 (E_sn − mean) cos α_n, where `mean` is that of their
+  // present allowances, and j_n = j_bn/cos α_wn.
   const double per_allowance =
       2 * std::cos(spec.normal_pressure_angle.rad()) / pair->involute()->mesh.rack.angles.cos_alpha;
-  const double thinner = std::ceil(recommended / per_allowance * 100) / 100;
+  const double mean = (spec.thickness_allowance + pair->gear(2).spec.thickness_allowance) / 2;
+  const double allowance = std::floor((mean - (recommended - least) / per_allowance) * 100) / 100;
   return text + fmt::format(
                     " There is no backlash. A thickness allowance of {} mm on all gears gives "
                     "{:.3f} mm in the mesh {}; {}.",
-                    format_number(-thinner), per_allowance * thinner,
+                    format_number(allowance), least + per_allowance * (mean - allowance),
                     drive.graph.meshes[*tight].name, recommendation(recommended));
 }
 

@@ -58,15 +58,28 @@ const Quantities<Drive>& coaxial_quantities() {
   return kAll;
 }
 
+// A motion of a body that is stored in rad: the rotation of a body that turns, or the travel of a rack,
+// mm. `lever` as in DriveError.
+std::optional<Angle> rotation(double motion, const std::optional<double>& lever) {
+  return lever ? std::nullopt : std::optional(Angle::radians(motion));
+}
+std::optional<double> travel(double motion, const std::optional<double>& lever) {
+  return lever ? std::optional(*lever * motion) : std::nullopt;
+}
+
 const Quantities<DriveBacklash>& drive_backlash_quantities() {
   using B = DriveBacklash;
   static const Quantities<B> kAll("drive.backlash", [](Quantities<B>& q) {
-    q.number("input_deg", "backlash of the input, output held", "", "[T13.20]", [](const B& b) {
-       return Angle::radians(b.input);
-     }).always();
-    q.number("output_deg", "backlash of the output, input held", "", "[T13.20]", [](const B& b) {
-       return Angle::radians(b.output);
-     }).always();
+    q.number("input_deg", "backlash of the input, output held", "", "[T13.20]; null for a rack",
+             [](const B& b) { return rotation(b.input, b.input_lever); });
+    q.number("input_mm", "backlash of the rack, output held", "",
+             "the same of an input that is a rack, along its travel",
+             [](const B& b) { return travel(b.input, b.input_lever); });
+    q.number("output_deg", "backlash of the output, input held", "", "[T13.20]; null for a rack",
+             [](const B& b) { return rotation(b.output, b.output_lever); });
+    q.number("output_mm", "backlash of the rack, input held", "",
+             "the same of an output that is a rack, along its travel",
+             [](const B& b) { return travel(b.output, b.output_lever); });
   });
   return kAll;
 }
@@ -81,10 +94,9 @@ const Quantities<DriveError>& drive_error_quantities() {
                return e.lever ? Value() : Value(Angle::radians(e.peak_to_peak).arcsec());
              })
         .unit(Unit::arcsec);
-    q.number(
-         "output_peak_to_peak_um", "transmission error of the rack", "",
-         "the same of an output that is a rack, along its travel",
-         [](const E& e) { return e.lever ? Value(kUmPerMm * *e.lever * e.peak_to_peak) : Value(); })
+    q.number("output_peak_to_peak_um", "transmission error of the rack", "",
+             "the same of an output that is a rack, along its travel",
+             [](const E& e) { return travel(kUmPerMm * e.peak_to_peak, e.lever); })
         .unit(Unit::um);
     q.record<drive_error_line_quantities>("lines", "harmonics of the mesh frequencies [T13.22]",
                                           error_lines)
@@ -173,7 +185,9 @@ void say(Quantities<Drive>& q) {
        })
       .doors(kJson);
   q.record<drive_backlash_quantities>(
-      "backlash", "backlash of input and output; null with several inputs or without geometry",
+      "backlash",
+      "backlash of input and output; null with several inputs, with redundant meshes, or if a "
+      "mesh between them has no geometry",
       &Drive::backlash);
   q.record<drive_error_quantities>(
       "transmission_error",
@@ -209,9 +223,8 @@ const Quantities<DriveErrorLine>& drive_error_line_quantities() {
              })
         .unit(Unit::arcsec);
     q.number("amplitude_um", "amplitude of the rack", "",
-             "amplitude of the travel of an output that is a rack", [](const L& l) {
-               return l.lever ? Value(kUmPerMm * *l.lever * l.line->amplitude) : Value();
-             });
+             "amplitude of the travel of an output that is a rack",
+             [](const L& l) { return travel(kUmPerMm * l.line->amplitude, l.lever); });
   });
   return kAll;
 }

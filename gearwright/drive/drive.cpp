@@ -8,6 +8,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/drive/drive_error.hpp"
+#include "gearwright/drive/drive_places.hpp"
 #include "gearwright/drive/rack_pitch.hpp"
 
 namespace gearwright {
@@ -133,7 +134,7 @@ Result<PlanetSet> planet_set(Drive& drive, const PlanetGroup& group, int harmoni
   return set;
 }
 
-// Computes the backlash at `body`, the input or the output, rad: Σ_m |λ_m/T| 2π j_m/p_bt,m.
+// Computes the backlash at `body`, the input or the output, rad: Σ_m |λ_m/T| 2π j_bt,m/p_bt,m.
 // [T13.20]
 std::optional<double> play_at(const Drive& drive, std::size_t body) {
   const auto loads = lossless_loads(drive.graph, drive.motion, body);
@@ -141,12 +142,10 @@ std::optional<double> play_at(const Drive& drive, std::size_t body) {
   for (std::size_t m = 0; m < loads.size(); ++m) {
     if (!loads[m].fits()) return std::nullopt;
     if (loads[m].zero()) continue;
-    const auto& pair = drive.geometry.pairs[m];
-    if (!pair || !pair->involute()) return std::nullopt;
-    const Gear& gear = pair->gear(1);
-    const double j =
-        pair->involute()->mesh.backlash.normal_base / std::cos(gear.reference().base_helix_angle);
-    sum += std::abs(loads[m].value()) * 2 * std::numbers::pi * j /
+    const auto backlash = mesh_backlash(drive.geometry, m);
+    if (!backlash) return std::nullopt;
+    const Gear& gear = *drive.geometry.gears[drive.graph.meshes[m].gears[0]];
+    sum += std::abs(loads[m].value()) * kTurn * backlash->transverse_base /
            gear.reference().base_pitch_transverse;
   }
   return sum;
@@ -157,7 +156,8 @@ std::optional<DriveBacklash> backlash_of_drive(const Drive& drive) {
   const auto in = play_at(drive, drive.graph.inputs.front());
   const auto out = play_at(drive, drive.graph.output);
   if (!in || !out) return std::nullopt;
-  return DriveBacklash{*in, *out};
+  return DriveBacklash{*in, *out, drive.lever(drive.graph.inputs.front()),
+                       drive.lever(drive.graph.output)};
 }
 
 std::string names_of(const DriveGraph& graph, const std::vector<std::size_t>& meshes) {
@@ -243,6 +243,11 @@ std::optional<double> Drive::rack_pitch(std::size_t body) const {
   return gearwright::rack_pitch(graph, body);
 }
 
+std::optional<double> Drive::lever(std::size_t body) const {
+  const auto pitch = rack_pitch(body);
+  return pitch ? std::optional(*pitch / kTurn) : std::nullopt;
+}
+
 std::optional<double> Drive::linear_speed(std::size_t body) const {
   const auto pitches = speed_rpm(body);
   const auto pitch = rack_pitch(body);
@@ -251,9 +256,9 @@ std::optional<double> Drive::linear_speed(std::size_t body) const {
 }
 
 std::optional<double> Drive::force(std::size_t body) const {
-  const auto pitch = rack_pitch(body);
-  if (!pitch || !graph.torque_Nm || !flow || flow->self_locking()) return std::nullopt;
-  return 2 * std::numbers::pi * flow->torque[body] * *graph.torque_Nm / (*pitch / kMmPerM);
+  const auto arm = lever(body);
+  if (!arm || !graph.torque_Nm || !flow || flow->self_locking()) return std::nullopt;
+  return flow->torque[body] * *graph.torque_Nm / (*arm / kMmPerM);
 }
 
 std::optional<std::size_t> Drive::frame_of_body(std::size_t body) const {

@@ -77,10 +77,11 @@ struct LoadedDrive {
   std::vector<PlanetShares> sets;
 };
 
-/// Backlash as the rotation of the input while the output is held, and of the output while the
-/// input is held, rad.
+/// Backlash as the motion of the input while the output is held, and of the output while the input is
+/// held, rad; of the travel of a rack, 2π per pitch.
 struct DriveBacklash {
   double input, output;
+  std::optional<double> input_lever{}, output_lever{};  ///< p_t/2π  mm, of a rack, as in DriveError
 };
 
 /// Rating of a mesh as a pair of gears, computed by drive/drive_rating.hpp.
@@ -100,8 +101,8 @@ struct Drive {
   std::optional<PowerFlow> backward;  ///< power flow if the output drives; none also if there are
                                       ///< several inputs
   std::vector<PlanetSet> sets;
-  std::optional<DriveBacklash> backlash;  ///< none if there are several inputs, redundant meshes or
-                                          ///< no geometry
+  std::optional<DriveBacklash> backlash;  ///< none if there are several inputs, redundant meshes,
+                                          ///< or loaded meshes without geometry
   std::optional<DriveError> error;        ///< none if `backlash` is none or a mesh loses contact
   std::vector<std::optional<MeshRating>> ratings;  ///< of each mesh; empty if they are not rated
   std::optional<LoadedDrive> loaded;               ///< none if no load was requested
@@ -117,6 +118,9 @@ struct Drive {
   /// Transverse pitch p_t of the rack on a body, mm, computed from the module of its pinion. None
   /// if the body has no rack or the module is unknown.
   std::optional<double> rack_pitch(std::size_t body) const;
+  /// p_t/2π  mm: its product with a travel that is stored as an angle is the travel. None as for
+  /// rack_pitch().
+  std::optional<double> lever(std::size_t body) const;
   /// Speed v = n p_t of the body of a rack, m/s. None if the speed or the pitch is unknown.
   std::optional<double> linear_speed(std::size_t body) const;
   /// External force on the body of a rack, F = 2π T/p_t, N. None if the torque, the power flow or

@@ -191,7 +191,7 @@ std::optional<DriveError> transmission_error(const Drive& drive, int harmonics,
   DriveCurves curves(drive, errors);
   if (!curves.make()) return std::nullopt;
   DriveError found = curves.error(std::min(harmonics, kMostHarmonics));
-  if (const auto pitch = drive.rack_pitch(drive.graph.output)) found.lever = *pitch / kTurn;
+  found.lever = drive.lever(drive.graph.output);
   return found;
 }
 

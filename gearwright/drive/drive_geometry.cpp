@@ -368,6 +368,16 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   return found;
 }
 
+std::optional<MeshBacklash> mesh_backlash(const DriveGeometry& geometry, std::size_t mesh) {
+  const auto& rack = geometry.racks[mesh];
+  const auto& pair = geometry.pairs[mesh];
+  if (!rack && !(pair && pair->involute())) return std::nullopt;
+  const Gear& first = rack ? rack->pinion : pair->gear(1);
+  const double base = rack ? rack->base_backlash() : pair->involute()->mesh.backlash.normal_base;
+  return MeshBacklash{rack ? rack->normal_backlash() : pair->normal_backlash(),
+                      base / std::cos(first.reference().base_helix_angle)};
+}
+
 namespace {
 
 // Returns s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π, the ratio of tooth thickness to

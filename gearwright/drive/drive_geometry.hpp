@@ -76,6 +76,16 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
                                      const DriveGeometry& geometry, const Assembly& assembly,
                                      std::optional<GeometryFault>& fault);
 
+struct MeshBacklash {
+  double normal;           ///< j_n   mm
+  double transverse_base;  ///< j_bt  mm, along the transverse line of action
+};
+
+/// The backlash of a mesh of two gears, or of a pinion and its rack; none without involute teeth.
+///
+/// Formula   [T2.24], [T2.37]; j_bt = j_n cos α_wn/cos β_b
+std::optional<MeshBacklash> mesh_backlash(const DriveGeometry& geometry, std::size_t mesh);
+
 /// Ratio of tooth thickness to pitch on the working pitch circle of gear 1 or 2 of a pair.
 ///
 /// Formula   s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π

@@ -137,18 +137,26 @@ ContactReport report_of(const FlankContact& flanks, const RasterSize& size) {
   return r;
 }
 
-// The report on the whole gears and their halves. If the spec has other rotations, the contact is
-// computed again at equal positions over one pitch.
+// True if the answer has equal positions over one pitch, as a report. Otherwise the contact is computed
+// again.
+bool fits_report(const ContactInput& input) {
+  return input.rotations.empty() && input.pitches == 1;
+}
+
+// The report on the whole gears and their halves.
 Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer& given) {
-  SolvedJob again = job;  // a copy, because its warnings have already been reported
-  again.spec.contact.map.reset();
-  again.spec.contact.rotations.clear();
-  again.spec.contact.pitches = 1;
   const ContactInput& input = job.spec.contact;
-  const bool fits = input.rotations.empty() && input.pitches == 1;
-  auto made = fits ? Result<ContactAnswer>(given) : answer_contact(again);
-  if (!made) return made.error();
-  const ContactAnswer& answer = *made;
+  std::optional<ContactAnswer> over_pitch;
+  if (!fits_report(input)) {
+    SolvedJob again = job;  // a copy, because its warnings have already been reported
+    again.spec.contact.map.reset();
+    again.spec.contact.rotations.clear();
+    again.spec.contact.pitches = 1;
+    auto made = answer_contact(again);
+    if (!made) return made.error();
+    over_pitch = std::move(made).take();
+  }
+  const ContactAnswer& answer = over_pitch ? *over_pitch : given;
   auto setup = setup_of(job, errors_of(job));
   if (!setup) return setup.error();
   const HalvesPair pair = HalvesSetup(*setup, job.halves[0]->given.stagger_pitches)
@@ -191,7 +199,7 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
       contact_scene({&gears[0], &gears[1]}, pair, input.marking, answer.driving);
   r.positions = input.positions;
   r.other = answer.other;
-  if (!input.rotations.empty() || input.pitches != 1) {
+  if (!fits_report(input)) {
     const ContactRequest pitch{input.positions, 1, input.marking};
     r.driving = analyse_contact(pair, pitch);
     r.other = analyse_contact(answer.setup->pair(!gear2_drives), pitch);
@@ -209,15 +217,23 @@ Result<ContactReport> report_of_rack(const SolvedJob& job, const ContactAnswer& 
   options.request.rotations.clear();
   options.request.pitches = 1;
   options.request.influences.clear();
-  auto made = contact(*job.rack, errors_of(job), options);
-  if (!made) return made.error();
-  RackContact found = std::move(made).take();
-  ContactReport r = report_of(
-      {contact_scene({&job.rack->pinion, nullptr}, *found.pair, job.spec.contact.marking, found),
-       found.pair},
-      kLines);
-  r.other = std::move(found.non_working);
+  const auto pair = contact_pair(*job.rack, errors_of(job), options);
+  if (!pair) return pair.error();
+  const bool fits = fits_report(job.spec.contact);
+  ContactReport r =
+      report_of({contact_scene({&job.rack->pinion, nullptr}, **pair, job.spec.contact.marking,
+                               fits ? answer.driving : analyse_contact(**pair, options.request)),
+                 *pair},
+                kLines);
   r.min_play = answer.min_play;
+  if (fits) {
+    r.other = answer.other;
+    return r;
+  }
+  options.gear2_drives = !options.gear2_drives;
+  const auto other = contact_pair(*job.rack, errors_of(job), options);
+  if (!other) return other.error();
+  r.other = analyse_contact(**other, options.request);
   return r;
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "gearwright/arrange/judge_drive.hpp"
-#include "gearwright/arrange/notes.hpp"
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/cad/toothed_body.hpp"
@@ -47,16 +46,15 @@ Result<ToothedBody> body_of(const DriveJob& job, const PlacedGear& placed) {
   const int count = job.drive.graph.bodies[named.body].count;
   const std::string name =
       count > 1 ? fmt::format("{} {}", named.name, placed.copy + 1) : named.name;
-  ToothedBody body = gear_body(gear, name, gear.internal() ? rim(gear) : gear.bore).value();
+  std::optional<Halves> halves;
   if (named.double_helical) {
-    const auto halves = halves_of(gear, *named.double_helical);
-    if (!halves) return within(named.name, halves.error());
-    body.face_width = halves->face_width;
-    auto helices = two_helices_of(gear, *halves, 1);
-    if (!helices) return within(named.name, helices.error());
-    body.two_helices = *helices;
+    auto both = halves_of(gear, *named.double_helical);
+    if (!both) return within(named.name, both.error());
+    halves = std::move(both).take();
   }
-  if (auto error = modify(body, gear, named.modifications)) return within(named.name, *error);
+  auto made = body_as_made(gear, name, halves, 1, named.modifications);
+  if (!made) return within(named.name, made.error());
+  ToothedBody body = std::move(made).take();
   body.pose.translate(Vec3(placed.axis.x(), placed.axis.y(), placed.height));
   // The z axis stays exact, so that the bodies have a common plane section.
   body.pose.linear().topLeftCorner<2, 2>() = Eigen::Rotation2Dd(placed.angle).toRotationMatrix();

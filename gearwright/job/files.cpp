@@ -224,15 +224,24 @@ Error of_body(Error error, const std::string& name) {
   return {name, "", error.rule};
 }
 
-Result<TwoHelices> two_helices_of(const Gear& half, const Halves& halves, int which) {
-  const auto& [gap, stagger, groove, hob, lead, length] = halves.given;
-  if (stagger != 0.0 && gap == 0.0) {
-    return refused("double_helical.gap", gap,
-                   "must be greater than 0 for files of staggered halves, which do not meet in the "
-                   "middle plane");
+Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
+                                 const std::optional<Halves>& halves, int which,
+                                 const std::array<FlankModifications, 2>& modifications) {
+  ToothedBody body = gear_body(gear, name, gear.internal() ? rim(gear) : gear.bore).value();
+  if (halves) {
+    const auto& [gap, stagger, groove, hob, lead, length] = halves->given;
+    if (stagger != 0.0 && gap == 0.0) {
+      return refused("double_helical.gap", gap,
+                     "must be greater than 0 for files of staggered halves, which do not meet in "
+                     "the middle plane");
+    }
+    const double turn = 2.0 * kPi * stagger / gear.spec.teeth;
+    body.face_width = halves->face_width;
+    body.two_helices =
+        TwoHelices{gap, halves->groove_diameter.value_or(0.0) / 2.0, which == 1 ? turn : -turn};
   }
-  const double turn = 2.0 * kPi * stagger / half.spec.teeth;
-  return TwoHelices{gap, halves.groove_diameter.value_or(0.0) / 2.0, which == 1 ? turn : -turn};
+  if (auto error = modify(body, gear, modifications)) return *error;
+  return body;
 }
 
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
@@ -256,15 +265,10 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
   if (!gear.exists()) {
     return refused(name + ".profile_shift", gear.spec.profile_shift, gear.warnings.back().message);
   }
-  ToothedBody body = gear_body(gear, name, gear.internal() ? rim(gear) : gear.bore).value();
-  if (const auto& halves = job.halves[static_cast<std::size_t>(which - 1)]) {
-    auto helices = two_helices_of(gear, *halves, which);
-    if (!helices) return within(name, helices.error());
-    body.face_width = halves->face_width;
-    body.two_helices = *helices;
-  }
-  if (auto error = modify(body, gear, job.completed.gear(which).modifications))
-    return within(name, *std::move(error));
+  auto made = body_as_made(gear, name, job.halves[static_cast<std::size_t>(which - 1)], which,
+                           job.completed.gear(which).modifications);
+  if (!made) return within(name, made.error());
+  ToothedBody body = std::move(made).take();
   if (in_place && job.pair) {
     body.pose = which == 1 ? job.pair->pose_1().isometry() : job.pair->pose_2().isometry();
   }

@@ -256,8 +256,7 @@ void warn_about_pair(ArcPair& pair) {
                      "less than the spacing of the contact points, {:.4f} mm.",
                      pair.whole_face(face), pair.whole_face(pair.face_for_contact)));
   }
-  constexpr double kRounding = 1e-9;  // modules; rounding error of a given backlash-free distance
-  if (pair.backlash_rotation && pair.backlash_normal < -kRounding * s_1.normal_module) {
+  if (pair.backlash_rotation && pair.backlash_normal <= -kNoBacklash) {
     warn(pair, WarningCode::negative_backlash,
          fmt::format(
              "The teeth are too thick for this centre distance; the normal backlash is {:.4f} mm.",

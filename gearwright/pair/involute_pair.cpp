@@ -78,12 +78,7 @@ void warn_about_line(CrossedPair& p) {
 }
 
 void warn_about_backlash(InvolutePair& p) {
-  // Rounding errors of a backlash-free distance are not backlash.
-  constexpr double kOfPitch = 1e-12;
-  constexpr double kOfDistance = 4e-15;
-  const double noise =
-      kOfPitch * p.gears[0].reference().base_pitch_normal + kOfDistance * p.center_distance;
-  if (p.mesh.backlash.normal_base < -noise) {
+  if (p.mesh.backlash.normal <= -kNoBacklash) {
     const std::string distance =
         p.backlash_free_center_distance
             ? fmt::format("The backlash-free centre distance is {:.4f} mm.",

@@ -9,6 +9,7 @@
 
 #include "gearwright/curve/basic_curves.hpp"
 #include "gearwright/math/involute.hpp"
+#include "gearwright/pair/mounted_gears.hpp"
 
 namespace gearwright {
 
@@ -92,7 +93,7 @@ void find_faults(RackPair& p) {
          "longer teeth would help.");
     return;
   }
-  if (p.normal_backlash() < -least) {
+  if (p.normal_backlash() <= -kNoBacklash) {
     warn(p, WarningCode::negative_backlash, 0,
          fmt::format("Pinion and rack jam, because the normal backlash is {:.4f} mm. They are free "
                      "of backlash at a centre distance of {} mm.",

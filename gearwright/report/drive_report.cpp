@@ -22,8 +22,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kKeyFigures{"ratio", "efficiency", "efficiency_backward",
-                                                      "center_distance_mm", "output_deg"};
+constexpr std::array<std::string_view, 6> kKeyFigures{
+    "ratio", "efficiency", "efficiency_backward", "center_distance_mm", "output_deg", "output_mm"};
 constexpr double kSchemeWidth = 640.0;
 
 std::string drive_title(const Drive& drive) {

@@ -1,5 +1,5 @@
 // The pictures of a pair on parallel axes: the mesh at the pitch point, the whole pair, the path of
-// contact, and the effect of the profile shifts on the centrodes.
+// contact, and the effect of the profile shifts on the centrodes. Also the mesh of a rack and its pinion.
 //
 //   I    point where the reference circles touch, at a_d      I′   the pitch point at a
 //                                              theory: docs/theory/06-few-teeth.md, 6.2
@@ -14,6 +14,7 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
 
@@ -26,6 +27,12 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
 /// the whole pair.
 std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
                       const std::string& below = {});
+
+/// The mesh of a rack and its pinion, with the definition of the rack's shape. `shapes` as for
+/// mesh_figures(), with the name of the rack second.
+///
+/// Errors    those of rack_definition()
+Result<Figure> rack_figure(const RackPair& pair, const std::array<std::string, 2>& shapes);
 
 /// The path of contact as a strip with its zones, and the specific sliding along it.
 Figure path_figure(const InvolutePair& pair);

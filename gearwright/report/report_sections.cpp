@@ -13,6 +13,7 @@
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/pair_figures.hpp"
 #include "gearwright/report/report_tables.hpp"
 #include "gearwright/report/table_builder.hpp"
 
@@ -232,17 +233,12 @@ std::string halves_part(std::string_view shared, std::string_view alike,
   return text;
 }
 
-namespace {
-
 constexpr double kRackWidth = 640.0;  // px
 constexpr double kRackAspect = 640.0 / 560.0;
 
-std::string rack_figure(const RackPair& pair, const std::array<std::string, 2>& shapes) {
+Result<Figure> rack_figure(const RackPair& pair, const std::array<std::string, 2>& shapes) {
   auto definition = rack_definition(pair, shapes[1]);
-  if (!definition) {
-    return fmt::format("<p><strong>The rack has no outline</strong>: {}</p>\n",
-                       escaped(definition.error().message()));
-  }
+  if (!definition) return definition.error();
   const RackScene scene{&pair, shapes};
   Figure figure = rack_mesh_figure(scene, rack_window(scene, MeshFrame::mesh, kRackAspect));
   figure.definitions = std::move(definition).take();
@@ -252,7 +248,16 @@ std::string rack_figure(const RackPair& pair, const std::array<std::string, 2>& 
       "the base tangent point.",
       caption_key("action", "path of contact A–E"),
       caption_key("trailing", "line of action of the trailing flanks"));
-  return figure_html(figure, kRackWidth);
+  return figure;
+}
+
+namespace {
+
+std::string rack_picture(const RackPair& pair, const std::array<std::string, 2>& shapes) {
+  const auto figure = rack_figure(pair, shapes);
+  return figure ? figure_html(*figure, kRackWidth)
+                : fmt::format("<p><strong>The rack has no outline</strong>: {}</p>\n",
+                              escaped(figure.error().message()));
 }
 
 std::string rack_table(const RackPair& pair, UnitSystem units) {
@@ -273,7 +278,7 @@ std::string rack_pair_table(const RackPair& pair, UnitSystem units) {
 
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
                          UnitSystem units) {
-  return "<section class=\"pair\">\n<h2>Rack and pinion</h2>\n" + rack_figure(pair, shapes) +
+  return "<section class=\"pair\">\n<h2>Rack and pinion</h2>\n" + rack_picture(pair, shapes) +
          rack_pair_table(pair, units) + rack_table(pair, units) + "</section>\n";
 }
 

@@ -40,8 +40,6 @@ Level level_of(Severity severity);
 double recommended_backlash(double center_distance, double normal_module);
 /// Example: "ISO/TR 10064-2 recommends at least 0.100 mm".
 std::string recommendation(double recommended_backlash);
-/// A backlash below this size is printed as 0.0000 mm and is called "no backlash", mm.
-constexpr double kNoBacklash = 0.5e-4;
 
 struct FindingValue {
   std::string name;

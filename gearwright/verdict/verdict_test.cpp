@@ -175,6 +175,30 @@ TEST(Verdict, of_a_rack_gives_its_backlash) {
             std::string::npos);
 }
 
+// A centre distance that is rounded to four decimals changes j_n by at most 2 · 0.5e-4 tan α_n =
+// 3.6e-5 mm, so pairs and racks at this distance are green. A smaller distance is red, and no backlash
+// is printed as too thick by 0.0000 mm.
+TEST(Verdict, a_rounded_centre_distance_is_no_negative_backlash) {
+  const Gear pinion = sample_gear(20, 2, 0, 0.2, 0.0, -0.05), wheel = sample_gear(41, 2, 0, 0.1);
+  const double a =
+      *testing::taken(mount_as<ParallelPair>(pinion, wheel, {})).backlash_free_center_distance;
+  const double h = testing::taken(mount_rack(pinion, {})).backlash_free_center_distance;
+  for (const double change : {-2e-4, -1e-4, -0.5e-4, -4e-7, 0.0, 0.5e-4, 1e-4}) {
+    const ParallelPair pair =
+        testing::taken(mount_as<ParallelPair>(pinion, wheel, {.center_distance = a + change}));
+    const RackPair rack = testing::taken(mount_rack(pinion, {}, h + change));
+    const auto expect = [&](const Verdict& verdict, double j) {
+      EXPECT_EQ(finds(verdict, WarningCode::negative_backlash, Level::red), j <= -kNoBacklash) << j;
+      EXPECT_EQ(finds(verdict, WarningCode::no_backlash, Level::green), std::abs(j) < kNoBacklash);
+      EXPECT_EQ(verdict.headline.find("0.0000 mm"), std::string::npos) << verdict.headline;
+      EXPECT_TRUE(std::abs(change) > 0.5e-4 || std::abs(j) < kNoBacklash) << change;
+    };
+    expect(judged(pair), pair.normal_backlash());
+    expect(verdict_of({.gears = {&rack.pinion}, .rack = &rack, .warnings = &rack.warnings}),
+           rack.normal_backlash());
+  }
+}
+
 // A clearance of nanometres is not printed as 0.0000 mm.
 TEST(Verdict, says_small_clearances_in_micrometres) {
   ParallelPair pair = helical_pair();

@@ -165,6 +165,13 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         page = (Run("run", askew, "--out", "o").folder / "o/report.html").read_text()
         self.assertIn(">Mesh p_r</h2>", page)
         self.assertIn("transmission error of the rack", page.lower())
+        pair = Run("pair", Run("drive", askew, "--take", "1").out, "--json").json["pair"]["backlash"]
+        play = drive["drive"]["backlash"]
+        self.assertAlmostEqual(play["output_mm"], 2 * (20.4 - 20 / math.cos(math.radians(10))) * math.tan(math.radians(20))
+                               / math.cos(math.radians(10)), 12)
+        self.assertAlmostEqual(play["output_mm"], pair["circumferential_mm"][1], 12)
+        self.assertAlmostEqual(play["input_deg"], pair["rotation_deg"], 12)
+        self.assertEqual([play["output_deg"], play["input_mm"]], [None, None])
         tight = Run("drive", self.LIFT.replace('r"], efficiency', 'r"], center_distance_mm = 20.2, efficiency'), "--json")
         self.assertEqual(tight.json["verdict"]["level"], "red")
         self.assertEqual(tight.json["verdict"]["findings"][0]["code"], "negative_backlash")

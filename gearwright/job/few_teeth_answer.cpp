@@ -1,0 +1,168 @@
+// The verb fit for a pinion with few teeth and the wheel that it cuts ([fit] few_teeth = true).
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/arrange/cut_gears.hpp"
+#include "gearwright/arrange/given_pair.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/design/few_teeth_design.hpp"
+#include "gearwright/job/fit_answer.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kMaxContact = 20.0;  // more than any real pair
+constexpr const char* kChosen =
+    "cannot be combined with `fit.few_teeth` = true, which determines this value; leave it out";
+
+std::optional<Error> out_of_place(const JobSpec& spec) {
+  const auto fail = [](const std::string& field, const std::string& why) {
+    return Error{field, "", why};
+  };
+  for (const int which : {1, 2}) {
+    const GearInput& g = spec.gear(which);
+    if (g.cut_by || g.basic || g.cylindrical.tip_fillet || g.tip_clearance)
+      return fail(gear_field(which, g.cut_by  ? "cut_by"
+                                    : g.basic ? "basic"
+                                              : "tip_fillet"),
+                  kChosen);
+    if (g.cylindrical.tip_diameter) return fail(gear_field(which, "tip_diameter"), kChosen);
+  }
+  const GearInput& pinion = *spec.gears[0];
+  const GearInput& wheel = *spec.gears[1];
+  const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(a); };
+  for (const GearInput* g : {&pinion, &wheel}) {
+    if (g->cylindrical.thickness_allowance != 0.0) {
+      return fail(gear_field(g == &pinion ? 1 : 2, "thickness_allowance"),
+                  "cannot be combined with `fit.few_teeth` = true; give `fit.backlash` instead");
+    }
+  }
+  if (differs(pinion.cylindrical.normal_module, wheel.cylindrical.normal_module))
+    return fail("gear2.normal_module", "must equal the value of gear 1, which cuts gear 2");
+  if (differs(pinion.cylindrical.normal_pressure_angle.deg(),
+              wheel.cylindrical.normal_pressure_angle.deg()))
+    return fail("gear2.normal_pressure_angle", "must equal the value of gear 1, which cuts gear 2");
+  if (wheel.helix_given) return fail("gear2.helix_angle", "is determined by gear 1; leave it out");
+  if (wheel.face_width_given)
+    return fail("gear2.face_width", "is the face width of gear 1; leave it out");
+  if (spec.pair.shorten_tips || spec.pair.mounting == Mounting::extended)
+    return fail(spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
+                "cannot be combined with `fit.few_teeth` = true, which determines tips and centre "
+                "distance; leave it out");
+  if (spec.fit.working_normal_pressure_angle)
+    return fail("fit.working_normal_pressure_angle", "cannot be combined with `few_teeth` = true");
+  if (spec.fit.contact_ratio && *spec.fit.contact_ratio > kMaxContact)
+    return fail("fit.contact_ratio", fmt::format("must be at most {}", kMaxContact));
+  if (wheel.cylindrical.root_fillet)
+    return fail("gear2.root_fillet",
+                "is determined by the pinion, which cuts the root of the wheel; leave it out");
+  if (wheel.profile_shift) return fail("gear2.profile_shift", kChosen);
+  if (spec.gears[0]->cylindrical.teeth < 0)
+    return fail("gear1.teeth", "the internal gear of a pair is gear 2; exchange the two gears");
+  if (spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0)
+    return fail("pair.shaft_angle",
+                "must be 0 or absent, because gears with few teeth are designed for parallel axes");
+  return std::nullopt;
+}
+
+// The value with nine decimals, as on a drawing. This removes the rounding error of a conversion.
+double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
+
+// The profile shift with nine decimals if this is exact. A shift that was computed from a centre
+// distance keeps all digits.
+double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(x) : x; }
+
+// The tip diameter, rounded so that the tooth is never longer than computed.
+double tip_as_drawn(double d, bool ring) {
+  return ring ? std::ceil(d * 1e4) / 1e4 : std::floor(d * 1e4) / 1e4;
+}
+
+Json pinion_json(const CylindricalSpec& c) {
+  Json g;
+  g["teeth"] = c.teeth;
+  g["normal_module_mm"] = c.normal_module;
+  g["normal_pressure_angle_deg"] = drawn(c.normal_pressure_angle.deg());
+  g["helix_angle_deg"] = drawn(c.helix_angle.deg());
+  g["profile_shift"] = drawn(c.profile_shift);
+  if (c.tip_diameter) g["tip_diameter_mm"] = tip_as_drawn(*c.tip_diameter, false);
+  g["root_fillet"] = {{"kind", "circular"}, {"offset_mm", drawn(c.root_fillet->offset)}};
+  if (c.tip_fillet)
+    g["tip_fillet"] = {{"kind", "circular"}, {"radius_mm", drawn(c.tip_fillet->value)}};
+  return g;
+}
+
+// The spec with the computed numbers instead of the request. Title, bore and rack are copied.
+Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
+  const Json& given = spec.tree->tables;
+  Json tree;
+  if (given.contains("title")) tree["title"] = given["title"];
+  Json pinion = pinion_json(d.pinion);
+  pinion["face_width_mm"] = d.face_width;
+  Json wheel{{"teeth", d.pair.gears[1].spec.teeth},
+             {"profile_shift", shift_as_drawn(d.wheel_shift)}};
+  wheel["face_width_mm"] = d.face_width;
+  wheel["tip_diameter_mm"] = tip_as_drawn(d.wheel_tip_diameter, d.pair.gears[1].internal());
+  wheel["cut_by"] = pinion_json(d.cutter);
+  for (Json* g : {&pinion, &wheel}) {
+    const char* name = g == &pinion ? "gear1" : "gear2";
+    if (given[name].contains("bore")) (*g)["bore"] = given[name]["bore"];
+    if (!given["gear1"].contains("rack")) continue;
+    (g == &pinion ? pinion : wheel["cut_by"])["rack"] = given["gear1"]["rack"];
+  }
+  tree["gear1"] = pinion;
+  tree["gear2"] = wheel;
+  tree["pair"]["center_distance_mm"] = d.center_distance;
+  return tree;
+}
+
+}  // namespace
+
+Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress) {
+  if (auto error = out_of_place(spec)) return *error;
+  const GearInput& g1 = *spec.gears[0];
+  const GearInput& g2 = *spec.gears[1];
+  CylindricalSpec limits = g1.cylindrical;
+  limits.profile_shift = g1.profile_shift.value_or(0.0);
+  if (auto error = check_limits(limits)) return of_gear(1, *error);
+  FewTeethProblem p;
+  p.progress = progress;
+  p.teeth = {g1.cylindrical.teeth, g2.cylindrical.teeth};
+  p.normal_module = g1.cylindrical.normal_module;
+  p.normal_pressure_angle = g1.cylindrical.normal_pressure_angle;
+  if (g1.helix_given) p.helix = g1.cylindrical.helix_angle;
+  p.center_distance = spec.pair.center_distance;
+  p.pinion_shift = g1.profile_shift;
+  const double m = p.normal_module;
+  p.rack = g1.cylindrical.straight_rack();
+  p.root_offset = g1.cylindrical.root_fillet ? g1.cylindrical.root_fillet->offset : 0.01 * m;
+  p.min_tip_land = spec.fit.min_tip_land.value_or(0.0);
+  p.min_gap = spec.fit.min_gap.value_or(0.0);
+  p.clearance = spec.fit.clearance.value_or(default_tip_clearance(m));
+  p.backlash = spec.fit.backlash.value_or(0.0);
+  p.contact_ratio = spec.fit.contact_ratio.value_or(1.2);
+  if (g1.face_width_given) p.face_width = g1.cylindrical.face_width;
+  auto found = design_few_teeth(p);
+  if (!found) return found.error();
+  FitAnswer answer;
+  if (!found->design) {
+    answer.fit.reason = fmt::format(
+        "none of {} pairs of profile shifts is feasible, and the best pair is ruled out by {}",
+        found->candidates, spelled(found->limit, spec.given, "gear1"));
+    return answer;
+  }
+  const FewTeethDesign& d = *found->design;
+  answer.fit.branches.push_back({{d.pinion.helix_angle, d.pair.gears[1].spec.helix_angle},
+                                 {d.pinion.profile_shift, d.wheel_shift},
+                                 d.center_distance,
+                                 Angle(),
+                                 Angle::radians(d.pair.mesh.rack.normal_pressure_angle)});
+  answer.specs.push_back(spec_of(spec, d));
+  answer.transverse_contact_ratio = d.pair.mesh.true_ratio;
+  return answer;
+}
+
+}  // namespace gearwright
