@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,8 @@
 namespace gearwright {
 
 namespace {
+
+constexpr double kRigid = 1e20;  // N mm/rad, as in the public samples
 
 class Writer {
  public:
@@ -60,25 +63,41 @@ class Writer {
     part_of_unit(id);
   }
 
+  /// Connects a shaft with the casing.
+  void hold(const std::string& shaft) {
+    if (casing_.empty()) part_of_unit(casing_ = add("gear_casing", "casing"));
+    const std::string id = add("coupling", "held");
+    last().set("rotational_stiffness", kRigid, "N mm / rad");
+    relate("side", {{"assembly", id}, {"inner_part", shaft}, {"outer_part", casing_}});
+  }
+
   std::string planetary_stage(const std::string& name) {
     const std::string id = add("planetary_stage", name);
     part_of_unit(id);
     return id;
   }
 
-  void load(const std::string& shaft, const std::optional<double>& torque,
-            const std::optional<double>& speed) {
-    if (!torque && !speed) return;
-    const std::string id = add("external_load", "input");
-    RexsComponent& c = last();
-    if (torque) c.set("torque_around_u_axis", *torque, "N m");
-    if (torque) c.attributes["defines_torque"] = "true", c.units["defines_torque"] = "none";
-    if (speed) c.set("rotational_speed", *speed, "1 / min");
-    relate("assembly", {{"assembly", shaft}, {"part", id}});
+  /// An input defines the speed of its shaft, and the first one the torque.
+  void input(const std::string& shaft, const std::optional<double>& torque,
+             const std::optional<double>& speed) {
+    for (RexsComponent& c : model_.components) {
+      if (c.id != shaft) continue;
+      if (speed) c.set("rotational_speed", *speed, "1 / min");
+      c.flag("defines_speed");
+    }
+    load("input", shaft);
+    if (torque) last().set("torque_around_u_axis", *torque, "N m");
+    if (torque) last().flag("defines_torque");
   }
+  void output(const std::string& shaft) { load("output", shaft); }
 
   void relate(std::string type, std::vector<std::pair<std::string, std::string>> refs) {
     model_.relations.push_back({std::move(type), std::move(refs)});
+  }
+
+  /// Adds to the note of the file that REXS does not contain this part of the spec.
+  void leave_out(const std::string& what) {
+    if (note_.find(what) == std::string::npos) note_ += ", without " + what;
   }
 
   JobFile file(const std::filesystem::path& path) const {
@@ -91,6 +110,11 @@ class Writer {
     return model_.components.back().id;
   }
   RexsComponent& last() { return model_.components.back(); }
+  void load(const std::string& name, const std::string& shaft) {
+    const std::string id = add("external_load", name);
+    last().flag("transmits_torque");
+    relate("assembly", {{"assembly", shaft}, {"part", id}});
+  }
   void part_of_unit(const std::string& id) {
     relate("assembly", {{"assembly", unit_}, {"part", id}});
   }
@@ -120,11 +144,11 @@ class Writer {
     }
     relate("manufacturing_step", {{"workpiece", flank}, {"tool", id}});
     if (rack.protuberance != 0.0 || rack.tip_fillet_radius != 0.0 || rack.semi_topping_angle)
-      note_ = ", without protuberance and rounding of the tips";
+      leave_out("protuberance and rounding of the tips");
   }
 
   RexsModel model_;
-  std::string unit_;
+  std::string unit_, casing_;
   std::string note_;
 };
 
@@ -140,7 +164,12 @@ std::optional<Error> not_in_rexs(const Gear& gear, const std::string& name) {
 }  // namespace
 
 Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& path) {
-  if (!job.pair || job.rack)
+  if (const auto reason = other_rexs_format(path)) return Error{"rexs", path.string(), *reason};
+  if (job.rack)
+    return Error{"gear2.form", "rack",
+                 "is not supported in a REXS file, whose cylindrical stages have two gears; "
+                 "--step, --dxf and --svg write the rack"};
+  if (!job.pair)
     return Error{"gear2", "", "is needed for a REXS file, which describes stages of two gears"};
   if (job.pair->crossed())
     return Error{"pair.shaft_angle", "",
@@ -161,18 +190,22 @@ Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& pat
   }
   writer.stage("stage", gears[0], gears[1], job.pair->center_distance());
   const auto& torques = job.spec.load.torques;
-  writer.load(shafts[0], torques.empty() ? std::nullopt : std::optional(torques.front()),
-              job.spec.pair.speed_rpm);
+  writer.input(shafts[0], torques.empty() ? std::nullopt : std::optional(torques.front()),
+               job.spec.pair.speed_rpm);
+  writer.output(shafts[1]);
   return writer.file(path);
 }
 
 Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path) {
+  if (const auto reason = other_rexs_format(path)) return Error{"rexs", path.string(), *reason};
   const DriveGraph& graph = job.drive.graph;
   const DriveGeometry& geometry = job.drive.geometry;
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {
     const std::string& name = graph.gears[g].name;
     if (graph.gears[g].rack)
-      return Error{name, "", "is a rack, but a REXS file describes stages of two gears"};
+      return Error{name, "",
+                   "is a rack, which is not supported in a REXS file, whose cylindrical stages "
+                   "have two gears"};
     if (!geometry.gears[g])
       return Error{name, "", "has no module; a REXS file needs `normal_module_mm` of every gear"};
     if (auto error = not_in_rexs(*geometry.gears[g], name)) return *error;
@@ -210,11 +243,19 @@ Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path
       writer.stage(mesh.name, gears[a][std::min(copy, gears[a].size() - 1)],
                    gears[b][std::min(copy, gears[b].size() - 1)], *geometry.distance[m]);
   }
-  if (!graph.inputs.empty()) {
-    std::optional<double> speed;
-    if (!graph.speeds_rpm.empty()) speed = graph.speeds_rpm.front();
-    writer.load(shafts[graph.inputs.front()].front(), graph.torque_Nm, speed);
-  }
+  const auto placed = [](const DriveBody& b) { return b.spacing || !b.positions_deg.empty(); };
+  const auto lossy = [](const DriveMesh& m) { return m.efficiency || m.friction; };
+  if (graph.spacing != Spacing::nearest ||
+      std::any_of(graph.bodies.begin(), graph.bodies.end(), placed))
+    writer.leave_out("the positions of the planets");
+  if (graph.friction != DriveGraph{}.friction ||
+      std::any_of(graph.meshes.begin(), graph.meshes.end(), lossy))
+    writer.leave_out("friction and efficiencies");
+  for (const std::size_t b : graph.fixed) writer.hold(shafts[b].front());
+  for (std::size_t i = 0; i < graph.inputs.size(); ++i)
+    writer.input(shafts[graph.inputs[i]].front(), i == 0 ? graph.torque_Nm : std::nullopt,
+                 i < graph.speeds_rpm.size() ? std::optional(graph.speeds_rpm[i]) : std::nullopt);
+  writer.output(shafts[graph.output].front());
   return writer.file(path);
 }
 

@@ -45,9 +45,11 @@ RexsComponent component_of(const Tree& element) {
                   attribute_of(element, "name")};
   for (const auto& [tag, a] : element) {
     // The values of an array are in separate elements.
-    if (tag != "attribute" || a.count("array") + a.count("matrix") > 0 || a.data().empty())
-      continue;
-    c.attributes[attribute_of(a, "id")] = a.data();
+    const auto array = tag == "attribute" ? a.get_child_optional("array") : boost::none;
+    const std::string value =
+        array && array->count("c") == 1 ? array->get<std::string>("c") : a.data();
+    if (tag != "attribute" || value.empty()) continue;
+    c.attributes[attribute_of(a, "id")] = value;
     c.units[attribute_of(a, "id")] = attribute_of(a, "unit");
   }
   return c;
@@ -100,6 +102,11 @@ void RexsComponent::set(const std::string& attribute, double value, const std::s
   units[attribute] = unit;
 }
 
+void RexsComponent::flag(const std::string& attribute) {
+  attributes[attribute] = "true";
+  units[attribute] = "none";
+}
+
 std::string_view RexsRelation::of(std::string_view role) const {
   for (const auto& [name, id] : refs)
     if (name == role) return id;
@@ -113,6 +120,20 @@ bool RexsRelation::names(std::string_view id) const {
 const RexsComponent* RexsModel::find(std::string_view id) const {
   for (const RexsComponent& c : components)
     if (c.id == id) return &c;
+  return nullptr;
+}
+
+const RexsComponent* RexsModel::related(std::string_view id,
+                                        std::initializer_list<std::string_view> with,
+                                        std::initializer_list<std::string_view> types) const {
+  for (const RexsRelation& r : relations) {
+    if (std::find(with.begin(), with.end(), r.type) == with.end() || !r.names(id)) continue;
+    for (const auto& [role, other] : r.refs) {
+      const RexsComponent* const c = find(other);
+      if (c && c->id != id && std::find(types.begin(), types.end(), c->type) != types.end())
+        return c;
+    }
+  }
   return nullptr;
 }
 
@@ -149,6 +170,13 @@ Result<RexsModel> read_rexs(std::string_view xml) {
     for (const auto& [tag, element] : *relations)
       if (tag == "relation") read.relations.push_back(relation_of(element));
   return read;
+}
+
+std::optional<std::string> other_rexs_format(const std::filesystem::path& path) {
+  const std::filesystem::path form = path.extension();
+  if (form != ".rexsj" && form != ".rexsz") return std::nullopt;
+  return fmt::format("REXS as {} is not supported; use REXS as XML, with the ending .rexs",
+                     form == ".rexsj" ? "JSON" : "a compressed file");
 }
 
 std::string rexs_text(const RexsModel& model) {

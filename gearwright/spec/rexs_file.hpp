@@ -4,6 +4,8 @@
 // Format: the public schemas of REXS 1.0 to 2.0 (rexs.info). XML is read by Boost.PropertyTree.
 #pragma once
 
+#include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,13 +20,15 @@ struct RexsComponent {
   std::string id;
   std::string type;  ///< "cylindrical_gear"
   std::string name;
-  std::map<std::string, std::string, std::less<>> attributes{};  ///< plain values as text
+  /// Plain values and lists of one value, as text.
+  std::map<std::string, std::string, std::less<>> attributes{};
   std::map<std::string, std::string, std::less<>> units{};
 
   /// The value of an attribute, or nothing if it is absent or not a number.
   std::optional<double> number(std::string_view attribute) const;
   std::optional<std::string> text(std::string_view attribute) const;
   void set(const std::string& attribute, double value, const std::string& unit);
+  void flag(const std::string& attribute);  ///< sets it to "true"
 };
 
 struct RexsRelation {
@@ -45,13 +49,22 @@ struct RexsModel {
   /// The component with this id, or null if there is none.
   const RexsComponent* find(std::string_view id) const;
   std::vector<const RexsComponent*> of_type(std::string_view type) const;
+  /// The first component with one of these types that shares a relation of one of these types with
+  /// `id`, or null if there is none.
+  const RexsComponent* related(std::string_view id,
+                               std::initializer_list<std::string_view> relations,
+                               std::initializer_list<std::string_view> types) const;
 };
 
-/// The model of a file, without its arrays and tables of values.
+/// The model of a file, without its tables and its lists of several values.
 ///
 /// Errors    text that is not XML, with its line; a root element other than `model`; a version
 ///           other than 1.x and 2.0; deep nesting
 Result<RexsModel> read_rexs(std::string_view xml);
+
+/// The reason why a file with this name cannot be REXS as XML, or nothing if it can. The formats
+/// .rexsj (JSON) and .rexsz (compressed) are not supported.
+std::optional<std::string> other_rexs_format(const std::filesystem::path& path);
 
 /// The model as the text of a file. Reading the text gives the same doubles.
 std::string rexs_text(const RexsModel& model);

@@ -7,7 +7,9 @@
 #include <set>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/drive/short_forms.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
+#include "gearwright/spec/rexs_set.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright {
@@ -18,17 +20,6 @@ using Component = RexsComponent;
 
 Error no_spec(std::string rule) { return {"", "", std::move(rule)}; }
 
-std::string named(const Component& c) {
-  return c.name.empty() ? fmt::format("{} {}", c.type, c.id) : fmt::format("\"{}\"", c.name);
-}
-
-bool is_gear(const Component& c) { return c.type == "cylindrical_gear" || c.type == "ring_gear"; }
-
-struct Stage {
-  const Component* stage;
-  std::array<const Component*, 2> gears;
-};
-
 class Reader {
  public:
   explicit Reader(const RexsModel& model) : model_(model) {}
@@ -36,10 +27,11 @@ class Reader {
   Result<RexsSpec> spec() {
     if (auto error = find_stages()) return *error;
     const auto sets = model_.of_type("planetary_stage");
-    if (sets.size() > 1 || (!sets.empty() && model_.of_type("ring_gear").size() != 1))
-      return no_spec(
-          "the file has several planetary stages or ring gears, but only a single planetary set "
-          "can be read");
+    if (sets.size() > 1)
+      return no_spec(fmt::format(
+          "the file has the planetary stages {} and {}, but only a single planetary set can be "
+          "read; use a separate file for each stage",
+          rexs_name(*sets[0]), rexs_name(*sets[1])));
     auto made = !sets.empty() ? planetary() : stages_.size() == 1 ? pair() : train();
     if (!made) return made.error();
     note_the_rest();
@@ -48,16 +40,20 @@ class Reader {
 
  private:
   std::optional<Error> find_stages() {
+    for (const char* type : {"bevel_stage", "worm_stage", "general_stage"})
+      for (const Component* stage : model_.of_type(type))
+        return no_spec(fmt::format("stage {} is a {}, but only cylindrical stages can be read",
+                                   rexs_name(*stage), type));
     for (const RexsRelation& r : model_.relations) {
       const Component* stage = r.type == "stage" ? model_.find(r.of("stage")) : nullptr;
       if (!stage || stage->type != "cylindrical_stage") continue;
-      Stage s{stage, {model_.find(r.of("gear_1")), model_.find(r.of("gear_2"))}};
+      RexsStage s{stage, {model_.find(r.of("gear_1")), model_.find(r.of("gear_2"))}};
       for (const Component* gear : s.gears) {
-        if (!gear || !is_gear(*gear))
+        if (!gear || !is_rexs_gear(*gear))
           return no_spec(
-              fmt::format("stage {} does not have two cylindrical gears", named(*stage)));
+              fmt::format("stage {} does not have two cylindrical gears", rexs_name(*stage)));
         if (!gear->number("number_of_teeth"))
-          return no_spec(fmt::format("gear {} has no `number_of_teeth`", named(*gear)));
+          return no_spec(fmt::format("gear {} has no `number_of_teeth`", rexs_name(*gear)));
       }
       stages_.push_back(s);
     }
@@ -65,27 +61,11 @@ class Reader {
     return std::nullopt;
   }
 
-  // The first component with a type in `types` that belongs to the same relation as `id`. The type
-  // of the relation must be in `relations`.
-  const Component* related(std::string_view id, std::initializer_list<std::string_view> relations,
-                           std::initializer_list<std::string_view> types) const {
-    for (const RexsRelation& r : model_.relations) {
-      if (std::find(relations.begin(), relations.end(), r.type) == relations.end() || !r.names(id))
-        continue;
-      for (const auto& [role, other] : r.refs) {
-        const Component* const c = model_.find(other);
-        if (c && c->id != id && std::find(types.begin(), types.end(), c->type) != types.end())
-          return c;
-      }
-    }
-    return nullptr;
-  }
-
   const Component* flank_of(const Component& gear) const {
-    return related(gear.id, {"flank"}, {"cylindrical_gear_flank", "flank_geometry"});
+    return model_.related(gear.id, {"flank"}, {"cylindrical_gear_flank", "flank_geometry"});
   }
   const Component* shaft_of(const Component& gear) const {
-    return related(gear.id, {"assembly"}, {"shaft"});
+    return model_.related(gear.id, {"assembly"}, {"shaft"});
   }
   // The tool is connected to the gear or to its flank, by a reference or by a manufacturing step.
   const Component* tool_of(const Component& gear) const {
@@ -93,16 +73,11 @@ class Reader {
     for (const Component* part : {&gear, flank}) {
       if (!part) continue;
       const Component* const tool =
-          related(part->id, {"reference", "ordered_reference", "manufacturing_step"},
-                  {"rack_shaped_tool", "cutter_wheel_tool"});
+          model_.related(part->id, {"reference", "ordered_reference", "manufacturing_step"},
+                         {"rack_shaped_tool", "cutter_wheel_tool"});
       if (tool) return tool;
     }
     return nullptr;
-  }
-
-  int teeth_of(const Component& gear) const {
-    const int z = static_cast<int>(std::lround(std::abs(*gear.number("number_of_teeth"))));
-    return gear.type == "ring_gear" ? -z : z;
   }
 
   std::optional<double> shift_of(const Component& gear) const {
@@ -124,7 +99,7 @@ class Reader {
 
   Json gear_table(const Component& gear, bool of_drive) {
     Json table = Json::object();
-    table["teeth"] = teeth_of(gear);
+    table["teeth"] = rexs_teeth(gear);
     put(table, "normal_module_mm", gear.number("normal_module"));
     const Component* const flank = flank_of(gear);
     if (flank) put(table, "normal_pressure_angle_deg", flank->number("normal_pressure_angle"));
@@ -153,14 +128,14 @@ class Reader {
             note(
                 fmt::format("The thickness of gear {} is not read, because its cutter determines "
                             "the thickness.",
-                            named(gear)));
+                            rexs_name(gear)));
         }
       }
     }
-    if (const Component* const material = related(gear.id, {"reference"}, {"material"}))
+    if (const Component* const material = model_.related(gear.id, {"reference"}, {"material"}))
       note(fmt::format("The material {} of gear {} is not read.",
-                       material->text("material_designation").value_or(named(*material)),
-                       named(gear)));
+                       material->text("material_designation").value_or(rexs_name(*material)),
+                       rexs_name(gear)));
     return table;
   }
 
@@ -176,7 +151,7 @@ class Reader {
     if (series) {
       const double beta = gear.number("helix_angle_reference_diameter").value_or(0.0) * kRadPerDeg;
       const auto both =
-          thickness_allowances(*series, std::abs(teeth_of(gear)) * *module / std::cos(beta));
+          thickness_allowances(*series, std::abs(rexs_teeth(gear)) * *module / std::cos(beta));
       return both ? std::optional(((*both)[0] + (*both)[1]) / 2) : std::nullopt;
     }
     const auto x = shift_of(gear);
@@ -195,7 +170,7 @@ class Reader {
       notes_.push_back(std::move(text));
   }
 
-  static std::optional<double> distance_of(const Stage& s) {
+  static std::optional<double> distance_of(const RexsStage& s) {
     return s.stage->number("center_distance");
   }
 
@@ -207,8 +182,8 @@ class Reader {
   Json start() const { return {{"title", title()}}; }
 
   Result<Json> pair() {
-    Stage s = stages_[0];
-    if (teeth_of(*s.gears[0]) < 0) std::swap(s.gears[0], s.gears[1]);
+    RexsStage s = stages_[0];
+    if (rexs_teeth(*s.gears[0]) < 0) std::swap(s.gears[0], s.gears[1]);
     Json spec = start();
     spec["gear1"] = gear_table(*s.gears[0], false);
     spec["gear2"] = gear_table(*s.gears[1], false);
@@ -219,18 +194,21 @@ class Reader {
   // The load on this shaft that defines a torque, or null.
   const Component* torque_on(const Component& shaft) const {
     for (const Component* load : model_.of_type("external_load"))
-      if (load->text("defines_torque") == "true" && load->number("torque_around_u_axis") &&
-          related(load->id, {"assembly"}, {"shaft"}) == &shaft)
+      if (load->text("defines_torque") == "true" &&
+          model_.related(load->id, {"assembly"}, {"shaft"}) == &shaft)
         return load;
     return nullptr;
   }
+  bool drives(const Component& shaft) const {
+    return torque_on(shaft) || shaft.text("defines_speed") == "true";
+  }
 
-  // The chain of stages along their common shafts. It starts at the shaft with the given torque, or
-  // at the first stage if there is none.
+  // The chain of stages along their common shafts. It starts at the shaft with the given torque or
+  // speed, or at the first stage if there is none.
   Result<Json> train() {
     const auto next_on = [&](const Component* shaft, const std::set<const Component*>& used) {
-      Stage* found = nullptr;
-      for (Stage& s : stages_) {
+      RexsStage* found = nullptr;
+      for (RexsStage& s : stages_) {
         if (used.count(s.stage) > 0) continue;
         for (const std::size_t i : {0U, 1U}) {
           if (!shaft || shaft_of(*s.gears[i]) != shaft) continue;
@@ -244,16 +222,16 @@ class Reader {
     };
     const Component* first = nullptr;
     for (const Component* shaft : model_.of_type("shaft")) {
-      const auto on_it = std::count_if(stages_.begin(), stages_.end(), [&](const Stage& s) {
+      const auto on_it = std::count_if(stages_.begin(), stages_.end(), [&](const RexsStage& s) {
         return shaft_of(*s.gears[0]) == shaft || shaft_of(*s.gears[1]) == shaft;
       });
-      if (on_it == 1 && (!first || torque_on(*shaft))) first = shaft;
+      if (on_it == 1 && (!first || drives(*shaft))) first = shaft;
     }
     std::set<const Component*> used;
     Json spec = start();
     spec["stage"] = Json::array();
     const Component* shaft = first;
-    while (Stage* s = next_on(shaft, used)) {
+    while (RexsStage* s = next_on(shaft, used)) {
       used.insert(s->stage);
       Json stage = {{"gears", {gear_table(*s->gears[0], true), gear_table(*s->gears[1], true)}}};
       if (auto a = distance_of(*s)) stage["center_distance_mm"] = *a;
@@ -271,65 +249,92 @@ class Reader {
 
   void add_load(Json& table, const Component& shaft) {
     const Component* const load = torque_on(shaft);
-    if (!load) return;
-    table["torque_Nm"] = std::abs(*load->number("torque_around_u_axis"));
-    auto speed = load->number("rotational_speed");
-    if (!speed) speed = shaft.number("rotational_speed");
-    if (speed) table["speed_rpm"] = std::abs(*speed);
+    const auto torque = load ? load->number("torque_around_u_axis") : std::nullopt;
+    const auto speed = shaft.number("rotational_speed");
+    if (torque) table["torque_Nm"] = std::abs(*torque);
+    if (speed && drives(shaft)) table["speed_rpm"] = std::abs(*speed);
   }
 
   Result<Json> planetary() {
-    const Component* ring = model_.of_type("ring_gear")[0];
-    const Component* sun = nullptr;
-    const Component* planet = nullptr;
-    std::set<std::string> planets;
-    for (const Stage& s : stages_) {
-      for (const std::size_t i : {0U, 1U}) {
-        if (s.gears[i] != ring) continue;
-        planet = s.gears[1 - i];
-        planets.insert(planet->id);
-      }
-    }
-    for (const Stage& s : stages_)
-      for (const std::size_t i : {0U, 1U})
-        if (planets.count(s.gears[i]->id) > 0 && s.gears[1 - i] != ring) sun = s.gears[1 - i];
-    if (!sun || !planet)
-      return no_spec("the planetary stage has no sun, planet and ring that mesh");
+    const auto found = set_of_rexs(model_, stages_);
+    if (!found) return found.error();
     Json spec = start();
     Json& set = spec["planetary"] = Json::object();
-    set["sun"] = teeth_of(*sun);
-    set["planet"] = teeth_of(*planet);
-    set["ring"] = teeth_of(*ring);
-    set["planets"] = planets.size();
-    put(set, "normal_module_mm", sun->number("normal_module"));
-    if (const Component* flank = flank_of(*sun))
-      put(set, "normal_pressure_angle_deg", flank->number("normal_pressure_angle"));
-    put(set, "helix_angle_deg", sun->number("helix_angle_reference_diameter"));
-    const std::array<std::pair<const char*, const Component*>, 3> members{
-        {{"sun", sun}, {"planet", planet}, {"ring", ring}}};
+    std::vector<std::pair<std::string, const Component*>> members;
+    for (const std::string& name : set_member_names())
+      if (const auto it = found->gears.find(name); it != found->gears.end())
+        members.emplace_back(*it);
+    for (const auto& [name, gear] : members) set[name] = rexs_teeth(*gear);
+    set["planets"] = found->planets;
+    const Component& planet = *found->gears.at("planet");
+    const Json first = gear_table(planet, true);
+    for (const char* key : {"normal_module_mm", "normal_pressure_angle_deg"})
+      if (first.contains(key)) set[key] = first[key];
     for (const auto& [name, gear] : members) {
       const Json table = gear_table(*gear, true);
+      for (const char* key : {"normal_module_mm", "normal_pressure_angle_deg"})
+        if (table.value(key, 0.0) != first.value(key, 0.0))
+          return no_spec(fmt::format(
+              "gear {} has another {} than gear {}, but all gears of [planetary] have the same "
+              "one; "
+              "describe such a drive by [drive]",
+              rexs_name(*gear),
+              std::string_view(key).starts_with("normal_module") ? "module" : "pressure angle",
+              rexs_name(planet)));
       for (const char* key :
            {"face_width_mm", "profile_shift", "thickness_allowance_mm", "tip_diameter_mm"})
         if (table.contains(key)) set[key][name] = table[key];
+      // Programs differ in the sign of a ring, which has the hand of its planet.
+      const bool stepped = name == "ring2" && found->gears.count("planet2") > 0;
+      const Component& sign =
+          gear->type == "ring_gear" ? *found->gears.at(stepped ? "planet2" : "planet") : *gear;
+      if (const auto beta = sign.number("helix_angle_reference_diameter").value_or(0.0);
+          beta != 0.0)
+        set["helix_angle_deg"][name] = beta;
       if (table.contains("rack"))
         note(fmt::format("The tool of the {} is not read. The basic rack of ISO 53 replaces it.",
                          name));
     }
-    for (const Stage& s : stages_)
-      if (auto a = distance_of(s)) set["center_distance_mm"] = *a;
-    if (const Component* shaft = shaft_of(*sun)) add_load(set, *shaft);
+    Json distances = Json::object();
+    for (const auto& [name, mesh] : found->meshes) put(distances, name.c_str(), distance_of(*mesh));
+    const bool one = std::all_of(distances.begin(), distances.end(),
+                                 [&](const Json& a) { return a == distances.front(); });
+    if (!distances.empty()) set["center_distance_mm"] = one ? distances.front() : distances;
+    add_ends(set, *found);
     return spec;
+  }
+
+  void add_ends(Json& set, const RexsSet& found) {
+    const auto one_or_all = [](Json list) { return list.size() == 1 ? list[0] : list; };
+    if (found.fixed)
+      set["fixed"] = one_or_all(*found.fixed);
+    else
+      note("The file states no held member, so the default of `fixed` applies.");
+    if (!found.output.empty()) set["output"] = found.output;
+    if (found.inputs.empty()) {
+      note("The file states no driving member, so the default of `input` applies.");
+      return;
+    }
+    Json names, speeds = Json::array();
+    const double sense = found.inputs[0].speed_rpm.value_or(1.0) < 0.0 ? -1.0 : 1.0;
+    for (const RexsEnd& end : found.inputs) {
+      names.push_back(end.body);
+      if (end.speed_rpm) speeds.push_back(sense * *end.speed_rpm);
+    }
+    set["input"] = one_or_all(names);
+    if (speeds.size() == found.inputs.size()) set["speed_rpm"] = one_or_all(speeds);
+    if (const auto torque = found.inputs[0].torque_Nm) set["torque_Nm"] = std::abs(*torque);
   }
 
   // Adds a note with the types of the components that no key of a spec describes.
   void note_the_rest() {
     std::map<std::string, int> left;
     for (const Component& c : model_.components) {
-      constexpr std::array kRead{"cylindrical_gear", "ring_gear",        "cylindrical_stage",
-                                 "gear_unit",        "planetary_stage",  "cylindrical_gear_flank",
-                                 "flank_geometry",   "rack_shaped_tool", "cutter_wheel_tool",
-                                 "external_load",    "material"};
+      constexpr std::array kRead{"cylindrical_gear", "ring_gear",          "cylindrical_stage",
+                                 "gear_unit",        "planetary_stage",    "cylindrical_gear_flank",
+                                 "flank_geometry",   "rack_shaped_tool",   "cutter_wheel_tool",
+                                 "external_load",    "material",           "gear_casing",
+                                 "coupling",         "switchable_coupling"};
       if (std::find(kRead.begin(), kRead.end(), c.type) == kRead.end()) ++left[c.type];
     }
     std::string list;
@@ -339,7 +344,7 @@ class Reader {
   }
 
   const RexsModel& model_;
-  std::vector<Stage> stages_;
+  std::vector<RexsStage> stages_;
   std::vector<std::string> notes_;
 };
 

@@ -16,8 +16,9 @@ struct RexsSpec {
   std::vector<std::string> notes;  ///< one sentence about each part that was not read
 };
 
-/// Errors    a model without cylindrical stages; stages that form neither a chain nor one planetary
-///           set; a stage without two gears, a gear without teeth
+/// Errors    a model without cylindrical stages, or with stages of another type; stages that form
+///           neither a chain nor one planetary set (set_of_rexs); a stage without two gears, a gear
+///           without teeth
 Result<RexsSpec> spec_of_rexs(const RexsModel& model);
 
 /// The spec as TOML. Comments at its beginning name the version of the file and the parts that were

@@ -1,5 +1,6 @@
 // Laws: (1) the text of a model reads back to the model   (2) a chain of stages is in the order of
-// its shafts, and a planetary stage has the teeth of its members   (3) broken input is an error.
+// its shafts, and a planetary stage has the teeth of its members   (3) broken input is an error
+// (4) a gear or a stage that is no part of the drive that is read is an error with its name.
 #include "gearwright/spec/rexs_spec.hpp"
 
 #include <gtest/gtest.h>
@@ -104,6 +105,91 @@ TEST(Rexs, APlanetaryStageHasItsMembers) {
   EXPECT_EQ(set["planet"], 24);
   EXPECT_EQ(set["ring"], -66);
   EXPECT_EQ(set["planets"], 2);
+}
+
+// A set with one planet: gears 1 sun, 2 planet, 4 ring, on the shafts s1, s2 and s4; carrier sc.
+// The casing is c, and the load of the sun, which turns backwards, is l.
+struct SetFile {
+  std::string relations = stage("10", "1", "2") + stage("12", "2", "4") + on("s1", "1") +
+                          on("s2", "2") + on("s4", "4") + on("s1", "l") +
+                          role("planet_shaft", "s2") + role("planet_carrier_shaft", "sc");
+  std::string components =
+      gear("1", 18) + gear("2", 24) + gear("4", 66, "ring_gear") +
+      component("5", "planetary_stage") + component("10", "cylindrical_stage") +
+      component("12", "cylindrical_stage") +
+      component("s1", "shaft",
+                "<attribute id=\"rotational_speed\" unit=\"1 / min\">-100</attribute>"
+                "<attribute id=\"defines_speed\">true</attribute>") +
+      component("s2", "shaft") + component("s4", "shaft") + component("sc", "shaft") +
+      component("c", "gear_casing") +
+      component("l", "external_load", "<attribute id=\"transmits_torque\">true</attribute>");
+
+  static std::string role(const char* type, const std::string& shaft) {
+    return std::string("<relation type=\"") + type +
+           "\"><ref role=\"planetary_stage\" id=\"5\"/><ref role=\"shaft\" id=\"" + shaft +
+           "\"/></relation>";
+  }
+  // A coupling of two parts with the given state, if it can be switched.
+  SetFile& couple(const std::string& inner, const std::string& outer,
+                  const char* engaged = nullptr) {
+    const std::string id = "k" + inner + outer;
+    components += engaged ? component(id, "switchable_coupling",
+                                      std::string("<attribute id=\"is_engaged\"><array><c>") +
+                                          engaged + "</c></array></attribute>")
+                          : component(id, "coupling");
+    relations += "<relation type=\"side\"><ref role=\"outer_part\" id=\"" + outer +
+                 "\"/><ref role=\"inner_part\" id=\"" + inner + "\"/><ref role=\"assembly\" id=\"" +
+                 id + "\"/></relation>";
+    return *this;
+  }
+  std::string text() const { return file(relations, components); }
+};
+
+TEST(Rexs, TheHeldMemberIsCoupledWithTheCasing) {
+  const Json ring = read(SetFile().couple("s4", "c").text()).tables["planetary"];
+  EXPECT_EQ(ring["fixed"], "ring");
+  EXPECT_EQ(ring["input"], "sun");
+  EXPECT_EQ(ring["speed_rpm"], 100.0);
+  EXPECT_FALSE(ring.contains("output"));
+  // A further shaft between the carrier and the casing; the coupling of the ring is open.
+  SetFile far = SetFile().couple("sc", "s9").couple("s9", "c", "true").couple("s4", "c", "false");
+  far.components += component("s9", "shaft");
+  EXPECT_EQ(read(far.text()).tables["planetary"]["fixed"], "carrier");
+  // Without a coupling, the only member without a load is held.
+  SetFile loads;
+  loads.components +=
+      component("m", "external_load", "<attribute id=\"transmits_torque\">true</attribute>");
+  loads.relations += on("s4", "m");
+  const Json by_loads = read(loads.text()).tables["planetary"];
+  EXPECT_EQ(by_loads["fixed"], "carrier");
+  EXPECT_EQ(by_loads["output"], "ring");
+  // A file that states neither has a note.
+  const RexsSpec bare = read(SetFile().text());
+  EXPECT_FALSE(bare.tables["planetary"].contains("fixed"));
+  EXPECT_NE(bare.notes[0].find("no held member"), std::string::npos);
+}
+
+TEST(Rexs, WhatIsNotReadIsNamed) {
+  const auto with = [](const std::string& gears, const std::string& relations) {
+    SetFile f;
+    f.components += gears + component("20", "cylindrical_stage");
+    f.relations += relations;
+    return rexs_refusal(f.text());
+  };
+  // A second sun on the shaft of the first, a stage in front of the set, a sun that meshes with
+  // both gears of a stepped planet.
+  EXPECT_NE(with(gear("6", 20), stage("20", "6", "2") + on("s1", "6")).find("gear \"g6\""),
+            std::string::npos);
+  EXPECT_NE(with(gear("6", 20) + gear("7", 40), stage("20", "6", "7") + on("s1", "7"))
+                .find("stage cylindrical_stage 20 is not read"),
+            std::string::npos);
+  EXPECT_NE(with(gear("6", 25), stage("20", "1", "6") + on("s2", "6")).find("gear \"g1\""),
+            std::string::npos);
+  EXPECT_NE(rexs_refusal(SetFile().couple("s1", "s4").text()).find("connect ring with sun"),
+            std::string::npos);
+  SetFile bevel;
+  bevel.components += component("b", "bevel_stage");
+  EXPECT_NE(rexs_refusal(bevel.text()).find("bevel_stage b is a bevel_stage"), std::string::npos);
 }
 
 TEST(Rexs, AModelReadsBack) {

@@ -26,8 +26,8 @@ struct SpecText {
 /// the ending .rexs is converted to TOML.
 ///
 /// Throws    IoError if the file cannot be read
-/// Errors    a REXS file that cannot be converted to a spec (spec_of_rexs); more than kMaxSpec
-///           bytes, which are not read
+/// Errors    a REXS file that cannot be converted to a spec (spec_of_rexs) or is not XML; more than
+///           kMaxSpec bytes, which are not read
 Result<SpecText> read_spec_text(const std::filesystem::path& path);
 
 /// A position counted from 1, with columns in characters.

@@ -1,0 +1,51 @@
+// The planetary set of a REXS model: its gears by member of [planetary], the held bodies, the inputs
+// and the output. Internal to spec/.
+//
+// A held body is connected to the casing by a coupling. A load that transmits torque is on an input
+// if it defines the torque or if its shaft defines the speed, otherwise on the output. If no body
+// is connected to the casing, the only central body without a load is held.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/spec/rexs_file.hpp"
+
+namespace gearwright {
+
+bool is_rexs_gear(const RexsComponent& component);
+/// The name in quotation marks, or the type and the id of a component without a name.
+std::string rexs_name(const RexsComponent& component);
+/// z, < 0 for a ring.   Domain  a gear with `number_of_teeth`
+int rexs_teeth(const RexsComponent& gear);
+
+/// A cylindrical stage with its two gears.
+struct RexsStage {
+  const RexsComponent* stage;
+  std::array<const RexsComponent*, 2> gears;
+};
+
+/// A body that transmits torque to other machines.
+struct RexsEnd {
+  std::string body;
+  const RexsComponent* load = nullptr;             ///< its load; the one with a torque first
+  std::optional<double> torque_Nm{}, speed_rpm{};  ///< with their signs
+};
+
+struct RexsSet {
+  std::map<std::string, const RexsComponent*> gears;  ///< by member; of copies, the first
+  std::map<std::string, const RexsStage*> meshes;     ///< by the name of the mesh in [planetary]
+  std::size_t planets = 0;
+  std::optional<std::vector<std::string>> fixed;  ///< none if the file does not state it
+  std::vector<RexsEnd> inputs;                    ///< empty if the file does not state them
+  std::string output;                             ///< empty if the file does not state it
+};
+
+/// Errors    a gear or a stage that is no part of a set of [planetary], by its name; several
+///           outputs; members that are coupled with each other
+Result<RexsSet> set_of_rexs(const RexsModel& model, const std::vector<RexsStage>& stages);
+
+}  // namespace gearwright
