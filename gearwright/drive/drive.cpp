@@ -201,7 +201,7 @@ void find_facts(Drive& drive) {
             "their compliance, so no torques are computed.",
             names_of(drive.graph, drive.motion.redundant)));
   if (drive.flow && drive.flow->self_locking())
-    say(WarningCode::self_locking,
+    say(WarningCode::cannot_drive,
         fmt::format("With this friction {} cannot drive {}, because the drive is self-locking.",
                     drive.graph.bodies[drive.graph.inputs.front()].name,
                     drive.graph.bodies[drive.graph.output].name));

@@ -241,8 +241,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the message gives the least "
      "face width"},
     {C::self_locking, "self_locking", kNote,
-     "with this friction, the gear in the message, or the input or output of a drive, cannot "
-     "drive"},
+     "with this friction, the gear in the message, or the output of a drive, cannot drive"},
     {C::full_radius_root, "full_radius_root", kNote,
      "the root radius of a named rack does not fit; the full radius is used"},
     {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
@@ -304,6 +303,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "verb drive: the tip circles of neighbouring planets overlap, or there are fewer mounting "
      "positions than planets",
      "neighbouring planets collide"},
+    {C::cannot_drive, "cannot_drive", kProblem,
+     "verb drive: with this friction, the input of the drive cannot drive its output",
+     "the input cannot drive the output",
+     "Exchange `input` and `output`, or give a smaller `friction_coefficient`."},
     {C::unequal_spacing, "unequal_spacing", kCaution,
      "verb drive: the planets are unequally spaced", "the planets are unequally spaced"},
     {C::redundant_meshes, "redundant_meshes", kCaution,

@@ -118,6 +118,7 @@ enum class WarningCode {
   // Warnings about whole drives, the worst first.
   not_coaxial,
   planets_collide,
+  cannot_drive,
   unequal_spacing,
   redundant_meshes,
   // Information about the backlash of a pair or a mesh.

@@ -62,7 +62,9 @@ torque_Nm = 5
         drive = Run("drive", locked, "--json").json
         self.assertTrue(drive["drive"]["self_locking"])
         head = [line for line in Run("drive", locked, "--take", "1").out.splitlines() if line.startswith("#")]
-        self.assertIn("self-locking", " ".join(head))
+        self.assertIn("cannot drive the output", " ".join(head).replace("# ", ""))
+        self.assertEqual(drive["verdict"]["level"], "red")
+        self.assertIn("cannot_drive", [f["code"] for f in drive["verdict"]["findings"]])
         thick = SET + "thickness_allowance_mm = 0.4\n"
         self.assertEqual(Run("drive", thick, "--json").json["verdict"]["level"], "red")
         spec = Run("drive", thick, "--take", "1")
