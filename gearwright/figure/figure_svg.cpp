@@ -22,11 +22,11 @@ constexpr double kEdge = 12.0;   // px of margin around everything
 constexpr double kHead = 34.0;   // px above the plot, for the words of the y axis
 constexpr double kFoot = 44.0;   // px below the plot, for numbers and words of the x axis
 constexpr double kLane = 22.0;
-constexpr double kColumn = 24.0, kBeside = 12.0;  // px: width of a column without its words, gap
-                                                  // before the words
+constexpr double kColumn = 24.0, kBeside = 12.0;  // px: width of a column of names beside the plot
+                                                  // without the names, and gap before the names
 constexpr double kLeaderGap = 19.0;               // px between the names of a column
-constexpr double kShade = 19.0;                   // px, box of the key
-constexpr double kAcross = 58.0, kUp = 26.0;      // px, least distance of ticks on x, on y
+constexpr double kShade = 19.0;               // px, width of the key of a map, greatest step height
+constexpr double kAcross = 58.0, kUp = 26.0;  // px, least distance between ticks on x, on y
 
 // Number of characters of markup. Continuation bytes of UTF-8 are not counted.
 double letters(std::string_view markup) {

@@ -253,7 +253,7 @@ Figure whole_figure(const MeshScene& s, const Bounds& window, const Bounds& fram
   for (const std::size_t i : {0u, 1u}) {
     const Gear& gear = *s.gears[i];
     const double r = 0.66 * gear.root_diameter / 2;
-    // Names are omitted on a gear that is too small, and on an internal gear, where they would
+    // The arrow is omitted on a gear that is too small, and on an internal gear, where it would
     // cover the pinion.
     constexpr double kReadable = 0.05;  // relative to the width of the picture
     if (r > kReadable * window.size().x() && !gear.internal())

@@ -48,7 +48,7 @@ class Svg {
   void polyline(const std::vector<Vec2>& points, std::string_view style);
   void polygon(const std::vector<Vec2>& points, std::string_view style);
   void circle(const Vec2& center, double radius, std::string_view style);
-  /// The title, SVG markup, is shown at the pointer.
+  /// The title is shown at the pointer. It is SVG markup, which the caller has escaped.
   void rect(double x, double y, double width, double height, std::string_view style,
             std::string_view title = "");
   /// `attributes` are inserted unchanged.
