@@ -36,8 +36,8 @@ Vec2 root_center(const Gear& gear) {
   return center_of(*gear.tooth->root_fillet, kPi / gear.spec.teeth);
 }
 
-// True if F lies on this tooth. Beyond the middle of the space, F would lie on the neighbouring
-// tooth.
+// True if F, the point of the flank at which undercut begins, lies on this tooth. Beyond the middle
+// of the space, it would lie on the neighbouring tooth.
 bool shows_limit(const Gear& gear) {
   return gear.reference().base_tooth_thickness / gear.reference().base_diameter <
          kPi / gear.spec.teeth;

@@ -16,7 +16,7 @@ namespace gearwright {
 struct TableColumn {
   std::string head;                      ///< HTML
   std::string unit, meaning;             ///< plain text
-  std::string_view first = "ascending";  ///< the order of the first click
+  std::string_view first = "ascending";  ///< order of the rows after a first click on the heading
 };
 struct TableCell {
   std::string html;
@@ -24,7 +24,7 @@ struct TableCell {
       key;  ///< value by which the column is sorted; rows without a value come last
 };
 struct TableRow {
-  std::string attributes;  ///< of the element, with a space in front
+  std::string attributes;  ///< HTML attributes of the row, with a space in front
   std::vector<TableCell> cells;
 };
 
@@ -56,7 +56,7 @@ std::string_view words_of(Limit limit);
 /// Words for an objective, to be used on axes and in sentences.
 struct ObjectiveWords {
   std::string_view name;    ///< "contact ratio"
-  std::string_view symbol;  ///< "ε_α", as in html_text.hpp; may be empty
+  std::string_view symbol;  ///< "ε_α", written as in figure/markup.hpp; may be empty
   std::string_view unit;    ///< may be empty
   bool greater = false;     ///< true if greater values are better
 };
