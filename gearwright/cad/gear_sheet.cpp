@@ -193,7 +193,7 @@ class Views {
                     origin_.y() + y, origin_.y() + y - kFirst, length(input_.body.face_width)});
   }
 
-  // The outline of a double-helical gear with its groove, and the roots of both halves.
+  // Draws the axial outline of a double-helical gear with its groove, and the roots of both halves.
   void grooved(double x0, double x1, double groove) {
     const double half = (width_ - k_ * input_.body.two_helices->gap) / 2;
     for (const double x : {x0, x1}) line(kOutline, {x, -k_ * body_}, {x, k_ * body_});
