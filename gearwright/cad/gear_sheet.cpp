@@ -219,7 +219,8 @@ class Views {
   const std::optional<BoreContour>& bore_;
   double k_;                              // mm on paper per mm on the gear
   double tip_ = 0, root_ = 0, body_ = 0;  // radii of tip, root and outermost circle, mm
-  double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;  // mm on paper
+  // mm on paper: room to the left of the origin; left end, width and right margin of the axial view
+  double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;
   Sheet* sheet_ = nullptr;
   Vec2 origin_ = Vec2::Zero();
 };

@@ -10,8 +10,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kArrow = 2.5;      // mm, length
-constexpr double kArrowHalf = 0.4;  // mm, half width
+constexpr double kArrow = 2.5;      // mm, length of an arrow head
+constexpr double kArrowHalf = 0.4;  // mm, half of its width
 // Size of a subscript or superscript relative to the text, and offsets of their base lines.
 constexpr double kIndex = 0.7, kBelow = 0.3, kAbove = 0.45;
 
