@@ -359,7 +359,7 @@ class Writer {
   Scale x_, y_;
   Svg svg_;
   std::string clip_;
-  Vec2 origin_ = Vec2::Zero();  // px
+  Vec2 origin_ = Vec2::Zero();  // px, point from which the marks of the current group are measured
 };
 
 }  // namespace

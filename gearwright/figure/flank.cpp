@@ -20,7 +20,7 @@ namespace {
 constexpr int kEllipses = 7;                           // approximate number of drawn ellipses
 constexpr double kLowFlank = 0.36, kHighFlank = 0.72;  // limits of the drawn height over the width
 constexpr double kBeyond = 0.09;  // height drawn beyond root and tip each, over that of the flank
-const std::vector<double> kGapLevels{1, 2, 5, 10, 20, 50};  // µm
+const std::vector<double> kGapLevels{1, 2, 5, 10, 20, 50};  // µm, greatest gaps of the drawn bands
 
 Vec2 on_flank(const FlankPlace& place) { return {place.height, 2 * place.radius}; }
 Vec2 touch_of(const ContactPoint& p, std::size_t which) {

@@ -112,7 +112,7 @@ void add_path(Figure& f, const InvolutePair& pair) {
 
 // An arrow over the axis in the direction of rotation.
 void add_turn(Figure& f, const Vec2& axis, double radius, bool clockwise, int gear) {
-  constexpr double kHalf = 0.55;  // rad
+  constexpr double kHalf = 0.55;  // rad, half the angle of the arrow
   std::vector<Vec2> arc;
   for (int k = 0; k <= 24; ++k) {
     const double angle = (clockwise ? 1.0 : -1.0) * (k / 12.0 - 1.0) * kHalf;
