@@ -97,7 +97,7 @@ void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
   const double rho1 = at_A ? pair.mesh.rho1_A : pair.mesh.rho1_E;
   const SpecificSliding<double>& s = at_A ? pair.sliding_A : pair.sliding_E;
   const std::array<std::optional<double>, 2> values{s.zeta_1, s.zeta_2};
-  double lowest = -13.0;  // px
+  double lowest = -13.0;  // px, offset of the next label at the lower border
   for (const std::size_t i : {0u, 1u}) {
     const bool shown = values[i] && *values[i] >= f.y.lo;
     const double level = shown ? *values[i] : f.y.lo;

@@ -45,7 +45,7 @@ std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row);
 std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row,
                                    std::string_view id, std::string_view row_link);
 
-inline constexpr int kChartMin = 7, kChartMax = 100;  ///< teeth
+inline constexpr int kChartMin = 7, kChartMax = 100;  ///< range of tooth numbers in the charts
 
 /// The range of possible profile shifts over the number of teeth, on a logarithmic axis. Curves
 /// show the undercut limit, and the limits for tip thicknesses of 0, 0.2 and 0.4 modules. The
