@@ -37,7 +37,7 @@ struct Options {
   std::optional<std::string> grid;     // for measure: grid of nominal points of the flanks, "9x5"
   std::optional<int> fillet_points;    // for measure: number of points along each root fillet
   std::string schema;                  // for schema: spec or result
-  std::string shell;                   // for completion
+  std::string shell;                   // for completion: bash, zsh or fish
   std::vector<std::string> words;      // for batch: a verb and a file
   int threads = 0;                     // for batch; 0 means all cores
 };

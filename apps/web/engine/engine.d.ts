@@ -253,7 +253,7 @@ export interface Figure {
 /** Options of the figures of contact. */
 export interface ContactView {
   width: number; // px, width of a figure
-  positions: number; // number per pitch
+  positions: number; // number of positions per pitch
   index: number; // index of the position whose gap is shown on the flanks
   patterns: FlankRaster[] | null; // the result of `pattern`
   curves: boolean; // false to draw only the flanks

@@ -150,7 +150,7 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
                                            : -std::numeric_limits<double>::infinity();
   const bool inside = room >= 0.0 && std::isfinite(asked.x() + asked.y());
   const auto killed = graph.what_kills();
-  std::array<Json, 2> ends;  // lower and upper ends
+  std::array<Json, 2> ends;  // least and greatest profile shift of each gear
   for (const std::size_t i : {0, 1})
     ends[swapped ? 1 - i : i] = {graph.gears()[i].x_min, graph.gears()[i].x_max};
   Json chart{{"point", {point.x(), point.y()}},
