@@ -197,7 +197,7 @@ class Scheme {
   struct Shaft {
     std::size_t body;
     double from, to, y;
-    bool left = false, right = false;  // the shaft ends on that side of the picture
+    bool left = false, right = false;  // true if the shaft ends at this side of the picture
     int level = 0;
   };
 

@@ -190,7 +190,7 @@ class Writer {
 
  private:
   Vec2 px(const Vec2& p) const { return Vec2(x_(p.x()), y_(p.y())) - origin_; }
-  double per_unit() const { return std::abs((x_.to - x_.from) / (x_.hi - x_.lo)); }  // px
+  double per_unit() const { return std::abs((x_.to - x_.from) / (x_.hi - x_.lo)); }  // px of x
 
   void begin_frame(int frame) {
     svg_.begin_group(fmt::format("data-frame=\"{}\" data-frames=\"{}\"{}", frame, f_.frames,

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kMaxHalvings = 12;  // 4096 chords per arc, which a curve with a cusp may reach
+constexpr int kMaxHalvings = 12;  // at most 4096 chords per arc; a curve with a cusp needs many
 
 double distance_to_chord(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 ab = b - a;

@@ -15,7 +15,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kRoom = 0.06;  // margin relative to the extent of the pair
-// Gap between gears drawn side by side, relative to the radius of gear 2.
+// Distance from the edge of gear 1 to the axis of gear 2 if both are drawn side by side, over the
+// radius of gear 2.
 constexpr double kBeside = 1.12;
 
 Vec2 flat(const Point<Housing>& p) { return {p.r.x(), p.r.y()}; }
