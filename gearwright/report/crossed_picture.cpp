@@ -74,7 +74,7 @@ Vec2 plan_window(const InvolutePair& pair) {
   return whole / std::clamp(whole.x() / close.x(), 1.0 / kMaxReduction, kMaxEnlargement);
 }
 
-// Draws both axes to the border of the picture and beyond, with their names at the border.
+// Draws both axes from border to border of the picture and beyond, with their names at the border.
 void add_axes(Figure& f, const InvolutePair& pair, double width) {
   const Vec2 half(f.x.hi, f.y.hi);
   const double px = 2 * half.x() / width;  // mm per px

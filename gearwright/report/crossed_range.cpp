@@ -25,7 +25,7 @@ constexpr double kBeforeLimit = 1e-3;
 // there. A mounted pair may lie at the limit within rounding. This distance changes the centre
 // distance by at most r_b kAtLimit.
 constexpr double kAtLimit = 1e-8;
-constexpr double kMinAngle = 2e-3;  // rad; α_wn = 0 is impossible for a rack
+constexpr double kMinAngle = 2e-3;  // rad, least α_wn of the range; a rack cannot have α_wn = 0
 
 double deg(double rad) { return kDegPerRad * rad; }
 

@@ -43,8 +43,8 @@ bool shows_limit(const Gear& gear) {
          kPi / gear.spec.teeth;
 }
 
-// The essential part, mm. If the tip matters, it is the whole tooth. Otherwise it is the root on
-// the right, up to slightly above the start of the flank.
+// Points on the part of the tooth that the picture must show, mm. If the tip matters, this is the
+// whole tooth. Otherwise it is the root on the right, up to slightly above the start of the flank.
 std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack) {
   const bool whole = gear.tooth->tip_fillet || (rack && gear.spec.teeth <= 4);
   const double start = std::max(gear.base_radius(), gear.root_form_radius().value_or(0.0));

@@ -54,9 +54,9 @@ inline constexpr int kChartMin = 7, kChartMax = 100;  ///< range of tooth number
 std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial,
                                 const DesignRow* design);
 
-/// The contact ratio ε_α of two identical gears, at shifts 0, ¼, ½, ¾ and 1 of the way from the
-/// least to the greatest. Empty for searches of crossed axes or internal gears, to which it does
-/// not apply.
+/// The contact ratio ε_α of two identical gears over their number of teeth. There are five curves,
+/// at 0, ¼, ½, ¾ and 1 of the way from the least to the greatest profile shift that the search
+/// allows. Empty for searches of crossed axes or internal gears, to which it does not apply.
 std::string identical_gears_figure(const SearchProblem& problem, const Trial& trial);
 
 }  // namespace gearwright

@@ -31,7 +31,7 @@ struct TableRow {
 /// A table with a column of ranks before the given columns. `rows` are in the order of their ranks.
 std::string sortable_table(const std::vector<TableColumn>& columns,
                            const std::vector<TableRow>& rows);
-/// The meaning of the columns, folded.
+/// The headings of the columns with their meanings, in a folded section.
 std::string column_key(const std::vector<TableColumn>& columns);
 
 /// A table of the first `rows` designs. Its rows have the ids "design-1", "design-2" and so on.
@@ -62,8 +62,8 @@ struct ObjectiveWords {
 };
 ObjectiveWords words_of(Objective objective);
 
-/// The value of the objective for any design, ranked or not. None for |ζ| if a flank reaches its
-/// base tangent point.
+/// The value of the objective for any design, ranked or not. None for the objective |ζ|, specific
+/// sliding, if a flank reaches its base tangent point.
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective);
 

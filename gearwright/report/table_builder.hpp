@@ -30,7 +30,7 @@ class TableBuilder {
               const std::optional<std::string>& note = {});
   /// Adds the rows of a group of the catalogue, without the heading of the group. A row has one
   /// value for each column, or one value for all columns. The table has as many columns as there
-  /// are records. For a single record (a pair) it may also have two.
+  /// are records. For a single record (a pair), it may also have two columns.
   void rows(const TextGroup& group);
   /// Adds the rows of each group under its heading.
   void groups(const std::vector<TextGroup>& groups);
