@@ -42,7 +42,7 @@ struct Options {
   int threads = 0;                     // for batch; 0 means all cores
 };
 
-// All functions throw IoError if the system fails.
+// All functions of this file throw IoError if the system fails.
 /// Runs any verb of the table. Prints the answer as JSON, CSV or text, or prints the spec of one of
 /// its proposals. If the spec has already been read, it is passed as `text`.
 int answering_verb(const Verb& verb, const Options& o, const SpecText* text = nullptr);

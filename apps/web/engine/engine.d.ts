@@ -220,7 +220,7 @@ export interface SearchResult {
   feasible: number;
 }
 export interface ErrorMap {
-  x: Float64Array; // values in the unit of the key
+  x: Float64Array; // values of the error on this axis of the map, in the unit of its key
   y: Float64Array;
   peakToPeakArcsec: Float64Array; // [iy * nx + ix]; NaN if no teeth touch or if not yet computed
 }
@@ -330,8 +330,8 @@ export interface Session {
   /** An estimate, to first order, of the effect of the tolerances of [scatter] on the peak-to-peak
    *  transmission error. It takes a fraction of a second. `width` is the width of a figure in px. */
   scatterSketch(width: number): Scattered | Failed;
-  /** The same effect, computed by complete contact analyses. The number of samples is limited to 1024, or
-   *  to the number that takes about three seconds. */
+  /** The effect of the tolerances of [scatter], computed by complete contact analyses. The number
+   *  of samples is limited to 1024, or to the number that takes about three seconds. */
   scatter(width: number): Scattered | Failed;
   shiftRegion(view?: ShiftView | null): ShiftRegion | Failed;
   /** The bytes of a file of gear 1 or 2, or of the mounted pair or the drive if `gear` is 0. report and json require 0. */

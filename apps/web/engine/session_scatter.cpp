@@ -17,7 +17,8 @@ namespace gearwright::web {
 namespace {
 
 constexpr int kSketched = 128, kSketchedPositions = 16;  // samples and positions of the estimate
-constexpr int kFirstSamples = 4, kMostSamples = 128, kMostReplicates = 8;  // of complete analyses
+// Samples of the first complete analysis, and greatest numbers of samples and of replicates.
+constexpr int kFirstSamples = 4, kMostSamples = 128, kMostReplicates = 8;
 constexpr int kPatterns = 32;        // samples of the density of patterns
 constexpr double kLongestMs = 1000;  // longest expected time of an analysis with twice the samples
 

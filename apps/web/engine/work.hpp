@@ -12,7 +12,7 @@
 
 namespace gearwright::web {
 
-/// The progress of some work.
+/// The progress of a computation: `done` of `of` steps are complete.
 struct Steps {
   std::int64_t done, of;
   bool finished;
