@@ -18,8 +18,8 @@ constexpr std::size_t kSizeMax = 0xfffffffeU;            // 0xffffffff would ind
 
 }  // namespace
 
-// The fields that the local header and the directory have in common, from the version to the length
-// of the extra field.
+// Appends the fields that the local header and the directory have in common, from the version to
+// the length of the extra field.
 void ZipWriter::append_common(const Entry& entry) {
   append_u16(bytes_, kZipVersion);
   append_u16(bytes_, 0);  // flags

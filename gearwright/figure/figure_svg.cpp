@@ -197,7 +197,7 @@ class Writer {
                                  frame == 0 ? "" : " visibility=\"hidden\""));
   }
 
-  // The marks of a group are relative to the point about which it turns.
+  // Begins a group of marks whose positions are relative to the point about which they turn.
   void begin_turning(const FigureGroup& group) {
     const Vec2 about = px(group.about);
     svg_.begin_group(fmt::format("transform=\"translate({} {})\" data-turn=\"{:.12g}\"",

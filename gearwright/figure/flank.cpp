@@ -98,8 +98,8 @@ std::string side_words(const ContactScene& scene, std::size_t which) {
 // Draws the gap in bands, with their values if nothing else is drawn on the flank.
 void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch) {
   const ContourField field = field_of(raster);
-  // Names keep a distance from each other and from the ends. The distance is a fraction of the
-  // plot.
+  // The names of levels keep a distance from each other, from the contact and from the edges of the
+  // plot. Distances are fractions of the plot.
   const auto share = [&](const Vec2& p) -> Vec2 {
     return {(p.x() - f.x.lo) / (f.x.hi - f.x.lo), (p.y() - f.y.lo) / (f.y.hi - f.y.lo)};
   };

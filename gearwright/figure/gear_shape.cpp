@@ -79,7 +79,7 @@ class Pen {
     set(p);
     return {x_ - x, y_ - y};
   }
-  // A minus sign is itself a separator.
+  // Appends a number. A minus sign separates it from the number before, so it needs no space.
   void number(char before, long value) {
     if (before == 'l') {
       text_ += 'l';

@@ -75,8 +75,8 @@ Bounds about_overlap(const MeshScene& s) {
   return with_room({middle, middle}, 1.2 * (to - from));
 }
 
-// The line of action with A … E and the base tangent points. For an internal gear, both base
-// tangent points are on the same side.
+// Draws the line of action with A … E and the base tangent points. For an internal gear, both base
+// tangent points are on the same side of the pitch point.
 void add_path(Figure& f, const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const auto at = [&](double rho1) { return flat(pair.on_line_of_action(rho1)); };
@@ -111,7 +111,7 @@ void add_path(Figure& f, const InvolutePair& pair) {
   }
 }
 
-// An arrow over the axis in the direction of rotation.
+// Draws an arrow over the axis in the direction of rotation.
 void add_turn(Figure& f, const Vec2& axis, double radius, bool clockwise, int gear) {
   constexpr double kHalf = 0.55;  // rad, half the angle of the arrow
   std::vector<Vec2> arc;

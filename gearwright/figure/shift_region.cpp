@@ -126,7 +126,7 @@ void add_distances(Figure& f, const ShiftGraph& graph, const Bounds& window, boo
   }
 }
 
-// The line of balanced shifts [T2.18a] through the window. It is thick where the shifts are
+// Draws the line of balanced shifts [T2.18a] through the window. It is thick where the shifts are
 // feasible.
 void add_balanced(Figure& f, const ShiftChart& chart, const Bounds& window) {
   const Trial& t = chart.graph.trial();
