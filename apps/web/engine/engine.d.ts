@@ -262,7 +262,7 @@ export interface ContactView {
 /** Options of the figure of the gears in section. */
 export interface MeshView {
   frame: "whole" | "mesh" | "flank"; // all of the gears, their mesh, or the path of contact
-  width: number; // px
+  width: number; // px, width of the figure
   height: number;
   window: [number, number, number, number] | null; // x0, x1, y0, y1 in mm; null: as for `frame`
   bodies: boolean; // true to draw only the bodies of the gears
@@ -271,7 +271,7 @@ export interface MeshView {
 
 /** Options of the figure of the profile shifts. */
 export interface ShiftView {
-  width: number; // px
+  width: number; // px, width of the figure
   aspect: number; // width over height of the plot
   // Lower and upper end of x1, then of x2. If it is null, the window is around the region.
   window: [number, number, number, number] | null;
@@ -279,7 +279,7 @@ export interface ShiftView {
 
 /** Designs as dots over two of their quantities, in the order of drawing. The values must be finite. */
 export interface DesignDots {
-  width: number; // px
+  width: number; // px, width of the figure
   tall: number; // height over width of the plot
   x: { words: string; unit: string; values: number[] };
   y: { words: string; unit: string; values: number[] };

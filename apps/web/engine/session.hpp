@@ -30,7 +30,7 @@ struct ContactView {
 /// Options of the figure of the gears in section.
 struct MeshView {
   MeshFrame frame = MeshFrame::mesh;
-  double width = 560.0, height = 420.0;  ///< px
+  double width = 560.0, height = 420.0;  ///< px, size of the figure
   std::optional<Bounds> window;          ///< mm; by default the window of the frame
   bool bodies = false;                   ///< true to omit circles and lines
   std::string name = "mesh";             ///< name of the shapes, unique in the page
@@ -38,7 +38,7 @@ struct MeshView {
 
 /// Options of the figure of the profile shifts.
 struct ShiftView {
-  double width = 560.0;          ///< px
+  double width = 560.0;          ///< px, width of the figure
   double aspect = 1.25;          ///< width over height of the plot
   std::optional<Bounds> window;  ///< range of (x1, x2); by default around the region
 };
