@@ -54,8 +54,9 @@ Brep add_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls);
 //   land, flank         plane                                  lines
 //   fillet              cylinder along the tooth, radius ρ_f   ellipses (circles for a spur rack)
 //
-// All surfaces and edges are exact. Every face is a strip of the plan view (cad/rack_plan.hpp). A
-// strip with a corner of the bar has five edges, and a strip with two corners has six.
+// All surfaces and edges are exact. Every face of the teeth is a strip of the plan view
+// (cad/rack_plan.hpp). A strip usually has four edges, one with a corner of the bar has five, and
+// one with two corners has six.
 //
 //   Law   every edge is used twice, once in each direction
 

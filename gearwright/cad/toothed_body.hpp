@@ -37,8 +37,8 @@
 namespace gearwright {
 
 /// The data that make an outline a rack. They refer to the frame of pair/rack_pair.hpp, in which
-/// x is the height above the datum line. n pitches lie between the ends, and the origin is in the
-/// middle.
+/// x is the height above the datum line. The bar is as many pitches long as it has teeth, and the
+/// origin is in the middle of its length.
 struct RackBlock {
   double pitch;          ///< p_t    mm, along y
   double height;         ///< mm, from the back to the datum line
