@@ -40,7 +40,7 @@ std::string column_key(const std::vector<TableColumn>& columns);
 std::string design_table(const SearchProblem& problem, const SearchAnswer& answer, std::size_t rows,
                          UnitSystem units);
 
-/// The meaning of the columns, in a folded section.
+/// The headings of the columns of design_table() with their meanings, in a folded section.
 std::string design_table_key(const SearchProblem& problem, const SearchAnswer& answer,
                              std::size_t rows, UnitSystem units);
 

@@ -47,7 +47,7 @@ std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   return pieces_of(pieces);
 }
 
-// Shows the name of the last curve beside it.
+// Shows the name of the last curve of a figure beside this curve.
 void name_curve(Figure& f) {
   FigureMark& curve = f.marks.back();
   curve.label = curve.words;
