@@ -259,7 +259,8 @@ int CommandLine::unknown_verb(const std::string& word) const {
     all += (all.empty() ? "" : ", ") + name;
     const bool begins = word.size() > 1 && name.starts_with(word);
     const std::size_t off = begins ? 1 : edit_distance(word.substr(0, 80), name);
-    // `gaer` is `gear` with two letters exchanged. This counts as two edits, but it is only one typing error.
+    // `gaer` is `gear` with two letters exchanged. This is a single typing error, although the edit
+    // distance is 2.
     const bool turned =
         word.size() == name.size() && std::is_permutation(word.begin(), word.end(), name.begin());
     if (std::min<std::size_t>(off, turned ? 1 : off) >= least) continue;

@@ -118,7 +118,8 @@ int end_export(const Options& o, UnitSystem units, const std::vector<JobFile>& f
 
 using WantedFiles = std::vector<std::pair<FileKind, const std::string*>>;
 
-// Each file contains the whole drive or, if a gear number is given, one of its gears.
+// Writes the requested files of a drive and returns the exit status. Each file contains the whole
+// drive or, if a gear number is given, one of its gears.
 int export_drive(const Options& o, const Door& door, const JobSpec& spec,
                  const WantedFiles& wanted) {
   if (!o.drawing.empty())

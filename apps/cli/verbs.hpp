@@ -37,12 +37,12 @@ struct Options {
   std::optional<std::string> grid;     // for measure: grid of nominal points of the flanks, "9x5"
   std::optional<int> fillet_points;    // for measure: number of points along each root fillet
   std::string schema;                  // for schema: spec or result
-  std::string shell;                   // for completion
+  std::string shell;                   // for completion: bash, zsh or fish
   std::vector<std::string> words;      // for batch: a verb and a file
   int threads = 0;                     // for batch; 0 means all cores
 };
 
-// All functions throw IoError if the system fails.
+// All functions of this file throw IoError if the system fails.
 /// Runs any verb of the table. Prints the answer as JSON, CSV or text, or prints the spec of one of
 /// its proposals. If the spec has already been read, it is passed as `text`.
 int answering_verb(const Verb& verb, const Options& o, const SpecText* text = nullptr);

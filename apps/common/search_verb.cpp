@@ -88,7 +88,7 @@ class ProgressLine {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr double kQuiet = 1.5;  // seconds
+  static constexpr double kQuiet = 1.5;  // s from the start to the first line
   static std::string text(const SearchProgress& p, double seconds) {
     switch (p.stage) {
       case SearchProgress::Stage::changes:
@@ -206,8 +206,8 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.top = c.top;
   if (c.take)
     options.top = std::max<std::size_t>(c.top.value_or(0), static_cast<std::size_t>(*c.take));
-  // Regions of profile shifts are computed only for output that contains them. If only the spec of
-  // a design is printed, there are none. A printed table needs the regions of its own rows.
+  // Regions of profile shifts are computed only for output that contains them. The spec of a design
+  // contains no region. A printed table contains the regions of its own rows.
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
   options.chunk = c.chunk;

@@ -36,8 +36,9 @@ struct Together {
   std::function<bool()> finish_together;
 };
 
-/// Fills `options` and returns an error of the command line, if there is one. `verb` is the name
-/// that a single process has in the journal. `noun` is the name of the work, "search" or "study".
+/// Fills `options` and returns an error of the command line, if there is one. If the process is
+/// neither a shard nor a rank, its name in the journal is `verb`. `noun` is the name of the work,
+/// "search" or "study".
 std::optional<std::string> fill_campaign(const CampaignCommand& command, const Together* together,
                                          const std::string& verb, const std::string& noun,
                                          CampaignOptions& options);

@@ -28,7 +28,7 @@ CLI::App* add_study(CLI::App& app, StudyCommand& command);
 /// Returns the exit status.   Throws  IoError
 int run_study_verb(const StudyCommand& command, const SpecText& text,
                    const Together* together = nullptr);
-/// Reads the spec first and otherwise does the same.
+/// Reads the spec that the command names, and runs the verb for it.
 int run_study_verb(const StudyCommand& command, const Together* together);
 
 }  // namespace gearwright::apps

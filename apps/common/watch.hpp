@@ -41,7 +41,7 @@ class Watch {
   WatchWords words_;
   Progress progress_;
   bool terminal_, shown_ = false;
-  double said_ = 0.0;  // s
+  double said_ = 0.0;  // s from the start to the last line
   std::mutex mutex_;
   std::condition_variable ended_;
   bool end_ = false;

@@ -208,7 +208,7 @@ py::array members_of(const ScatterAnswer& a) {
   return rows.take();
 }
 
-// Writes the same rows to a Parquet file. A missing value is null.
+// Writes the rows of members_of() to a Parquet file. A missing value is null.
 void write_members(const ScatterAnswer& a, const std::string& spec, const py::object& given_path) {
   const std::filesystem::path path = path_of(given_path, "path");
   const py::gil_scoped_release free;
@@ -275,8 +275,8 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
     return contact_of(p, py::none(), py::none(), {});
   });
   for (const Quantity<ContactPoint>& q : position_quantities().list()) {
-    // If gear 2 is a rack, another quantity has the same name as the transmission error. The first
-    // is used, which is an angle.
+    // The transmission error occurs twice in the table: as an angle, and as the displacement of a
+    // rack. Both have the same name, which stands for the first one, the angle.
     const std::string name = name_of(q.info);
     if (q.info.of || py::hasattr(contact, name.c_str())) continue;
     contact.def_property_readonly(

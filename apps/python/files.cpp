@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostPoints = 100'000;            // points per arc
-constexpr std::size_t kMostOfAll = 20'000'000;  // points per section
+constexpr int kMostPoints = 100'000;            // greatest number of points per arc
+constexpr std::size_t kMostOfAll = 20'000'000;  // greatest number of points per section
 
 int points_in_range(int points) {
   if (points < 2 || points > kMostPoints)
@@ -175,7 +175,7 @@ py::object drawing(const std::vector<int>& gears, const Model& model,
 struct Export {
   const char* name;
   FileKind kind;
-  double tolerance;  // mm
+  double tolerance;  // mm, the default
   const char* doc;
 };
 constexpr Export kExports[] = {

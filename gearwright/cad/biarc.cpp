@@ -13,7 +13,8 @@ namespace {
 constexpr double kStraight = 1e-9;  // mm, greatest sagitta at which an arc is written as a line
 // Greatest angle, rad, between the tangents at the joint of two arcs that are merged into one.
 constexpr double kOneCircle = 1e-9;
-// Shortest biarc, relative to the range of the arc's parameter; accuracy, relative to the biarc.
+// Shortest biarc, relative to the arc, and accuracy of the length of a biarc, relative to that
+// length. Lengths are differences of the arc's parameter.
 constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};
 constexpr int kVouching = 256;  // number of points per biarc at which the tolerance is verified
 

@@ -15,8 +15,8 @@
 // middle of its wall. Walls that span less than a full turn therefore never cross the seam at u =
 // 0.
 //
-// A double-helical gear consists of two such stacks of walls, either adjacent or separated by a
-// groove.
+// A double-helical gear has two stacks of walls, one for each hand of helix, either adjacent or
+// separated by a groove.
 //
 //   Law   every edge is used twice, once in each direction
 #pragma once
@@ -54,8 +54,9 @@ Brep add_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls);
 //   land, flank         plane                                  lines
 //   fillet              cylinder along the tooth, radius ρ_f   ellipses (circles for a spur rack)
 //
-// All surfaces and edges are exact. Every face is a strip of the plan view (cad/rack_plan.hpp). A
-// strip with a corner of the bar has five edges, and a strip with two corners has six.
+// All surfaces and edges are exact. Every face of the teeth is a strip of the plan view
+// (cad/rack_plan.hpp). A strip usually has four edges, one with a corner of the bar has five, and
+// one with two corners has six.
 //
 //   Law   every edge is used twice, once in each direction
 
@@ -76,7 +77,7 @@ Brep add_rack_brep(Part21& out, const ToothedBody& body);
 //   slice   the part of the teeth between two planes; it may contain several layers
 //
 // Flanks and fillets have one B-spline face per arc and layer (cad/modified_fit.hpp). Lands are
-// true cylinders with one face per slice. Each side of such a face consists of one edge per layer.
+// true cylinders with one face per slice, whose upright sides consist of one edge per layer.
 // An edge on a land deviates from the cylinder by at most kHelixTarget_mm.
 //
 //   Law   every edge is used twice, once in each direction

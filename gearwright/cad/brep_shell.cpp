@@ -103,7 +103,7 @@ Brep ShellWriter::close(const ToothedBody& body, const BodyWalls& walls, const R
   return finish(body.name);
 }
 
-// The part of the plane at height z that lies inside `outer` and outside `inner`.
+// Adds the part of the plane at height z that lies inside `outer` and outside `inner` as a face.
 void ShellWriter::add_cap(double z, const Edges& outer, const Edges* inner, Side side) {
   Ids loops{loop(outer)};
   if (inner != nullptr) loops.push_back(loop(*inner));
@@ -296,9 +296,8 @@ Id ShellWriter::loop(const Edges& edges) {
   return edge_loop(uses);
 }
 
-// The first loop is the outer one. All loops run counter-clockwise, seen from the side to which the
-// surface normal points. In STEP, an outer bound runs counter-clockwise about the face normal, and
-// the bound of a hole runs clockwise.
+// All loops run counter-clockwise, seen from the side to which the surface normal points. In STEP,
+// an outer bound runs counter-clockwise about the face normal, and the bound of a hole clockwise.
 void ShellWriter::add_face(const Ids& loops, Id surface, Side side) {
   std::string text = "ADVANCED_FACE('',";
   Ids bounds;

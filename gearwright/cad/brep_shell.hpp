@@ -91,8 +91,8 @@ class ShellWriter {
   /// points.
   Id face_bound(std::span<const Edge> bottom, std::span<const Edge> right,
                 std::span<const Edge> top, std::span<const Edge> left);
-  /// The first loop is the outer one. All loops run counter-clockwise, seen from the side to which
-  /// the surface normal points.
+  /// Adds a face. The first loop is the outer one, and all others are holes. All loops run
+  /// counter-clockwise, seen from the side to which the surface normal points.
   void add_face(const Ids& loops, Id surface, Side side);
 
   Part21& out_;

@@ -48,7 +48,7 @@ std::vector<Link> links_of(const Outline& outline) {
   for (std::size_t i = 0; i < outline.arcs.size(); ++i) {
     const Arc& arc = outline.arcs[i];
     GW_EXPECTS(i == 0 || arc.begin_point == outline.arcs[i - 1].end_point);
-    // The middle is examined too, because an arc whose ends coincide is not a sliver.
+    // The middle is examined too, because a long arc may end where it begins.
     const double reach = std::max((arc.point(0.5) - arc.begin_point).norm(),
                                   (arc.end_point - arc.begin_point).norm());
     if (reach < kShortestArc) continue;

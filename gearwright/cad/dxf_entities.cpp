@@ -93,7 +93,7 @@ void DxfEntities::circular_spline(const std::string& layer, const Vec2& begin_po
   begin("SPLINE", layer, "AcDbSpline");
   DxfPairs out(text_);
   const int poles = 2 * pieces + 1;
-  out.point(210, 0, 0, 1).integer(70, 12).integer(71, 2);  // 12 = 4 + 8: rational, planar
+  out.point(210, 0, 0, 1).integer(70, 12).integer(71, 2);  // flags 12 = 4 + 8: rational, planar
   out.integer(72, poles + 3).integer(73, poles).integer(74, 0).real(42, 1e-9).real(43, 1e-9);
   for (int i = 0; i < 3; ++i) out.real(40, 0);
   for (int i = 1; i < pieces; ++i) {
@@ -117,7 +117,7 @@ void DxfEntities::spline(const std::string& layer, int degree, const std::vector
   GW_EXPECTS(knots.size() == poles.size() + static_cast<std::size_t>(degree) + 1);
   begin("SPLINE", layer, "AcDbSpline");
   DxfPairs out(text_);
-  out.point(210, 0, 0, 1).integer(70, 8).integer(71, degree);  // 8: planar
+  out.point(210, 0, 0, 1).integer(70, 8).integer(71, degree);  // flag 8: planar
   out.integer(72, static_cast<int>(knots.size())).integer(73, static_cast<int>(poles.size()));
   out.integer(74, 0).real(42, 1e-9).real(43, 1e-9);
   for (const double knot : knots) out.real(40, knot);

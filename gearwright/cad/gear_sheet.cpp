@@ -193,7 +193,7 @@ class Views {
                     origin_.y() + y, origin_.y() + y - kFirst, length(input_.body.face_width)});
   }
 
-  // The outline of a double-helical gear with its groove, and the roots of both halves.
+  // Draws the axial outline of a double-helical gear with its groove, and the roots of both halves.
   void grooved(double x0, double x1, double groove) {
     const double half = (width_ - k_ * input_.body.two_helices->gap) / 2;
     for (const double x : {x0, x1}) line(kOutline, {x, -k_ * body_}, {x, k_ * body_});
@@ -219,7 +219,8 @@ class Views {
   const std::optional<BoreContour>& bore_;
   double k_;                              // mm on paper per mm on the gear
   double tip_ = 0, root_ = 0, body_ = 0;  // radii of tip, root and outermost circle, mm
-  double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;  // mm on paper
+  // mm on paper: room to the left of the origin; left end, width and right margin of the axial view
+  double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;
   Sheet* sheet_ = nullptr;
   Vec2 origin_ = Vec2::Zero();
 };

@@ -171,7 +171,7 @@ WallEnds MeshBuilder::add_quads(std::size_t bottom, std::size_t second, std::siz
 
 void MeshBuilder::add_quad(const std::array<std::uint32_t, 4>& corners,
                            const std::array<std::uint32_t, 4>& shaded, bool rising, bool inward) {
-  // Seen from outside the axis, the corners run counter-clockwise from the lower left one.
+  // Seen from outside, towards the axis, the corners run counter-clockwise from the lower left one.
   // If `inward` is true, the order is reversed.
   const std::array<std::size_t, 6> order = rising ? std::array<std::size_t, 6>{0, 1, 2, 0, 2, 3}
                                                   : std::array<std::size_t, 6>{0, 1, 3, 1, 2, 3};

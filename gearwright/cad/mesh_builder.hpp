@@ -48,7 +48,7 @@ struct Ring {
 
 /// Data of the quads of a wall: which columns are creases, and which diagonal divides each quad.
 struct WallEdges {
-  std::vector<char> crease;  ///< per column
+  std::vector<char> crease;  ///< per column: true if it is a crease
   std::vector<char> rising;  ///< per column: true if the diagonal of the next quad rises from this
                              ///< column
 };

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// 2q points of one pitch. The first one lies on the ray −π/|z|.
+// The 2q columns of the circle over one pitch. The first one lies on the ray −π/|z|.
 std::vector<Column> columns_of(const Circle& circle, int copies) {
   std::vector<Column> columns;
   for (int i = -circle.q; i < circle.q; ++i) {

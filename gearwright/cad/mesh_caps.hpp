@@ -51,11 +51,11 @@ class Cap {
   /// The circle as columns of one pitch, for a wall along it.
   std::vector<Column> circle_columns(bool inward) const;
 
-  /// Adds the cap of an internal gear. The circle of this cap is a ring of a wall.
+  /// Adds the cap of an internal gear. Its circle is a ring of a wall, with first vertex `circle`.
   void add(MeshBuilder& builder, const CapPlace& place, std::uint32_t circle) const;
 
-  /// Adds the cap of an external gear, either without a hole or with one whose wall ends in the
-  /// ring `hole`.
+  /// Adds the cap of an external gear. `columns` are those of the wall of its hole, or empty if it
+  /// has no hole. `hole` is the first vertex of the ring in which this wall ends.
   void add(MeshBuilder& builder, const CapPlace& place, const std::vector<Column>& columns,
            std::uint32_t hole) const;
 

@@ -22,7 +22,7 @@ struct ToothWall {
   std::optional<std::size_t> arc;  // none for a land
   bool left;                       // true if the arc is on the left side, where its poles run from
                                    // tip to root
-  Wall land;                       // a circle
+  Wall land;                       // for a land, its circle
 };
 
 class ModifiedShell : public brep::ShellWriter {

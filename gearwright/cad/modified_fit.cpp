@@ -22,7 +22,8 @@ constexpr int kLineChecks = 12, kFaceChecks = 8;  // number of checked points be
                                                   // knots
 constexpr int kRowsU = 7;  // number of rows of a layer at which the basis along u is examined
 // Least distance between a plane and the line at which an end relief begins, relative to the height
-// of a slice. This line deviates from a plane by c sin β_b, which is about a hundredth of a module.
+// of a slice. Removing the material c moves this line out of a plane by c sin β_b, which is about a
+// hundredth of a module.
 constexpr double kNearPlane = 0.02;
 constexpr int kMoreSlices = 5;
 
@@ -39,7 +40,8 @@ std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   });
 }
 
-// Fits one side of the teeth. Each arc has either its own parameter or its relative arc length.
+// Fits one side of the teeth. Along an arc, u is the curve's own parameter or the relative arc
+// length, whichever the spline of the arc as cut uses.
 class SideFitter {
  public:
   explicit SideFitter(const ModifiedSide& side) : side_(side) {

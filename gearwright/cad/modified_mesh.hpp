@@ -45,7 +45,7 @@ std::vector<Vec2> modified_half(const ModifiedSide& side, const ModifiedGrid& gr
 //
 // Every strip of the plan view (cad/rack_plan.hpp) is a plane quadrilateral. A fillet is divided
 // into strips that deviate from its cylinder by no more than the tolerance. The back has one vertex
-// below each vertex on the border of the teeth, and the ends and sides connect the two.
+// below each vertex on the border of the teeth. The ends and sides of the bar join these vertices.
 
 /// Works like tessellate() (cad/mesh.hpp), for a body that is a rack.
 ///

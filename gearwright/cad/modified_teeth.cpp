@@ -267,7 +267,8 @@ Result<ModifiedTeeth> ModifiedTeeth::of(
 }
 
 double ModifiedTeeth::removed_volume(double face_width) const {
-  constexpr int kRows = 400, kPoints = 100;  // Simpson's rule along the face
+  // Intervals of Simpson's rule along the face, and intervals of the polygon of an arc.
+  constexpr int kRows = 400, kPoints = 100;
   double sum = 0.0;
   for (const bool left : {false, true}) {
     const ModifiedSide& s = side(left);

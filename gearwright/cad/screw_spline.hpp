@@ -32,7 +32,7 @@ using Complex = std::complex<double>;
 /// is returned.
 inline constexpr double kSectionTarget_mm = 2e-5;
 inline constexpr double kSectionMax_mm = 1e-4;
-/// The target of R|ε|, mm, at the greatest radius R. It is half of 1e-7, the tolerance for all
+/// The target of R|ε|, mm, at the greatest radius R. It is half of 1e-7 mm, the tolerance for all
 /// edges and vertices, because the spline of a helix is the common edge of a flank and a true
 /// cylinder.
 inline constexpr double kHelixTarget_mm = 5e-8;

@@ -10,8 +10,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kArrow = 2.5;      // mm, length
-constexpr double kArrowHalf = 0.4;  // mm, half width
+constexpr double kArrow = 2.5;      // mm, length of an arrow head
+constexpr double kArrowHalf = 0.4;  // mm, half of its width
 // Size of a subscript or superscript relative to the text, and offsets of their base lines.
 constexpr double kIndex = 0.7, kBelow = 0.3, kAbove = 0.45;
 
@@ -104,7 +104,8 @@ SheetBox box_of(const SheetText& text) {
 
 namespace {
 
-// Helvetica by WinAnsi codes from 32 on. Codes without a letter have the width of the bullet.
+// Widths of the letters of Helvetica, in thousandths of the font size, by their WinAnsi codes from
+// 32 on. Codes without a letter have the width of the bullet.
 constexpr std::array<short, 224> kHelvetica{
     278,  278, 355, 556, 556, 889,  667,  191,  333, 333,  389, 584, 278,  333, 278, 278,  //
     556,  556, 556, 556, 556, 556,  556,  556,  556, 556,  278, 278, 584,  584, 584, 556,  //
@@ -127,7 +128,7 @@ constexpr std::array<char32_t, 32> kWindows{
     0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
     0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
 
-// Α … Ω and α … ω in Symbol; 0 if the letter does not exist.
+// The codes of Α … Ω and α … ω in the font Symbol; 0 if Unicode has no letter at this place.
 constexpr char32_t kAlpha = 0x0391, kLastGreek = 0x03C9;
 constexpr std::string_view kGreek{
     "ABGDEZHQIKLMNXOPR\0STUFCYW\0\0\0\0\0\0\0abgdezhqiklmnxoprVstufcyw", 57};
@@ -137,7 +138,7 @@ struct Sign {
   char32_t code;
   unsigned char symbol;
 };
-// minus, minute, second, ≤, ≥, ≈, ≠, ∞, √, →
+// Unicode and code in the font Symbol of minus, minute, second, ≤, ≥, ≈, ≠, ∞, √, →.
 constexpr std::array<Sign, 10> kSigns{{{0x2212, 0x2D},
                                        {0x2032, 0xA2},
                                        {0x2033, 0xB2},

@@ -69,7 +69,7 @@ struct Sheet {
   void line(SheetLayer layer, const Vec2& a, const Vec2& b);
   void rectangle(SheetLayer layer, const SheetBox& box);
   void circle(SheetLayer layer, const Vec2& center, double radius);
-  /// A filled arrow head, given by its point and direction.
+  /// Adds a filled arrow head with its point at `tip`.
   void arrow(SheetLayer layer, const Vec2& tip, const Vec2& direction);
   void text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
             Along along = Along::start);

@@ -36,7 +36,8 @@ void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
     append_arc(out, a, middle, half);
     append_arc(out, middle, b, half);
   } else {
-    // The handles lie on the end tangents. Their length is c (1 + b²)/3 for a chord c.
+    // The handles of the cubic lie on the end tangents. They are c (1 + b²)/3 long, where c is the
+    // length of the chord and b the bulge.
     const Vec2 along = (1 - bulge * bulge) * chord / 3, across = 2 * bulge * left / 3;
     out +=
         fmt::format("{} {} {} c\n", point(a + along - across), point(b - along - across), point(b));

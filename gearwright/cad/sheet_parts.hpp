@@ -48,8 +48,8 @@ struct Dimension {
   std::string words;
 };
 
-/// The text is placed on the line if the space between the edges is sufficient. Otherwise it is
-/// placed after the end of a horizontal line, or below a vertical one.
+/// Draws a dimension. Its text is above the dimension line if the space between the edges is
+/// sufficient. Otherwise it follows the end of a horizontal line, or is below a vertical one.
 void draw_dimension(Sheet& sheet, const Dimension& dimension);
 
 /// Draws text within a box, starting at the top. The letters are as large as possible, and several

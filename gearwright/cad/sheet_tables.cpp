@@ -14,7 +14,7 @@ namespace {
 // value; distance between two columns of the table.
 constexpr double kRow = 4.8, kWords = 41, kSymbol = 11, kValue = 36, kBetween = 4;
 constexpr double kColumn = kWords + kSymbol + kValue;
-// Distance of text from the left edge, and of its base line from the lower edge.
+// Distance of a text from the left edge of its cell, and of its base line from the lower edge, mm.
 constexpr double kInset = 1.2, kBase = 1.4;
 
 double rows_of(const DataGroup& group) { return 1.0 + static_cast<double>(group.rows.size()); }
@@ -44,7 +44,8 @@ Columns split(const std::vector<DataGroup>& groups, int columns) {
   return result;
 }
 
-// The letter height at which the text fits into one line. It is reduced if the text is too long.
+// The usual letter height, reduced if the text would be wider than `width`. `natural_width` is the
+// width of the text at the usual height.
 double fitted(double natural_width, double width) {
   return kUsual * std::min(1.0, width / natural_width);
 }
@@ -117,7 +118,8 @@ void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cel
   }
 }
 
-// The symbol of first-angle projection (ISO 5456-2): a truncated cone and its view from the left.
+// Draws the symbol of first-angle projection (ISO 5456-2): a truncated cone and its view from the
+// left.
 void first_angle(Sheet& sheet, const Vec2& middle) {
   constexpr double kHeight = 4, kSmallEnd = 2, kLength = 4, kApart = 3;  // mm
   const auto line = [&](const Vec2& a, const Vec2& b) {

@@ -6,7 +6,7 @@
 //
 // The section at the height z is the section z = 0 turned by τz. Tip, root and bore are cylinders.
 //
-// A double-helical gear has two such screws with opposite twist, one above the other
+// A double-helical gear has two screw motions with opposite twist, one for z > 0 and one for z < 0
 // (`TwoHelices`). Its section at the height z is the outline turned by τ|z|, so both halves of a
 // tooth point to the apex in the middle plane. A gap between the halves is a groove around the
 // axis.
@@ -37,8 +37,8 @@
 namespace gearwright {
 
 /// The data that make an outline a rack. They refer to the frame of pair/rack_pair.hpp, in which
-/// x is the height above the datum line. n pitches lie between the ends, and the origin is in the
-/// middle.
+/// x is the height above the datum line. The bar is as many pitches long as it has teeth, and the
+/// origin is in the middle of its length.
 struct RackBlock {
   double pitch;          ///< p_t    mm, along y
   double height;         ///< mm, from the back to the datum line
@@ -58,7 +58,7 @@ struct TwoHelices {
   double stagger = 0.0;        ///< rad, rotation of the half at z < 0; 0 if there is no gap
 };
 
-/// One screw of a body: from middle − width/2 to middle + width/2.
+/// One screw motion of a body, for the heights z from middle − width/2 to middle + width/2.
 struct Band {
   double twist;   ///< rad/mm
   double width;   ///< mm
@@ -91,7 +91,7 @@ struct ToothedBody {
   bool ring() const { return outline.teeth < 0; }
   bool grooved() const { return two_helices && two_helices->gap > 0.0; }
 
-  /// The screws of the teeth, from bottom to top: one, or two for a double-helical gear.
+  /// The screw motions of the teeth, from bottom to top: one, or two for a double-helical gear.
   std::vector<Band> bands() const;
 
   /// The limits for the bore or the rim. `root` is the radius of the roots, mm.

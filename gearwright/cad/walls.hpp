@@ -61,7 +61,7 @@ struct Wall {
 
 struct WallLoop {
   std::vector<Wall> walls;
-  int slices = 1;  ///< number of slices of each screw of the body
+  int slices = 1;  ///< number of slices of each screw motion of the body
 };
 
 /// The face data for one arc of the half outline.
@@ -73,8 +73,8 @@ struct ArcFit {
 struct BodyWalls {
   WallLoop teeth;
   std::optional<WallLoop> bore;      ///< bore, or rim of an internal gear
-  std::vector<HelixSpline> helices;  ///< rotation over one slice of the teeth, for each screw of
-                                     ///< the body
+  std::vector<HelixSpline> helices;  ///< rotation over one slice of the teeth, for each screw
+                                     ///< motion of the body
   std::vector<ArcFit> arcs;          ///< half a tooth from root to tip, without the slivers
   double inner_radius;               ///< smallest radius of the outline, mm
   double outer_radius;               ///< greatest radius of the outline, mm
@@ -106,7 +106,7 @@ Result<BodyWalls> make_walls(const ToothedBody& body);
 // the slice and c_i to the wall.
 
 /// A plane z = const. The section in it is turned by an angle φ, which is τz for a body with one
-/// screw.
+/// screw motion.
 struct WallLevel {
   double z;      ///< mm
   double angle;  ///< φ  rad
@@ -127,7 +127,7 @@ struct WallSlice {
   bool straight() const { return low.angle == high.angle; }
 };
 
-/// The levels of a screw from bottom to top.
+/// The levels of the band of one screw motion, from bottom to top.
 std::vector<WallLevel> levels_of(const Band& band, int slices);
 
 WallSlice slice_between(const WallLevel& low, const WallLevel& high, const HelixSpline& helix);

@@ -18,8 +18,8 @@ constexpr std::size_t kSizeMax = 0xfffffffeU;            // 0xffffffff would ind
 
 }  // namespace
 
-// The fields that the local header and the directory have in common, from the version to the length
-// of the extra field.
+// Appends the fields that the local header and the directory have in common, from the version to
+// the length of the extra field.
 void ZipWriter::append_common(const Entry& entry) {
   append_u16(bytes_, kZipVersion);
   append_u16(bytes_, 0);  // flags
@@ -30,7 +30,7 @@ void ZipWriter::append_common(const Entry& entry) {
   append_u32(bytes_, entry.packed);
   append_u32(bytes_, entry.size);
   append_u16(bytes_, static_cast<std::uint16_t>(entry.name.size()));
-  append_u16(bytes_, 0);  // extra field
+  append_u16(bytes_, 0);  // length of the extra field
 }
 
 void ZipWriter::add(std::string_view name, std::string_view content) {
@@ -51,10 +51,10 @@ std::string ZipWriter::finish() && {
   const std::size_t directory = bytes_.size();
   for (const Entry& entry : entries_) {
     append_u32(bytes_, 0x02014b50U);
-    append_u16(bytes_, kZipVersion);  // made by
+    append_u16(bytes_, kZipVersion);  // version that made the entry
     append_common(entry);
-    append_u16(bytes_, 0);  // comment
-    append_u16(bytes_, 0);  // disk
+    append_u16(bytes_, 0);  // length of the comment
+    append_u16(bytes_, 0);  // number of the disk with the entry
     append_u16(bytes_, 0);  // internal attributes
     append_u32(bytes_, 0);  // external attributes
     append_u32(bytes_, entry.offset);
@@ -63,13 +63,13 @@ std::string ZipWriter::finish() && {
   const std::size_t size = bytes_.size() - directory;
   GW_EXPECTS(bytes_.size() <= kSizeMax);
   append_u32(bytes_, 0x06054b50U);
-  append_u16(bytes_, 0);  // this disk
-  append_u16(bytes_, 0);  // the directory's disk
+  append_u16(bytes_, 0);  // number of this disk
+  append_u16(bytes_, 0);  // number of the disk with the directory
   append_u16(bytes_, static_cast<std::uint16_t>(entries_.size()));
   append_u16(bytes_, static_cast<std::uint16_t>(entries_.size()));
   append_u32(bytes_, static_cast<std::uint32_t>(size));
   append_u32(bytes_, static_cast<std::uint32_t>(directory));
-  append_u16(bytes_, 0);  // comment
+  append_u16(bytes_, 0);  // length of the comment
   return std::move(bytes_);
 }
 

@@ -16,7 +16,7 @@ namespace gearwright {
 
 /// A sequence of positions with contact of one tooth pair, either at edges or on the flanks.
 struct TeRun {
-  int pair = 0;  ///< k
+  int pair = 0;  ///< k, number of the tooth pair
   bool edge = false;
   std::vector<double> rotation, te;  ///< rad; neighbouring runs share their ends
 };

@@ -31,7 +31,7 @@ struct ContactScene {
   std::array<ContactAxis, 2> axes;
   bool gear2_drives = false;
   double marking = 0.0;   ///< δ  mm
-  int positions = 0;      ///< per pitch
+  int positions = 0;      ///< number of positions per pitch of gear 1
   ContactResult driving;  ///< `positions` positions of one pitch, starting at −half a pitch
   std::string part{};     ///< suffix of the ids of figures; "-2" for the second half of a pair
 };

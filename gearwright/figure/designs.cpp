@@ -12,11 +12,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFree = 0.06;  // fraction of an axis that is free at both ends
+constexpr double kFree = 0.06;  // room beyond the values at each end of an axis, over their range
 // Ratio of the greatest to the least value above which a linear axis would crowd one end.
 constexpr double kWideSpan = 15.0;
-// Relative difference within which values count as one value, and the margin drawn around this
-// value.
+// Relative difference within which all values of an axis count as one value, and the relative
+// margin that the axis then has around this value.
 constexpr double kOneValue = 1e-6;
 constexpr double kRoomOfOne = 0.01;
 

@@ -14,8 +14,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kBar = 0.05;  // half the width of a node, relative to the distance between columns
-constexpr double kAir = 0.62;  // gap between the nodes of a column, in the same unit
-constexpr double kShown = 0.006;  // least width of a visible band, relative to the height
+constexpr double kAir = 0.62;  // gap between nodes in a column, over the distance between columns
+constexpr double kShown = 0.006;  // least width of a drawn band, over the height of the diagram
 constexpr int kPieces = 24;
 
 // A body or a mesh. Powers are shares of the input power.

@@ -197,7 +197,7 @@ class Scheme {
   struct Shaft {
     std::size_t body;
     double from, to, y;
-    bool left = false, right = false;  // the shaft ends on that side of the picture
+    bool left = false, right = false;  // true if the shaft ends at this side of the picture
     int level = 0;
   };
 
@@ -264,7 +264,7 @@ class Scheme {
     top_ = std::max(top_, y + 0.8);
   }
 
-  // The name is above the end of a shaft, its values are below.
+  // Writes the name of a body above the end of its shaft, and its speed and torque below.
   void end_of(std::size_t body, const Vec2& at, bool left) {
     if (graph_.is_fixed(body)) ground(at, false);
     const char* part = graph_.is_input(body) ? "in" : graph_.output == body ? "out" : "held";

@@ -51,7 +51,8 @@ struct FigureMark {
   Kind kind = Kind::line;
   std::string style;
   std::vector<Vec2> points;
-  /// The SVG markup of a text, or the name of a curve or dot, plain text, shown at the pointer.
+  /// For a text, its SVG markup. For other marks, plain text that is shown at the pointer, such as
+  /// the name of a curve.
   std::string words = {};
   Anchor anchor = Anchor::start;
   Vec2 offset = Vec2::Zero();  ///< px, of a text from its point
@@ -146,7 +147,7 @@ struct Figure {
   std::string definitions = {};  ///< SVG definitions of its shapes; empty if the page contains them
 
   void line(std::vector<Vec2> points, std::string style, std::string words = {}, int frame = -1);
-  /// `words` are shown at the pointer, as the values of a step of a map.
+  /// Adds an area. `words` are shown at the pointer, for example the values of a step of a map.
   void area(std::vector<Vec2> points, std::string style, std::string words = {});
   void bar(const Vec2& a, const Vec2& b, std::string style, std::string words = {});
   void dot(const Vec2& at, double radius, std::string style, std::string words = {},

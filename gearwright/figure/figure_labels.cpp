@@ -13,10 +13,11 @@ namespace {
 using Kind = FigureMark::Kind;
 using Places = std::vector<LabelPlace>;
 
-constexpr double kDot = 5.0;     // px, half the box of a dot that labels avoid
+constexpr double kDot = 5.0;     // px, half the side of the box around a dot, which labels avoid
 constexpr double kMiddle = 5.0;  // px from the middle of the letters down to the base line
-constexpr double kTurn = 0.035, kStep = 24.0;  // rad, px: greatest distance of possible positions
-                                               // on a circle
+// rad, px. The distance between neighbouring candidate positions on a circle is at most the smaller
+// of the two.
+constexpr double kTurn = 0.035, kStep = 24.0;
 constexpr int kMostSteps = 4000;
 constexpr std::size_t kEnough = 60;
 
@@ -128,9 +129,9 @@ class Labels {
     return places;
   }
 
-  // The label is first tried on the side away from the area, which is the right side because
-  // boundaries run counter-clockwise. On the other side it is drawn only within the area, so that
-  // the edge of a narrow region is not confused with the opposite edge.
+  // Most positions are outside the area, on the right of its border, because borders run
+  // counter-clockwise. A position on the left is used only if it lies within an area. The label of
+  // one edge of a narrow region is then not beyond the opposite edge.
   Places beside_border(const FigureMark& m) const {
     const std::vector<Vec2> line = px(m.points);
     Places places;
@@ -172,8 +173,8 @@ class Labels {
     return places;
   }
 
-  // Visible positions are tried in order, starting from the mesh: upwards for gear 1, downwards for
-  // gear 2.
+  // Returns visible positions on the circle, in order from the mesh: upwards first for gear 1, and
+  // downwards first for gear 2.
   Places on_circle(const FigureMark& m) const {
     const PixelBox& plot = at_.plot;
     const Vec2 c = at_.px(m.points[0]);

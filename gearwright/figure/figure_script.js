@@ -1,8 +1,8 @@
 // Shows at the pointer on a figure the values of the nearest curve, or those of a map.
 (function () {
   'use strict';
-  var near = 32, touch = 6;  // px from the pointer: to a curve above or below it, to a vertical
-                             // line beside it
+  var near = 32, touch = 6;  // px, greatest distance from the pointer: vertically to a curve,
+                             // horizontally to a vertical line
   var shown = null;
 
   function axisOf(plot, name) {

@@ -22,11 +22,11 @@ constexpr double kEdge = 12.0;   // px of margin around everything
 constexpr double kHead = 34.0;   // px above the plot, for the words of the y axis
 constexpr double kFoot = 44.0;   // px below the plot, for numbers and words of the x axis
 constexpr double kLane = 22.0;
-constexpr double kColumn = 24.0, kBeside = 12.0;  // px: width of a column without its words, gap
-                                                  // before the words
+constexpr double kColumn = 24.0, kBeside = 12.0;  // px: width of a column of names beside the plot
+                                                  // without the names, and gap before the names
 constexpr double kLeaderGap = 19.0;               // px between the names of a column
-constexpr double kShade = 19.0;                   // px, box of the key
-constexpr double kAcross = 58.0, kUp = 26.0;      // px, least distance of ticks on x, on y
+constexpr double kShade = 19.0;               // px, width of the key of a map, greatest step height
+constexpr double kAcross = 58.0, kUp = 26.0;  // px, least distance between ticks on x, on y
 
 // Number of characters of markup. Continuation bytes of UTF-8 are not counted.
 double letters(std::string_view markup) {
@@ -190,14 +190,14 @@ class Writer {
 
  private:
   Vec2 px(const Vec2& p) const { return Vec2(x_(p.x()), y_(p.y())) - origin_; }
-  double per_unit() const { return std::abs((x_.to - x_.from) / (x_.hi - x_.lo)); }  // px
+  double per_unit() const { return std::abs((x_.to - x_.from) / (x_.hi - x_.lo)); }  // px of x
 
   void begin_frame(int frame) {
     svg_.begin_group(fmt::format("data-frame=\"{}\" data-frames=\"{}\"{}", frame, f_.frames,
                                  frame == 0 ? "" : " visibility=\"hidden\""));
   }
 
-  // The marks of a group are relative to the point about which it turns.
+  // Begins a group of marks whose positions are relative to the point about which they turn.
   void begin_turning(const FigureGroup& group) {
     const Vec2 about = px(group.about);
     svg_.begin_group(fmt::format("transform=\"translate({} {})\" data-turn=\"{:.12g}\"",
@@ -359,7 +359,7 @@ class Writer {
   Scale x_, y_;
   Svg svg_;
   std::string clip_;
-  Vec2 origin_ = Vec2::Zero();  // px
+  Vec2 origin_ = Vec2::Zero();  // px, point from which the marks of the current group are measured
 };
 
 }  // namespace

@@ -18,9 +18,9 @@ namespace gearwright {
 namespace {
 
 constexpr int kEllipses = 7;                           // approximate number of drawn ellipses
-constexpr double kLowFlank = 0.36, kHighFlank = 0.72;  // drawn height over width
-constexpr double kBeyond = 0.09;  // part drawn beyond the flank, relative to its depth
-const std::vector<double> kGapLevels{1, 2, 5, 10, 20, 50};  // µm
+constexpr double kLowFlank = 0.36, kHighFlank = 0.72;  // limits of the drawn height over the width
+constexpr double kBeyond = 0.09;  // height drawn beyond root and beyond tip, over that of the flank
+const std::vector<double> kGapLevels{1, 2, 5, 10, 20, 50};  // µm, greatest gaps of the drawn bands
 
 Vec2 on_flank(const FlankPlace& place) { return {place.height, 2 * place.radius}; }
 Vec2 touch_of(const ContactPoint& p, std::size_t which) {
@@ -98,8 +98,8 @@ std::string side_words(const ContactScene& scene, std::size_t which) {
 // Draws the gap in bands, with their values if nothing else is drawn on the flank.
 void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch) {
   const ContourField field = field_of(raster);
-  // Names keep a distance from each other and from the ends. The distance is a fraction of the
-  // plot.
+  // The names of levels keep a distance from each other, from the contact and from the edges of the
+  // plot. Distances are fractions of the plot.
   const auto share = [&](const Vec2& p) -> Vec2 {
     return {(p.x() - f.x.lo) / (f.x.hi - f.x.lo), (p.y() - f.y.lo) / (f.y.hi - f.y.lo)};
   };
@@ -137,8 +137,8 @@ double way_between(const ContactPoint& a, const ContactPoint& b) {
   return std::hypot(b.height[0] - a.height[0], (b.diameter[0] - a.diameter[0]) / 2);
 }
 
-// The least distance that counts as a jump, for example between the two arcs of a flank. It is many
-// times the usual distance between positions and a considerable part of the face width.
+// The least distance that counts as a jump, for example between the two arcs of a flank: six times
+// the median distance between successive positions, and at least a tenth of the face width.
 double jump_of(const std::vector<const ContactPoint*>& points, double face) {
   constexpr double kTimes = 6.0, kPart = 0.1;
   std::vector<double> ways;

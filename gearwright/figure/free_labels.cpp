@@ -11,11 +11,11 @@ namespace {
 constexpr double kNarrowLetter = 8.1;  // px, the mean width of a letter on a narrow screen
 constexpr double kLineHeight = 19.0;   // px, height of a line of words on a narrow screen
 constexpr double kBaseline = 5.0;      // px from the middle of the letters down to the base line
-constexpr int kBoxWeight = 8;          // weight of an overlap with text; a line has 1
+constexpr int kBoxWeight = 8;          // weight of an overlap with a box; a crossed line has 1
 constexpr int kOutside = 1000;
-// px. Each multiple of this distance from the point counts as one crossed line when the position of
-// a label that must be drawn is chosen. At a greater distance, the label could belong to another
-// point.
+// px. If a label must be drawn in any case, each multiple of this distance between the label and
+// its point counts as one crossed line, because a reader could take a distant label for that of
+// another point.
 constexpr double kNear = 18.0;
 
 double width_of(std::string_view plain) {

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kMaxHalvings = 12;  // 4096 chords per arc, which a curve with a cusp may reach
+constexpr int kMaxHalvings = 12;  // at most 4096 chords per arc; a curve with a cusp needs many
 
 double distance_to_chord(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 ab = b - a;
@@ -79,7 +79,7 @@ class Pen {
     set(p);
     return {x_ - x, y_ - y};
   }
-  // A minus sign is itself a separator.
+  // Appends a number. A minus sign separates it from the number before, so it needs no space.
   void number(char before, long value) {
     if (before == 'l') {
       text_ += 'l';

@@ -59,8 +59,8 @@ std::optional<Figure> fitted(Figure f, bool from_zero) {
   return fit_axes(f, 0.06, from_zero) ? std::optional(std::move(f)) : std::nullopt;
 }
 
-// The share of one tooth pair on its way through the mesh: its own pitches and its share. The load is zero before
-// the first and after the last position.
+// The load share of one tooth pair on its way through the mesh, as points (rotation of the pair
+// from the centre line in pitches, share). The curve falls to 0 at both ends.
 std::vector<Vec2> share_curve(const LoadScene& scene, const LoadedTorque& t) {
   const double step = 1.0 / static_cast<double>(t.positions.size());
   std::vector<Vec2> values;
@@ -156,7 +156,8 @@ std::optional<Figure> pair_share_figure(const LoadScene& scene) {
   f.pitch = pitch;
   f.bar({-pitch / 2, -kInfinity}, {pitch / 2, kInfinity}, "measured");
   const double turn = scene.gear2_drives ? -pitch : pitch;
-  // The picture shows the rotations from −1 to 1 pitch, which pair k reaches with −1 − k to 1 − k of its own pitches.
+  // The picture shows rotations from −1 to 1 pitch. In this range, the rotation of pair k from the
+  // centre line goes from −1 − k to 1 − k pitches.
   const int first = static_cast<int>(std::ceil(-1.0 - own.back().x()));
   const int last = static_cast<int>(std::floor(1.0 - own.front().x()));
   for (int k = first; k <= last; ++k) {

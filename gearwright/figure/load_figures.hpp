@@ -25,8 +25,8 @@ struct TeCurve {
   std::string style, words;
   std::vector<Vec2> points;
 };
-/// Curves of several pairs with the same teeth, each relative to its mean. There is no figure if no
-/// point has a value.
+/// Curves of one pair with different flank modifications, each relative to its mean. There is no
+/// figure if no point has a value.
 std::optional<Figure> compared_te_figure(const std::vector<TeCurve>& curves);
 /// The Harris map: transmission error over the torque. There is no figure if only one torque is
 /// given.

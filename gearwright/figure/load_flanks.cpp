@@ -58,8 +58,8 @@ double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   return most;
 }
 
-// The loaded part of a tooth pair, in one or several pieces. The first coordinate of each point is
-// the height of its slice on gear `which`, and the second coordinate is `of` its slice.
+// The line on which a tooth pair carries load, in one or several pieces. Each point is (height of
+// slice j along the face of gear `which`, `of` slice j).
 template <class Of>
 std::vector<Vec2> bearing_places(const LoadScene& scene, std::size_t which, const LoadedPair& pair,
                                  const Of& of) {
@@ -88,7 +88,7 @@ struct Passing {
   const LoadedPoint* point;
 };
 
-// There is one list per track, because teeth with double arcs have two tracks.
+// Returns one list for each track of contact points, because teeth with double arcs have two.
 std::vector<std::vector<Passing>> ways_of(const LoadScene& scene, const LoadedTorque& t) {
   std::map<int, std::vector<Passing>> by_track;
   for (const LoadedPosition& p : t.positions)

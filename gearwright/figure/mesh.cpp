@@ -15,7 +15,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kRoom = 0.06;  // margin relative to the extent of the pair
-// Gap between gears drawn side by side, relative to the radius of gear 2.
+// Distance from the edge of gear 1 to the axis of gear 2 if both are drawn side by side, over the
+// radius of gear 2.
 constexpr double kBeside = 1.12;
 
 Vec2 flat(const Point<Housing>& p) { return {p.r.x(), p.r.y()}; }
@@ -74,8 +75,8 @@ Bounds about_overlap(const MeshScene& s) {
   return with_room({middle, middle}, 1.2 * (to - from));
 }
 
-// The line of action with A … E and the base tangent points. For an internal gear, both base
-// tangent points are on the same side.
+// Draws the line of action with A … E and the base tangent points. For an internal gear, both base
+// tangent points are on the same side of the pitch point.
 void add_path(Figure& f, const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const auto at = [&](double rho1) { return flat(pair.on_line_of_action(rho1)); };
@@ -110,9 +111,9 @@ void add_path(Figure& f, const InvolutePair& pair) {
   }
 }
 
-// An arrow over the axis in the direction of rotation.
+// Draws an arrow over the axis in the direction of rotation.
 void add_turn(Figure& f, const Vec2& axis, double radius, bool clockwise, int gear) {
-  constexpr double kHalf = 0.55;  // rad
+  constexpr double kHalf = 0.55;  // rad, half the angle of the arrow
   std::vector<Vec2> arc;
   for (int k = 0; k <= 24; ++k) {
     const double angle = (clockwise ? 1.0 : -1.0) * (k / 12.0 - 1.0) * kHalf;
@@ -253,7 +254,7 @@ Figure whole_figure(const MeshScene& s, const Bounds& window, const Bounds& fram
   for (const std::size_t i : {0u, 1u}) {
     const Gear& gear = *s.gears[i];
     const double r = 0.66 * gear.root_diameter / 2;
-    // Names are omitted on a gear that is too small, and on an internal gear, where they would
+    // The arrow is omitted on a gear that is too small, and on an internal gear, where it would
     // cover the pinion.
     constexpr double kReadable = 0.05;  // relative to the width of the picture
     if (r > kReadable * window.size().x() && !gear.internal())

@@ -3,8 +3,8 @@
 // side by side, each along its axis.
 //
 // A pair on parallel axes is in a position in which gear 1, which turns clockwise, touches with its
-// leading flank at C. If there is backlash, it opens on the other side. The gears are shapes that a
-// script turns about their axes, and the contact slides along the path (`FigureSlide`).
+// leading flank at the pitch point C. If there is backlash, it opens on the other side. The gears
+// are shapes that a script turns, and the contact slides along the path (`FigureSlide`).
 //
 //   t    rotation of gear 1 from that position, in pitches
 #pragma once

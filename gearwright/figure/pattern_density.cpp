@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-const std::vector<double> kLevels{10, 30, 50, 70, 90};  // % of the samples
+const std::vector<double> kLevels{10, 30, 50, 70, 90};  // % of the samples, limits of the shades
 
 }  // namespace
 

@@ -33,13 +33,14 @@ constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"least shift of gear 1", "e
                                                     {"interference at gear 2", "edge-hit"},
                                                     {"no working pressure angle", "edge-mesh"}}};
 
-constexpr double kPadding = 0.17;      // margin around the rectangle
-constexpr double kZoomPadding = 0.42;  // margin around a region, with room for its labels
-constexpr double kMinWindow = 1e-3;    // modules; cutters are set a hundred times less accurately
-constexpr double kMap = 0.19;          // size of the overview map, relative to the width
-constexpr double kMapGap = 0.015;      // between the map and the corner of the plot, relative to
-                                       // the width
-// Relative to the width. Shorter stretches of an edge are named only if there is no longer one.
+// Margins over the longer side of what is shown: the limits, or a region with its labels.
+constexpr double kPadding = 0.17;
+constexpr double kZoomPadding = 0.42;
+constexpr double kMinWindow = 1e-3;  // modules; a shorter side has the margin of this length
+constexpr double kMap = 0.19;        // size of the overview map, relative to the width
+constexpr double kMapGap = 0.015;    // from the map to the corner of the plot, over the width
+// Length of a stretch over the width of the plot. A shorter stretch of an edge is named only if it
+// is the longest of this edge.
 constexpr double kShortStretch = 0.025;
 
 // The part of the line Σx = sum inside the window. Empty if there is none.
@@ -125,7 +126,7 @@ void add_distances(Figure& f, const ShiftGraph& graph, const Bounds& window, boo
   }
 }
 
-// The line of balanced shifts [T2.18a] through the window. It is thick where the shifts are
+// Draws the line of balanced shifts [T2.18a] through the window. It is thick where the shifts are
 // feasible.
 void add_balanced(Figure& f, const ShiftChart& chart, const Bounds& window) {
   const Trial& t = chart.graph.trial();

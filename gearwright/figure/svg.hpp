@@ -39,7 +39,7 @@ class Svg {
   Svg(std::string_view id, double width, double height, std::string_view title,
       std::string_view description);
 
-  /// Until end_group, only marks inside this rectangle are visible.
+  /// Begins a group of which only marks inside this rectangle are visible.
   void begin_clip(double x, double y, double width, double height);
   void begin_group(std::string_view attributes);
   void end_group();
@@ -48,7 +48,7 @@ class Svg {
   void polyline(const std::vector<Vec2>& points, std::string_view style);
   void polygon(const std::vector<Vec2>& points, std::string_view style);
   void circle(const Vec2& center, double radius, std::string_view style);
-  /// The title, SVG markup, is shown at the pointer.
+  /// The title is shown at the pointer. It is SVG markup, which the caller has escaped.
   void rect(double x, double y, double width, double height, std::string_view style,
             std::string_view title = "");
   /// `attributes` are inserted unchanged.
@@ -57,8 +57,8 @@ class Svg {
   void define_clip(std::string_view id, double x, double y, double width, double height);
   /// Adds definitions of shapes for use(), as SVG markup.
   void define(std::string_view shapes);
-  /// Vertical and horizontal lines, `half` px long on each side, whose size is independent of the
-  /// zoom.
+  /// Draws a vertical and a horizontal line that cross at `at`. They extend `half` px to each side,
+  /// at every zoom.
   void cross(const Vec2& at, double half, std::string_view style);
   /// Draws a shape that the page defines, turned counter-clockwise by `degrees`. `center` is in px,
   /// and `scale` is px per unit of the shape. `attributes` are inserted unchanged.
@@ -68,7 +68,7 @@ class Svg {
   /// is `offset` px from `at`, at every zoom.
   void text(const Vec2& at, std::string_view markup, Anchor anchor = Anchor::start,
             std::string_view style = "", const Vec2& offset = Vec2::Zero());
-  /// A dot of constant size; its title, plain text, is shown at the pointer.
+  /// Draws a dot of constant size. Its title, plain text, is shown at the pointer.
   void dot(const Vec2& at, double radius, std::string_view style, std::string_view title = "");
 
   std::string str() const;  ///< the element; every group is closed (contract)

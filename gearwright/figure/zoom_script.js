@@ -9,7 +9,7 @@
 //     on.settled()  called after the view has not changed for a moment
 (function () {
   'use strict';
-  var pause = 160;  // ms
+  var pause = 160;  // ms without a change of the view before on.settled() is called
   window.figureZoom = function (holder, on) {
     on = on || {};
     var armed = false, held = {}, settling = 0;

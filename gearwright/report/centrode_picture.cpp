@@ -18,8 +18,8 @@ constexpr double kMinShift = 0.02;  // m_n; a smaller |a − a_d| is not visible
 
 struct Centrodes {
   std::array<double, 2> reference, working;  // radii, mm
-  double side_1, side_2;                     // direction from each axis to the mesh: ±1
-  double a_d, a;                             // mm
+  double side_1, side_2;  // ±1, direction along x from axis 1 and from axis 2 to the mesh
+  double a_d, a;          // reference and actual centre distance, mm
 };
 
 Centrodes centrodes_of(const InvolutePair& pair) {

@@ -20,9 +20,9 @@ namespace {
 constexpr double kAspect = 640.0 / 460.0;
 constexpr double kShown = 4.9;  // modules, width of a picture
 
-// The outline of a rack in the frame of the convex gear's tooth, over two pitches on either side of
-// the middle. Each point is (height towards the mating gear, distance across). If `mate`, the rack
-// is turned upside down and moved by half a pitch.
+// The outline of five teeth of a rack, in the frame of the middle tooth of the convex gear's rack.
+// Each point is (height towards the mating gear, position along the datum line). If `mate`, it is
+// the outline of the other rack: turned upside down and moved by half a pitch.
 std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   const double pitch = kPi * gear.spec.normal_module;
   const std::vector<Vec2> half = rack_half_tooth(gear);
@@ -37,7 +37,7 @@ std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   return chain;
 }
 
-// The polygon of a chain of points, closed through the material at the distance `depth` behind it.
+// The polygon of a chain of points, closed by a line at the height `depth` in the material.
 std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   const Vec2 first = chain.front();
   const Vec2 last = chain.back();
@@ -114,7 +114,8 @@ Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   const double theta = contact.nominal_theta->rad();
   const Arcs arcs = arcs_of_contact(pair, contact, theta);
   const double m = pair.gears[0].spec.normal_module;
-  // Points (height, distance across) in the frame of the convex tooth; the origin is in its middle.
+  // Points (height, position along the datum line) in the frame of the convex tooth. The origin is
+  // in the middle of this tooth, on the datum line.
   const Vec2 M(arcs.v.radius * std::sin(theta) - arcs.v.b,
                arcs.v.radius * std::cos(theta) - arcs.v.a);
   const Vec2 O_v(-arcs.v.b, -arcs.v.a);

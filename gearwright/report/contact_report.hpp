@@ -21,7 +21,7 @@ struct PatternUnder {
 };
 
 struct ContactReport : ContactScene {
-  ContactResult other;            ///< the non-working flanks, at the same positions
+  ContactResult other;            ///< the non-working flanks, at the positions of `driving`
   std::optional<Angle> min_play;  ///< least backlash, rotation of gear 2; < 0 if the gears jam
   std::array<FlankRaster, 2> patterns;
   std::optional<ContactPoint> middle;      ///< the contact point nearest to the middle of the flank
@@ -37,7 +37,7 @@ struct ContactReport : ContactScene {
   std::vector<ContactReport> halves;
 };
 
-/// arcsec; a smaller peak-to-peak value is a rounding error
+/// arcsec; a smaller peak-to-peak transmission error is a rounding error
 inline constexpr double kConjugate = 1e-6;
 
 /// The result of tooth contact in one or two sentences of plain text, for all interfaces: the

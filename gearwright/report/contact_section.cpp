@@ -17,7 +17,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kArcFigure = 640.0;  // px
+constexpr double kArcFigure = 640.0;  // px, width of a figure of circular-arc teeth
 
 double share(const ContactResult& result, bool (*is)(TouchKind)) {
   const auto n = std::count_if(result.positions.begin(), result.positions.end(),

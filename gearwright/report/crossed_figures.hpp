@@ -50,7 +50,7 @@ struct SectionEllipse {
   double half_height;  ///< along x, mm
 };
 
-/// The cylinder of `radius` about the axis of gear `which` (0, 1), cut by the plane.
+/// The cylinder of `radius` about the axis of gear `which` (0, 1), cut by the plane of the section.
 ///
 /// Formula   centre (z_L tan β_1, 0), (−z_L tan β_2, a); half width r/cos β_i, half height r
 /// Domain    radius > 0 (contract)
@@ -87,9 +87,9 @@ std::string speed_table(const CrossedPair& pair);
 /// to compare: no least centre distance, gears with different racks, or a difference below 1e-6 µm.
 std::string min_distance_figure(const CrossedPair& pair);
 
-/// A table of the solutions. Each row contains the exact values at the angle of the solution. Δ is
-/// the difference from the exact solution. If all solutions agree (the sum of shifts is 0), a
-/// sentence replaces the table. Empty if there are no approximations.
+/// A table of the exact least centre distance and its approximations. Each row has the exact values
+/// at the α_wn of one of them. Δ is the difference from the exact solution. If all of them agree
+/// (the sum of shifts is 0), a sentence replaces the table. Empty if there are no approximations.
 std::string min_distance_table(const CrossedPair& pair);
 
 /// The table and the figure of the least centre distance, in a folded section for users who check a

@@ -74,10 +74,10 @@ Vec2 plan_window(const InvolutePair& pair) {
   return whole / std::clamp(whole.x() / close.x(), 1.0 / kMaxReduction, kMaxEnlargement);
 }
 
-// Draws both axes to the border of the picture and beyond, with their names at the border.
+// Draws both axes from border to border of the picture and beyond, with their names at the border.
 void add_axes(Figure& f, const InvolutePair& pair, double width) {
   const Vec2 half(f.x.hi, f.y.hi);
-  const double px = 2 * half.x() / width;  // mm
+  const double px = 2 * half.x() / width;  // mm per px
   const double far = 1.1 * extent(pair).norm() + 2 * half.norm();
   for (const std::size_t i : {0u, 1u}) {
     const Vec2 along = frame_of(pair, i).along;

@@ -18,14 +18,14 @@ namespace {
 
 constexpr int kSteps = 240;
 constexpr double kMargin = 0.07;  // added at either end, as a fraction of the range of angles
-// rad. At the limit, a helix angle is 90° and the pitch radius is infinite. The range ends at this
-// distance from the limit, where α_n differs from its limiting value by less than 1e-6 rad.
+// rad. At the limit of the pressure angle, a helix angle is 90° and the pitch radius is infinite.
+// The range ends at this distance from it, where α_n is within 1e-6 rad of its limiting value.
 constexpr double kBeforeLimit = 1e-3;
 // rad. Angles are kept at this distance from the limit, because the involute function is infinite
-// there. A mounted pair may lie at the limit within rounding. The change of a is at most r_b
-// kAtLimit.
+// there. A mounted pair may lie at the limit within rounding. This distance changes the centre
+// distance by at most r_b kAtLimit.
 constexpr double kAtLimit = 1e-8;
-constexpr double kMinAngle = 2e-3;  // rad; α_wn = 0 is impossible for a rack
+constexpr double kMinAngle = 2e-3;  // rad, least α_wn of the range; a rack cannot have α_wn = 0
 
 double deg(double rad) { return kDegPerRad * rad; }
 

@@ -17,9 +17,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px
+constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px, width and margin of a section
 constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;      // px; height over width
-constexpr double kPhaseModules = 6.5;    // size of the area in a picture of a phase
+constexpr double kPhaseModules = 6.5;    // modules, size of the area in a picture of a phase
 constexpr double kTeethPerSecond = 1.2;  // teeth per second in the fastest mesh while the picture
                                          // turns
 constexpr int kSliderSteps = 240;        // number of positions of the slider
@@ -47,7 +47,7 @@ class Pictures {
         all.cover(about + reach);
       }
     }
-    const double px = all.size().maxCoeff() / (kSectionWidth - 2 * kSectionEdge);  // mm
+    const double px = all.size().maxCoeff() / (kSectionWidth - 2 * kSectionEdge);  // mm per px
     const Vec2 half(kSectionWidth / 2 * px, all.size().y() / 2 + kSectionEdge * px);
     const Vec2 middle = (all.lo + all.hi) / 2;
     window_ = {middle - half, middle + half};

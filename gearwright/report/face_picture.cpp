@@ -109,7 +109,7 @@ Figure face_width_figure(const CrossedPair& pair) {
     f.line(over_angle(samples, both), std::string("curve dash ") + kInk[i],
            fmt::format("gear {}, both flanks", i + 1));
   }
-  // The actual faces. Equal faces share one line, with its name above it.
+  // Horizontal lines at the actual face widths. Equal face widths share one line and its label.
   const bool equal = pair.input.face_width[0] == pair.input.face_width[1];
   for (const std::size_t i : {0u, 1u}) {
     if (equal && i == 1) break;

@@ -17,7 +17,7 @@ namespace gearwright {
 /// One trace: either the profile in the middle of the face, or the helix in the middle of the
 /// profile.
 struct FlankTrace {
-  std::vector<Vec2> design;          ///< mm, µm; sorted by the first number
+  std::vector<Vec2> design;          ///< points (L or z in mm, deviation in µm), sorted by L or z
   std::array<double, 2> evaluation;  ///< evaluation range, mm
   std::optional<double> tolerance;   ///< µm, F_αT or F_βT
 };

@@ -19,7 +19,7 @@ constexpr double kLetterRoom = 0.04;  // distance between two letters
 constexpr double kCharacter = 0.0155;
 constexpr double kLetterHeight = 0.054;
 
-constexpr double kTouching = 0.003;  // fraction of the width of the picture
+constexpr double kTouching = 0.003;  // share of the picture's width; nearer lines count as touching
 constexpr double kFar = 3.2;         // path lengths; line_ends() omits points that are farther away
 
 std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {

@@ -16,8 +16,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kDeepest = -8.0;  // specific sliding at which a curve is cut off
-// The limit for a curve that falls without bound, towards a base tangent point.
+constexpr double kDeepest = -8.0;  // least specific sliding at the lower end of the axis
+// Specific sliding down to which the axis shows a curve that falls without bound, towards a base
+// tangent point.
 constexpr double kEndless = -4.0;
 constexpr double kRest = 1e-9;  // pitches; a shorter last piece of the path is a rounding error
 
@@ -96,7 +97,7 @@ void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
   const double rho1 = at_A ? pair.mesh.rho1_A : pair.mesh.rho1_E;
   const SpecificSliding<double>& s = at_A ? pair.sliding_A : pair.sliding_E;
   const std::array<std::optional<double>, 2> values{s.zeta_1, s.zeta_2};
-  double lowest = -13.0;  // px
+  double lowest = -13.0;  // px, offset of the next label at the lower border
   for (const std::size_t i : {0u, 1u}) {
     const bool shown = values[i] && *values[i] >= f.y.lo;
     const double level = shown ? *values[i] : f.y.lo;
@@ -111,7 +112,8 @@ void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
   }
 }
 
-constexpr double kCharacter = 0.032, kSpace = 0.05;  // fractions of the width of the plot
+// Width of a character and of the space around a value, as fractions of the width of the plot.
+constexpr double kCharacter = 0.032, kSpace = 0.05;
 
 }  // namespace
 

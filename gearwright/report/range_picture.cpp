@@ -99,7 +99,7 @@ constexpr int kZoomSteps = 80;
 // is 1e-11 µm.
 constexpr double kWorthShowing = 1e-6;
 
-constexpr double kSameAngle = 1e-9;  // rad, 0.0002″
+constexpr double kSameAngle = 1e-9;  // rad, 0.0002″; angles that differ by less count as equal
 
 // Difference between the centre distance at α_wn (degrees) and the least one, µm.
 double above_min(const CrossedPair& pair, double degrees) {

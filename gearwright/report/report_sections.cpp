@@ -233,7 +233,7 @@ std::string halves_part(std::string_view shared, std::string_view alike,
   return text;
 }
 
-constexpr double kRackWidth = 640.0;  // px
+constexpr double kRackWidth = 640.0;  // px, width of the picture of a rack
 constexpr double kRackAspect = 640.0 / 560.0;
 
 Result<Figure> rack_figure(const RackPair& pair, const std::array<std::string, 2>& shapes) {

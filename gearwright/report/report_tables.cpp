@@ -171,7 +171,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions, Unit
   return rows;
 }
 
-// The rows of `named` that do not already occur among the rows of the overlap.
+// The rows of those interferences `named` whose words do not occur in the rows `listed`.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                   const std::vector<CollisionRow>& listed, UnitSystem units) {
   std::vector<CollisionRow> rows;

@@ -45,7 +45,7 @@ std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row);
 std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row,
                                    std::string_view id, std::string_view row_link);
 
-inline constexpr int kChartMin = 7, kChartMax = 100;  ///< teeth
+inline constexpr int kChartMin = 7, kChartMax = 100;  ///< range of tooth numbers in the charts
 
 /// The range of possible profile shifts over the number of teeth, on a logarithmic axis. Curves
 /// show the undercut limit, and the limits for tip thicknesses of 0, 0.2 and 0.4 modules. The
@@ -54,9 +54,9 @@ inline constexpr int kChartMin = 7, kChartMax = 100;  ///< teeth
 std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial,
                                 const DesignRow* design);
 
-/// The contact ratio ε_α of two identical gears, at shifts 0, ¼, ½, ¾ and 1 of the way from the
-/// least to the greatest. Empty for searches of crossed axes or internal gears, to which it does
-/// not apply.
+/// The contact ratio ε_α of two identical gears over their number of teeth. There are five curves,
+/// at 0, ¼, ½, ¾ and 1 of the way from the least to the greatest profile shift that the search
+/// allows. Empty for searches of crossed axes or internal gears, to which it does not apply.
 std::string identical_gears_figure(const SearchProblem& problem, const Trial& trial);
 
 }  // namespace gearwright

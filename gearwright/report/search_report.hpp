@@ -35,7 +35,8 @@ inline constexpr std::size_t kRegionPictures = 20;  ///< number of the best desi
 ///             (2) the page loads nothing
 ///             (3) title, spec and reasons may contain any text
 ///             (4) without scripts, the page contains the table and all pictures
-/// Units     those of the spec, degrees; shifts and regions in normal modules; missing values are “–”
+/// Units     lengths in `units`, angles in degrees, shifts and regions in normal modules; missing
+///           values are “–”
 std::string search_report(const SearchReport& report);
 
 // Writes one HTML page about designs that are ranked by a percentile of their scatter: a sortable

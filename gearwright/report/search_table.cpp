@@ -53,7 +53,7 @@ constexpr Entry kEntries[] = {
 struct Column {
   const QuantityInfo* info;
   std::string_view meaning;
-  std::optional<std::size_t> gear;  // the gear, if each gear has its own value
+  std::optional<std::size_t> gear;  // index of the gear, if each gear has its own value
 };
 
 TableCell mark(bool is, const char* text) { return {is ? text : "", is ? 1.0 : 0.0}; }

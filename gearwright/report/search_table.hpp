@@ -16,7 +16,7 @@ namespace gearwright {
 struct TableColumn {
   std::string head;                      ///< HTML
   std::string unit, meaning;             ///< plain text
-  std::string_view first = "ascending";  ///< the order of the first click
+  std::string_view first = "ascending";  ///< order of the rows after a first click on the heading
 };
 struct TableCell {
   std::string html;
@@ -24,14 +24,14 @@ struct TableCell {
       key;  ///< value by which the column is sorted; rows without a value come last
 };
 struct TableRow {
-  std::string attributes;  ///< of the element, with a space in front
+  std::string attributes;  ///< HTML attributes of the row, with a space in front
   std::vector<TableCell> cells;
 };
 
 /// A table with a column of ranks before the given columns. `rows` are in the order of their ranks.
 std::string sortable_table(const std::vector<TableColumn>& columns,
                            const std::vector<TableRow>& rows);
-/// The meaning of the columns, folded.
+/// The headings of the columns with their meanings, in a folded section.
 std::string column_key(const std::vector<TableColumn>& columns);
 
 /// A table of the first `rows` designs. Its rows have the ids "design-1", "design-2" and so on.
@@ -40,7 +40,7 @@ std::string column_key(const std::vector<TableColumn>& columns);
 std::string design_table(const SearchProblem& problem, const SearchAnswer& answer, std::size_t rows,
                          UnitSystem units);
 
-/// The meaning of the columns, in a folded section.
+/// The headings of the columns of design_table() with their meanings, in a folded section.
 std::string design_table_key(const SearchProblem& problem, const SearchAnswer& answer,
                              std::size_t rows, UnitSystem units);
 
@@ -56,14 +56,14 @@ std::string_view words_of(Limit limit);
 /// Words for an objective, to be used on axes and in sentences.
 struct ObjectiveWords {
   std::string_view name;    ///< "contact ratio"
-  std::string_view symbol;  ///< "ε_α", as in html_text.hpp; may be empty
+  std::string_view symbol;  ///< "ε_α", written as in figure/markup.hpp; may be empty
   std::string_view unit;    ///< may be empty
   bool greater = false;     ///< true if greater values are better
 };
 ObjectiveWords words_of(Objective objective);
 
-/// The value of the objective for any design, ranked or not. None for |ζ| if a flank reaches its
-/// base tangent point.
+/// The value of the objective for any design, ranked or not. None for the objective |ζ|, specific
+/// sliding, if a flank reaches its base tangent point.
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective);
 

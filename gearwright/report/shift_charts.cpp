@@ -47,7 +47,7 @@ std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   return pieces_of(pieces);
 }
 
-// Shows the name of the last curve beside it.
+// Shows the name of the last curve of a figure beside this curve.
 void name_curve(Figure& f) {
   FigureMark& curve = f.marks.back();
   curve.label = curve.words;
@@ -154,7 +154,7 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
   constexpr std::array kNames{"least shift", "¼ of the way", "½", "¾", "greatest shift"};
   double lowest = 1.0;
   double highest = 1.8;
-  std::optional<int> first;  // least number of teeth that reaches 1.2 at the least shift
+  std::optional<int> first;  // least number of teeth with ε_α ≥ 1.2 at the least shift
   for (std::size_t k = 0; k < kNames.size(); ++k) {
     std::vector<Vec2> points;
     for (const IdenticalGears& row : chart) {

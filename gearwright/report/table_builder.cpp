@@ -49,8 +49,8 @@ void TableBuilder::open_row(std::string_view words, std::string_view symbol,
               (symbol.empty() ? with_symbols(words) : symbol_html(symbol));
 }
 
-// A single number is never broken into two lines. A range or a list may be broken between its
-// numbers.
+// Adds a cell. A single number is never broken into two lines. A range or a list may be broken
+// between its numbers.
 void TableBuilder::cell(const std::string& value, std::size_t columns) {
   const bool several = value.find(" … ") != value.npos || value.find(", ") != value.npos;
   text_ +=

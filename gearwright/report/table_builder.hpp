@@ -30,15 +30,16 @@ class TableBuilder {
               const std::optional<std::string>& note = {});
   /// Adds the rows of a group of the catalogue, without the heading of the group. A row has one
   /// value for each column, or one value for all columns. The table has as many columns as there
-  /// are records. For a single record (a pair) it may also have two.
+  /// are records. For a single record (a pair), it may also have two columns.
   void rows(const TextGroup& group);
   /// Adds the rows of each group under its heading.
   void groups(const std::vector<TextGroup>& groups);
 
-  /// Next to the caption of a folded table, these words with symbols replace the first values.
+  /// Sets the words, with symbols, that are next to the caption of a folded table instead of the
+  /// first values.
   void decisive(std::string_view words);
-  /// Next to the caption of a folded table, the rows with these keys of the catalogue replace the
-  /// first rows. The call must precede the rows.
+  /// Chooses by their keys in the catalogue the rows that are next to the caption of a folded table
+  /// instead of the first rows. The call must precede the rows.
   void decisive_rows(std::vector<std::string_view> keys);
 
   /// Returns the table. On screen, only the caption and the first values of a long table are

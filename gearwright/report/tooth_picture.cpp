@@ -87,7 +87,7 @@ constexpr double kSmallWidth = 240.0;
 constexpr double kSmallAspect = 240.0 / 230.0;
 constexpr double kMargin = 0.05;  // margin at the sides and at the top, as a fraction of width and
                                   // height
-constexpr double kChords = 1e-3;  // m_n; a tenth of a pixel in these small pictures
+constexpr double kChords = 1e-3;  // m_n, tolerance of chords: a tenth of a pixel in small pictures
 
 std::vector<Vec2> tooth_points(const Gear& gear) {
   std::vector<Vec2> points;
@@ -196,7 +196,7 @@ void add_upright_arcs(Figure& f, const Gear& gear,
 }
 
 void lead_circle(Figure& f, double radius, std::string markup) {
-  constexpr double kSteepest = 0.94;  // fraction of the radius, if the circle lies within the plot
+  constexpr double kSteepest = 0.94;  // x over the radius, at which a small circle gets its name
   const double x = std::min(f.x.hi, kSteepest * radius);
   const double y = std::sqrt(std::max(0.0, (radius - x) * (radius + x)));
   if (y > f.y.lo && y < f.y.hi) f.leaders.push_back({{x, y}, std::move(markup)});

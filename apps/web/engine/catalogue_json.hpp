@@ -1,5 +1,5 @@
-// Writes the catalogue as JSON for forms and tables. It contains every key of a spec and every quantity of a
-// result. Its structure is `Catalogue` in engine.d.ts.
+// Writes the catalogue as JSON for forms and tables. It contains every key of a spec and every
+// quantity of a result. Its structure is `Catalogue` in engine.d.ts.
 #pragma once
 
 #include <string>

@@ -220,7 +220,7 @@ export interface SearchResult {
   feasible: number;
 }
 export interface ErrorMap {
-  x: Float64Array; // values in the unit of the key
+  x: Float64Array; // values of the error on this axis of the map, in the unit of its key
   y: Float64Array;
   peakToPeakArcsec: Float64Array; // [iy * nx + ix]; NaN if no teeth touch or if not yet computed
 }
@@ -253,7 +253,7 @@ export interface Figure {
 /** Options of the figures of contact. */
 export interface ContactView {
   width: number; // px, width of a figure
-  positions: number; // number per pitch
+  positions: number; // number of positions per pitch
   index: number; // index of the position whose gap is shown on the flanks
   patterns: FlankRaster[] | null; // the result of `pattern`
   curves: boolean; // false to draw only the flanks
@@ -262,7 +262,7 @@ export interface ContactView {
 /** Options of the figure of the gears in section. */
 export interface MeshView {
   frame: "whole" | "mesh" | "flank"; // all of the gears, their mesh, or the path of contact
-  width: number; // px
+  width: number; // px, width of the figure
   height: number;
   window: [number, number, number, number] | null; // x0, x1, y0, y1 in mm; null: as for `frame`
   bodies: boolean; // true to draw only the bodies of the gears
@@ -271,7 +271,7 @@ export interface MeshView {
 
 /** Options of the figure of the profile shifts. */
 export interface ShiftView {
-  width: number; // px
+  width: number; // px, width of the figure
   aspect: number; // width over height of the plot
   // Lower and upper end of x1, then of x2. If it is null, the window is around the region.
   window: [number, number, number, number] | null;
@@ -279,7 +279,7 @@ export interface ShiftView {
 
 /** Designs as dots over two of their quantities, in the order of drawing. The values must be finite. */
 export interface DesignDots {
-  width: number; // px
+  width: number; // px, width of the figure
   tall: number; // height over width of the plot
   x: { words: string; unit: string; values: number[] };
   y: { words: string; unit: string; values: number[] };
@@ -330,8 +330,8 @@ export interface Session {
   /** An estimate, to first order, of the effect of the tolerances of [scatter] on the peak-to-peak
    *  transmission error. It takes a fraction of a second. `width` is the width of a figure in px. */
   scatterSketch(width: number): Scattered | Failed;
-  /** The same effect, computed by complete contact analyses. The number of samples is limited to 1024, or
-   *  to the number that takes about three seconds. */
+  /** The effect of the tolerances of [scatter], computed by complete contact analyses. The number
+   *  of samples is limited to 1024, or to the number that takes about three seconds. */
   scatter(width: number): Scattered | Failed;
   shiftRegion(view?: ShiftView | null): ShiftRegion | Failed;
   /** The bytes of a file of gear 1 or 2, or of the mounted pair or the drive if `gear` is 0. report and json require 0. */

@@ -143,7 +143,7 @@ Result<Json> Session::section(int gear, double tolerance) const {
 std::vector<NamedCircle> Session::circles(int gear) const {
   std::vector<NamedCircle> circles;
   const auto which = static_cast<std::size_t>(gear - 1);
-  if (which >= job_.gears.size()) return circles;  // a rack
+  if (which >= job_.gears.size()) return circles;  // gear 2 is a rack, which has no circles
   append_circles(circles, gear_quantities().of(job_.gears[which]), which);
   if (job_.pair) append_circles(circles, pair_quantities().of(*job_.pair), which);
   return circles;
@@ -164,7 +164,7 @@ Result<Json> Session::rack_figure(const MeshView& view) const {
 
 Result<Json> Session::mesh_figure(const MeshView& view) const {
   if (job_.rack) return rack_figure(view);
-  constexpr double kCoarse = 0.1;  // mm; coarse, because only errors about the section matter here
+  constexpr double kCoarse = 0.1;  // mm; coarse, because only the errors of section() are used here
   MeshScene scene;
   for (int gear = 1; gear <= gears(); ++gear) {
     if (const auto made = section(gear, kCoarse); !made) return made.error();
@@ -255,7 +255,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
     return pose_row(x);
   }
   const Angle rotation1 = Angle::degrees(rotation1_deg);
-  // If the gears cannot touch, the errors are ignored.
+  // If the gears cannot touch, the errors of mounting are ignored.
   const auto touching = nominal ? Result<const Touching*>(nullptr) : this->touching();
   const ContactPair* contact = touching && *touching ? (*touching)->pair.get() : nullptr;
   const auto rest = [gear](const auto& pair) {

@@ -20,7 +20,7 @@ namespace gearwright::web {
 
 namespace {
 
-constexpr int kPatternScene = 64;  // positions of the contact whose flanks have the patterns
+constexpr int kPatternScene = 64;  // positions per pitch of the contact that pattern() starts from
 
 bool is_number(const QuantityInfo& info) {
   return info.type == Type::number || info.type == Type::whole || info.type == Type::index;

@@ -21,7 +21,7 @@ namespace gearwright::web {
 /// Options of the figures of contact.
 struct ContactView {
   double width = 560.0;               ///< px, width of a figure
-  int positions = 64;                 ///< number per pitch
+  int positions = 64;                 ///< number of positions per pitch
   int index = 0;                      ///< index of the position whose gap is shown on the flanks
   std::vector<FlankRaster> patterns;  ///< result of `pattern`; empty if not yet computed
   bool curves = true;                 ///< false to draw only the flanks
@@ -30,7 +30,7 @@ struct ContactView {
 /// Options of the figure of the gears in section.
 struct MeshView {
   MeshFrame frame = MeshFrame::mesh;
-  double width = 560.0, height = 420.0;  ///< px
+  double width = 560.0, height = 420.0;  ///< px, size of the figure
   std::optional<Bounds> window;          ///< mm; by default the window of the frame
   bool bodies = false;                   ///< true to omit circles and lines
   std::string name = "mesh";             ///< name of the shapes, unique in the page
@@ -38,7 +38,7 @@ struct MeshView {
 
 /// Options of the figure of the profile shifts.
 struct ShiftView {
-  double width = 560.0;          ///< px
+  double width = 560.0;          ///< px, width of the figure
   double aspect = 1.25;          ///< width over height of the plot
   std::optional<Bounds> window;  ///< range of (x1, x2); by default around the region
 };
@@ -112,7 +112,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<const Found*> found(int positions);
   Result<ToothedBody> body(int gear, bool in_place) const;
   Result<Json> rack_figure(const MeshView& view) const;
-  std::optional<Error> no_gear_2() const;  // for results that need two gears
+  std::optional<Error> no_gear_2() const;  // the error of a result that needs two gears, if any
   std::vector<NamedCircle> circles(int gear) const;
   std::array<const Gear*, 2> flanked_gears() const;
 

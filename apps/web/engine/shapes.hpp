@@ -22,7 +22,8 @@ namespace gearwright::web {
 using Numbers = std::vector<double>;
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< a missing value
 
-/// The JavaScript typed array of a row. It is stored as the subtype of the binary data.
+/// The kind of typed array that a row becomes in JavaScript. It is stored as the subtype of the
+/// binary data of the row.
 enum class RowType : std::uint8_t { float64, float32, uint32, uint8 };
 Json row(const Numbers& numbers);
 Json row(const std::vector<float>& numbers);

@@ -143,14 +143,14 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
   const Vec2 point(job_.gears[0].spec.profile_shift, job_.gears[1].spec.profile_shift);
   const Vec2 asked = turned(point);
-  // The sign of the least margin over all limits. Its value is not used, because each limit has its
-  // own unit.
+  // The least margin over all limits. Only its sign is used, and whether it is nearly 0, because
+  // each limit has its own unit.
   const auto range = graph.sums();
   const double room = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
                                            : -std::numeric_limits<double>::infinity();
   const bool inside = room >= 0.0 && std::isfinite(asked.x() + asked.y());
   const auto killed = graph.what_kills();
-  std::array<Json, 2> ends;  // lower and upper ends
+  std::array<Json, 2> ends;  // least and greatest profile shift of each gear
   for (const std::size_t i : {0, 1})
     ends[swapped ? 1 - i : i] = {graph.gears()[i].x_min, graph.gears()[i].x_max};
   Json chart{{"point", {point.x(), point.y()}},

@@ -12,7 +12,7 @@
 
 namespace gearwright::web {
 
-/// The progress of some work.
+/// The progress of a computation: `done` of `of` steps are complete.
 struct Steps {
   std::int64_t done, of;
   bool finished;
@@ -49,8 +49,8 @@ struct ErrorAxis {
   double from = 0.0, to = 0.0;
   int n = 2;
 };
-/// The peak-to-peak transmission error as a function of two errors, computed one curve after the
-/// other.
+/// The peak-to-peak transmission error as a function of two errors. For each point of this map, the
+/// transmission error over one pitch is computed.
 MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
                         int positions);
 

@@ -128,7 +128,8 @@ async function work<T>(begun: E.Work<T> | E.Failed, step: Step): Promise<T | nul
     task.delete();
   }
 }
-/** Runs work with figures until it is finished, and keeps it in `drawn`. `sofar` is called in between. */
+/** Runs work with figures until it is finished, and keeps it in `drawn`. `sofar` is called between
+ *  steps. */
 async function drawnWork<T>(begun: E.Work<T> | E.Failed, step: Step, sofar?: (task: E.Work<T>) => unknown): Promise<T | null> {
   const task = good(begun);
   const result = await stepped(task, step, sofar && (() => sofar(task))).catch((reason) => {

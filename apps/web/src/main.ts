@@ -25,7 +25,7 @@ import { ShiftsView } from "./shifts/shifts_view";
 import { SolidView } from "./solid/solid_view";
 import { bench } from "./workbench";
 
-const kReading = 12_000; // ms, enough to read a sentence
+const kReading = 12_000; // ms for which a message is shown, enough to read a sentence
 
 async function begin(): Promise<void> {
   bench.front = new EngineLink(makeWorker, wasmBytes);

@@ -14,7 +14,8 @@
       return {node: node, tooth: number(node, 'data-tooth'), from: number(node, 'data-from'),
               to: number(node, 'data-to'), dx: number(node, 'data-dx'), dy: number(node, 'data-dy')};
     });
-    // Some pictures exist only for single positions. The script shows the nearest one.
+    // Some pictures are drawn for a few positions only. The script shows the one that is nearest to
+    // the current position.
     var frames = list(scope.querySelectorAll('[data-frame]')).map(function (node) {
       return {node: node, at: number(node, 'data-frame'), of: number(node, 'data-frames')};
     });

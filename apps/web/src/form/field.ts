@@ -19,7 +19,8 @@ export interface Field {
   fault(sentence: string | null): void;
 }
 
-/** The number of letters that fit into a field beside its label, in the form and in a panel. */
+/** The number of letters that fit into a field beside its label, in the form, in a panel and in a
+ *  list of choices, and into a field on a line of its own. */
 const kLetters = { form: 8, panel: 7, chooser: 7, line: 24 };
 /** Moves the fields of a row below their label if a value does not fit beside it. */
 function makeRoom(field: HTMLElement): void {

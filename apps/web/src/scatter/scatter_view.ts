@@ -12,7 +12,7 @@ import { ToleranceSliders } from "./tolerance_sliders";
 
 /** The pause after the last change before the contact analyses start. */
 const kRestMs = 400;
-/** Tolerances of a housing of average accuracy. The button adds them to a spec that has no tolerances. */
+/** Tolerances of a housing of average accuracy. A button adds them to a spec that has none. */
 const kFirst: Record<string, [number, number]> = {
   "scatter.errors.center_distance_mm": [-0.02, 0.02],
   "scatter.errors.crossing_deg": [-0.02, 0.02],

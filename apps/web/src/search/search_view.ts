@@ -14,8 +14,8 @@ import { ParetoPicture, type Point } from "./pareto";
 import { around, gearOf, measured } from "./search_specs";
 import { columnsOf, idOf, SearchTable, valueIn, varies, type Column, type Design } from "./search_table";
 
-const kMostTrials = 1e7; // larger searches need the native program
-const kAtOnce = 30_000; // smaller searches start without a button
+const kMostTrials = 1e7; // candidates; a search with more of them needs the native program
+const kAtOnce = 30_000; // candidates; a search with no more than this starts without a button
 const kMostDesigns = 2000;
 /** Quantities for the axes, the most useful first. All others follow in the order of the catalogue. */
 const kAxes = ["objective", "center_distance_mm", "contact_ratio", "sliding_max", "ratio"];

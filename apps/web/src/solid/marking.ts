@@ -29,7 +29,7 @@ export function markedMaterial(
   texture.needsUpdate = true;
   const uniforms = {
     gaps: { value: texture },
-    span: { value: new THREE.Vector4(0, 1, 0, 1) }, // diameters, heights
+    span: { value: new THREE.Vector4(0, 1, 0, 1) }, // least and greatest diameter, then height, mm
     size: { value: new THREE.Vector2(1, 1) },
     thickness: { value: 0 },
     side: { value: side },

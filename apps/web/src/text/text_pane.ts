@@ -6,7 +6,7 @@ import { fill, h } from "../elements";
 import { bench } from "../workbench";
 
 const kMostColoured = 60_000;
-const kLine = 20; // px, as in the style sheet
+const kLine = 20; // px, height of a line, as in the style sheet
 
 /** The parts of a line of TOML: table headings, keys and comments. The rest of the line is a value. */
 function coloured(line: string): Node[] {
