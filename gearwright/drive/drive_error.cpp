@@ -95,9 +95,9 @@ class DriveCurves {
     std::vector<double> te;
     double r_b = 0.0;
     if (const auto& rack = drive_.geometry.racks[m]) {
-      const auto contact = detail::rack_contact(drive_, m, errors, phases_[m]);
-      if (!contact) return {};
-      te = gearwright::transmission_error(*contact->pair, kErrorPositions);
+      const auto pair = detail::rack_contact(drive_, m, errors, phases_[m]);
+      if (!pair) return {};
+      te = gearwright::transmission_error(*pair, kErrorPositions);
       r_b = rack->pinion.base_radius();  // the travel is stored as an angle of the pinion
     } else {
       const auto setup = detail::mesh_contact(drive_, m, errors, phases_[m].turned);

@@ -187,17 +187,17 @@ std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
   return std::move(setup).take();
 }
 
-std::optional<RackContact> rack_contact(const Drive& drive, std::size_t mesh,
-                                        const ContactErrors& errors, const MeshPhase& phase) {
+std::shared_ptr<const ContactPair> rack_contact(const Drive& drive, std::size_t mesh,
+                                                const ContactErrors& errors,
+                                                const MeshPhase& phase) {
   const auto flanks = flanks_of(drive.graph.gear(drive.graph.meshes[mesh], 0), phase.turned);
-  if (!flanks) return std::nullopt;
+  if (!flanks) return nullptr;
   ContactOptions options;
   options.modifications[0] = {(*flanks)[0], (*flanks)[1]};
   options.gear2_drives = !phase.first_drives;
-  auto made =
-      contact(*drive.geometry.racks[mesh], phase.turned ? turned_over(errors) : errors, options);
-  if (!made) return std::nullopt;
-  return std::move(made).take();
+  auto pair = contact_pair(*drive.geometry.racks[mesh], phase.turned ? turned_over(errors) : errors,
+                           options);
+  return pair ? std::move(pair).take() : nullptr;
 }
 
 }  // namespace gearwright::detail

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <complex>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,9 +32,9 @@ struct MeshPhase {
   std::size_t first = 0;         ///< the first mesh of the same frequency; of an idle mesh, itself
   double sense = 1.0;            ///< −1 if the delays of the planets have the opposite sign
   std::vector<Rational> phases;  ///< γ_i for sense 1; empty if the mesh is not in a planet set
-};
 
   bool idle() const { return weight == 0.0; }  ///< true if the mesh does not move the output
+};
 
 /// ω of a body relative to the frame of the mesh.   Domain  one input (contract)
 double turning(const Drive& drive, std::size_t body, std::size_t mesh);
@@ -63,8 +64,9 @@ std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive);
 /// computed, or if a measured gear is loaded on the flank without readings.
 std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
                                          const ContactErrors& errors, bool turned);
-/// The same of a pinion and its rack.
-std::optional<RackContact> rack_contact(const Drive& drive, std::size_t mesh,
-                                        const ContactErrors& errors, const MeshPhase& phase);
+/// A pinion and its rack, as mesh_contact(); null if mesh_contact() returns none.
+std::shared_ptr<const ContactPair> rack_contact(const Drive& drive, std::size_t mesh,
+                                                const ContactErrors& errors,
+                                                const MeshPhase& phase);
 
 }  // namespace gearwright::detail
