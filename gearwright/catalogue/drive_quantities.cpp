@@ -192,8 +192,9 @@ void say(Quantities<Drive>& q) {
   q.record<drive_error_quantities>(
       "transmission_error",
       "rotation error of the output while the input rotates uniformly; 0 if there are no "
-      "modifications and no [errors]; null with several inputs, with several pinions on one rack, "
-      "without geometry, or if contact is lost",
+      "modifications and no [errors]; null with several inputs, redundant meshes or, in a mesh "
+      "that moves the output, no geometry, lost contact, several pinions on one rack, an error of "
+      "the teeth of a rack, or a measured gear that is loaded on the flank without readings",
       &Drive::error);
   q.record<drive_load_quantities>(
        "load", "the drive under load; only with `[load]`",

@@ -33,13 +33,15 @@ class DriveCurves {
  public:
   DriveCurves(const Drive& drive, const MeshErrors& errors) : drive_(drive), errors_(errors) {}
 
-  // Computes the curves of all meshes. Returns false if one of them cannot be computed.
+  // Computes the curves of the meshes that move the output. Returns false if one of them cannot be
+  // computed.
   bool make() {
     auto phases = detail::phases_of(drive_);
     if (!phases) return false;
     phases_ = std::move(*phases);
     curves_.resize(phases_.size());
     for (std::size_t m = 0; m < curves_.size(); ++m) {
+      if (phases_[m].idle()) continue;
       if (!find_waves(m)) return false;
       find_shares(m);
     }
@@ -93,9 +95,9 @@ class DriveCurves {
     std::vector<double> te;
     double r_b = 0.0;
     if (const auto& rack = drive_.geometry.racks[m]) {
-      const auto contact = detail::rack_contact(drive_, m, errors, phases_[m]);
-      if (!contact) return {};
-      te = gearwright::transmission_error(*contact->pair, kErrorPositions);
+      const auto pair = detail::rack_contact(drive_, m, errors, phases_[m]);
+      if (!pair) return {};
+      te = gearwright::transmission_error(*pair, kErrorPositions);
       r_b = rack->pinion.base_radius();  // the travel is stored as an angle of the pinion
     } else {
       const auto setup = detail::mesh_contact(drive_, m, errors, phases_[m].turned);
@@ -154,11 +156,11 @@ class DriveCurves {
     }
   }
 
-  // The first mesh of each frequency.
+  // The first mesh of each frequency that occurs at the output.
   std::vector<std::size_t> frequencies() const {
     std::vector<std::size_t> list;
     for (std::size_t m = 0; m < phases_.size(); ++m)
-      if (phases_[m].first == m) list.push_back(m);
+      if (phases_[m].first == m && !phases_[m].idle()) list.push_back(m);
     return list;
   }
 

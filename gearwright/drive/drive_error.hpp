@@ -33,9 +33,9 @@ using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 ///           them on the gear gives their phase, [T13.17]. Flanks that have neither modifications
 ///           nor errors of mounting are conjugate, and their curve is 0
 /// Domain    a drive made by make_drive(), with its flow if there is one; harmonics ≥ 1 (contract)
-/// None      if there are several inputs, a redundant mesh, several pinions on one rack, no geometry,
-///           lost contact, an error of the teeth of a rack, or a measured gear that is loaded on the
-///           flank without readings
+/// None      if there are several inputs, a redundant mesh or, in a mesh that moves the output, no
+///           geometry, lost contact, several pinions on one rack, an error of the teeth of a rack, or a
+///           measured gear that is loaded on the flank without readings
 std::optional<DriveError> transmission_error(const Drive& drive, int harmonics,
                                              const MeshErrors& errors = {});
 

@@ -1,7 +1,8 @@
 // Laws: (1) a drive with one mesh has the curve of its pair, whichever gear drives; (2) conjugate
 // flanks have no transmission error; (3) if three planets mesh in sequence, only every third
 // harmonic remains; (4) with one planet, the error is the sum of both curves at the actual
-// positions of the planet, which the test computes itself.
+// positions of the planet, which the test computes itself; (5) the same holds for a pinion between a
+// wheel and a rack; (6) meshes that do not move the output change nothing.
 #include "gearwright/drive/drive_error.hpp"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/contact/rack_contact.hpp"
+#include "gearwright/drive/drive_places.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
 namespace gearwright {
@@ -227,8 +229,8 @@ TEST(DriveErrorTest, APairBeforeTheRackAddsItsError) {
               *alone->error->lever * alone->error->peak_to_peak + 20.0 * of_pair, 1e-12);
 }
 
-// Without modifications and errors, the travel of a rack is exact. Two pinions on one rack have an
-// unknown phase, so there is no result.
+// Without modifications and errors, the travel of a rack is exact. If a rack transmits the motion of one
+// pinion to another one, their phase is unknown, so there is no result.
 TEST(DriveErrorTest, AConjugateRackHasNoneAndTwoPinionsAreUnknown) {
   DriveGraph graph = steering(false, false);
   graph.gears[0].modifications = {};
@@ -240,9 +242,122 @@ TEST(DriveErrorTest, AConjugateRackHasNoneAndTwoPinionsAreUnknown) {
   graph.gears.back().name = "second";
   graph.gears.back().body = 2;
   graph.meshes.push_back({"second", {2, 1}, std::nullopt, std::nullopt});
+  graph.output = 2;
   const auto two = make_drive({graph, {}, 3});
   ASSERT_TRUE(two) << two.error().message();
   EXPECT_FALSE(two->error);
+}
+
+// A pinion of 21 teeth meshes with a wheel of 58 teeth and with a rack, in the directions `to_wheel` and
+// `to_rack` from its axis, in turns. Rack and pinion are gear 2 and gear 1 of their mesh.
+DriveGraph pinion_between(double to_wheel, double to_rack, bool rack_drives) {
+  DriveGraph graph = steering(false, rack_drives);
+  DriveGear wheel = graph.gears[0];
+  graph.gears[0].shift = 0.5;
+  graph.gears[0].teeth = 21;
+  wheel.name = "wheel";
+  wheel.teeth = 58;
+  wheel.body = graph.bodies.size();
+  graph.bodies.push_back({"wheel", std::nullopt, 1, {}});
+  graph.gears.push_back(wheel);
+  // The equation of a mesh has the direction from its first gear to its second gear.
+  graph.meshes.push_back({"wheel", {2, 0}, std::nullopt, 80.0});
+  graph.meshes.back().direction = Angle::radians((to_wheel + 0.5) * kTurn);
+  graph.meshes.front().direction = Angle::radians(to_rack * kTurn);
+  (rack_drives ? graph.output : graph.inputs.front()) = wheel.body;
+  return graph;
+}
+
+// The transmission error of a pair at this rotation of gear 1.
+double te_at(Transmission& transmission, double rotation1) {
+  const ContactPair& pair = transmission.pair();
+  return pair.turned() * transmission.at(pair.to_world(rotation1)).te();
+}
+
+// The error of the output of pinion_between() while the wheel turns by one pitch: the travel of the rack
+// in mm, or the rotation of the wheel in rad. The pinion turns by x_w from the position in which a
+// tooth points to the wheel, and by x_r from the position in which a tooth points to the rack.
+std::vector<double> pinion_turned_by_hand(const Drive& drive, double to_wheel, double to_rack,
+                                          bool rack_drives) {
+  const auto flanks = relieved(0.004, 0.006);
+  const auto setup = ContactSetup::of(*drive.geometry.pairs[1], {}, {flanks, flanks});
+  ContactOptions options;
+  options.modifications[0] = {flanks[0], flanks[1]};
+  options.gear2_drives = rack_drives;
+  const RackPair& rack = *drive.geometry.racks[0];
+  const auto bar = contact_pair(rack, {}, options);
+  EXPECT_TRUE(setup && bar);
+  const ContactPair pair = setup->pair(rack_drives);
+  Transmission of_wheel(pair), of_rack(**bar);
+  const double pitch = kTurn / 21, r = rack.pinion.reference_diameter / 2;
+  // The sense of rotation in which the directions are measured.
+  const double sense = drive.motion.speeds[0][0].value() < 0.0 ? -1.0 : 1.0;
+  std::vector<double> output;
+  for (int i = 0; i < kErrorPositions; ++i) {
+    // The wheel is gear 1 of its pair. It has a tooth towards the pinion where the pinion has a space.
+    const double turned = pitch * (i - 0.5 * kErrorPositions) / kErrorPositions;
+    const double te_w = te_at(of_wheel, turned * 21 / 58);
+    const double x_w = turned + te_w + pitch / 2;
+    const double x_r = x_w - sense * (to_rack - to_wheel) * kTurn;
+    const double te_r = te_at(of_rack, pitch * std::remainder(x_r / pitch, 1.0));
+    // If the rack drives, te_w is the lead of the pinion at a given rotation of the wheel.
+    output.push_back(rack_drives ? -(te_w + te_r) * 21 / 58 : r * (te_w + te_r));
+  }
+  return output;
+}
+
+// (5) The shift 0.5 makes the teeth of the pinion thicker than half a pitch, which delays one mesh. The
+// series of 64 positions is interpolated between its positions, so its harmonics have a small error.
+TEST(DriveErrorTest, APinionBetweenAWheelAndARackAddsBothCurves) {
+  for (const bool rack_drives : {false, true})
+    for (const auto& [to_wheel, to_rack] :
+         {std::array{0.5, 0.0}, {0.5, 0.25}, {0.1, 0.43}, {0.37, 0.0}}) {
+      const auto drive = make_drive({pinion_between(to_wheel, to_rack, rack_drives), {}, 5});
+      ASSERT_TRUE(drive) << drive.error().message();
+      ASSERT_TRUE(drive->error);
+      ASSERT_EQ(drive->error->lines.size(), 5u);
+      const auto expected = pinion_turned_by_hand(*drive, to_wheel, to_rack, rack_drives);
+      const auto waves = harmonics(expected);
+      const double lever = drive->error->lever.value_or(1.0);
+      EXPECT_NEAR(lever * drive->error->peak_to_peak, peak_to_peak(expected),
+                  0.02 * peak_to_peak(expected));
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(lever * drive->error->lines[k].amplitude, waves[k].rad(), 0.01 * waves[0].rad())
+            << rack_drives << " " << to_wheel << " " << to_rack << " " << k;
+    }
+}
+
+// (6) The output is shaft 2, so the rack and a second pinion on it carry no load. An error of the teeth
+// of the rack, an unknown phase of the second pinion or unknown teeth do not change the error.
+TEST(DriveErrorTest, IdleMeshesDoNotCount) {
+  const MeshErrors errors = [](std::size_t) {
+    ContactErrors e;
+    e.helix_twist[1] = 5e-6;
+    return e;
+  };
+  DriveGraph graph = steering(true, false);
+  graph.output = 1;
+  const Drive alone = train(false);
+  const auto expect_same = [&](const MeshErrors& errors) {
+    const auto drive = make_drive({graph, {}, 5});
+    ASSERT_TRUE(drive) << drive.error().message();
+    const auto found = transmission_error(*drive, 5, errors);
+    const auto expected = transmission_error(alone, 5, errors);
+    ASSERT_TRUE(found && expected);
+    EXPECT_EQ(found->peak_to_peak, expected->peak_to_peak);
+    ASSERT_EQ(found->lines.size(), expected->lines.size());
+    for (std::size_t k = 0; k < 5; ++k)
+      EXPECT_EQ(found->lines[k].amplitude, expected->lines[k].amplitude);
+  };
+  expect_same(errors);
+  graph.bodies.push_back({"idler", std::nullopt, 1, {}});
+  graph.gears.push_back(graph.gears[2]);
+  graph.gears.back().name = "second";
+  graph.gears.back().body = 3;
+  graph.meshes.push_back({"second", {4, 3}, std::nullopt, std::nullopt});
+  expect_same(errors);
+  graph.gears[2].spec = graph.gears[4].spec = std::nullopt;
+  expect_same({});
 }
 
 }  // namespace

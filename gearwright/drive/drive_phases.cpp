@@ -75,8 +75,8 @@ std::optional<double> passing(const Drive& drive, std::size_t m, int side, bool 
   return sense * std::abs(gear.teeth) * *theta + (drives ? -half : half);
 }
 
-// Computes the delay of each mesh from the delay of a mesh that shares a gear with it. Returns
-// false if the place of a planet is missing.
+// Computes the delay of each mesh that moves the output from the delay of a mesh that shares a gear
+// with it. Returns false if the place of a planet is missing.
 bool find_times(const Drive& drive, std::vector<MeshPhase>& phases) {
   const DriveGraph& graph = drive.graph;
   const std::size_t none = phases.size();
@@ -84,11 +84,13 @@ bool find_times(const Drive& drive, std::vector<MeshPhase>& phases) {
   for (std::size_t first = 0; first < phases.size(); ++first) {
     if (phases[first].first != none) continue;
     phases[first].first = first;
+    if (phases[first].idle()) continue;
     std::vector<std::size_t> reached{first};
     for (std::size_t at = 0; at < reached.size(); ++at) {
       const std::size_t m = reached[at];
       for (std::size_t n = 0; n < phases.size(); ++n) {
-        if (phases[n].first != none || graph.frame(graph.meshes[n]) != graph.frame(graph.meshes[m]))
+        if (phases[n].first != none || phases[n].idle() ||
+            graph.frame(graph.meshes[n]) != graph.frame(graph.meshes[m]))
           continue;
         for (const int i : {0, 1})
           for (const int j : {0, 1}) {
@@ -159,6 +161,7 @@ std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive) {
     MeshPhase& phase = phases[m];
     const auto& pair = drive.geometry.pairs[m];
     const bool teeth = drive.geometry.racks[m] || (pair && pair->involute());
+    if (!teeth && to_output[m].zero()) continue;
     if (!teeth || !to_output[m].fits() || !to_input[m].fits()) return std::nullopt;
     const Gear& first = *drive.geometry.gears[graph.meshes[m].gears[0]];
     phase.first_drives = first_drives(drive, m, to_input[m].value());
@@ -184,17 +187,17 @@ std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
   return std::move(setup).take();
 }
 
-std::optional<RackContact> rack_contact(const Drive& drive, std::size_t mesh,
-                                        const ContactErrors& errors, const MeshPhase& phase) {
+std::shared_ptr<const ContactPair> rack_contact(const Drive& drive, std::size_t mesh,
+                                                const ContactErrors& errors,
+                                                const MeshPhase& phase) {
   const auto flanks = flanks_of(drive.graph.gear(drive.graph.meshes[mesh], 0), phase.turned);
-  if (!flanks) return std::nullopt;
+  if (!flanks) return nullptr;
   ContactOptions options;
   options.modifications[0] = {(*flanks)[0], (*flanks)[1]};
   options.gear2_drives = !phase.first_drives;
-  auto made =
-      contact(*drive.geometry.racks[mesh], phase.turned ? turned_over(errors) : errors, options);
-  if (!made) return std::nullopt;
-  return std::move(made).take();
+  auto pair = contact_pair(*drive.geometry.racks[mesh], phase.turned ? turned_over(errors) : errors,
+                           options);
+  return pair ? std::move(pair).take() : nullptr;
 }
 
 }  // namespace gearwright::detail

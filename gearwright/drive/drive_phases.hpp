@@ -9,6 +9,7 @@
 #pragma once
 
 #include <complex>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -28,9 +29,11 @@ struct MeshPhase {
   double weight = 0.0;           ///< rotation of the output per mm of the curve, rad
   double event = 0.0;            ///< position of the pitch point in the curve, in periods
   double time = 0.0;             ///< delay after the first mesh of the same frequency, in periods
-  std::size_t first = 0;         ///< the first mesh of the same frequency
+  std::size_t first = 0;         ///< the first mesh of the same frequency; of an idle mesh, itself
   double sense = 1.0;            ///< −1 if the delays of the planets have the opposite sign
   std::vector<Rational> phases;  ///< γ_i for sense 1; empty if the mesh is not in a planet set
+
+  bool idle() const { return weight == 0.0; }  ///< true if the mesh does not move the output
 };
 
 /// ω of a body relative to the frame of the mesh.   Domain  one input (contract)
@@ -48,8 +51,8 @@ std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet
 /// None if place_of() returns none.
 std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_t gear);
 
-/// The phases of all meshes; none if a mesh has no involute teeth, if a load is too large for a
-/// fraction, if an idler has no place, or if several pinions mesh with one rack.
+/// The phases of all meshes; none if a load is too large for a fraction or if, of the meshes that move
+/// the output, one has no involute teeth, an idler has no place, or several have the same rack.
 ///
 /// Formula   meshes that share a gear have one frequency, and the angle between them on the gear
 ///           gives their phase [T13.17]
@@ -61,8 +64,9 @@ std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive);
 /// computed, or if a measured gear is loaded on the flank without readings.
 std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
                                          const ContactErrors& errors, bool turned);
-/// The same of a pinion and its rack.
-std::optional<RackContact> rack_contact(const Drive& drive, std::size_t mesh,
-                                        const ContactErrors& errors, const MeshPhase& phase);
+/// A pinion and its rack, as mesh_contact(); null if mesh_contact() returns none.
+std::shared_ptr<const ContactPair> rack_contact(const Drive& drive, std::size_t mesh,
+                                                const ContactErrors& errors,
+                                                const MeshPhase& phase);
 
 }  // namespace gearwright::detail
