@@ -46,7 +46,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
 /// contact.
 std::optional<Angle> play_between(const ContactPoint& working, const ContactPoint& non_working,
                                   bool gear2_drives);
-/// The least play over all positions. Both results must have the same positions.
+/// The least play_between() over all positions. Both results must have the same positions.
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
 
@@ -61,8 +61,8 @@ std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n
 /// Domain    at least one value (contract)
 std::vector<Angle> harmonics(const std::vector<double>& te);
 
-/// TE over one pitch, beginning at −1/2 pitch, rad; NaN where contact is lost. Maps and optimisers
-/// use this function.
+/// TE at equally spaced positions over one pitch, from −1/2 pitch on, rad; NaN where contact is
+/// lost. Maps and optimisers use this function.
 std::vector<double> transmission_error(const ContactPair& pair, int positions);
 
 /// Greatest minus least value; NaN if all values are NaN.

@@ -54,8 +54,8 @@ struct Place {
   double s, z;
 };
 
-// Follows the direction in which the field has the least curvature, while the flanks stay in
-// contact.
+// A straight line through the touch, in the direction in which T has the least curvature, as far as
+// the flanks stay in contact.
 class LineWalk {
  public:
   LineWalk(Transmission& transmission, const PairTouch& touch)
@@ -117,7 +117,7 @@ class LineWalk {
 
   double last_inside(int sense) {
     double lo = 0.0;
-    double hi = 4.0;  // longer than the diagonal of the patch
+    double hi = 4.0;  // in halves of the patch; longer than the diagonal of the patch
     for (int i = 0; i < 50; ++i) {
       const double middle = 0.5 * (lo + hi);
       (inside(at(sense * middle)) ? lo : hi) = middle;

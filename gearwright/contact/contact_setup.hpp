@@ -51,8 +51,8 @@ class ContactSetup {
   /// The same pair, which also owns a copy of this setup.
   std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
                                                  bool gear2_drives) const;
-  /// The pair with root fillets and tips in addition to the flanks; none if the lead of a cutter is
-  /// changed and the root is not cut by a rack.
+  /// The pair with root fillets and rounded tips in addition to the flanks; none if the lead angle
+  /// of a cutter is changed and the root of this gear was not cut by a rack.
   std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
   const Gear& gear(int which) const { return *gears_[which - 1]; }
@@ -83,7 +83,8 @@ class ContactSetup {
   ContactMount place_;
 };
 
-/// True if material is removed, or if a relief has a reach (even if its amount is 0).
+/// True if one of the two flanks has material removed, or a relief with a reach (even if the amount
+/// of this relief is 0).
 bool any_modification(const std::array<FlankModifications, 2>& flanks);
 
 /// Checks that the lead angle of a cutter can deviate by this amount; empty if it can.
@@ -102,9 +103,9 @@ Error of_flank(int which, int side, Error error);
 /// Domain  a gear with a root form radius (contract)
 FlankExtent flank_extent(const Gear& gear);
 
-/// The error for a pair whose teeth touch at no position. Its text gives the reason, for example tips
-/// that do not reach each other. The second function is for the errors at a corner of
-/// [compensate.range], and its text also has the name of this corner.
+/// The error for a pair whose teeth touch at no position. Its text gives the reason, for example
+/// tips that do not reach each other. The second function is for the errors at a corner of
+/// [compensate.range]; its text also contains `name`, the name of this corner.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);

@@ -35,7 +35,7 @@ struct WorkshopCorrection {
   }
 };
 
-/// Usual bounds of a correction and its step, in the unit of the correction.
+/// Usual lower and upper bound of a correction and its step, in the unit of the correction.
 constexpr Correction usual_bounds(CorrectionOf what) {
   switch (what) {
     case CorrectionOf::tool_setting: return {-5.0, 5.0, 0.005};

@@ -7,7 +7,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// Rounding error of an active bound, in scaled lengths, and of a multiplier whose exact value is 0.
+// Limits of rounding: value of an active bound, in scaled lengths, and least multiplier that
+// counts as 0.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
 // If the sine of the angle between two bounds is smaller, they are parallel within rounding and

@@ -17,7 +17,7 @@ namespace gearwright {
 
 struct FilletContact {
   int gear;            ///< 1 or 2, the gear of the fillet
-  double early;        ///< mm along the normal: gap that remains between the flanks
+  double early;        ///< mm, normal gap between the flanks when the tip touches the fillet
   ContactPoint point;  ///< contact of the tip with the fillet; its TE is TE_f
 };
 

@@ -12,7 +12,7 @@ Complex turned(const Complex& factor, double phase) {
   return times(factor, {std::cos(phase), std::sin(phase)});
 }
 
-// The rotation m = −c k C that the removal of material causes, with its derivatives with
+// The rotation m = −c k C of a flank from which material C is removed, with its derivatives with
 // respect to u and z. [T8.7]
 Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
   const Removal c = f.removal->at(u, f.removal_z * z, f.piece);

@@ -86,7 +86,7 @@ class Profile {
   bool grows_;
   double xi_sign_ = 1.0;
   double t_lo_ = 0.0, t_hi_ = 0.0;
-  double arm_per_cos_ = 0.0;         // r cos β, or r_b cos β_b
+  double arm_per_cos_ = 0.0;         // r cos β or r_b cos β_b, mm; τ for other curves
   double half_ = 0.0, slope_ = 0.0;  // of the flank of a rack
 };
 

@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// The twist after the change, for a gear with the given twist and pitch radius.
+/// The twist after the change of λ, rad/mm, of a gear with the twist `twist` before the change.
 ///
 /// Domain    0 < λ + Δλ < π; Δλ = 0 for a spur gear (contract)
 double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);

@@ -46,10 +46,11 @@ class TouchSearch {
   /// this object.
   TouchSearch(const GapField& field, double mesh_azimuth, double reach);
 
-  /// Searches from a point. `active` contains the bounds that are active there.
+  /// Searches from the point (s, z) of flank 1, opposite s2 on flank 2. `active` contains the
+  /// bounds that are active at this point.
   Touch from(double s, double z, double s2, const detail::ActiveSet& active) const;
-  /// Searches from the best of nine points. The result is the greatest T if T has only one maximum.
-  /// If this search fails, cold() is used.
+  /// Searches from the best of nine points; if this search fails, by cold(). The result is the
+  /// greatest T if T has only one maximum.
   Touch from_middle() const;
   /// Searches the whole flank: from every peak of a grid, and from both end sections of D.
   Touch cold() const;

@@ -12,8 +12,8 @@ namespace gearwright {
 namespace {
 
 // A tooth pair is followed until its T decreases and is less than T of another pair by more than
-// this limit, rad. T of a whole convex flank has only one maximum. With patches or concave flanks,
-// another maximum may follow, so the limit is greater.
+// this limit, rad. T of a whole convex flank has only one maximum, so the limit is kBelow. With
+// patches or concave flanks, another maximum may follow, so the limit is kFarBelow.
 constexpr double kBelow = 1e-5;
 constexpr double kFarBelow = 2e-3;
 

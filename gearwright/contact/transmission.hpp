@@ -44,7 +44,7 @@ class Transmission {
   std::vector<PairTouch> over_a_pitch(double first, int n);
   /// The touch at any rotation, computed from scratch.
   PairTouch at(double phi);
-  /// The touch of tooth pair 0 alone, even if another pair carries the load. If wavy(), no touch is
+  /// The touch of tooth pair 0 alone, even if another pair has a greater T. If wavy(), no touch is
   /// found far beyond the path of contact.
   PairTouch of_pair_0(double phi);
   /// The touch of the same tooth pair on the same patches at another rotation of pair 0. The search

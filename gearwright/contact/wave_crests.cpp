@@ -17,8 +17,8 @@ constexpr double kMargin = 0.1;  // greatest error of a crest between two nodes,
 constexpr double kSteep = 0.5;   // ratio of the curvature of T by waves to its curvature on smooth
                                  // flanks, above which T may have several maxima over the profile
 constexpr int kAcross = 5;       // points of the profile that are then examined for maxima
-constexpr int kPerWave = 6;      // nodes
-constexpr int kLeastNodes = 7;
+constexpr int kPerWave = 6;      // nodes over the height z, per wave
+constexpr int kLeastNodes = 7;   // least number of nodes over the height z
 constexpr double kBeyondPath = 0.2;  // range searched beyond each end, in lengths of the path
 
 double base_radius(const FlankPatch& f) {
@@ -138,8 +138,8 @@ bool WaveCrests::make(const ContactPair& pair) {
   roll2_lo_ = roll_at(two_, two_.u_lo);
   roll2_hi_ = roll_at(two_, two_.u_hi);
   // The part of flank 1 that meets flank 2. Without errors, L_1 + L_2 (L_2 − L_1 for an internal
-  // gear) is the distance of the base tangent points. The ridge on the centre line has the roll
-  // angle s_w.
+  // gear) is `action`, the distance between the two points at which the line of action touches the
+  // base circles. The point of flank 1 at the pitch point has the roll angle s_w.
   const double r_b1 = base_radius(one_), r_b2 = base_radius(two_);
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double sign = pair.internal() ? -1.0 : 1.0;
@@ -151,8 +151,8 @@ bool WaveCrests::make(const ContactPair& pair) {
   double from = std::max(one_.s_lo, least);
   double to = std::min(one_.s_hi, greatest);
   if (!(from < to)) {
-    // An edge may touch a little beyond the path of contact. The whole flank is searched in this
-    // case.
+    // An edge may touch a little beyond the path of contact, where the quadratic functions are not
+    // valid.
     if (from - to < kBeyondPath * (greatest - least)) return false;
     z_hi_ = z_lo_;
     return true;

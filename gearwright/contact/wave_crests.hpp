@@ -42,7 +42,8 @@ class WaveCrests {
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
-  /// A crest that is lower than another crest by more than this, rad, cannot be the highest.
+  /// rad; a crest whose T is less than T of another crest by more than this margin cannot be the
+  /// highest.
   double margin() const { return margin_; }
   /// True if the patches never lie opposite each other.
   bool apart() const { return z_lo_ >= z_hi_; }
@@ -80,7 +81,7 @@ class WaveCrests {
   double s2_ = 0.0, arm_ = 1.0, margin_ = 0.0;
   double across_ = 0.0, along_ = 0.0;  // rad: amplitudes over the profile and over the face
   bool steep_ = false;                 // true if T may have several maxima over the profile
-  double branch_ = 0.0;  // greatest change of `aside` between two sections of one crest
+  double branch_ = 0.0;  // greatest change of `aside` along one crest, between two nodes
   struct Wave {
     double height = 0.0;  // rad: amplitude
     double rate = 0.0;    // phase per mm of L
