@@ -12,7 +12,7 @@
 namespace gearwright::detail {
 
 struct RootPoints {
-  std::vector<double> t;                    ///< position along the outline
+  std::vector<double> t;                    ///< position along the outline (section_mesh.hpp)
   std::vector<std::complex<double>> place;  ///< point on tooth 0, normal modules
   /// Stresses in the teeth −1, 0 and 1 due to each mode and due to its slope. Each point has six
   /// rows.

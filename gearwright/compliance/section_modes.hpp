@@ -20,7 +20,7 @@ struct ModeMatrices {
 };
 
 struct SectionModes {
-  Eigen::MatrixXd fields;  ///< Φ, 3·nodes rows
+  Eigen::MatrixXd fields;  ///< Φ, a column per mode, 3·nodes rows
   ModeMatrices matrices;   ///< matrices of the section that turns with the helix
 };
 /// Computes the modes for loads at these positions of the flank. For a helical gear (τ ≠ 0), waves
