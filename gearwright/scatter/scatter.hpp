@@ -64,7 +64,7 @@ struct ScatterSample {
 struct Percentile {
   double percent;
   Estimate estimate;
-  std::optional<double> lower, upper;  ///< ends of the confidence interval; none if samples are few
+  std::optional<double> lower, upper;  ///< ends of the confidence interval; none with few samples
   std::size_t sample;                  ///< index of the sample with the nearest value
 };
 
@@ -98,7 +98,7 @@ struct IndexEstimates {
 
 /// The worst member found by a search of the box.
 struct WorstMember {
-  double value;           ///< of the quantity
+  double value;           ///< peak to peak or least play of this member, rad
   std::vector<double> x;  ///< its position, in the users' units
   bool corner;            ///< true if every coordinate is at an end of its range
 };
@@ -109,10 +109,10 @@ struct Loosening {
   double percent, percentile;  ///< highest percent p, and the percentile p, rad,
                                ///< in the first replicate
   struct Change {
-    std::optional<double> factor;  ///< greatest factor with which the percentile grows by at most
-                                   ///< kLooser; none if this holds for any factor up to
-                                   ///< kMostFactor for which the teeth exist
-    double halved;                 ///< rad, the percentile with half of this tolerance
+    /// Greatest factor of the tolerance with which the percentile grows by at most the fraction
+    /// kLooser; none if this holds for any factor up to kMostFactor for which the teeth exist.
+    std::optional<double> factor;
+    double halved;  ///< rad, the percentile with half of this tolerance
   };
   std::vector<Change> by_tolerance;
   /// The tolerance whose halving lowers the percentile most; none if no halving lowers it.
@@ -123,7 +123,7 @@ constexpr double kLooser = 0.05, kMostFactor = 8.0;
 struct Scatter {
   Scatter() = default;                 ///< empty; also prevents aggregate initialisation
   std::vector<ScatterSample> samples;  ///< replicate by replicate
-  /// The spread of each ScatterQuantity; none if there is no such number.
+  /// The spread of each ScatterQuantity; none if no sample has a value of this quantity.
   std::array<std::optional<Spread>, kScatterQuantities> spread{};
   /// None if the quantity varies by rounding only, or if a sample has no contact.
   std::array<std::optional<IndexEstimates>, kScatterQuantities> indices{};
