@@ -11,9 +11,10 @@ namespace {
 
 constexpr int kDeepest = 10;  // halvings, which give 1024 panels at most
 
-// Limits of the last coefficients of a series, relative to the size of the curve. Rounding causes errors
-// of about 1e-16 in the coefficients of the points. Differentiation multiplies them by degree² = 256,
-// so the errors in the coefficients of the speed are 3e-14. Both limits are well above these errors.
+// A series has converged if its last coefficients are below these limits, relative to the size of
+// the curve. Rounding causes errors of about 1e-16 in the coefficients of the points.
+// Differentiation multiplies them by degree² = 256, so the errors in the coefficients of the speed
+// are 3e-14. Both limits are well above these errors.
 constexpr double kPointTail = 1e-14;
 constexpr double kSpeedTail = 1e-12;
 // Newton's method ends when a step in the parameter x of a panel is at most this long, which is two
