@@ -49,8 +49,8 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
 /// unconstrained nodes are included.
 /// [T12.6], [T12.18]
 ///
-///   double                K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0
-///   std::complex<double>  K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz); any τ
+///   double               K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0
+///   std::complex<double> K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz); any τ
 template <class Scalar>
 class StripSolver {
  public:

@@ -106,8 +106,9 @@ struct WorstMember {
 /// Effect of each tolerance: the highest percentile of the peak to peak TE if one tolerance becomes
 /// wider or narrower about the value of the drawing, and all others stay the same.
 struct Loosening {
-  double percent, percentile;  ///< highest percent p, and the percentile p, rad,
-                               ///< in the first replicate
+  /// The highest of ScatterTask::percentiles, and the peak to peak at this percentile in the first
+  /// replicate with the tolerances as given, rad.
+  double percent, percentile;
   struct Change {
     /// Greatest factor of the tolerance with which the percentile grows by at most the fraction
     /// kLooser; none if this holds for any factor up to kMostFactor for which the teeth exist.
