@@ -14,9 +14,9 @@ namespace gearwright {
 
 struct ContactRequest {
   int positions = 64;              ///< per pitch of gear 1, ≥ 2
-  int pitches = 1;                 ///< ≥ 1
-  double marking = 0.00635;        ///< δ  mm
-  std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of `positions`
+  int pitches = 1;                 ///< length of the analysed range, ≥ 1
+  double marking = 0.00635;        ///< δ  mm, thickness of the marking compound
+  std::vector<Angle> rotations{};  ///< of gear 1; if not empty, used instead of even positions
   std::vector<Influence> influences{};
   Progress* progress = nullptr;  ///< reports the progress
 };
@@ -28,7 +28,7 @@ struct ContactResult {
                                                         ///< lost
   Angle peak_to_peak;                                   ///< of TE, over the positions with contact
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
-  std::vector<Angle> harmonics;  ///< result of harmonics(); empty if the caller gave rotations
+  std::vector<Angle> harmonics;  ///< of TE, by harmonics(); empty if the request has rotations
   bool contact_lost = false;     ///< true if there is a position at which no tooth pair touches
   long unfinished = 0;           ///< searches that did not converge; normally 0
   RackTravel rack{};             ///< set if gear 2 is a rack

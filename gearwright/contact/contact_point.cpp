@@ -89,8 +89,8 @@ class LineWalk {
       if (!together(at(sense * 0.5 * t)) || !together(end)) return std::nullopt;
       found[sense > 0 ? 1 : 0] = end;
     }
-    // A shorter line cannot be distinguished from a point and counts as a point.
-    constexpr double kPoint = 1e-6;  // of half the patch
+    // A line shorter than kPoint cannot be distinguished from a point and counts as a point.
+    constexpr double kPoint = 1e-6;  // shortest line, relative to half the patch
     const double long_s = (found[1].s - found[0].s) / s_half_;
     const double long_z = (found[1].z - found[0].z) / z_half_;
     if (std::hypot(long_s, long_z) < kPoint) return std::nullopt;

@@ -17,7 +17,7 @@ constexpr double kSame = 1e-13;  // rad: values of TE that differ by less are eq
 constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
 constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
-constexpr double kNear = 0.08;   // relative to the patch; two crests of a wave are farther apart
+constexpr double kNear = 0.08;   // of the patch: touches farther apart are on different crests
 // The curve of TE between the positions, from the branches that lead at the positions. The branch
 // with the greatest T at a rotation leads there.
 class Branches {

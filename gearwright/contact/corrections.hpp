@@ -15,7 +15,7 @@ namespace gearwright {
 
 enum class CorrectionOf {
   tool_setting,      ///< Δb_F  mm, of the rack F that cuts convex circular arcs
-  cutter_lead,       ///< Δλ    degrees
+  cutter_lead,       ///< Δλ  degrees, of the cutter of the gear
   lead_slope,        ///< µm, on the working flanks
   lead_crowning,     ///< µm, on both flanks
   profile_slope,     ///< µm, on the working flanks

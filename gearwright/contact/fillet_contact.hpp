@@ -31,7 +31,7 @@ struct FilletContacts {
 /// Contact of the whole outlines at the rotations at which the flanks touch. `flanks` are the
 /// positions of analyse_contact() for the flanks alone.
 ///
-/// `outlines`  the same pair with ContactMount::fillets
+/// `outlines`  the pair to which `flanks` belongs, with ContactMount::fillets
 /// Accuracy    rounding at each examined rotation. At most 64 evenly chosen rotations are examined,
 ///             so an earlier contact between them may be missed
 FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,

@@ -17,13 +17,13 @@
 
 namespace gearwright {
 
-/// The modifications of a gear, the same on all its teeth. Right and left flanks are defined in
-/// gear/modifications.hpp.
+/// The modifications of the right and left flanks of all teeth of a gear. Right and left are
+/// defined in gear/modifications.hpp.
 struct GearModifications {
   FlankModifications right{}, left{};
 };
 
-/// The same modifications on both flanks.
+/// A gear with these modifications on its right and left flanks.
 GearModifications on_both_flanks(const FlankModifications& modifications);
 
 struct ContactOptions {

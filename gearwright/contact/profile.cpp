@@ -7,7 +7,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRounding = 4e-16;  // of ln ρ and of a parameter
+constexpr double kRounding = 4e-16;  // absolute rounding error of ln ρ, relative of a parameter
 // For smaller ξ², slopes of an involute are computed at this ξ², because θ″ = −(1 + ξ²)/ξ is
 // infinite on the base circle. The radius at this ξ² is greater than r_b by 5e-13 r_b.
 constexpr double kMinRollSquare = 1e-12;  // rad²

@@ -27,7 +27,7 @@ inline Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; 
 
 /// The outline at a radius:  θ = arg(factor) + phase.
 struct RadialJet {
-  Complex factor;  ///< of any magnitude
+  Complex factor;  ///< of any magnitude; only its argument is used
   double phase;    ///< rad
   double d1, d2;   ///< θ′, θ″
 };

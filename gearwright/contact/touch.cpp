@@ -19,8 +19,8 @@ constexpr double kBroken = 1e-9;       // scaled; a touch is invalid if it viola
 constexpr double kWorse = 1e-13;       // rad; rounding error of T and of the merit
 constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter steps are not halved
 constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty of a violated bound
-constexpr double kSameTe = 1e-12;      // rad; greatest difference of T for the same maximum
-constexpr double kSamePlace = 1e-5;    // scaled; greatest distance for the same maximum
+constexpr double kSameTe = 1e-12;      // rad; two results count as one maximum if T differs by less
+constexpr double kSamePlace = 1e-5;    // scaled; and if their distance is less than this
 // Replaces H by a negative definite matrix, by changing the sign of positive eigenvalues. If T is
 // constant in one direction within rounding, the slope in that direction is set to 0 and the
 // function returns true.

@@ -282,7 +282,7 @@ void Transmission::follow_all(int fields, double first, int n, std::vector<PairT
   std::vector<std::vector<Touch>> passed(static_cast<std::size_t>(2 * (most + 1) + 1));
   const FlankPatch& a = fields_[static_cast<std::size_t>(fields)]->one();
   const auto known = [&](int m, const Touch& t) {
-    constexpr double kSamePlace = 1e-5;  // of the patch
+    constexpr double kSamePlace = 1e-5;  // greatest distance of equal touches, of the patch
     auto& here = passed[static_cast<std::size_t>(m + most + 1)];
     for (const Touch& p : here) {
       if (std::abs(p.s - t.s) <= kSamePlace * (a.s_hi - a.s_lo) &&

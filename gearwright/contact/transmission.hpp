@@ -47,8 +47,8 @@ class Transmission {
   /// The touch of tooth pair 0 alone, even if another pair has a greater T. If wavy(), no touch is
   /// found far beyond the path of contact.
   PairTouch of_pair_0(double phi);
-  /// The touch of the same tooth pair on the same patches at another rotation of pair 0. The search
-  /// starts at the given touch. Not found if these patches do not touch at that rotation.
+  /// The touch of the tooth pair of `from`, on the patches of `from`, at the rotation φ of pair 0.
+  /// The search starts at `from`. Not found if these patches do not touch at that rotation.
   PairTouch follow(const PairTouch& from, double phi);
   /// All local maxima of T of tooth pair 0, for all pairs of patches. Maxima at a seam are
   /// included, although T may rise beyond the seam.

@@ -6,6 +6,8 @@
 //   ridge    the greatest T over the profile, as a function of the height z
 //   x, y     point of flank 1: s and z, scaled to −1 … 1 over the part that lies opposite flank 2
 //   φ        rotation of gear 1 at which the smooth flanks have their ridge at (x, y)
+//   L        √(ρ² − r_b²), mm, distance of a point of an involute from its base circle along its
+//            normal; the phase of a wave over the profile is proportional to L
 //                                    theory: docs/theory/08-contact.md, [T8.28]
 //
 // On involutes with parallel axes, φ, the T of the smooth flanks, and the point of flank 2 are
@@ -77,7 +79,7 @@ class WaveCrests {
   double z_lo_ = 0.0, z_hi_ = 0.0, z_shift_ = 0.0;
   double phi_lo_ = 0.0, phi_hi_ = 0.0;
   double roll2_lo_ = 0.0, roll2_hi_ = 0.0;
-  double roll1_ = 0.0, roll1_per_s_ = 0.0;  // L at s_mid_, and its slope
+  double roll1_ = 0.0, roll1_per_s_ = 0.0;  // L of flank 1 at s_mid_, and its slope
   double s2_ = 0.0, arm_ = 1.0, margin_ = 0.0;
   double across_ = 0.0, along_ = 0.0;  // rad: amplitudes over the profile and over the face
   bool steep_ = false;                 // true if T may have several maxima over the profile
