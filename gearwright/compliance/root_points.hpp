@@ -21,7 +21,7 @@ struct RootPoints {
 
 RootPoints root_points(const ToothSection& section);
 
-/// The greatest principal stress of a stress tensor with these six components.
+/// The greatest principal stress of a stress tensor with the components xx, yy, zz, xy, yz, zx.
 double greatest_principal(const Eigen::Matrix<double, 6, 1>& stress);
 
 }  // namespace gearwright::detail

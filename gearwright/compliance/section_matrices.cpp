@@ -61,7 +61,7 @@ class BlockPattern {
 
  private:
   std::vector<std::vector<int>> beside_;
-  std::vector<int> first_;  // per column
+  std::vector<int> first_;  // index of the first entry of each column
 };
 
 // The unconstrained nodes, in an order that keeps the factors sparse (approximate minimum degree).

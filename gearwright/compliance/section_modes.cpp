@@ -14,7 +14,7 @@ namespace {
 // Wave numbers along the face, per module, except k = 0. The wavelength is 42 modules at 0.15 and
 // half a module at 13, which is shorter than any bump.
 constexpr std::array kWaves{0.15, 0.3, 0.6, 1.0, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0};
-// Wave numbers of the waves that follow the helix. Without these waves, the root stress of a 17:43
+// Wave numbers of the waves that follow the helix. Without such waves, the root stress of a 17:43
 // pair with β = 20° is 6 % too high.
 constexpr std::array kHelixWaves{0.5, 2.0, 6.0};
 constexpr double kNoEnergy = 1e-20;  // snapshots with less energy are ignored

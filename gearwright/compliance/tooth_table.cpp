@@ -41,7 +41,7 @@ ToothTable::ToothTable(std::shared_ptr<const detail::ToothSection> section,
 }
 
 // Weights of cubic interpolation through the four evenly spaced positions around x. Near an end,
-// the first or last four positions are used.
+// the first or last four positions are used instead.
 ToothTable::Weights ToothTable::cubic(const std::vector<double>& places, double x) {
   const double step = places[1] - places[0];
   Weights w{};

@@ -23,11 +23,11 @@ struct ContactProblem {
   Eigen::MatrixXd yield;         ///< A  mm per N/mm, symmetric
   Eigen::VectorXd gap;           ///< g  mm
   Eigen::VectorXd arm;           ///< mm
-  Eigen::VectorXd radius;        ///< R  mm
+  Eigen::VectorXd radius;        ///< R  mm, 1/curvature of the gap across the contact line
   double length = 1.0;           ///< Δ  mm, length of the contact line at each place
   double moment = 0.0;           ///< M2  N mm
   double local = 0.0;            ///< λ1/E1 + λ2/E2  mm²/N; 0 without a local term
-  double half_width = 1.0;       ///< a0  mm
+  double half_width = 1.0;       ///< a0  mm, half width of the strip for which A is computed
   double reduced_modulus = 1.0;  ///< E*  N/mm²
 };
 

@@ -60,8 +60,8 @@ TouchKind edge_of_one(End end) {
   return end == End::tip ? TouchKind::tip1 : end == End::form ? TouchKind::form1 : TouchKind::line;
 }
 
-// The distance of a point from the nearest border of the other flank, ≥ 0 inside the flank, and the
-// derivative of this distance with respect to s.
+// The distance of a point of flank 1 from the nearest border of the patch `b` of flank 2, ≥ 0 if it
+// lies opposite this patch, and the derivative of this distance with respect to s.
 struct Margin {
   double v, s;
 };
@@ -72,8 +72,8 @@ Margin margin(const FlankPatch& b, const GapJet& j) {
                            [](const Margin& x, const Margin& y) { return x.v < y.v; });
 }
 
-// Returns the last point inside the other flank, up to rounding. `good` is a point inside, and
-// `bad` is a point outside.
+// Returns the last s between `good` and `bad` at which flank 1 lies opposite the patch `b` of flank
+// 2, up to rounding. It does so at `good`, but not at `bad`.
 template <class At>
 double last_inside(const FlankPatch& b, const At& at, double good, double bad, double rounding) {
   const double border = newton_in_bracket<double>(

@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// The values of ISO 6336 for the same pair under a torque.
+/// The values of ISO 6336 for the analysed pair under one torque.
 struct LoadStandard {
   double stiffness = 0.0;  ///< c_γα  N/(mm µm)
   /// σ_F0 of each gear, MPa: F_t/(b m_n) Y_F Y_S Y_β; none if a gear has no critical section.

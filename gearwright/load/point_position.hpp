@@ -52,7 +52,7 @@ struct Laid {
 };
 struct PointPosition {
   std::vector<PointPlace> places;  // places that may touch, from the start to the end of contact
-  double te = 0.0;                 // TE at which the teeth first touch
+  double te = 0.0;                 // rad, TE without load, at which the first tooth pair touches
 };
 
 class PointSolver {
