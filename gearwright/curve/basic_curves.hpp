@@ -59,8 +59,8 @@ class AxisCircle final : public Curve {
 ///
 /// Laws  (1) |W| = r_b √(1 + ξ²)   (2) arg W = ψ_b − (ξ − atan ξ)
 ///       (3) the radius of curvature is r_b |ξ|
-/// Domain  any ξ. ξ > 0 is the flank of an external tooth. ξ < 0, the branch behind the cusp, is the
-///         flank of an internal tooth, whose half angle ψ_b + inv α grows with the radius
+/// Domain  any ξ. ξ > 0 is the flank of an external tooth. ξ < 0, the branch behind the cusp, is
+///         the flank of an internal tooth, whose half angle ψ_b + inv α grows with the radius
 class Involute final : public Curve {
  public:
   Involute(double base_radius, double base_half_angle)

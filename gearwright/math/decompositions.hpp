@@ -10,8 +10,8 @@ namespace gearwright {
 
 /// A symmetric 2×2 matrix as V diag(values) Vᵀ.
 struct SymmetricEigen {
-  Eigen::Vector2d values;   ///< ascending
-  Eigen::Matrix2d vectors;  ///< unit vectors in columns, in the order of the values
+  Eigen::Vector2d values;   ///< eigenvalues, ascending
+  Eigen::Matrix2d vectors;  ///< V, a unit eigenvector in each column, in the order of the values
 };
 
 /// Eigenvalues and eigenvectors of m. Only the lower triangle of m is read.

@@ -18,7 +18,7 @@ enum class Minimiser {
 /// A search ends after `evaluations` evaluations, or when the best f changes in a step by less than
 /// the fraction `relative_gain` or by less than `gain`.
 struct MinimiserTask {
-  std::vector<double> lo{}, hi{};  ///< the box
+  std::vector<double> lo{}, hi{};  ///< ends of the box
   std::vector<double> step{};      ///< first step of each variable (downhill only), > 0
   int evaluations = 1;
   double relative_gain = 0.0;

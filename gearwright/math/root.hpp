@@ -63,7 +63,7 @@ struct Slope {
 enum class NewtonStop {
   exact,      ///< f(x) = 0
   step,       ///< the next step is below 2 ulp of x
-  bracket,    ///< the bracket has closed
+  bracket,    ///< the width of the bracket is at most 2 ulp of its ends
   iterations  ///< the budget of iterations was used up
 };
 

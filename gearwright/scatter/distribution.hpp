@@ -15,7 +15,7 @@ namespace gearwright {
 struct DistributionSpec {
   enum class Kind {
     uniform,
-    triangular,  ///< symmetric
+    triangular,  ///< symmetric about m
     normal,      ///< truncated to the range, because inspection rejects other parts
     beta
   };

@@ -36,10 +36,10 @@ class LinearFamily {
 
  private:
   struct Place {
-    double te;                           // rad in N
+    double te;                           // T_i of the pair as drawn, rad in N
     std::array<double, 6> by_error;      // ∂T_i/∂e, in the order of kErrorKinds
     std::array<RemovalTurn, 2> removal;  // ∂T_i/∂C of each gear
-    std::array<double, 2> drawn;         // mm removed in the drawing
+    std::array<double, 2> drawn;         // mm removed from each gear as drawn
   };
   // A tooth pair at a position, with the heights at which its flanks face each other, in order.
   struct Row {

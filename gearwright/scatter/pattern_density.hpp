@@ -24,7 +24,7 @@ struct ScatterTask;  // scatter/scatter.hpp
 
 struct DensityRequest {
   double marking = 0.00635;  ///< δ  mm
-  int positions = 32;        ///< per pitch
+  int positions = 32;        ///< of each sample, per pitch
   int samples = 32;          ///< of each replicate, a power of two, at most ScatterTask::samples
   RasterSize size{17, 33};
 };

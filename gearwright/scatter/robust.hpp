@@ -6,7 +6,7 @@
 //                                    and [T14.25]
 //
 // The samples are the same for every v, so that differences between corrections are not due to
-// chance. The result is assessed with samples of another seed.
+// chance. The result is assessed with other samples, from another seed.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct RobustTask {
   std::optional<LoadedFamily> load{};
 };
 
-/// The family without or with corrections, computed with samples of another seed.
+/// The family without or with corrections, computed with samples of another seed than the search.
 struct JudgedFamily {
   std::vector<std::vector<double>> x;  ///< of the samples, in the users' units of the tolerances
   Spread peak_to_peak;                 ///< f; its only percentile is the one that is minimised

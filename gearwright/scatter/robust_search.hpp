@@ -14,8 +14,8 @@
 
 namespace gearwright {
 
-/// A quantity for any corrections, computed for the same samples, so that differences between
-/// corrections are not due to chance.
+/// A quantity for any corrections. All corrections are evaluated with one set of samples, so that
+/// differences between them are not due to chance.
 class CorrectedFamily {
  public:
   struct Values {

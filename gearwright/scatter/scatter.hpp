@@ -32,7 +32,7 @@ struct ToleranceGroup {
 /// Teeth under torque for the first samples of each replicate.
 struct LoadedFamily {
   PairCompliance compliance;
-  LoadRequest request;  ///< without root stress
+  LoadRequest request;  ///< its root stresses are not used
   int samples = 32;     ///< of each replicate, a power of two, at most ScatterTask::samples
 };
 
@@ -99,7 +99,7 @@ struct IndexEstimates {
 /// The worst member found by a search of the box.
 struct WorstMember {
   double value;           ///< peak to peak or least play of this member, rad
-  std::vector<double> x;  ///< its position, in the users' units
+  std::vector<double> x;  ///< coordinates of this member, in the users' units
   bool corner;            ///< true if every coordinate is at an end of its range
 };
 

@@ -63,7 +63,7 @@ struct VaryingWave {
   int gear;
   bool along_face;           ///< true if over the face, false if over the usable profile
   std::array<int, 2> waves;  ///< least and greatest number of waves
-  double height;             ///< f_fα or f_fβ  mm
+  double height;             ///< f_fα or f_fβ  mm, from crest to trough
 };
 
 struct ScatterTolerance {
