@@ -71,7 +71,7 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   }
   add_patches(0, gear_1, twist_in_n(g1, e, 0, mirror), mesh_azimuth(), internal_ ? 1.0 : -1.0,
               right_1);
-  // At rotation 0, the teeth are in mesh at the height of the middle of face 1.
+  // `apart` turns gear 2 so that, at rotation 0, teeth are in mesh at the middle of face 1.
   const double apart = mirror * g2.twist() * (middle(2) - middle(1));
   add_patches(1, gear_2, twist_in_n(g2, e, 1, mirror), pi + pi / z2 + apart, -1.0, right_2);
   set_mount();

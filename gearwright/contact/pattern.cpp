@@ -267,9 +267,9 @@ class Rasterer {
     return {};
   }
 
-  // If the middle one of three successive positions has the least gap and all three belong to the
-  // same patches, the minimum of the parabola through them is used. Between different patches the
-  // gap jumps.
+  // If the gap is least at the middle one of three successive positions, the minimum of the
+  // parabola through the three gaps is used. Gaps of different patches are not combined, because
+  // the gap jumps between patches.
   void fold(std::size_t which) {
     std::vector<double>& least = rasters_[which].gap;
     for (std::size_t i = 0; i < least.size(); ++i) {

@@ -66,8 +66,8 @@ bool is_convex(const FlankPatch& f) {
          f.removal->amount(P::lead_crowning) >= 0.0;
 }
 
-// Distance from the mesh, rad, within which points of patch `one` can lie in the annulus of patch
-// `two`. [T8.13]
+// Greatest angle from the mesh azimuth, rad, at which points of patch `one` can lie in the annulus
+// of patch `two`. [T8.13]
 double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch& two) {
   if (pair.place().axis_angle != Angle()) return pair.reach();
   const double a = pair.place().center_distance + pair.place().errors.center_distance;

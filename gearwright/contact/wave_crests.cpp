@@ -259,7 +259,7 @@ bool WaveCrests::make(const ContactPair& pair) {
   const double more = kBeyondPath * std::abs(2 * s_half_ * phi_s);
   phi_lo_ -= more;
   phi_hi_ += more;
-  // Half way between the ridges, the quadratic functions have their greatest error.
+  // Half way between the nine exact ridges, the quadratic functions have their greatest error.
   for (const double y : {-0.5, 0.5}) {
     for (const double x : {-0.5, 0.5}) {
       const auto ridge = exact(x, y);

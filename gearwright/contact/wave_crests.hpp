@@ -57,19 +57,19 @@ class WaveCrests {
     std::array<std::array<double, 3>, 3> c{};  // [power of y][power of x]
     std::array<double, 3> along_x(double y) const;
   };
-  struct Ridge {  // an exact ridge
+  struct Ridge {  // a point of a ridge, computed exactly
     double phi, te, roll2, bend, roll2_s, roll2_ss;
   };
   struct Node {
     double te = 0.0, s = 0.0, z = 0.0;
     double aside = 0.0;   // distance from the smooth ridge in s
     double inside = 0.0;  // distance of the smooth ridge from the nearest end of D in s, > 0 inside
-    bool outside = true;  // true if D is empty here, or if T cannot reach the required value
+    bool outside = true;  // true if D is empty here, or if T cannot reach `least`
   };
   std::optional<Ridge> solve(GapField& field, double s, double z, double phi) const;
   bool make(const ContactPair& pair);
   Node node(double phi, double z, double along_face, double least) const;
-  double along_face(double z) const;  // rad: effect of the waves over the face
+  double along_face(double z) const;  // rad: angle by which waves over the face lower T at z
 
   WaveCrests(const FlankPatch& one, const FlankPatch& two) : one_(one), two_(two) {}
 
@@ -86,7 +86,7 @@ class WaveCrests {
   double branch_ = 0.0;  // greatest change of `aside` along one crest, between two nodes
   struct Wave {
     double height = 0.0;  // rad: amplitude
-    double rate = 0.0;    // phase per mm of L
+    double rate = 0.0;    // rad of phase per mm of L
   };
   std::array<Wave, 2> wave_;  // over the profile of each flank
   struct Section {
