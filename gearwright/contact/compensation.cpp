@@ -177,7 +177,7 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   Best best(judge, zero);
   if (best.least < judge.same()) return zero;
   const int n = static_cast<int>(zero.size());
-  // Most of the time is spent on curves, so their total number is limited for any number of
+  // Most of the time is spent on TE curves, so their total number is limited for any number of
   // scenarios.
   const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
   std::vector<std::vector<double>> starts = task.starts;

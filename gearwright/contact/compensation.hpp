@@ -58,7 +58,8 @@ struct CompensationTask {
   std::vector<std::vector<double>> starts{};  ///< additional starting values of the search
   Progress* progress = nullptr;               ///< reports the progress
   std::optional<CompensationAim> aim{};       ///< minimised in place of f, if present
-  /// Returns the pair under a scenario with these corrections; null if the pair cannot be made.
+  /// Returns the pair with these corrections under the scenario of this index; null if the pair
+  /// cannot be made.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;
 };
 

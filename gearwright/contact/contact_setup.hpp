@@ -63,7 +63,9 @@ class ContactSetup {
   /// The setup after this change; an error if teeth with this change do not exist.
   Result<ContactSetup> changed(const SetupChange& change) const;
   const PairModifications& modifications() const { return modifications_; }
-  /// The setup with other modifications.   Errors `gearN.modifications.…` as make_removal_field
+  /// The setup with these modifications instead of its own.
+  ///
+  /// Errors    `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
   /// The setup of one half of a double-helical pair. `middle` contains z of the middle of each
   /// face. If `below`, the half is at z < 0 and is represented by its mirror image in the plane

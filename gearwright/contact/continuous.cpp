@@ -179,7 +179,8 @@ class Branches {
     const double way = (at_lo > 0.0) == up ? width : -width;
     double hi = way * reach(here, way);
     const PairTouch end = moved(here, hi);
-    // The end was found in small steps. A single large step may lose the branch.
+    // reach() found the end of the branch in small steps. The single step to this end may lose the
+    // branch.
     if (!end.found()) return std::nullopt;
     double at_hi = slope(end);
     if ((at_lo > 0.0) == (at_hi > 0.0)) {

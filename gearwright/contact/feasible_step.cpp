@@ -62,7 +62,7 @@ class Candidates {
     step.d_s = (-a.c * b.a_z + b.c * a.a_z) / det;
     step.d_z = (-b.c * a.a_s + a.c * b.a_s) / det;
     step.active = {static_cast<std::int8_t>(i), static_cast<std::int8_t>(k)};
-    // slope + μ_a a + μ_b b = 0
+    // The multipliers of both bounds:  slope + μ_a a + μ_b b = 0
     const double s = -slope_s(step.d_s, step.d_z);
     const double z = -slope_z(step.d_s, step.d_z);
     const double mu_a = (s * b.a_z - z * b.a_s) / det;

@@ -32,7 +32,7 @@ struct Touch {
   bool found() const { return stop == Stop::converged; }
 };
 
-/// Amount of work, for tests and benchmarks.
+/// Numbers of evaluations and searches, for tests and benchmarks.
 struct TouchCount {
   long evaluations = 0;
   long searches = 0;
@@ -41,9 +41,9 @@ struct TouchCount {
 
 class TouchSearch {
  public:
-  /// `mesh_azimuth` is the azimuth of the mesh on gear 1, 0 or π. `reach` is the distance from it,
-  /// rad, within which points of gear 1 can lie in the annulus of gear 2. The field must outlive
-  /// this object.
+  /// `mesh_azimuth` is the azimuth of the mesh on gear 1, 0 or π. `reach` is the greatest angle
+  /// from this azimuth, rad, at which points of gear 1 can lie in the annulus of gear 2. The field
+  /// must outlive this object.
   TouchSearch(const GapField& field, double mesh_azimuth, double reach);
 
   /// Searches from the point (s, z) of flank 1, opposite s2 on flank 2. `active` contains the

@@ -341,8 +341,8 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
       if (t.found() && wins(t, own, best[i]))
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
-    // Far beyond the path of contact, T is less than its estimate. Crests that were left out
-    // because of such an estimate may then be the highest.
+    // Far beyond the path of contact, T is less than WaveCrests estimates. Crests that were left
+    // out because of too great an estimate of another crest may then be the highest.
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

@@ -79,7 +79,7 @@ class Transmission {
   Progress* progress_;
   std::vector<std::unique_ptr<GapField>> fields_;
   std::vector<std::unique_ptr<TouchSearch>> searches_;
-  // One for each field. Empty if the crests of one of the fields cannot be computed.
+  // The crests of each field. Empty if the crests of one of the fields cannot be computed.
   std::vector<std::shared_ptr<const detail::WaveCrests>> crests_;
   int farthest_pair_;
   long too_long_ = 0;
