@@ -39,8 +39,8 @@ RowMajor part(const RowMajor& fields, bool in_plane) {
   return out;
 }
 
-// Linear combinations of the snapshots that are orthonormal in the energy norm E. Combinations with
-// small singular values are dropped. `loaded` is E times the snapshots.
+// Linear combinations of the displacement fields `snapshots` that are orthonormal in the energy
+// norm E. Combinations with small singular values are dropped. `loaded` is E times the snapshots.
 Eigen::MatrixXd principal(const RowMajor& snapshots, const RowMajor& loaded, double tolerance) {
   const Eigen::MatrixXd energy = snapshots.transpose() * loaded;
   std::vector<Eigen::Index> kept;

@@ -67,7 +67,8 @@ void ToothTable::make(const ToothTableRequest& request) {
   const Index r = face.mode_count();
   const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
-  // Loads and readings in terms of the modes. Readings are at the positions of teeth −side … side.
+  // Projections onto the modes: loads at the positions of tooth 0, and displacements at the
+  // positions of teeth −side … side.
   MatrixXd load(r, places_);
   MatrixXd read(r, places_ * (2 * side + 1));
   for (int i = 0; i < places_; ++i) {
@@ -156,7 +157,7 @@ void ToothTable::make(const ToothTableRequest& request) {
     }
   });
   // For a single tooth, Betti's reciprocity is exact. For neighbouring teeth, the smooth part of
-  // the rim disturbs it, so the mean of both directions is used.
+  // the rim disturbs it, so the mean of an entry and its reciprocal entry is used.
   for (int j = 0; j < n_; ++j) {
     for (int l = 0; l < n_; ++l) {
       for (int i = 0; i < places_; ++i) {

@@ -37,9 +37,9 @@ double ArcLength::value(const Series& series, double x) {
 
 void ArcLength::add(const Curve& curve, double t_begin, double t_end, double scale, int depth) {
   constexpr std::size_t n = kDegree;
-  // The nodes are x_j = cos(π j/n), where j = n is the beginning. The angle of cos(π jk/n) is given
-  // as the fraction jk/(2n) of a full turn, so that cosines at multiples of a right angle are
-  // exact.
+  // The nodes are x_j = cos(π j/n); x_n = −1 is the beginning of the panel. The angle of
+  // cos(π jk/n) is given as the fraction jk/(2n) of a full turn, so that cosines at multiples of a
+  // right angle are exact.
   const auto cosine = [](std::size_t j, std::size_t k) {
     return sincos_turn(static_cast<long long>(j * k), 2 * static_cast<long long>(n)).cos;
   };

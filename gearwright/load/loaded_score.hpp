@@ -29,7 +29,7 @@ LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b);
 /// The effect of corrections under a torque. Each member of a score is the worst value over all
 /// scenarios.
 struct AimedLoad {
-  double torque;  ///< N mm
+  double torque;  ///< N mm, on gear 1
   LoadedScore before, after;
 };
 

@@ -20,7 +20,7 @@ struct Moments {
   double variance;  ///< unbiased estimate, with the divisor n − 1; 0 for n = 1
 };
 
-/// Domain    n ≥ 1 (contract)
+/// Mean and variance of the samples.   Domain  n ≥ 1 (contract)
 Moments moments(std::span<const double> samples);
 
 /// The p-quantile of the sorted samples, interpolated linearly between two of them.
@@ -35,6 +35,8 @@ struct RankInterval {
   std::optional<std::int64_t> lower, upper;
 };
 
+/// The ranks for n samples. The confidence is at least `confidence` if both bounds exist.
+///
 /// Formula   [T14.8]
 /// Domain    n ≥ 1, 0 < p < 1, 0 < confidence < 1 (contract)
 RankInterval quantile_ranks(std::int64_t n, double p, double confidence);
@@ -56,6 +58,8 @@ struct Estimate {
   std::optional<double> standard_error;  ///< none if R = 1
 };
 
+/// The estimate from the values of a statistic in the replicates.
+///
 /// Formula   [T14.9]
 /// Domain    R ≥ 1 (contract)
 Estimate estimate(std::span<const double> replicates);

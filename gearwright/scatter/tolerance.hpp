@@ -69,8 +69,8 @@ struct VaryingWave {
 struct ScatterTolerance {
   std::string name;   ///< name for the user, for example "errors.crossing_deg"
   double unit = 1.0;  ///< the user's unit, in rad or mm; the distribution is in the user's unit
-  /// The distribution of the number. For a bore, each coordinate has this distribution over −R to
-  /// R. For pitches, the share has this distribution. For a wave, it is not used.
+  /// The distribution of the toleranced number. For a bore, each coordinate has this distribution
+  /// over −R to R. For pitches, the share has this distribution. For a wave, it is not used.
   Distribution distribution;
   std::variant<VaryingError, VaryingThickness, VaryingModification, VaryingBore, VaryingPitch,
                VaryingWave>
