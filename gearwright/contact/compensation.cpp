@@ -103,8 +103,8 @@ class Judge {
   int evaluations_ = 0;
 };
 
-// The least-squares corrections for TE linearised at v = 0. The mean of each scenario's curve is
-// subtracted first.
+// The least-squares corrections for TE linearised at v = 0. The mean of the TE curve of each
+// scenario is subtracted from the curve first.
 std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
   const std::size_t n = task.corrections.size();
   const std::vector<double> zero(n, 0.0);

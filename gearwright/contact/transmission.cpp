@@ -190,8 +190,8 @@ std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   return all;
 }
 
-// Follows one pair of patches through the positions of tooth pair 0. For each position of a pitch,
-// it records the touch with the greatest T.
+// Follows the touch of one pair of patches through the positions of tooth pair 0. For each position
+// of a pitch, it records the touch with the greatest T in `best`.
 class Transmission::Track {
  public:
   Track(Transmission& all, int fields, double first, int n, double below,

@@ -16,7 +16,7 @@ constexpr double kMiss = 0.01;   // greatest error of the quadratic functions, o
 constexpr double kMargin = 0.1;  // greatest error of T between two nodes, of the amplitude
 constexpr double kSteep = 0.5;   // ratio of the curvature of T by waves to its curvature on smooth
                                  // flanks, above which T may have several maxima over the profile
-constexpr int kAcross = 5;       // points of the profile examined for maxima if above kSteep
+constexpr int kAcross = 5;       // points examined for maxima over the profile above kSteep
 constexpr int kPerWave = 6;      // nodes over the height z, per wave
 constexpr int kLeastNodes = 7;   // least number of nodes over the height z
 constexpr double kBeyondPath = 0.2;  // range searched beyond each end, in lengths of the path

@@ -1,5 +1,5 @@
-// Computes the points x of the samples of a family, and the peak-to-peak TE at these points. They
-// are Sobol's points or random points with the distributions of the tolerances.
+// Computes the points x of the samples of a family, and the peak-to-peak TE of the members at these
+// points. The points are Sobol's or random points with the distributions of the tolerances.
 //                                    theory: docs/theory/14-scatter.md, [T14.4] to [T14.6]
 // Internal to scatter/.
 #pragma once

@@ -1,5 +1,5 @@
-// Computes the effect of tolerances on a pair: the distribution of each number of its contact,
-// probabilities, the influence of each tolerance, and the worst member of the box.
+// Computes the effect of tolerances on a pair: the distribution of each quantity of its contact,
+// probabilities, the influence of each tolerance, and the worst member of the box of tolerances.
 //
 //   n, R   samples of a replicate, replicates        d   coordinates of x
 //                                    theory: docs/theory/14-scatter.md
