@@ -110,7 +110,7 @@ Face::Face(const ModeMatrices& modes, double width, double element)
     GW_ENSURES(llt.info() == Eigen::Success);
     factor_.push_back(llt.matrixL());
     if (i == n) break;
-    // M = O L⁻ᵀ, where O is the block below the diagonal block.
+    // The block of the factor below L is M = O L⁻ᵀ, where O is the block of the matrix there.
     const MatrixXd transposed = factor_.back().triangularView<Eigen::Lower>().solve(
         kinds_[kind_of_[i]]->ends.topRightCorner(r, r));
     below_.push_back(transposed.transpose());
@@ -154,8 +154,8 @@ void Face::solve(MatrixXd& x) const {
   const auto node = [&](Index i) { return x.middleRows(i * r, r); };
   const auto n = static_cast<Index>(kind_of_.size());
   GW_EXPECTS(x.rows() == (n * kDegree + 1) * r);
-  // For each element, the inner nodes are solved first. Their loads are then transferred to its
-  // ends.
+  // For each element, the loads at the inner nodes are transferred to its ends, and the inner nodes
+  // are solved with fixed ends.
   for (Index e = 0; e < n; ++e) {
     const Kind& k = *kinds_[kind_of_[e]];
     auto inner = x.middleRows((e * kDegree + 1) * r, 2 * r);

@@ -2,7 +2,7 @@
 // order.
 //
 //   K = m00 ⊗ K_aa + m01 ⊗ K_ab + m01ᵀ ⊗ K_abᵀ + m11 ⊗ K_bb                          [T12.8]
-//   m00 = ∫NNᵀ, m01 = ∫N N′ᵀ, m11 = ∫N′N′ᵀ of an element
+//   m00 = ∫NNᵀ, m01 = ∫N N′ᵀ, m11 = ∫N′N′ᵀ of an element with the shape functions N
 //
 // The two inner nodes of each element are eliminated first, which leaves a block-tridiagonal
 // system. Elements of equal length share this elimination. Both end faces z = const are free of
@@ -36,7 +36,7 @@ class Face {
   /// Weights of the nodal values that give the mean over [lo, hi].
   Eigen::VectorXd mean(double lo, double hi) const;
   /// Solves in place: each column contains a load and is replaced by the amplitudes under this
-  /// load. A column lists all modes of the first node, then all modes of the second, and so on.
+  /// load. A column lists all modes at the first node, then all modes at the second, and so on.
   void solve(Eigen::MatrixXd& columns) const;
 
  private:

@@ -22,7 +22,8 @@ struct Functional {
   Eigen::VectorXd vector(Eigen::Index n) const;
 };
 
-/// A point on the flank, with the inward normal of the section and the tangent towards the tip.
+/// A point on the flank, with the unit normal into the material and the unit tangent towards the
+/// tip, both in the section.
 struct FlankPlace {
   std::complex<double> point, normal, tangent;
 };
@@ -30,13 +31,13 @@ FlankPlace flank_place(const SectionMesh& mesh, double s);
 /// The arc length at which the outline of tooth 0 reaches `radius`, in modules.
 double length_at_radius(const SectionMesh& mesh, double radius);
 
-/// The position and half width of a bump.
+/// The position s and the half width c of a bump.
 struct BumpPlace {
   double s, c;
 };
 
-/// The bump at s with its force along the inward normal of the flank. If τ ≠ 0, this is the normal
-/// of the screw surface.
+/// The bump at s with its force along the inward normal of the flank; if τ ≠ 0, along the normal of
+/// the screw surface.
 Functional bump(const SectionMesh& mesh, double s, double c, double tau);
 /// The bump at s with its force along the gear axis.
 Functional axial_bump(const SectionMesh& mesh, double s, double c);

@@ -32,13 +32,14 @@ struct Offsets {
 };
 /// The quadrature rule for ∫∫ b_c(x) b_c′(x′) f(Δs + x′ − x) dx dx′.
 Offsets bump_offsets(double ds, double c, double c_other);
-/// The quadrature rule for the mean of f over the distances between the points of a Hertz strip and
-/// its centre.
+/// The quadrature rule for the mean of f over the distances of the points of a Hertz strip from its
+/// centre line, weighted by the pressure.
 Offsets hertz_offsets(double a);
 
-/// Mean of 1/R between the points of two slices of width h. The middles of the slices are d apart.
+/// Mean of 1/R between the points of two slices of width h, whose middles are d apart along z and
+/// `offset` apart along s.
 double slices_inverse(const FlankMetric& metric, double offset, double d, double h);
-/// Mean of 1/R between the points of a slice [z_lo, z_hi] and a point at z.
+/// Mean of 1/R between the points of a slice [z_lo, z_hi] and a point at z, `offset` apart along s.
 double slice_to_point(const FlankMetric& metric, double offset, double z, double z_lo, double z_hi);
 
 }  // namespace gearwright::detail

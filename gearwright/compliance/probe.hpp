@@ -13,26 +13,26 @@
 
 namespace gearwright {
 
-/// The position of the load on the flank at y > 0 of tooth 0. The verb outline describes the same
-/// side.
+/// The position of the load on the flank at y > 0 of tooth 0. The verb `outline` prints the same
+/// flank.
 struct ComplianceProbe {
   double diameter = 0.0;                          ///< d_y  mm, diameter at which the load acts
   std::optional<std::array<double, 2>> loaded{};  ///< z of both ends of the load, mm; if absent,
                                                   ///< the load is uniform on an infinitely wide
                                                   ///< gear
-  std::optional<double> half_width{};             ///< a  mm, of the Hertz strip; default 0.05 m_n
+  std::optional<double> half_width{};             ///< a  mm, of the Hertz strip; 0.05 m_n if absent
   std::vector<double> read{};                     ///< z  mm, positions at which deflections are
                                                   ///< computed
 };
 
 struct ProbeAnswer {
-  /// Deflection along the normal under the load. For an infinitely wide gear it is in mm per N/mm.
-  /// Otherwise it is the mean over the loaded part, in mm per N.
+  /// Deflection of the loaded place along the normal. For an infinitely wide gear it is in mm per
+  /// N/mm. Otherwise it is the mean over the loaded part of the face, in mm per N.
   double own = 0.0;
-  std::vector<double> profile;  ///< mm per N, at `read`
+  std::vector<double> profile;  ///< deflection at each z of `read`, mm per N
 };
 
-/// Computes the compliance of a tooth of the gear.
+/// Computes the compliance of a tooth of the gear at the place of the probe.
 ///
 /// Errors    those of make_section_mesh; `diameter` if it does not lie on the flank; `z` and
 ///           `read_z` if they do not lie on the face

@@ -12,16 +12,16 @@
 namespace gearwright::detail {
 
 struct RootPoints {
-  std::vector<double> t;                    ///< position along the outline
+  std::vector<double> t;                    ///< position along the outline (section_mesh.hpp)
   std::vector<std::complex<double>> place;  ///< point on tooth 0, normal modules
-  /// Stresses in the teeth −1, 0 and 1 due to each mode and due to its slope. Each point has six
-  /// rows.
+  /// Stresses at the points of the teeth −1, 0 and 1 due to each mode and due to its slope along
+  /// the face. Each point has six rows, one for each component.
   std::vector<Eigen::MatrixXd> of_mode, of_slope;
 };
 
 RootPoints root_points(const ToothSection& section);
 
-/// The greatest principal stress of a stress tensor with these six components.
+/// The greatest principal stress of a stress tensor with the components xx, yy, zz, xy, yz, zx.
 double greatest_principal(const Eigen::Matrix<double, 6, 1>& stress);
 
 }  // namespace gearwright::detail

@@ -12,8 +12,8 @@ namespace {
 
 using Matrix27 = Eigen::Matrix<double, 27, 27>;
 
-constexpr double kPoint = 1e-4;  // relative area of an element below which its slopes are not
-                                 // computed
+constexpr double kPoint = 1e-4;  // least Jacobian determinant at a node for which slopes are
+                                 // computed there, relative to the middle of the element
 
 Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   Place9 x;
@@ -24,7 +24,8 @@ Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   return x;
 }
 
-// The sparsity pattern of the matrices. Every two nodes that share an element have a 3 × 3 block.
+// The sparsity pattern of the stiffness matrices. Every two nodes that share an element have a
+// 3 × 3 block.
 class BlockPattern {
  public:
   explicit BlockPattern(const SectionMesh& mesh) : beside_(mesh.nodes.size()) {
@@ -60,7 +61,7 @@ class BlockPattern {
 
  private:
   std::vector<std::vector<int>> beside_;
-  std::vector<int> first_;  // per column
+  std::vector<int> first_;  // index of the first entry of each column
 };
 
 // The unconstrained nodes, in an order that keeps the factors sparse (approximate minimum degree).
@@ -182,8 +183,8 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
     const double middle = (shape9(0.0, 0.0).slope * x).determinant();
     for (int a = 0; a < 9; ++a) {
       Shape9 s = shape9(kX[a], kY[a]);
-      // At the tip of a pointed tooth, one side of the element is degenerate. There the slopes at
-      // the middle of the element are used.
+      // At the tip of a pointed tooth, one side of the element has no length. On this side, the
+      // slopes in the middle of the element are used.
       if ((s.slope * x).determinant() < kPoint * middle) s = shape9(0.0, 0.0);
       const Slope9 slope = (s.slope * x).inverse() * s.slope;
       for (int k = 0; k < 9; ++k) {

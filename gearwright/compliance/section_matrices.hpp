@@ -42,15 +42,15 @@ struct SectionMatrices {
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
 
-/// The trace ε_x + ε_y of each displacement field, averaged at the nodes and stored as a field of
-/// w. It is 0 at the bore.
+/// The trace ε_x + ε_y of each displacement field. The values of all elements at a node are
+/// averaged and stored as the component w of this node. They are 0 at the bore.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
 /// Solves for displacements that vary along the face as waves with the wave number k. Only
 /// unconstrained nodes are included.
 /// [T12.6], [T12.18]
 ///
-///   double                K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0
-///   std::complex<double>  K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz); any τ
+///   double               K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0
+///   std::complex<double> K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz); any τ
 template <class Scalar>
 class StripSolver {
  public:

@@ -14,7 +14,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kLengthSteps = 64;    // per element; the chord length then has an error of 1e-6
+constexpr int kLengthSteps = 64;    // chords per element; their total length has an error of 1e-6
 constexpr double kSameNode = 1e-7;  // modules: points closer than this are merged
 constexpr double kNoArc = 1e-6;     // modules: arcs shorter than this are ignored
 constexpr double kMinRim = 0.3;     // modules: smallest thickness of the body behind the teeth
@@ -217,8 +217,8 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
                              : "must be at least {} mm, because it is the outside diameter of the "
                                "rim of an internal gear, and a rim must be left around the teeth");
   }
-  // `foot` lies on the centre line of the tooth at its base. `body` is the radius at which the body
-  // begins.
+  // Radii, in normal modules: `foot` is on the centre line of the tooth at its base, and `body` is
+  // the border between the rim and the body.
   const double foot = mesh.root_radius - out * std::min(1.125, 0.5 * rim);
   const double below = 0.45 * options.rim;
   const double left = out * (foot - ri);

@@ -46,13 +46,13 @@ struct SectionMesh {
   };
   std::vector<Edge> edges;                     ///< edges of tooth 0 on its side y > 0
   std::vector<std::vector<Edge>> tooth_edges;  ///< of each tooth; the first is tooth −side_teeth
-  int fillet_begin = 0, flank_begin = 0, flank_end = 0;  ///< t at which these parts begin or end
+  int fillet_begin = 0, flank_begin = 0, flank_end = 0;  ///< t at the ends of fillet and flank
   /// Nodes of each tooth, in the same order for all teeth. The first tooth is −side_teeth.
   std::vector<std::vector<int>> teeth;
   int side_teeth = 1;
   int tooth_count = 0;       ///< |z|
   double root_radius = 0.0;  ///< normal modules
-  double bore_radius = 0.0;  ///< radius at which the body is fixed
+  double bore_radius = 0.0;  ///< normal modules, radius at which the body is fixed
 
   /// A point on the exact outline of tooth 0: an arc and the position on it, 0 … 1.
   struct OnArc {
@@ -61,13 +61,13 @@ struct SectionMesh {
   };
   OnArc arc_at(double t) const;
   std::complex<double> outline(double t) const;
-  /// The arc length from t = 0 to t, and the inverse function.
+  /// The arc length of the outline from 0 to t, in normal modules, and the inverse function.
   double length_at(double t) const;
   double parameter_at(double length) const;
 
-  std::vector<Arc> arcs;  ///< arcs of the outline except the tip land; lengths in mm
-  double module = 1.0;    ///< m_n  mm
-  std::vector<int> arc_begin;
+  std::vector<Arc> arcs;       ///< arcs of the outline except the tip land; lengths in mm
+  double module = 1.0;         ///< m_n  mm
+  std::vector<int> arc_begin;  ///< t at which each arc begins, and t at the end of the last arc
   double to_tip = 1.25;
   std::vector<double> lengths;  ///< arc lengths at kLengthSteps positions per element
 };

@@ -14,10 +14,10 @@ namespace {
 // Wave numbers along the face, per module, except k = 0. The wavelength is 42 modules at 0.15 and
 // half a module at 13, which is shorter than any bump.
 constexpr std::array kWaves{0.15, 0.3, 0.6, 1.0, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0};
-// Wave numbers of the waves that follow the helix. Without these waves, the root stress of a 17:43
+// Wave numbers of the waves that follow the helix. Without such waves, the root stress of a 17:43
 // pair with β = 20° is 6 % too high.
 constexpr std::array kHelixWaves{0.5, 2.0, 6.0};
-constexpr double kNoEnergy = 1e-20;
+constexpr double kNoEnergy = 1e-20;  // snapshots with less energy are ignored
 
 Eigen::MatrixXd columns(const std::vector<Functional>& list, Eigen::Index n) {
   Eigen::MatrixXd m(n, static_cast<Eigen::Index>(list.size()));
@@ -25,8 +25,8 @@ Eigen::MatrixXd columns(const std::vector<Functional>& list, Eigen::Index n) {
   return m;
 }
 
-// The rows of the degrees of freedom in the plane of the section, or of those along the axis. The
-// energy of a wave does not couple the two groups.
+// The rows of the degrees of freedom in the plane of the section (u, v), or, if not `in_plane`, of
+// those along the axis (w). The energy of a wave does not couple the two groups.
 RowMajor part(const RowMajor& fields, bool in_plane) {
   const Eigen::Index nodes = fields.rows() / 3;
   RowMajor out(in_plane ? 2 * nodes : nodes, fields.cols());
@@ -39,8 +39,8 @@ RowMajor part(const RowMajor& fields, bool in_plane) {
   return out;
 }
 
-// Linear combinations of the snapshots that are orthonormal in the energy norm E. Combinations with
-// small singular values are dropped. `loaded` is E times the snapshots.
+// Linear combinations of the displacement fields `snapshots` that are orthonormal in the energy
+// norm E. Combinations with small singular values are dropped. `loaded` is E times the snapshots.
 Eigen::MatrixXd principal(const RowMajor& snapshots, const RowMajor& loaded, double tolerance) {
   const Eigen::MatrixXd energy = snapshots.transpose() * loaded;
   std::vector<Eigen::Index> kept;
@@ -78,7 +78,8 @@ RowMajor side_by_side(const std::vector<Eigen::MatrixXd>& fields) {
 }
 
 // Displacement fields of a spur section: waves, plane strain, plane stress, and the warping due to
-// the last two, which represents the free ends. If τ ≠ 0, waves under axial loads are added.
+// plane strain and plane stress, which represents the free ends. If τ ≠ 0, waves under axial loads
+// are added.
 std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const SectionMatrices& wave,
                                               double nu, const std::vector<BumpPlace>& places,
                                               double tau, Progress* progress) {

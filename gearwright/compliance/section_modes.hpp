@@ -20,12 +20,12 @@ struct ModeMatrices {
 };
 
 struct SectionModes {
-  Eigen::MatrixXd fields;  ///< Φ, 3·nodes rows
+  Eigen::MatrixXd fields;  ///< Φ, a column per mode, 3·nodes rows
   ModeMatrices matrices;   ///< matrices of the section that turns with the helix
 };
-/// Computes the modes for loads at these positions of the flank. For a helical gear (τ ≠ 0), waves
-/// along the helix are included. Modes whose singular value is below `tolerance` times the greatest
-/// one are dropped. Each solved field and each matrix counts as one step of `progress`.
+/// Computes the modes for loads at `places` on the flank. For a helical gear (τ ≠ 0), waves along
+/// the helix are included. Modes whose singular value is below `tolerance` times the greatest one
+/// are dropped. Each solved field and each matrix counts as one step of `progress`.
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
                            Progress* progress = nullptr);

@@ -108,7 +108,8 @@ ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
                              [](const ShaftState& s, double value) { return s.z < value; });
   };
 
-  // A rigid displacement and rotation of the shaft make the deflections at the bearings correct.
+  // A rigid displacement and rotation of the shaft are added, so that its deflections at the
+  // bearings equal those of the bearings.
   std::array<double, 2> off{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double place = shaft.bearing_stiffness ? -R[i] / (*shaft.bearing_stiffness)[i] : 0.0;
@@ -138,8 +139,8 @@ std::vector<double> shaft_twist(const Shaft& shaft, double torque, double body, 
   twist.reserve(z.size());
   for (const double place : z) {
     GW_EXPECTS(place >= lo && place <= hi);
-    // The torque decreases linearly from one end of the face. Its integral over t is therefore
-    // t (1 − t/(2 b)) times the torque at that end.
+    // The torque decreases linearly to 0 over the face width b. Its integral from the end at which
+    // it acts to the distance t from this end is t (1 − t/(2 b)) times the whole torque.
     const double t = left ? place - lo : hi - place;
     twist.push_back(torque * t * (1 - t / (2 * (hi - lo))) * per_length);
   }

@@ -23,7 +23,7 @@ enum class ShaftSide { left, right };
 
 struct Shaft {
   std::array<double, 2> bearings{};  ///< z of the bearings, mm, ascending
-  std::vector<double> diameters;     ///< d   mm, in the order of ascending z
+  std::vector<double> diameters;     ///< d of each section, mm, in the order of ascending z
   std::vector<double> steps;         ///< z at which the diameter changes, mm, ascending
   double youngs_modulus = 206000.0;  ///< E   MPa
   double poisson_ratio = 0.3;        ///< ν
@@ -40,7 +40,7 @@ struct Shaft {
 struct ShaftLoad {
   double force = 0.0;         ///< F  N, in the direction of w
   double moment = 0.0;        ///< M  N mm, > 0 if it increases the slope dw/dz
-  double lo = 0.0, hi = 0.0;  ///< mm
+  double lo = 0.0, hi = 0.0;  ///< z of the ends of the face, mm
 };
 
 /// Reaction forces of the bearings on the shaft, N, in the direction of w.
@@ -52,7 +52,7 @@ struct ShaftDeflection {
   std::vector<double> w;      ///< mm
   std::vector<double> slope;  ///< ψ  rad; with shear, it differs from dw/dz
 };
-/// The deflection at each z.
+/// The deflection and the slope of the shaft at each of the values `z`, mm.
 ///
 /// Formula   [T11.49], [T11.50]
 /// Domain    shaft.possible(), lo < hi (contract)

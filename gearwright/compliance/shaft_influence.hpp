@@ -23,7 +23,7 @@ struct ShaftInfluence {
   Eigen::MatrixXd twist;   ///< Φ     rad/(N mm)
 };
 
-/// Computes the coefficients. `slices` are in mm. The gear twists like a solid body of the diameter
+/// Computes the coefficients for slices in mm. The gear twists like a solid body of the diameter
 /// `body`, mm.
 ///
 /// Formula   [T12.34]

@@ -35,10 +35,10 @@ struct ToothSection {
   double tau = 0.0;       ///< τ, rotation of the section per length; the loaded flank is at y > 0
   std::vector<double> s;  ///< evenly spaced positions along the flank, as arc lengths
   std::vector<double> c;  ///< half widths of the bumps at these positions
-  double flank_lo = 0.0, flank_hi = 0.0;  ///< arc lengths at the ends of the flank
-  std::vector<Functional> bumps;          ///< bumps along the normal of the screw surface
-  std::vector<double> radius_lengths;     ///< arc lengths at evenly spaced radii of the flank
-  double radius_lo = 0.0, radius_hi = 0.0;
+  double flank_lo = 0.0, flank_hi = 0.0;    ///< arc lengths at the ends of the flank
+  std::vector<Functional> bumps;            ///< bumps along the normal of the screw surface
+  std::vector<double> radius_lengths;       ///< arc lengths at evenly spaced radii of the flank
+  double radius_lo = 0.0, radius_hi = 0.0;  ///< radii at the ends of the flank
 
   /// The arc length at a radius, in modules. It is extrapolated linearly beyond the flank.
   double length_at_radius(double radius) const;
@@ -46,7 +46,8 @@ struct ToothSection {
   FlankMetric metric(double s) const;
 };
 
-/// Mesh options for the section of a gear. The section turns by `twist`, rad/mm.
+/// Mesh options for the section of a gear. `twist` is the rotation of the section along the face,
+/// rad/mm.
 SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccuracy accuracy);
 double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 
@@ -54,7 +55,8 @@ double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 double bump_width(double s, double flank_hi);
 }  // namespace detail
 /// Makes the section of a tooth whose loaded flank lies at y > 0. `twist` is the rotation of the
-/// section, rad/mm. `also` is an additional position along the flank for which modes are computed.
+/// section along the face, rad/mm. `also` is an additional arc length along the flank, normal
+/// modules, for which modes are computed.
 /// section_modes() receives `progress`.
 ///
 /// Domain    a gear with teeth (contract)

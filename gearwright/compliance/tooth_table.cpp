@@ -16,10 +16,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kElement = 0.5;     // modules along the face
+constexpr double kElement = 0.5;     // modules: length of an element along the face
 constexpr double kImageReach = 2.0;  // modules; at greater distances, the images of bump and strip
                                      // are equal
-// The slice at the mirrored position. For a spur gear, slice n−1−j is equivalent to slice j.
+// The slice at −z if slice j is at z. For a spur gear, both have the same coefficients.
 int mirrored(int j, int n) { return n - 1 - j; }
 
 }  // namespace
@@ -41,7 +41,7 @@ ToothTable::ToothTable(std::shared_ptr<const detail::ToothSection> section,
 }
 
 // Weights of cubic interpolation through the four evenly spaced positions around x. Near an end,
-// the first or last four positions are used.
+// the first or last four positions are used instead.
 ToothTable::Weights ToothTable::cubic(const std::vector<double>& places, double x) {
   const double step = places[1] - places[0];
   Weights w{};
@@ -67,7 +67,8 @@ void ToothTable::make(const ToothTableRequest& request) {
   const Index r = face.mode_count();
   const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
-  // Loads and readings in terms of the modes. Readings are at the positions of teeth −side … side.
+  // Projections onto the modes: loads at the positions of tooth 0, and displacements at the
+  // positions of teeth −side … side.
   MatrixXd load(r, places_);
   MatrixXd read(r, places_ * (2 * side + 1));
   for (int i = 0; i < places_; ++i) {
@@ -91,7 +92,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   same_.assign(static_cast<std::size_t>(n_) * n_ * places_ * places_, 0.0);
   other_.assign(2 * side + 1, same_);
   stress_.assign(3, std::vector<MatrixXd>(places_));
-  // A spur gear is symmetric about the middle of the face.
+  // A spur gear is symmetric about the middle of the face, so half of the slices are solved.
   const bool symmetric = s.tau == 0.0 && slices_.lo == -slices_.hi;
   const int solved = symmetric ? (n_ + 1) / 2 : n_;
   // All positions are computed independently.
@@ -156,7 +157,7 @@ void ToothTable::make(const ToothTableRequest& request) {
     }
   });
   // For a single tooth, Betti's reciprocity is exact. For neighbouring teeth, the smooth part of
-  // the rim disturbs it, so the mean of both directions is used.
+  // the rim disturbs it, so the mean of an entry and its reciprocal entry is used.
   for (int j = 0; j < n_; ++j) {
     for (int l = 0; l < n_; ++l) {
       for (int i = 0; i < places_; ++i) {
@@ -206,7 +207,8 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       }
       if (s.tau == 0.0)
         for (int d = 1; d < n_; ++d) direct[n_ - 1 - d] = direct[n_ - 1 + d];
-      // The metric for the mirror images at an end of the face.
+      // For the images beyond an end of the face, the metric has no term of g. An image is mirrored
+      // in z only, so its shift g Δz along s is that of the load itself.
       const FlankMetric across{0.0, metric.zz - metric.sz * metric.sz};
       for (int j = 0; j < n_; ++j) {
         for (int l = 0; l < n_; ++l) {

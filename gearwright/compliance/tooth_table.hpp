@@ -38,7 +38,7 @@ struct TablePlace {
 };
 
 struct ToothTableRequest {
-  double face_width = 0.0;  ///< face width of this gear, normal modules
+  double face_width = 0.0;  ///< whole face width of this gear, normal modules
   FaceSlices slices;
   double half_width = 0.05;      ///< half width a of the strip in H[a, a], normal modules
   double line_per_height = 1.0;  ///< length of the contact line per unit of height, 1/cos β_b
@@ -51,11 +51,12 @@ class ToothTable {
   ToothTable(std::shared_ptr<const detail::ToothSection> section, const ToothTableRequest& request);
 
   const detail::ToothSection& section() const { return *section_; }
-  /// Coefficients between the positions of one line, as a symmetric matrix.
+  /// Coefficients C between the slices of one contact line, as a symmetric matrix.
   Eigen::MatrixXd same_tooth(const LinePlaces& line) const;
-  /// Displacements on a line of tooth k (≠ 0) under forces on a line of tooth 0. If |k| exceeds
-  /// side_teeth(), the result for the farthest tooth in the mesh is returned, because at that
-  /// distance only the rotation of the body has an effect.
+  /// Coefficients for displacements on a line of tooth k (≠ 0) under forces on a line of tooth 0, a
+  /// row per slice of `read` and a column per slice of `loaded`. If |k| exceeds side_teeth(), the
+  /// result for the farthest tooth in the finite-element mesh is returned, because at that distance
+  /// only the rotation of the body has an effect.
   Eigen::MatrixXd other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const;
   int side_teeth() const { return section_->mesh.side_teeth; }
   int slices() const { return n_; }
@@ -91,10 +92,11 @@ class ToothTable {
   double half_face_ = 0.0;
   int n_ = 0, places_ = 0;
   std::vector<double> middles_;             // middles of the slices
-  std::vector<double> same_;                // [load slice][read slice][load place][read place]
+  std::vector<double> same_;                // C_FE − H[b, b] of one tooth, in the order [load
+                                            // slice][read slice][load place][read place]
   std::vector<double> image_;               // ordered like same_: mirror images of H[b, b] at the
                                             // ends of the face
-  std::vector<std::vector<double>> other_;  // ordered like same_: teeth −side … side
+  std::vector<std::vector<double>> other_;  // of each tooth −side … side: ordered like same_
   Eigen::MatrixXd hertz_;                   // H[a, a] between slices
   detail::RootPoints root_;
   // Stresses of teeth −1, 0 and 1: [tooth][load place](6·points·slices × load slices)

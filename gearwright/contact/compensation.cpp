@@ -34,7 +34,7 @@ class Judge {
   Judge(const CompensationTask& task, int positions) : task_(task), positions_(positions) {
     const std::vector<double> zero(task.corrections.size(), 0.0);
     const ContactScore score = worst(curves(zero));
-    // If contact is lost without corrections, there is no limit.
+    // If w is not given, corrections must not increase the peak to peak.
     if (!task.centering && !score.lost)
       limit_ = std::max(kQuiet, score.peak_to_peak + 0.5 * kSameError).rad();
     centering_ = task.centering.value_or(default_centering(score.peak_to_peak)).rad();
@@ -98,13 +98,13 @@ class Judge {
 
   const CompensationTask& task_;
   int positions_;
-  double limit_ = kInfinity;  // limit of the peak to peak, rad
-  double centering_ = 0.0, place_of_none_ = 0.0;
+  double limit_ = kInfinity;                      // limit of the peak to peak, rad
+  double centering_ = 0.0, place_of_none_ = 0.0;  // rad: w; cost of the pattern at v = 0
   int evaluations_ = 0;
 };
 
-// The least-squares corrections for TE linearised at v = 0. The mean of each scenario's curve is
-// subtracted first.
+// The least-squares corrections for TE linearised at v = 0. The mean of the TE curve of each
+// scenario is subtracted from the curve first.
 std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
   const std::size_t n = task.corrections.size();
   const std::vector<double> zero(n, 0.0);
@@ -156,7 +156,7 @@ std::vector<double> optimise(const CompensationTask& task, Judge& judge, Minimis
   return minimise(how, search, std::move(v));
 }
 
-// The best corrections so far, and their score.
+// The best corrections so far, and the value of f (or of the aim) for them.
 struct Best {
   Judge& judge;
   std::vector<double> v;
@@ -177,7 +177,7 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   Best best(judge, zero);
   if (best.least < judge.same()) return zero;
   const int n = static_cast<int>(zero.size());
-  // Most of the time is spent on curves, so their total number is limited for any number of
+  // Most of the time is spent on TE curves, so their total number is limited for any number of
   // scenarios.
   const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
   std::vector<std::vector<double>> starts = task.starts;
@@ -196,8 +196,8 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   return best.v;
 }
 
-// The final corrections. They are evaluated at as many positions as the report uses, because a peak
-// may lie between the coarser positions of the search.
+// The final corrections. Here f is evaluated at as many positions as the report uses, because a
+// peak of TE may lie between the coarser positions of the search.
 std::vector<double> settled(const CompensationTask& task, Judge& fine,
                             const std::vector<double>& found) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
@@ -239,7 +239,7 @@ bool Compensation::nothing_to_correct() const {
 Angle default_centering(Angle peak_to_peak) {
   constexpr double kPart = 0.1;
   constexpr Angle kLeast = Angle::arcseconds(0.1);
-  // The result for NaN is kLeast.
+  // If the peak to peak is NaN, the comparison is false, and the result is kLeast.
   return peak_to_peak > kLeast / kPart ? kPart * peak_to_peak : kLeast;
 }
 

@@ -36,10 +36,10 @@ struct Correction {
 /// Another quantity to minimise instead of the transmission error of rigid teeth. The position of
 /// the pattern is then ignored.
 struct CompensationAim {
-  /// Returns the quantity in any unit, computed with this number of positions per pitch. Infinity
-  /// is worse than any other value.
+  /// Returns the quantity of a pair, in any unit; the second argument is the number of positions
+  /// per pitch. Infinity means that the pair is worse than all others.
   std::function<double(const ContactPair&, int)> of;
-  double same = 0.0;  ///< smallest improvement worth making, > 0
+  double same = 0.0;  ///< smallest improvement worth making, in the unit of the quantity, > 0
 };
 
 struct CompensationTask {
@@ -49,8 +49,8 @@ struct CompensationTask {
   int fine_positions = 64;           ///< per pitch, for the reported scores
   int curves = 6000;                 ///< approximate limit of each search, as a number of TE curves
   std::optional<Angle> centering{};  ///< w, cost of a pattern at the end of the face. If absent,
-                                     ///< default_centering() is used, and the transmission error
-                                     ///< must not increase
+                                     ///< default_centering() is used, and corrections must not
+                                     ///< increase the transmission error
   bool along_face =
       true;  ///< false if h is ignored, because the contact point moves along the whole face
              ///< in any case
@@ -58,7 +58,8 @@ struct CompensationTask {
   std::vector<std::vector<double>> starts{};  ///< additional starting values of the search
   Progress* progress = nullptr;               ///< reports the progress
   std::optional<CompensationAim> aim{};       ///< minimised in place of f, if present
-  /// Returns the pair under a scenario with these corrections; null if the pair cannot be made.
+  /// Returns the pair with these corrections under the scenario of this index; null if the pair
+  /// cannot be made.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;
 };
 
@@ -88,23 +89,24 @@ struct Compensation {
   Angle centering;                                    ///< w
   int evaluations = 0;                                ///< number of evaluations of f
 
-  /// True if no correction lowers f by 0.001 arcsec or more. Every value is then 0.
+  /// True if every value is 0, because no corrections lower f by more than kSameError (or the
+  /// aim by more than CompensationAim::same).
   bool nothing_to_correct() const;
 };
 
 /// Differences of transmission error below this cannot be measured.
 constexpr Angle kSameError = Angle::arcseconds(0.001);
 
-/// A pair with a smaller peak to peak counts as free of error. At a radius of 50 mm, this angle
-/// corresponds to 2 nm, and no real flank is that smooth.
+/// A pair counts as free of error if its peak to peak is below this angle. At a radius of 50 mm,
+/// this angle corresponds to 2 nm, and no real flank is that smooth.
 constexpr Angle kQuiet = Angle::arcseconds(0.01);
 
 /// The default of w: a tenth of the peak to peak without corrections, but at least 0.1 arcsec. TE
 /// then dominates f, and the pattern decides between two pairs with about the same small TE.
 Angle default_centering(Angle peak_to_peak);
 
-/// Values rounded for a drawing: multiples of step/parts within the bounds. Each is the double that
-/// is nearest to its decimal number, and 0 has no sign.
+/// Values rounded for a drawing: multiples of step/parts within the bounds of each correction. Each
+/// value is the double that is nearest to its decimal number, and 0 has no sign.
 ///
 /// Domain    as many values as corrections, parts > 0 (contract)
 std::vector<double> as_written(const std::vector<Correction>& corrections,

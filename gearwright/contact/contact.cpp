@@ -52,7 +52,8 @@ std::optional<Angle> least_play(const ContactResult& working, const ContactResul
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n) {
   const ContactPair& pair = transmission.pair();
   if (!pair.gear2_drives()) return transmission.over_a_pitch(first, n);
-  // If gear 2 drives, the rotation in N has the opposite sign.
+  // If gear 2 drives, a rotation in N has the opposite sign of the rotation in the housing, so the
+  // positions in N are in reverse order.
   const double step = pair.pitch() / n;
   auto touches = transmission.over_a_pitch(-first - (n - 1) * step, n);
   std::reverse(touches.begin(), touches.end());

@@ -14,9 +14,9 @@ namespace gearwright {
 
 struct ContactRequest {
   int positions = 64;              ///< per pitch of gear 1, ≥ 2
-  int pitches = 1;                 ///< ≥ 1
-  double marking = 0.00635;        ///< δ  mm
-  std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of `positions`
+  int pitches = 1;                 ///< length of the analysed range, ≥ 1
+  double marking = 0.00635;        ///< δ  mm, thickness of the marking compound
+  std::vector<Angle> rotations{};  ///< of gear 1; if not empty, used instead of even positions
   std::vector<Influence> influences{};
   Progress* progress = nullptr;  ///< reports the progress
 };
@@ -28,7 +28,7 @@ struct ContactResult {
                                                         ///< lost
   Angle peak_to_peak;                                   ///< of TE, over the positions with contact
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
-  std::vector<Angle> harmonics;  ///< result of harmonics(); empty if the caller gave rotations
+  std::vector<Angle> harmonics;  ///< of TE, by harmonics(); empty if the request has rotations
   bool contact_lost = false;     ///< true if there is a position at which no tooth pair touches
   long unfinished = 0;           ///< searches that did not converge; normally 0
   RackTravel rack{};             ///< set if gear 2 is a rack
@@ -46,7 +46,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
 /// contact.
 std::optional<Angle> play_between(const ContactPoint& working, const ContactPoint& non_working,
                                   bool gear2_drives);
-/// The least play over all positions. Both results must have the same positions.
+/// The least play_between() over all positions. Both results must have the same positions.
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
 
@@ -61,8 +61,8 @@ std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n
 /// Domain    at least one value (contract)
 std::vector<Angle> harmonics(const std::vector<double>& te);
 
-/// TE over one pitch, beginning at −1/2 pitch, rad; NaN where contact is lost. Maps and optimisers
-/// use this function.
+/// TE at equally spaced positions over one pitch, from −1/2 pitch on, rad; NaN where contact is
+/// lost. Maps and optimisers use this function.
 std::vector<double> transmission_error(const ContactPair& pair, int positions);
 
 /// Greatest minus least value; NaN if all values are NaN.

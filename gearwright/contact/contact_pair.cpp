@@ -17,8 +17,8 @@ double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 
-// The type of a border of a cell, ridge or seam. `of_u` selects a border towards other values of u
-// instead of z, and `below` the border towards lower values.
+// The type of a border of a cell: a ridge or a seam. `of_u` selects a border at an end of the range
+// of u, otherwise of z; `below` selects the lower end of this range.
 End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   for (const Cell& other : field.pieces()) {
     const bool across = of_u ? other.z_lo == cell.z_lo &&
@@ -30,8 +30,8 @@ End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   return End::seam;
 }
 
-// The twist of a gear's teeth in N: the twist of its lead, with the error of the cutter, and the
-// additional twist κ of a lead error.
+// The two parts of the twist of a gear's teeth in N: the twist of its lead, including the error of
+// the cutter's lead angle, and the additional twist κ of a lead error.
 std::array<double, 2> twist_in_n(const Gear& g, const ContactErrors& e, int i, double mirror) {
   const double lead = with_cutter_lead(g.twist(), g.reference_diameter / 2, e.cutter_lead[i].rad());
   return {mirror * lead, mirror * e.helix_twist[i]};
@@ -71,12 +71,12 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   }
   add_patches(0, gear_1, twist_in_n(g1, e, 0, mirror), mesh_azimuth(), internal_ ? 1.0 : -1.0,
               right_1);
-  // At rotation 0, the teeth are in mesh at the height of the middle of face 1.
+  // `apart` turns gear 2 so that, at rotation 0, teeth are in mesh at the middle of face 1.
   const double apart = mirror * g2.twist() * (middle(2) - middle(1));
   add_patches(1, gear_2, twist_in_n(g2, e, 1, mirror), pi + pi / z2 + apart, -1.0, right_2);
   set_mount();
-  // Points of gear 1 at a greater angle than reach_ from the mesh lie outside the annulus of the
-  // mating gear.
+  // Points of gear 1 that are farther than the angle reach_ from the mesh azimuth lie outside the
+  // annulus of the mating gear's teeth.
   const auto radius = [](const std::vector<FlankPatch>& patches, bool greatest) {
     double r = greatest ? 0.0 : std::numeric_limits<double>::infinity();
     for (const FlankPatch& p : patches)
@@ -183,7 +183,8 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       c.u_lo = std::max(p.u_lo, cell.u_lo);
       c.u_hi = std::min(p.u_hi, cell.u_hi);
       // Borders of the field and of the profile are computed from ln ρ and differ by rounding. A
-      // cell that overlaps this piece of the profile only by rounding belongs to the next piece.
+      // cell that overlaps this piece of the profile only by rounding belongs to a neighbour of
+      // this piece.
       constexpr double kSameBorder = 1e-12;  // in u = ln ρ
       if (!(c.u_hi - c.u_lo > kSameBorder)) continue;
       const auto cut_u = [&](double u, bool at_lower) {

@@ -49,7 +49,8 @@ struct ContactGear {
 
 struct ContactMount {
   double center_distance = 0.0;  ///< a  mm, without errors
-  Angle axis_angle{};            ///< σ Σ; axis 2 has the direction (0, sin σΣ, cos σΣ)
+  Angle axis_angle{};            ///< σ Σ, σ = −1 if internal, else 1; axis 2 has the
+                                 ///< direction (0, sin σΣ, cos σΣ)
   bool gear2_drives = false;
   ContactErrors errors;
   /// z of the middle of each face, mm; not 0 for a half of a double-helical gear. Errors tilt axis

@@ -54,8 +54,8 @@ struct Place {
   double s, z;
 };
 
-// Follows the direction in which the field has the least curvature, while the flanks stay in
-// contact.
+// A straight line through the touch, in the direction in which T has the least curvature, as far as
+// the flanks stay in contact.
 class LineWalk {
  public:
   LineWalk(Transmission& transmission, const PairTouch& touch)
@@ -89,8 +89,8 @@ class LineWalk {
       if (!together(at(sense * 0.5 * t)) || !together(end)) return std::nullopt;
       found[sense > 0 ? 1 : 0] = end;
     }
-    // A shorter line cannot be distinguished from a point and counts as a point.
-    constexpr double kPoint = 1e-6;  // of half the patch
+    // A line shorter than kPoint cannot be distinguished from a point and counts as a point.
+    constexpr double kPoint = 1e-6;  // shortest line, relative to half the patch
     const double long_s = (found[1].s - found[0].s) / s_half_;
     const double long_z = (found[1].z - found[0].z) / z_half_;
     if (std::hypot(long_s, long_z) < kPoint) return std::nullopt;
@@ -117,7 +117,7 @@ class LineWalk {
 
   double last_inside(int sense) {
     double lo = 0.0;
-    double hi = 4.0;  // longer than the diagonal of the patch
+    double hi = 4.0;  // in halves of the patch; longer than the diagonal of the patch
     for (int i = 0; i < 50; ++i) {
       const double middle = 0.5 * (lo + hi);
       (inside(at(sense * middle)) ? lo : hi) = middle;

@@ -60,8 +60,8 @@ struct ContactRidge {
   bool by_height = false;    ///< true if the two sides differ by height, false if by diameter
 };
 
-/// Converts rotations of gear 2 to travel if gear 2 is a rack. Results contain the travel of a rack
-/// as travel/r, the angle by which the pinion rolls along the rack.
+/// Converts angles of gear 2 to lengths if gear 2 is a rack. Results store the travel of a rack as
+/// the angle travel/r, by which the pinion rolls along the rack.
 struct RackTravel {
   double radius = 0.0;  ///< r  mm; 0 if gear 2 is not a rack
   explicit operator bool() const { return radius > 0.0; }
@@ -71,7 +71,7 @@ struct RackTravel {
 struct ContactPoint {
   Angle rotation1, rotation2;
   Angle te;      ///< > 0 if gear 2 is ahead
-  int pair = 0;  ///< k
+  int pair = 0;  ///< k, number of the tooth pair that touches
   TouchKind kind = TouchKind::none;
   Vec3 point = Vec3::Zero();   ///< mm, housing
   Vec3 normal = Vec3::Zero();  ///< points out of gear 1, in the housing
@@ -79,7 +79,7 @@ struct ContactPoint {
   /// of 2ρ
   std::array<double, 2> diameter{}, height{};
   RackTravel rack{};
-  std::optional<Angle> rack_angle;  ///< normal angle of the rack that cut gear 1
+  std::optional<Angle> rack_angle;  ///< normal angle at the touch, of the rack that cut gear 1
   std::optional<std::array<double, 2>>
       gap_curvature;  ///< k1, k2  1/mm, for the kinds interior and line
   std::optional<ContactEllipse> ellipse;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Numbers below these limits are rounding errors.
+// Angles (peak to peak) and mean positions (h, p) below these limits are rounding errors.
 constexpr double kNoAngle = 1e-9 * kRadPerArcsec;
 constexpr double kNoPlace = 1e-9;
 

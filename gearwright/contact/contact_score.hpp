@@ -32,10 +32,10 @@ struct ProfileTarget {
 /// TE and score of a pair over one pitch.
 struct ContactCurve {
   std::vector<double> te;  ///< rad; NaN where contact is lost
-  ContactScore score;      ///< edge_share is 0 if it was not requested
+  ContactScore score;      ///< edge_share is 0 if contact_curve() got `edges` = false
 };
 
-/// TE and score of a pair over one pitch. The share of edges is computed if `edges` is true.
+/// TE and score of a pair over one pitch. edge_share is computed only if `edges` is true.
 ///
 /// Domain    positions ≥ 2 (contract)
 /// Accuracy  a peak to peak below 1e-9 arcsec and an h or p below 1e-9 are rounding errors, set to

@@ -138,7 +138,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     auto* rack = std::get_if<ArcRack>(&spec.rack);
     GW_EXPECTS(rack != nullptr);
     rack->center_b += change.tool_setting / spec.normal_module;
-    rack->pressure_angle.reset();  // this check value is valid for the nominal setting only
+    rack->pressure_angle.reset();  // a check value, which is valid for the nominal setting only
     auto gear = make_gear(spec);
     if (!gear) return of_gear(*which, gear.error());
     if (!gear->exists() || !gear->root_form_radius())

@@ -21,12 +21,14 @@ using PairModifications = std::array<std::array<FlankModifications, 2>, 2>;
 
 /// Changes made by a workshop, as amounts in addition to the amounts on the drawing.
 struct SetupChange {
-  double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that F cuts
-  std::array<Angle, 2> cutter_lead{};  ///< Δλ
+  double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that a rack F cuts
+  std::array<Angle, 2> cutter_lead{};  ///< Δλ of the cutter of each gear
   struct Flank {
-    double lead_slope = 0.0, lead_crowning = 0.0;        ///< mm; slopes: working flanks only
-    double profile_slope = 0.0, profile_crowning = 0.0;  ///< mm; crownings: both flanks
-    double tip_relief = 0.0, root_relief = 0.0, end_relief = 0.0;  ///< mm, of existing reliefs
+    /// mm. Slopes change the working flanks only, crownings change both flanks, and reliefs change
+    /// only where the drawing has a relief.
+    double lead_slope = 0.0, lead_crowning = 0.0;
+    double profile_slope = 0.0, profile_crowning = 0.0;
+    double tip_relief = 0.0, root_relief = 0.0, end_relief = 0.0;
 
     bool operator==(const Flank&) const = default;
   };
@@ -48,27 +50,29 @@ class ContactSetup {
   /// The pair for the analysis. It refers to the data of this setup, which must outlive the pair.
   ContactPair pair(bool gear2_drives) const { return pair(place_.errors, gear2_drives); }
   ContactPair pair(const ContactErrors& errors, bool gear2_drives) const;
-  /// The same pair, which also owns a copy of this setup.
+  /// The pair under these errors. It owns a copy of this setup, which need not outlive the pair.
   std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
                                                  bool gear2_drives) const;
-  /// The pair with root fillets and tips in addition to the flanks; none if the lead of a cutter is
-  /// changed and the root is not cut by a rack.
+  /// The pair with root fillets and rounded tips in addition to the flanks; none if the lead angle
+  /// of a cutter is changed and the root of this gear was not cut by a rack.
   std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
   const Gear& gear(int which) const { return *gears_[which - 1]; }
   std::array<const Gear*, 2> gears() const { return {gears_[0].get(), gears_[1].get()}; }
   const RemovalField* removal(int gear, bool left) const;
-  /// The setup with these corrections; an error if no such teeth exist.
+  /// The setup after this change; an error if teeth with this change do not exist.
   Result<ContactSetup> changed(const SetupChange& change) const;
   const PairModifications& modifications() const { return modifications_; }
-  /// The setup with other modifications.   Errors `gearN.modifications.…` as make_removal_field
+  /// The setup with these modifications instead of its own.
+  ///
+  /// Errors    `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
   /// The setup of one half of a double-helical pair. `middle` contains z of the middle of each
   /// face. If `below`, the half is at z < 0 and is represented by its mirror image in the plane
   /// z = 0.
   ContactSetup half_at(const std::array<double, 2>& middle, bool below) const;
-  /// The setup in which these gears have fields of removed material, even if nothing is removed,
-  /// because derivatives need the fields.
+  /// The setup in which the gears selected by `wanted` have fields of removed material, even if
+  /// nothing is removed, because derivatives need the fields.
   ContactSetup with_fields(std::array<bool, 2> wanted) const;
   /// The gear that a rack F cuts, 1 or 2; none for other teeth.
   std::optional<int> convex_gear() const;
@@ -83,7 +87,8 @@ class ContactSetup {
   ContactMount place_;
 };
 
-/// True if material is removed, or if a relief has a reach (even if its amount is 0).
+/// True if one of the two flanks has material removed, or a relief with a reach (even if the amount
+/// of this relief is 0).
 bool any_modification(const std::array<FlankModifications, 2>& flanks);
 
 /// Checks that the lead angle of a cutter can deviate by this amount; empty if it can.
@@ -102,9 +107,9 @@ Error of_flank(int which, int side, Error error);
 /// Domain  a gear with a root form radius (contract)
 FlankExtent flank_extent(const Gear& gear);
 
-/// The error for a pair whose teeth touch at no position. Its text gives the reason, for example tips
-/// that do not reach each other. The second function is for the errors at a corner of
-/// [compensate.range], and its text also has the name of this corner.
+/// The error for a pair whose teeth touch at no position. Its text gives the reason, for example
+/// tips that do not reach each other. The second function is for the errors at a corner of
+/// [compensate.range]; its text also contains `name`, the name of this corner.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);

@@ -13,11 +13,11 @@ namespace gearwright {
 namespace {
 
 constexpr int kHalvings = 16;    // bisections that find the end of a branch to 1.5e-5 of a step
-constexpr double kSame = 1e-13;  // rad: two values of TE that differ by rounding
+constexpr double kSame = 1e-13;  // rad: values of TE that differ by less are equal
 constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
 constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
-constexpr double kNear = 0.08;   // relative to the patch; two crests of a wave are farther apart
+constexpr double kNear = 0.08;   // of the patch: touches farther apart are on different crests
 // The curve of TE between the positions, from the branches that lead at the positions. The branch
 // with the greatest T at a rotation leads there.
 class Branches {
@@ -41,10 +41,11 @@ class Branches {
     return touch.phi + touch.pair * transmission_.pair().pitch();
   }
 
-  // The touch of the same branch, `steps` away; not found if the branch has no contact there.
+  // The touch of the branch of `touch`, `steps` later; not found if this branch has no contact
+  // there.
   PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
-  // The touch of the same branch, `steps` away. The search begins at `start`, another touch of the
-  // branch that may be nearer.
+  // The touch of the branch of `touch`, `steps` later. The search begins at `start`, another touch
+  // of this branch, which may be nearer to the result.
   PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
     if (!touch.found() || steps == 0.0) return touch;
     return transmission_.follow(start.found() ? start : touch, touch.phi + steps * step_);
@@ -80,7 +81,7 @@ class Branches {
   }
 
   struct Handover {
-    double t;                       // steps from a
+    double t;                       // steps from the touch a
     std::array<PairTouch, 2> both;  // the second one is not found if TE jumps
   };
   // The handover between branch a and branch b, which lead at two rotations `width` steps apart;
@@ -100,8 +101,8 @@ class Branches {
     double at_lo = ahead_in(begin);
     double at_hi = ahead_in(end);
     if (std::isnan(at_lo + at_hi)) return std::nullopt;
-    // TE jumps if a branch begins or ends with a greater T than the other one. The least TE is then
-    // the value on the low side of the jump.
+    // TE jumps if a branch begins or ends while its T exceeds T of the other branch. The least TE
+    // is then the value on the low side of the jump.
     if (at_lo <= kSame) return Handover{lo, {begin[0], PairTouch()}};
     if (at_hi >= -kSame) return Handover{hi, {end[1], PairTouch()}};
     int stays = 0;
@@ -178,11 +179,12 @@ class Branches {
     const double way = (at_lo > 0.0) == up ? width : -width;
     double hi = way * reach(here, way);
     const PairTouch end = moved(here, hi);
-    // The end was found in small steps. A single large step may lose the branch.
+    // reach() found the end of the branch in small steps. The single step to this end may lose the
+    // branch.
     if (!end.found()) return std::nullopt;
     double at_hi = slope(end);
     if ((at_lo > 0.0) == (at_hi > 0.0)) {
-      // The branch may be greatest where it begins or ends.
+      // Without a turning point, the branch may be greatest at the point where it begins or ends.
       return up && std::abs(hi) < width ? std::optional(end) : std::nullopt;
     }
     PairTouch best = here;
@@ -203,7 +205,7 @@ class Branches {
   }
 
  private:
-  // TE of the first touch minus TE of the second; NaN if a touch has no contact.
+  // T of the first touch minus T of the second; NaN if one of them has no contact.
   static double ahead_in(const std::array<PairTouch, 2>& both) {
     return both[0].found() && both[1].found() ? both[0].te() - both[1].te()
                                               : std::numeric_limits<double>::quiet_NaN();
@@ -263,12 +265,13 @@ CurveExtremes continuous_extremes(Transmission& transmission,
       if (const auto both = curve.handover(i)) take_bottom((*both)[0], (*both)[1]);
     }
     if (!before.found()) continue;
-    // The curve may exceed the present extreme here if the straight line through a neighbouring
-    // position and this position exceeds the extreme within a step.
+    // The curve may lie beyond e.greatest or e.least within a step of this position if the straight
+    // line through this position and a neighbouring position does.
     const double reach =
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
-    // A branch never exceeds TE, so its maximum is valid. Beyond a handover it may lie below TE, so
-    // a minimum is valid only if the same branch leads at both neighbours.
+    // A branch never exceeds TE, so no maximum of a branch is too great. Beyond a handover a branch
+    // lies below TE, so its minimum may be too small; it is used only if the same branch leads here
+    // and at both neighbours.
     if (here.te() + reach > e.greatest) {
       if (const auto turn = curve.turning_point(i, true)) take_top(*turn);
     }

@@ -11,7 +11,7 @@
 // handover T_a = T_b. TE jumps where a branch begins with a greater T than the others.
 //
 // The peak to peak over the positions alone is too small, by up to half of the change of TE in a
-// step. The missing part varies with the phase of the handovers.
+// step. The missing part depends on where the handovers lie between the positions.
 #pragma once
 
 #include <array>

@@ -15,7 +15,7 @@ namespace gearwright {
 
 enum class CorrectionOf {
   tool_setting,      ///< Δb_F  mm, of the rack F that cuts convex circular arcs
-  cutter_lead,       ///< Δλ    degrees
+  cutter_lead,       ///< Δλ  degrees, of the cutter of the gear
   lead_slope,        ///< µm, on the working flanks
   lead_crowning,     ///< µm, on both flanks
   profile_slope,     ///< µm, on the working flanks
@@ -35,7 +35,7 @@ struct WorkshopCorrection {
   }
 };
 
-/// Usual bounds of a correction and its step, in the unit of the correction.
+/// Usual lower and upper bound of a correction and its step, in the unit of the correction.
 constexpr Correction usual_bounds(CorrectionOf what) {
   switch (what) {
     case CorrectionOf::tool_setting: return {-5.0, 5.0, 0.005};

@@ -1,5 +1,5 @@
-// The rotations by which errors of mounting tilt axis 1, and the derivatives with respect to the
-// angle.
+// The rotations by which errors of mounting tilt axis 1, and the derivative of each rotation matrix
+// with respect to its angle.
 //
 //   Δγ   crossing: rotation about x, the centre line, so that axis 1 tilts towards +y
 //   Δδ   intersecting: rotation about y, so that axis 1 tilts towards gear 2, +x

@@ -7,7 +7,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// Rounding error of an active bound, in scaled lengths, and of a multiplier whose exact value is 0.
+// Limits of rounding: value of an active bound, in scaled lengths, and least multiplier that
+// counts as 0.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
 // If the sine of the angle between two bounds is smaller, they are parallel within rounding and
@@ -61,7 +62,7 @@ class Candidates {
     step.d_s = (-a.c * b.a_z + b.c * a.a_z) / det;
     step.d_z = (-b.c * a.a_s + a.c * b.a_s) / det;
     step.active = {static_cast<std::int8_t>(i), static_cast<std::int8_t>(k)};
-    // slope + μ_a a + μ_b b = 0
+    // The multipliers of both bounds:  slope + μ_a a + μ_b b = 0
     const double s = -slope_s(step.d_s, step.d_z);
     const double z = -slope_z(step.d_s, step.d_z);
     const double mu_a = (s * b.a_z - z * b.a_s) / det;

@@ -16,8 +16,8 @@ namespace gearwright::detail {
 constexpr int kBounds = 8;
 
 struct Bound {
-  double c;         ///< c_j, ≥ 0 inside
-  double a_s, a_z;  ///< a_j, the gradient
+  double c;         ///< c_j, value of the bound at d = 0, ≥ 0 inside
+  double a_s, a_z;  ///< a_j, its gradient
 };
 
 struct StepProblem {

@@ -17,7 +17,7 @@ namespace gearwright {
 
 struct FilletContact {
   int gear;            ///< 1 or 2, the gear of the fillet
-  double early;        ///< mm along the normal: gap that remains between the flanks
+  double early;        ///< mm, normal gap between the flanks when the tip touches the fillet
   ContactPoint point;  ///< contact of the tip with the fillet; its TE is TE_f
 };
 
@@ -31,7 +31,7 @@ struct FilletContacts {
 /// Contact of the whole outlines at the rotations at which the flanks touch. `flanks` are the
 /// positions of analyse_contact() for the flanks alone.
 ///
-/// `outlines`  the same pair with ContactMount::fillets
+/// `outlines`  the pair to which `flanks` belongs, with ContactMount::fillets
 /// Accuracy    rounding at each examined rotation. At most 64 evenly chosen rotations are examined,
 ///             so an earlier contact between them may be missed
 FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,

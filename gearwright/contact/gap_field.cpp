@@ -12,7 +12,7 @@ Complex turned(const Complex& factor, double phase) {
   return times(factor, {std::cos(phase), std::sin(phase)});
 }
 
-// The rotation m = −c k C that the removal of material causes, with its derivatives with
+// The rotation m = −c k C of a flank from which material C is removed, with its derivatives with
 // respect to u and z. [T8.7]
 Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
   const Removal c = f.removal->at(u, f.removal_z * z, f.piece);
@@ -119,7 +119,7 @@ GapJet GapField::at(double s, double z, double& s2) const {
   j.w1_ss = d[2];
   j.w1_sz = d[3];
   j.w1_zz = d[4];
-  // Transform to the frame of gear 2.
+  // The point and its derivatives in the frame of gear 2.
   const Mat3& r = mount_.rotation;
   const auto across = [&](const Complex& v) { return v.real() * from_x_ + v.imag() * from_y_; };
   const auto along = [&](const Complex& v) { return v.real() * r(2, 0) + v.imag() * r(2, 1); };

@@ -31,7 +31,7 @@ struct FlankPatch {
   Profile profile;
   double center;  ///< rad, azimuth of the tooth's centre line at rotation 0 in the section z = 0
   double twist;   ///< τ  rad/mm, including the lead error
-  double z_lo, z_hi;  ///< mm
+  double z_lo, z_hi;  ///< mm, ends of the patch along the face
   /// Material removed from this flank; null if there is none. The z of the field is removal_z (±1)
   /// times the z of the patch.
   const RemovalField* removal = nullptr;
@@ -60,7 +60,7 @@ struct Jet2 {
 struct GapJet {
   Jet2 t;                     ///< T   rad
   Jet2 u;                     ///< ln ρ of the point on gear 2
-  Jet2 Z;                     ///< mm
+  Jet2 Z;                     ///< mm, height of the point on gear 2
   double slope2_u, slope2_Z;  ///< slopes of flank 2: θ2′ + ∂m2/∂u and τ2 + ∂m2/∂Z
   double bend2_uu, bend2_uZ, bend2_ZZ;  ///< derivatives of these slopes
   Complex w1, w1_s, w1_z;  ///< the point of gear 1 in the transverse plane, mm, before mounting
@@ -88,8 +88,8 @@ class GapField {
   Complex rotated(const Complex& at_rest) const { return times(at_rest, rotation_factor_); }
   /// Coordinates of a point in the frame of gear 2.
   struct Place2 {
-    Complex w;  ///< mm
-    double Z;   ///< mm
+    Complex w;  ///< mm, in the transverse plane
+    double Z;   ///< mm, along the axis
   };
   Place2 on_gear_2(const Complex& w1, double z) const;
   /// T at a point of flank 1, without derivatives; `s2` as in at().

@@ -3,8 +3,8 @@
 //   const auto touching = contact(*pair, {.crossing = 0.02_deg});
 //   if (touching) use(touching->peak_to_peak);
 //
-// A ContactPair points to its gears and their modifications. Here both are copied and live as long
-// as the ContactPair, so the caller need not keep the pair.
+// A ContactPair points to its gears and their modifications. The functions of this file copy both,
+// and the copies live as long as the ContactPair, so the caller need not keep `pair`.
 #pragma once
 
 #include <array>
@@ -17,18 +17,18 @@
 
 namespace gearwright {
 
-/// The modifications of a gear, the same on all its teeth. Right and left flanks are defined in
-/// gear/modifications.hpp.
+/// The modifications of the right and left flanks of all teeth of a gear. Right and left are
+/// defined in gear/modifications.hpp.
 struct GearModifications {
   FlankModifications right{}, left{};
 };
 
-/// The same modifications on both flanks.
+/// A gear with these modifications on its right and left flanks.
 GearModifications on_both_flanks(const FlankModifications& modifications);
 
 struct ContactOptions {
   std::array<GearModifications, 2> modifications{};  ///< of gear 1, gear 2
-  bool gear2_drives = false;                         ///< if true, the trailing flanks touch
+  bool gear2_drives = false;                         ///< if true, trailing flanks of gear 1 touch
   ContactRequest request{};
 };
 

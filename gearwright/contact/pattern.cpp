@@ -52,7 +52,7 @@ struct Node {
   double s, u, z;
   double azimuth;  // at rotation 0, not reduced to one turn
 };
-// The gap at a node, with a number that identifies the two patches.
+// The gap at a node, with a number that identifies the patches of flank 1 and flank 2.
 struct Gap {
   double value = kInfinity;
   int pieces = -1;
@@ -154,7 +154,8 @@ class Rasterer {
   Seen look(const Node& node) const {
     Seen seen;
     if (node.patch < 0) return seen;
-    // The position of the point on flank 2 does not depend on the patch.
+    // The position (u, Z) relative to gear 2 does not depend on the patch of flank 2, so it is
+    // computed with the first patch.
     GapJet j = jet(node.patch, 0, node.s, node.z);
     seen.near = true;
     seen.u = j.u.v;
@@ -266,9 +267,9 @@ class Rasterer {
     return {};
   }
 
-  // If the middle one of three successive positions has the least gap and all three belong to the
-  // same patches, the minimum of the parabola through them is used. Between different patches the
-  // gap jumps.
+  // If the gap is least at the middle one of three successive positions, the minimum of the
+  // parabola through the three gaps is used. Gaps of different patches are not combined, because
+  // the gap jumps between patches.
   void fold(std::size_t which) {
     std::vector<double>& least = rasters_[which].gap;
     for (std::size_t i = 0; i < least.size(); ++i) {
@@ -293,7 +294,7 @@ class Rasterer {
   std::vector<Node> nodes_;
   std::vector<GapField> fields_;
   std::vector<Seen> seen_;
-  std::array<std::vector<Gap>, 2> now_, last_, before_;  // gaps of three successive positions
+  std::array<std::vector<Gap>, 2> now_, last_, before_;  // gaps at three successive positions
   double te_ = 0.0;
 };
 

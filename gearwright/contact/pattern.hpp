@@ -34,9 +34,9 @@ struct RasterSize {
 /// gear 2.
 ///
 /// Accuracy  between positions, the gap is interpolated by the parabola through three positions.
-///           This is exact if the contact moves at constant speed; the error is some nm at 64
-///           positions. If the gap is least where the mating flank begins to lie opposite the
-///           point, the gap at the next position is used
+///           This is exact if the contact moves at constant speed; otherwise, the error is some nm
+///           with 64 positions per pitch. If the gap is least where the mating flank begins to lie
+///           opposite the point, the gap at the next position is used
 /// Domain    positions ≥ 2, a raster of 2 × 2 or more (contract)
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
                                            const RasterSize& size = {},

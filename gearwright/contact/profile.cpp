@@ -7,9 +7,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRounding = 4e-16;  // of ln ρ and of a parameter
-// The least ξ² at which slopes are computed, because θ″ = −(1 + ξ²)/ξ is infinite on the base
-// circle. The corresponding radius is greater than r_b by 5e-13 r_b.
+constexpr double kRounding = 4e-16;  // absolute rounding error of ln ρ, relative of a parameter
+// For smaller ξ², slopes of an involute are computed at this ξ², because θ″ = −(1 + ξ²)/ξ is
+// infinite on the base circle. The radius at this ξ² is greater than r_b by 5e-13 r_b.
 constexpr double kMinRollSquare = 1e-12;  // rad²
 
 Complex with_side(const Complex& w, double side) { return {w.real(), side * w.imag()}; }
@@ -48,7 +48,7 @@ Profile::Profile(const Arc& arc, double side, double twist)
     s_lo_ = u_lo_;
     s_hi_ = u_hi_;
     grows_ = true;
-    arm_per_cos_ = twist;  // only the twist is needed in this case
+    arm_per_cos_ = twist;  // the arm varies, and its formula needs the twist
   }
 }
 

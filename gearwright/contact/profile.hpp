@@ -27,7 +27,7 @@ inline Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; 
 
 /// The outline at a radius:  θ = arg(factor) + phase.
 struct RadialJet {
-  Complex factor;  ///< of any magnitude
+  Complex factor;  ///< of any magnitude; only its argument is used
   double phase;    ///< rad
   double d1, d2;   ///< θ′, θ″
 };
@@ -86,7 +86,7 @@ class Profile {
   bool grows_;
   double xi_sign_ = 1.0;
   double t_lo_ = 0.0, t_hi_ = 0.0;
-  double arm_per_cos_ = 0.0;         // r cos β, or r_b cos β_b
+  double arm_per_cos_ = 0.0;         // r cos β or r_b cos β_b, mm; τ for other curves
   double half_ = 0.0, slope_ = 0.0;  // of the flank of a rack
 };
 

@@ -23,7 +23,7 @@ struct RackContact : ContactResult {
   ContactResult non_working;
   /// Peak to peak of the continuous curve; none if contact is lost at some rotation.
   std::optional<Angle> continuous_span;
-  std::optional<Angle> min_play;  ///< least play of the rack between both flanks; < 0 if they jam
+  std::optional<Angle> min_play;  ///< least play of the rack, as travel/r; < 0 if the teeth jam
   std::shared_ptr<const ContactPair> pair;  ///< also keeps the pinion and its modifications alive
 };
 

@@ -14,7 +14,7 @@ namespace gearwright {
 namespace {
 
 // The parameter near `was` at which the curve has the radius ρ. The bracket grows only while the
-// radius is monotone, because the sense in which the radius changes is reversed beyond a cusp.
+// radius is monotone, because beyond a cusp the radius changes in the opposite sense.
 double same_radius(const Curve& curve, double was, double rho, bool grows, double width) {
   const auto radius = [&](double t) { return curve.point(t).norm(); };
   const double more = rho - radius(was);

@@ -12,17 +12,18 @@
 
 namespace gearwright {
 
-/// The twist after the change, for a gear with the given twist and pitch radius.
+/// The twist after the change of λ, rad/mm, of a gear with the twist `twist` before the change.
 ///
 /// Domain    0 < λ + Δλ < π; Δλ = 0 for a spur gear (contract)
 double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);
-/// A flank arc that the same rack cuts with the changed lead angle. Its ends keep their radii.
+/// The arc that the gear's rack cuts with the changed lead angle, instead of the flank arc `arc`.
+/// The ends of the new arc have the radii of the ends of `arc`.
 ///
 /// Domain    arcs that a rack cuts, unless Δλ = 0 (contract)
 Arc recut(const Arc& arc, const Gear& gear, double delta_lambda);
-/// The whole half tooth that the same rack cuts with the changed lead angle, with root fillet, tip
-/// and new ends of the flank. None if the root was not cut by a rack (a pinion cutter or a circular
-/// fillet), or if no tooth is left.
+/// The whole half tooth that the gear's rack cuts with the changed lead angle, with root fillet,
+/// tip and new ends of the flank. None if the root was not cut by a rack, but by a pinion cutter or
+/// as a circular fillet, or if no tooth is left.
 std::optional<Outline> recut_outline(const Gear& gear, double delta_lambda);
 
 }  // namespace gearwright

@@ -11,10 +11,10 @@ namespace {
 // The derivatives with respect to e at a fixed point (s, z) of flank 1, and their derivatives with
 // respect to s and z.
 struct Change {
-  double p = 0.0, p_s = 0.0, p_z = 0.0;  // ∂φ2*/∂e
-  double du = 0.0, du_s = 0.0, du_z = 0.0;
-  double dZ = 0.0, dZ_s = 0.0, dZ_z = 0.0;
-  Vec3 dr = Vec3::Zero();  // motion of the point, in N
+  double p = 0.0, p_s = 0.0, p_z = 0.0;     // ∂φ2*/∂e
+  double du = 0.0, du_s = 0.0, du_z = 0.0;  // ∂u/∂e, u = ln ρ on gear 2
+  double dZ = 0.0, dZ_s = 0.0, dZ_z = 0.0;  // ∂Z/∂e
+  Vec3 dr = Vec3::Zero();                   // motion of the point in N, per unit of e
 };
 
 // Adds the effect of a motion d of the point in the frame of gear 2. d varies with s and z.

@@ -16,6 +16,7 @@
 
 namespace gearwright {
 
+/// An error of mounting or of the lead. The units are those in which derivatives refer to it.
 enum class ErrorKind {
   center_distance,  ///< per mm
   crossing,         ///< per rad

@@ -11,7 +11,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kLastStep = 1e-7;    // scaled; the remaining error is the square of this length
-constexpr double kLongestStep = 0.6;  // of half the patch
+constexpr double kLongestStep = 0.6;  // of half the patch, per step
 constexpr double kFlat = 1e-14;  // rad, scaled: smaller slopes and curvatures are rounding errors
 constexpr double kTinyBend = -1e-15;  // replaces a curvature of 0
 constexpr int kMaxSteps = 80;
@@ -19,8 +19,8 @@ constexpr double kBroken = 1e-9;       // scaled; a touch is invalid if it viola
 constexpr double kWorse = 1e-13;       // rad; rounding error of T and of the merit
 constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter steps are not halved
 constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty of a violated bound
-constexpr double kSameTe = 1e-12;      // rad; greatest difference of T for the same maximum
-constexpr double kSamePlace = 1e-5;    // scaled; greatest distance for the same maximum
+constexpr double kSameTe = 1e-12;      // rad; two results count as one maximum if T differs by less
+constexpr double kSamePlace = 1e-5;    // scaled; and if their distance is less than this
 // Replaces H by a negative definite matrix, by changing the sign of positive eigenvalues. If T is
 // constant in one direction within rounding, the slope in that direction is set to 0 and the
 // function returns true.
@@ -31,7 +31,7 @@ bool make_concave(detail::StepProblem& p) {
   const double big = mean >= 0.0 ? mean + root : mean - root;
   double small = 0.0;
   if (big != 0.0) small = (p.h_ss * p.h_zz - p.h_sz * p.h_sz) / big;
-  // Eigenvector of `big`.
+  // Eigenvector of the eigenvalue `big`.
   double e_s = big - p.h_zz;
   double e_z = p.h_sz;
   if (std::abs(p.h_ss - big) > std::abs(p.h_zz - big)) {
@@ -191,7 +191,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
     t.z += d_z * kz;
   }
   t.stop = Touch::Stop::too_long;
-  // If D is empty, the steps do not converge either.
+  // The steps do not converge if D is empty. In this case, a bound remains violated.
   double broken = 0.0;
   for (const auto& b : p.bounds) broken = std::max(broken, -b.c);
   if (broken > kBroken) t.stop = Touch::Stop::no_room;
@@ -391,7 +391,7 @@ std::vector<Touch> TouchSearch::every_maximum() const {
     const bool end = i == 0 || !inside(i - 1) || i + 1 == kSections || !inside(i + 1);
     if (end && !is_peak(grid, i, best)) start(i, best);
   }
-  // A thin D may lie between the nodes.
+  // If no search has started, D may be thin and lie between the nodes.
   if (!any) start(nearest, best_row(grid[nearest]));
   std::sort(found.begin(), found.end(), greatest_first);
   return found;

@@ -22,8 +22,8 @@ struct Touch {
   };
   Stop stop = Stop::no_room;
   double te = 0.0;          ///< T  rad
-  double s = 0.0, z = 0.0;  ///< on flank 1
-  double s2 = 0.0;          ///< on flank 2
+  double s = 0.0, z = 0.0;  ///< the touch on flank 1
+  double s2 = 0.0;          ///< its parameter on flank 2
   detail::ActiveSet active;
   std::array<double, 2> multiplier{};  ///< of the active bounds, rad per scaled bound
   bool flat = false;  ///< true if T is constant in one direction within rounding (line contact)
@@ -32,7 +32,7 @@ struct Touch {
   bool found() const { return stop == Stop::converged; }
 };
 
-/// Amount of work, for tests and benchmarks.
+/// Numbers of evaluations and searches, for tests and benchmarks.
 struct TouchCount {
   long evaluations = 0;
   long searches = 0;
@@ -41,15 +41,16 @@ struct TouchCount {
 
 class TouchSearch {
  public:
-  /// `mesh_azimuth` is the azimuth of the mesh on gear 1, 0 or π. `reach` is the distance from it,
-  /// rad, within which points of gear 1 can lie in the annulus of gear 2. The field must outlive
-  /// this object.
+  /// `mesh_azimuth` is the azimuth of the mesh on gear 1, 0 or π. `reach` is the greatest angle
+  /// from this azimuth, rad, at which points of gear 1 can lie in the annulus of gear 2. The field
+  /// must outlive this object.
   TouchSearch(const GapField& field, double mesh_azimuth, double reach);
 
-  /// Searches from a point. `active` contains the bounds that are active there.
+  /// Searches from the point (s, z) of flank 1, opposite s2 on flank 2. `active` contains the
+  /// bounds that are active at this point.
   Touch from(double s, double z, double s2, const detail::ActiveSet& active) const;
-  /// Searches from the best of nine points. The result is the greatest T if T has only one maximum.
-  /// If this search fails, cold() is used.
+  /// Searches from the best of nine points; if this search fails, by cold(). The result is the
+  /// greatest T if T has only one maximum.
   Touch from_middle() const;
   /// Searches the whole flank: from every peak of a grid, and from both end sections of D.
   Touch cold() const;

@@ -12,8 +12,8 @@ namespace gearwright {
 namespace {
 
 // A tooth pair is followed until its T decreases and is less than T of another pair by more than
-// this limit, rad. T of a whole convex flank has only one maximum. With patches or concave flanks,
-// another maximum may follow, so the limit is greater.
+// this limit, rad. T of a whole convex flank has only one maximum, so the limit is kBelow. With
+// patches or concave flanks, another maximum may follow, so the limit is kFarBelow.
 constexpr double kBelow = 1e-5;
 constexpr double kFarBelow = 2e-3;
 
@@ -66,8 +66,8 @@ bool is_convex(const FlankPatch& f) {
          f.removal->amount(P::lead_crowning) >= 0.0;
 }
 
-// Distance from the mesh, rad, within which points of patch `one` can lie in the annulus of patch
-// `two`. [T8.13]
+// Greatest angle from the mesh azimuth, rad, at which points of patch `one` can lie in the annulus
+// of patch `two`. [T8.13]
 double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch& two) {
   if (pair.place().axis_angle != Angle()) return pair.reach();
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
@@ -190,8 +190,8 @@ std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   return all;
 }
 
-// Follows one pair of patches through the positions of tooth pair 0. For each position of a pitch,
-// it records the touch with the greatest T.
+// Follows the touch of one pair of patches through the positions of tooth pair 0. For each position
+// of a pitch, it records the touch with the greatest T in `best`.
 class Transmission::Track {
  public:
   Track(Transmission& all, int fields, double first, int n, double below,
@@ -282,7 +282,7 @@ void Transmission::follow_all(int fields, double first, int n, std::vector<PairT
   std::vector<std::vector<Touch>> passed(static_cast<std::size_t>(2 * (most + 1) + 1));
   const FlankPatch& a = fields_[static_cast<std::size_t>(fields)]->one();
   const auto known = [&](int m, const Touch& t) {
-    constexpr double kSamePlace = 1e-5;  // of the patch
+    constexpr double kSamePlace = 1e-5;  // greatest distance of equal touches, of the patch
     auto& here = passed[static_cast<std::size_t>(m + most + 1)];
     for (const Touch& p : here) {
       if (std::abs(p.s - t.s) <= kSamePlace * (a.s_hi - a.s_lo) &&
@@ -341,8 +341,8 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
       if (t.found() && wins(t, own, best[i]))
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
-    // Far beyond the path of contact, T is less than its estimate. Crests that were left out
-    // because of such an estimate may then be the highest.
+    // Far beyond the path of contact, T is less than WaveCrests estimates. Crests that were left
+    // out because of too great an estimate of another crest may then be the highest.
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

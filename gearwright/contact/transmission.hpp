@@ -44,11 +44,11 @@ class Transmission {
   std::vector<PairTouch> over_a_pitch(double first, int n);
   /// The touch at any rotation, computed from scratch.
   PairTouch at(double phi);
-  /// The touch of tooth pair 0 alone, even if another pair carries the load. If wavy(), no touch is
+  /// The touch of tooth pair 0 alone, even if another pair has a greater T. If wavy(), no touch is
   /// found far beyond the path of contact.
   PairTouch of_pair_0(double phi);
-  /// The touch of the same tooth pair on the same patches at another rotation of pair 0. The search
-  /// starts at the given touch. Not found if these patches do not touch at that rotation.
+  /// The touch of the tooth pair of `from`, on the patches of `from`, at the rotation φ of pair 0.
+  /// The search starts at `from`. Not found if these patches do not touch at that rotation.
   PairTouch follow(const PairTouch& from, double phi);
   /// All local maxima of T of tooth pair 0, for all pairs of patches. Maxima at a seam are
   /// included, although T may rise beyond the seam.
@@ -79,7 +79,7 @@ class Transmission {
   Progress* progress_;
   std::vector<std::unique_ptr<GapField>> fields_;
   std::vector<std::unique_ptr<TouchSearch>> searches_;
-  // One for each field. Empty if the crests of one of the fields cannot be computed.
+  // The crests of each field. Empty if the crests of one of the fields cannot be computed.
   std::vector<std::shared_ptr<const detail::WaveCrests>> crests_;
   int farthest_pair_;
   long too_long_ = 0;

@@ -12,13 +12,13 @@ namespace {
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr int kMaxSteps = 12;    // limit of the search for an exact ridge; two or three are usual
 constexpr double kRidge = 1e-9;  // rad of φ; such a step changes T by less than 1e-17
-constexpr double kMiss = 0.01;   // greatest error of the quadratic functions, in amplitudes
-constexpr double kMargin = 0.1;  // greatest error of a crest between two nodes, in amplitudes
+constexpr double kMiss = 0.01;   // greatest error of the quadratic functions, of the amplitude
+constexpr double kMargin = 0.1;  // greatest error of T between two nodes, of the amplitude
 constexpr double kSteep = 0.5;   // ratio of the curvature of T by waves to its curvature on smooth
                                  // flanks, above which T may have several maxima over the profile
-constexpr int kAcross = 5;       // points of the profile that are then examined for maxima
-constexpr int kPerWave = 6;      // nodes
-constexpr int kLeastNodes = 7;
+constexpr int kAcross = 5;       // points examined for maxima over the profile above kSteep
+constexpr int kPerWave = 6;      // nodes over the height z, per wave
+constexpr int kLeastNodes = 7;   // least number of nodes over the height z
 constexpr double kBeyondPath = 0.2;  // range searched beyond each end, in lengths of the path
 
 double base_radius(const FlankPatch& f) {
@@ -138,8 +138,8 @@ bool WaveCrests::make(const ContactPair& pair) {
   roll2_lo_ = roll_at(two_, two_.u_lo);
   roll2_hi_ = roll_at(two_, two_.u_hi);
   // The part of flank 1 that meets flank 2. Without errors, L_1 + L_2 (L_2 − L_1 for an internal
-  // gear) is the distance of the base tangent points. The ridge on the centre line has the roll
-  // angle s_w.
+  // gear) is `action`, the distance between the two points at which the line of action touches the
+  // base circles. The point of flank 1 at the pitch point has the roll angle s_w.
   const double r_b1 = base_radius(one_), r_b2 = base_radius(two_);
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double sign = pair.internal() ? -1.0 : 1.0;
@@ -151,8 +151,8 @@ bool WaveCrests::make(const ContactPair& pair) {
   double from = std::max(one_.s_lo, least);
   double to = std::min(one_.s_hi, greatest);
   if (!(from < to)) {
-    // An edge may touch a little beyond the path of contact. The whole flank is searched in this
-    // case.
+    // An edge may touch a little beyond the path of contact, where the quadratic functions are not
+    // valid.
     if (from - to < kBeyondPath * (greatest - least)) return false;
     z_hi_ = z_lo_;
     return true;
@@ -259,7 +259,7 @@ bool WaveCrests::make(const ContactPair& pair) {
   const double more = kBeyondPath * std::abs(2 * s_half_ * phi_s);
   phi_lo_ -= more;
   phi_hi_ += more;
-  // Half way between the ridges, the quadratic functions have their greatest error.
+  // Half way between the nine exact ridges, the quadratic functions have their greatest error.
   for (const double y : {-0.5, 0.5}) {
     for (const double x : {-0.5, 0.5}) {
       const auto ridge = exact(x, y);

@@ -6,6 +6,8 @@
 //   ridge    the greatest T over the profile, as a function of the height z
 //   x, y     point of flank 1: s and z, scaled to −1 … 1 over the part that lies opposite flank 2
 //   φ        rotation of gear 1 at which the smooth flanks have their ridge at (x, y)
+//   L        √(ρ² − r_b²), mm, distance of a point of an involute from its base circle along its
+//            normal; the phase of a wave over the profile is proportional to L
 //                                    theory: docs/theory/08-contact.md, [T8.28]
 //
 // On involutes with parallel axes, φ, the T of the smooth flanks, and the point of flank 2 are
@@ -42,7 +44,8 @@ class WaveCrests {
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
-  /// A crest that is lower than another crest by more than this, rad, cannot be the highest.
+  /// rad; a crest whose T is less than T of another crest by more than this margin cannot be the
+  /// highest.
   double margin() const { return margin_; }
   /// True if the patches never lie opposite each other.
   bool apart() const { return z_lo_ >= z_hi_; }
@@ -54,19 +57,19 @@ class WaveCrests {
     std::array<std::array<double, 3>, 3> c{};  // [power of y][power of x]
     std::array<double, 3> along_x(double y) const;
   };
-  struct Ridge {  // an exact ridge
+  struct Ridge {  // a point of a ridge, computed exactly
     double phi, te, roll2, bend, roll2_s, roll2_ss;
   };
   struct Node {
     double te = 0.0, s = 0.0, z = 0.0;
     double aside = 0.0;   // distance from the smooth ridge in s
     double inside = 0.0;  // distance of the smooth ridge from the nearest end of D in s, > 0 inside
-    bool outside = true;  // true if D is empty here, or if T cannot reach the required value
+    bool outside = true;  // true if D is empty here, or if T cannot reach `least`
   };
   std::optional<Ridge> solve(GapField& field, double s, double z, double phi) const;
   bool make(const ContactPair& pair);
   Node node(double phi, double z, double along_face, double least) const;
-  double along_face(double z) const;  // rad: effect of the waves over the face
+  double along_face(double z) const;  // rad: angle by which waves over the face lower T at z
 
   WaveCrests(const FlankPatch& one, const FlankPatch& two) : one_(one), two_(two) {}
 
@@ -76,14 +79,14 @@ class WaveCrests {
   double z_lo_ = 0.0, z_hi_ = 0.0, z_shift_ = 0.0;
   double phi_lo_ = 0.0, phi_hi_ = 0.0;
   double roll2_lo_ = 0.0, roll2_hi_ = 0.0;
-  double roll1_ = 0.0, roll1_per_s_ = 0.0;  // L at s_mid_, and its slope
+  double roll1_ = 0.0, roll1_per_s_ = 0.0;  // L of flank 1 at s_mid_, and its slope
   double s2_ = 0.0, arm_ = 1.0, margin_ = 0.0;
   double across_ = 0.0, along_ = 0.0;  // rad: amplitudes over the profile and over the face
   bool steep_ = false;                 // true if T may have several maxima over the profile
-  double branch_ = 0.0;  // greatest change of `aside` between two sections of one crest
+  double branch_ = 0.0;  // greatest change of `aside` along one crest, between two nodes
   struct Wave {
     double height = 0.0;  // rad: amplitude
-    double rate = 0.0;    // phase per mm of L
+    double rate = 0.0;    // rad of phase per mm of L
   };
   std::array<Wave, 2> wave_;  // over the profile of each flank
   struct Section {

@@ -23,8 +23,8 @@ Vec2 Involute::point(double xi) const {
 }
 
 CurvePoint Involute::at(double xi) const {
-  // dW/dξ = r_b ξ e^{i(ψ_b − ξ)}, so the tangent turns clockwise by one radian per radian of roll. For
-  // ξ < 0, the direction of growing ξ is opposite to e^{i(ψ_b − ξ)}.
+  // dW/dξ = r_b ξ e^{i(ψ_b − ξ)}, so the tangent turns clockwise by one radian per radian of roll.
+  // For ξ < 0, the direction of growing ξ is opposite to e^{i(ψ_b − ξ)}.
   const double back = xi < 0.0 ? std::numbers::pi : 0.0;
   return {point(xi), base_half_angle_ - xi + back, -1.0 / (base_radius_ * std::abs(xi))};
 }
@@ -91,7 +91,7 @@ Vec2 StretchedCircle::point(double t) const {
 
 CurvePoint StretchedCircle::at(double t) const {
   const double c = std::cos(t), s = std::sin(t), k = stretch_;
-  // dW/dt = ρ (−sin t + i k cos t), divided by the tangent i e^{it} of the circle.
+  // The angle from the tangent i e^{it} of the circle to dW/dt = ρ (−sin t + i k cos t).
   const double turn = std::atan2((1.0 - k) * s * c, s * s + k * c * c);
   const double speed = std::hypot(s, k * c);
   return {point(t), t + std::numbers::pi / 2 + turn, k / (radius_ * speed * speed * speed)};

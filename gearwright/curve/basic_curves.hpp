@@ -2,7 +2,7 @@
 // circular fillets about another point.
 //
 //   r     radius, mm              W(t)   point as a complex number, mm
-//   r_b   base radius, mm         ξ      roll angle, rad; r_b ξ is the arc length on the base circle
+//   r_b   base radius, mm         ξ      roll angle, rad; r_b ξ is an arc length on the base circle
 //   ψ_b   half angle of the tooth on the base circle, rad
 //                                                          theory: docs/theory/01-frames.md
 #pragma once
@@ -18,7 +18,7 @@ namespace gearwright {
 //
 //   W(t)   point ρ e^{iθ}, mm          ℓ = log W = u + iθ,  u = ln ρ
 //   ℓ′, ℓ″ derivatives by the parameter t of the curve
-//                                                          theory: docs/theory/08-contact.md, [T8.4]
+//                                                         theory: docs/theory/08-contact.md, [T8.4]
 
 using Complex = std::complex<double>;
 
@@ -34,7 +34,7 @@ struct PolarJet {
   double phase;    ///< rad
   Complex d1, d2;  ///< ℓ′, ℓ″ by t
 
-  /// The jet of the curve itself for side = 1, or of its mirror image about the x axis for side = −1.
+  /// The jet of the curve itself if side = 1, or of its mirror image about the x axis if side = −1.
   PolarJet on_side(double side) const {
     const auto turned = [side](const Complex& w) { return Complex{w.real(), side * w.imag()}; };
     return {turned(factor), side * phase, turned(d1), turned(d2)};
@@ -57,9 +57,10 @@ class AxisCircle final : public Curve {
 /// The involute flank on the side y > 0 of a tooth that is symmetric about the x axis,
 /// W(ξ) = r_b (1 + iξ) e^{i(ψ_b − ξ)}. [T2.4]
 ///
-/// Laws  (1) |W| = r_b √(1 + ξ²)   (2) arg W = ψ_b − (ξ − atan ξ)   (3) radius of curvature r_b |ξ|
-/// Domain  any ξ. ξ > 0 is the flank of an external tooth. ξ < 0, the branch behind the cusp, is the
-///         flank of an internal tooth, whose half angle ψ_b + inv α increases with the radius
+/// Laws  (1) |W| = r_b √(1 + ξ²)   (2) arg W = ψ_b − (ξ − atan ξ)
+///       (3) the radius of curvature is r_b |ξ|
+/// Domain  any ξ. ξ > 0 is the flank of an external tooth. ξ < 0, the branch behind the cusp, is
+///         the flank of an internal tooth, whose half angle ψ_b + inv α grows with the radius
 class Involute final : public Curve {
  public:
   Involute(double base_radius, double base_half_angle)
@@ -108,8 +109,8 @@ class OffsetCircle final : public Curve {
   double distance() const { return distance_; }
   double direction() const { return direction_; }
   double radius() const { return radius_; }
-  /// |t − γ| of the points where a ray from the axis touches the circle, cos(t − γ) = −r/D. The polar
-  /// angle is stationary there. Empty if the axis lies inside the circle.
+  /// |t − γ| of the two points at which a ray from the gear axis touches the circle. There,
+  /// cos(t − γ) = −r/D, and the polar angle is stationary. None if the axis lies inside the circle.
   std::optional<double> tangent_ray() const;
 
  private:
@@ -120,7 +121,7 @@ class OffsetCircle final : public Curve {
 // are ellipses in the transverse section.
 //
 //   W(t)  point as a complex number x + iy, mm      ρ  radius in the normal section, mm
-//   k     stretch along y, 1/cos β                  theory: docs/theory/02-involute-and-pair.md, 2.10
+//   k     stretch along y, 1/cos β            theory: docs/theory/02-involute-and-pair.md, 2.10
 
 /// Straight line through a and b,  W(t) = a + t (b − a).
 ///
@@ -137,7 +138,7 @@ class StraightLine final : public Curve {
 
 /// Ellipse with its axes along x and y,  W(t) = c + ρ (cos t + i k sin t).
 ///
-/// Laws    (1) for k = 1, the ellipse is a circle about c   (2) the points (x, y/k) lie on the circle
+/// Laws    (1) for k = 1, the ellipse is a circle about c   (2) the points (x, y/k) lie on a circle
 ///         about (c_x, c_y/k)
 /// Domain  ρ > 0, k > 0 (contract)
 class StretchedCircle final : public Curve {

@@ -4,10 +4,10 @@
 //   W    point as a complex number x + iy, mm
 //                                                          theory: docs/theory/01-frames.md
 //
-// Curves are immutable and shared. An envelope contains the curve that generates it, so a pinion that
-// is cut by a rack can itself be the cutter of a wheel. Most code uses only the points of a curve.
-// Code with a closed form for one class of curves checks whether a curve belongs to this class. The
-// files of curve/ do not name the classes that higher-level folders define.
+// Curves are immutable and shared. An envelope contains the curve that generates it, so a pinion
+// that is cut by a rack can itself be the cutter of a wheel. Most code uses only the points of a
+// curve. Code with a closed form for one class of curves checks whether a curve belongs to this
+// class. The files of curve/ do not name classes of curves that higher-level folders define.
 #pragma once
 
 #include <memory>
@@ -30,7 +30,8 @@ class Curve {
   virtual Vec2 point(double t) const = 0;
   virtual CurvePoint at(double t) const = 0;
 
-  /// arg W(t) [T1.1], rad, in (−π, π]. If a subclass overrides it, the result is continuous along the curve.
+  /// arg W(t) [T1.1], rad, in (−π, π]. In a subclass that overrides this function, the result is
+  /// continuous along the curve and may leave this range.
   virtual double polar_angle(double t) const;
   /// The parameter between t_lo and t_hi at which |W| = ρ. If ρ is outside the range of |W|, the
   /// nearer end is returned. A subclass may have a closed form.
@@ -67,7 +68,8 @@ auto visit_curve(const Curve& curve, const Visitor& visit) {
     return visit(&curve);
 }
 
-// The five parts of half a tooth from root to tip (ISO 21771). Each arc of a cutter generates one part.
+// The five parts of half a tooth from root to tip (ISO 21771). Each arc of a cutter generates one
+// part.
 
 enum class ArcName { root_land, root_fillet, flank, tip_fillet, tip_land };
 

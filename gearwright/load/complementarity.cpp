@@ -16,14 +16,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMost = 200;
+constexpr int kMost = 200;  // greatest number of steps
 constexpr int kOneByOne =
-    30;  // after this many steps, only one position changes per step, which prevents cycles
+    30;  // after this many steps, only one place is added or removed per step (no cycles)
 constexpr double kStill = 1e-11;     // last step, relative to the greatest load
 constexpr double kRounding = 1e-14;  // rounding error of a step, relative to the cancelling terms
-constexpr double kRough = 1e-3;  // largest accepted rounding error, relative to the greatest load
-constexpr double kOverlap = 1e-12;   // least overlap, relative to the greatest displacement
-constexpr double kLeastLoad = 1e-9;  // least load in the logarithm, relative to the mean load
+constexpr double kRough = 1e-3;  // greatest accepted rounding error, relative to the greatest load
+constexpr double kOverlap =
+    1e-12;  // least overlap of an added place, relative to the greatest displacement
+constexpr double kLeastLoad =
+    1e-9;  // least load p for which ln(a0/a) is computed, relative to the mean load
 
 }  // namespace
 
@@ -53,7 +55,7 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
       const Index k = at[i];
       for (Index j = 0; j < m; ++j) a(i, j) = q.yield(k, at[j]);
       const double p = std::max(x.line_load[k], kLeastLoad * mean);
-      // The local term λ ln(a0/a) p is linearised about p; the constant part is λ p/2.
+      // The local term λ ln(a0/a) p is linearised about the last p; its constant part is λ p/2.
       if (q.local > 0.0) {
         const double wide = hertz_half_width(p, q.radius[k], q.reduced_modulus);
         a(i, i) += q.local * (std::log(q.half_width / wide) - 0.5);
@@ -87,7 +89,7 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     }
     for (Index i = 0; i < m; ++i) next[at[i]] = std::max(p[i], 0.0);
     if (std::none_of(active.begin(), active.end(), [](char c) { return c != 0; })) {
-      // If all positions were released, start again with the nearest one.
+      // If no place is left, the place that touches at the least rotation is added again.
       Index nearest = 0;
       (q.gap.array() / q.arm.array()).minCoeff(&nearest);
       active[nearest] = 1;
@@ -106,8 +108,8 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     x.line_load = next;
     x.approach_per_gap = VectorXd::Zero(n);
     for (Index i = 0; i < m; ++i) x.approach_per_gap[at[i]] = q.length * turned[i] / stiffness;
-    // Under a very small load, the forces are small differences of large terms that follow from
-    // the gaps, and contain the rounding errors of these terms.
+    // Under a very small moment, the loads p are small differences of large terms that follow from
+    // the gaps, so p contains the rounding errors of these terms.
     const double cancelling =
         free.cwiseAbs().maxCoeff() + std::abs(x.approach) * turned.cwiseAbs().maxCoeff();
     const double still =

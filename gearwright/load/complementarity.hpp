@@ -1,17 +1,17 @@
-// Computes the loads of elastic bodies at their possible contact positions. Each position has
-// either a load and no gap, or a gap and no load.
+// Computes the loads of elastic bodies at the places where they can touch. Each place has either a
+// load and no gap, or a gap and no load.
 //
 //   p_i    load per length of the contact line               g_i, s_i   gap without and under load
 //   Θ      rotation of gear 2 beyond rigid contact           arm_i      normal gap per rad of Θ
-//   λ      λ1/E1 + λ2/E2, factor of the local deformation    w_i        deflection at position i
+//   λ      λ1/E1 + λ2/E2, factor of the local deformation    w_i        deflection at place i
 //
 //   w_i(p) + g_i − Θ arm_i = s_i,   p_i ≥ 0,  s_i ≥ 0,  p_i s_i = 0,   Σ p_i Δ arm_i = M2
 //                                                                            [T12.2], [T12.3]
 //   w_i = Σ_j A_ij p_j + λ ln(a0/a_i) p_i,    a_i = √(4 p_i R_i/(π E*))      [T12.12]
 //
-// An active set method with Newton steps [T12.14] removes positions with tension and adds positions
-// at which the bodies overlap. The solution is unique, because A is symmetric and positive definite
-// and the local term is monotone.
+// An active set method with Newton steps [T12.14] removes places with tension from the set of
+// loaded places and adds places at which the bodies overlap. The solution is unique, because A is
+// symmetric and positive definite and the local term is monotone.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,18 +23,18 @@ struct ContactProblem {
   Eigen::MatrixXd yield;         ///< A  mm per N/mm, symmetric
   Eigen::VectorXd gap;           ///< g  mm
   Eigen::VectorXd arm;           ///< mm
-  Eigen::VectorXd radius;        ///< R  mm
-  double length = 1.0;           ///< Δ  mm, length of the contact line in a slice
+  Eigen::VectorXd radius;        ///< R  mm, 1/curvature of the gap across the contact line
+  double length = 1.0;           ///< Δ  mm, length of the contact line at each place
   double moment = 0.0;           ///< M2  N mm
   double local = 0.0;            ///< λ1/E1 + λ2/E2  mm²/N; 0 without a local term
-  double half_width = 1.0;       ///< a0  mm
+  double half_width = 1.0;       ///< a0  mm, half width of the strip for which A is computed
   double reduced_modulus = 1.0;  ///< E*  N/mm²
 };
 
 struct ContactSolution {
   enum class Stop {
-    /// No position was added or removed, and the last step was below 1e-11 of the greatest load or
-    /// below the rounding error of the cancelling gaps (at most a thousandth of the greatest load).
+    /// No loaded place was added or removed, and the last step was below 1e-11 of the greatest load
+    /// or below the rounding error of cancelling gaps (at most a thousandth of the greatest load).
     converged,
     indefinite,  ///< A is indefinite, because the slices are too fine for the contact width
     too_long     ///< the limit of steps was reached
@@ -42,18 +42,18 @@ struct ContactSolution {
   Stop stop = Stop::too_long;
   Eigen::VectorXd line_load;      ///< p  N/mm
   double approach = 0.0;          ///< Θ  rad
-  double yield_per_moment = 0.0;  ///< dΘ/dM2  rad/(N mm): the tangent
-  /// ∂Θ/∂g_i  rad/mm, which equals ∂(p_i Δ)/∂M2; 0 without pressure.
+  double yield_per_moment = 0.0;  ///< dΘ/dM2  rad/(N mm), tangent compliance
+  /// ∂Θ/∂g_i  rad/mm, which equals ∂(p_i Δ)/∂M2; 0 at places without load.
   Eigen::VectorXd approach_per_gap;
   int iterations = 0;
   bool found() const { return stop == Stop::converged; }
 };
 
-/// The iteration starts from the loads `start`, N/mm, such as the solution of a similar problem. If
-/// `start` is empty, all positions start with the same load. The start changes the solution by
-/// rounding only.
+/// Solves the problem. The iteration starts from the loads `start`, N/mm, such as the solution of a
+/// similar problem. If `start` is empty, all places start with the same load. The start changes the
+/// solution by rounding only.
 ///
-/// Domain    at least one position; moment > 0; one start load ≥ 0 for each position (contract)
+/// Domain    at least one place; moment > 0; one start load ≥ 0 for each place (contract)
 ContactSolution solve_contact(const ContactProblem& problem, const Eigen::VectorXd& start = {});
 
 /// Half width of a Hertz strip. [T12.12]

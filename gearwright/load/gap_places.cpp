@@ -17,7 +17,7 @@ constexpr double kBorderRounding =
 constexpr double kSameGap =
     1e-13;  // rad: two patches with a smaller difference of T have the same gap
 constexpr double kFarFromMesh =
-    0.6;  // rad from the line of centres: flanks at a greater angle do not face each other
+    0.6;  // rad: points of flank 1 at a greater angle from the line of centres face no flank
 
 double row_of(const FlankPatch& a, int i) {
   return a.s_lo + (a.s_hi - a.s_lo) * i / (GapSearch::kRows - 1);
@@ -42,9 +42,9 @@ double curvature(const GapJet& j) {
   return mean + std::sqrt(std::max(0.0, mean * mean - product));
 }
 
-// True if the gap at `a` is less than the gap at `b`. At the start of a relief, both patches have
-// the same gap up to rounding. The edge between the two patches is sharper than each patch, so the
-// place with the greater curvature is used.
+// True if the gap at `a` is less than the gap at `b`. At the start of a relief, the two patches
+// that meet there have the same gap up to rounding. The edge between them is sharper than each
+// patch, so the place with the greater curvature is used.
 bool nearer(const GapPlace& a, const GapPlace& b) {
   if (std::abs(a.te - b.te) > kSameGap) return a.te > b.te;
   return a.curvature > b.curvature;
@@ -60,8 +60,8 @@ TouchKind edge_of_one(End end) {
   return end == End::tip ? TouchKind::tip1 : end == End::form ? TouchKind::form1 : TouchKind::line;
 }
 
-// The distance of a point from the nearest border of the other flank, ≥ 0 inside the flank, and the
-// derivative of this distance with respect to s.
+// The distance of a point of flank 1 from the nearest border of the patch `b` of flank 2, ≥ 0 if it
+// lies opposite this patch, and the derivative of this distance with respect to s.
 struct Margin {
   double v, s;
 };
@@ -72,8 +72,8 @@ Margin margin(const FlankPatch& b, const GapJet& j) {
                            [](const Margin& x, const Margin& y) { return x.v < y.v; });
 }
 
-// Returns the last point inside the other flank, up to rounding. `good` is a point inside, and
-// `bad` is a point outside.
+// Returns the last s between `good` and `bad` at which flank 1 lies opposite the patch `b` of flank
+// 2, up to rounding. It does so at `good`, but not at `bad`.
 template <class At>
 double last_inside(const FlankPatch& b, const At& at, double good, double bad, double rounding) {
   const double border = newton_in_bracket<double>(

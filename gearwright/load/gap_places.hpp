@@ -1,5 +1,5 @@
-// Finds the possible contact positions of loaded teeth: for every tooth pair and every slice of the
-// face, the position at which the gap between the flanks is least, and that gap.
+// Finds the places where loaded teeth can touch: for every tooth pair and every slice of the face,
+// the place at which the gap between the flanks is least, and the gap at this place.
 //
 //   T     angular gap field of contact [T8.1]; the place of a slice is s*(z) = argmax_s T(s, z)
 //   arm   mm of normal gap per rad of gap angle [T8.3]
@@ -19,11 +19,11 @@ namespace gearwright {
 struct GapPlace {
   double te = 0.0;                   ///< T  rad
   double arm = 0.0;                  ///< mm
-  std::array<double, 2> radius{};    ///< mm on each gear
-  double curvature = 0.0;            ///< 1/R across the line, 1/mm
+  std::array<double, 2> radius{};    ///< mm, distance of the place from the axis of each gear
+  double curvature = 0.0;            ///< 1/R of the gap across the contact line, 1/mm
   TouchKind kind = TouchKind::line;  ///< an edge if the maximum of T in the slice lies on that edge
-  double s = 0.0;                    ///< on the patch of flank 1
-  std::size_t patches = 0;           ///< index of the two patches
+  double s = 0.0;                    ///< parameter on the patch of flank 1
+  std::size_t patches = 0;           ///< index of the pair of patches
 };
 
 struct PairPlaces {
@@ -33,7 +33,7 @@ struct PairPlaces {
       at;  ///< by slice; empty if the flanks do not face each other there
 };
 
-/// Finds the position with the least gap for each tooth pair and slice.
+/// Finds the place of least gap for each tooth pair and slice.
 class GapSearch {
  public:
   static constexpr int kRows = 17;  ///< number of points on a profile at which the search starts
@@ -49,13 +49,14 @@ class GapSearch {
   ///
   /// Domain    the slice has a place; otherwise as row_slope() (contract)
   double slope(const PairPlaces& pair, std::size_t height, const Influence& influence);
-  /// The effect on te of material that is removed from gear `gear` at the place of a slice.
+  /// The effect of material removed from gear `gear` on `te` at the place of a slice.
   RemovalTurn turn(const PairPlaces& pair, std::size_t height, int gear);
 
  private:
   using Rows = std::array<Complex, kRows>;
 
-  // A patch of each flank. `rows` are the points of flank 1 at every height, at rotation 0.
+  // A patch of flank 1 and a patch of flank 2. `rows` contains the points of flank 1 at every
+  // height, at rotation 0.
   struct Patches {
     GapField field;
     double least_square, most_square;  // mm², range of the squared radius on gear 2

@@ -9,7 +9,7 @@
 
 namespace gearwright {
 
-/// The values of ISO 6336 for the same pair under a torque.
+/// The values of ISO 6336 for the analysed pair under one torque.
 struct LoadStandard {
   double stiffness = 0.0;  ///< c_γα  N/(mm µm)
   /// σ_F0 of each gear, MPa: F_t/(b m_n) Y_F Y_S Y_β; none if a gear has no critical section.
@@ -20,7 +20,7 @@ struct LoadStandard {
 struct SummaryBasis {
   double face;         ///< b  mm, common face width
   double base_radius;  ///< r_b1  mm
-  double body_twist;   ///< mm per N/mm, sum of the twist of both bodies
+  double body_twist;   ///< twist of both gear bodies, as approach per line load, mm per N/mm
   bool whole_pitch;    ///< true if the positions are evenly spaced over one pitch
   LoadRegime regime;   ///< for point contact, only `whole_pitch` is used
 };
@@ -33,7 +33,7 @@ void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 /// Domain    solved positions, evenly spaced over one pitch
 std::vector<Angle> harmonics(const std::vector<LoadedPosition>& positions);
 
-/// The load share of a tooth pair, summed over its contact positions.
+/// The load share of a tooth pair at one position, summed over the places where it touches.
 double share_of(const LoadedPosition& position, int pair);
 
 /// The torque with the least peak-to-peak loaded transmission error among those with harmonics;

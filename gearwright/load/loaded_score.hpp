@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-/// Values are NaN if there is no result.
+/// If a contact has no result, the numbers are NaN, and face_load_factor is absent.
 struct LoadedScore {
   Angle peak_to_peak;                        ///< of the loaded transmission error
   double max_pressure = 0.0;                 ///< MPa
@@ -22,13 +22,14 @@ std::vector<LoadedScore> loaded_scores(const LoadedContact& contact);
 
 /// The score if there is no result.
 LoadedScore no_score();
-/// The worse value of `a` and `b` for each member. NaN is worse than any number.
+/// The score whose members are each the worse of the values of `a` and `b`. NaN is worse than any
+/// number.
 LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b);
 
 /// The effect of corrections under a torque. Each member of a score is the worst value over all
 /// scenarios.
 struct AimedLoad {
-  double torque;  ///< N mm
+  double torque;  ///< N mm, on gear 1
   LoadedScore before, after;
 };
 

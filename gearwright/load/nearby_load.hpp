@@ -5,8 +5,9 @@
 //   g_i(e) = (TE − T_i − Σ ∂T_i/∂e δe) arm_i        theory: docs/theory/14-scatter.md, [T14.25]
 //
 // Most of the computing time of a position is needed to find the places and the compliance between
-// them. The places move when the flanks change. The gap is corrected to first order, but compliance
-// and curvature are kept from e = 0, which causes an error of a few percent of the change.
+// them. The places move when the flanks change. The gap is corrected to first order in e, but
+// compliance and curvature remain those at e = 0. The change of TE therefore has an error of a few
+// percent.
 #pragma once
 
 #include <span>
@@ -44,13 +45,13 @@ class NearbyLoad {
 
  private:
   struct Position {
-    double te;                           // rad
-    ContactProblem problem;              // its moment is set for each torque
+    double te;                           // rad, TE without load at e = 0
+    ContactProblem problem;              // at e = 0; its moment is set for each torque
     Eigen::MatrixXd turn;                // ∂T_i/∂e, a row per place, a column per influence
     std::vector<Eigen::VectorXd> start;  // loads at e = 0, one vector for each torque
   };
   struct Loaded {
-    double te;  // rad; NaN without a solution
+    double te;  // rad, TE under load; NaN without a solution
     Eigen::VectorXd slope;
   };
   Loaded loaded(const Position& at, std::size_t torque, std::span<const double> change,

@@ -13,7 +13,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kThinnest =
-    1e-9;  // least b/a; it corresponds to k1/k2 of 1e-17, which is a line contact
+    1e-9;  // least b/a; it corresponds to k1/k2 = 1e-17, practically a line contact
 // K and D = (K − E)/e² for κ = b/a by Carlson's integrals, which are accurate for thin and round
 // ellipses.
 double elliptic_k(double axes) { return boost::math::ellint_rf(0.0, axes * axes, 1.0); }

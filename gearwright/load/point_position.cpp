@@ -19,17 +19,18 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostTurns = 120;   // limit of iterations of footprints and forces
+constexpr int kMostTurns = 120;   // greatest number of iterations of footprints and forces
 constexpr double kStill = 1e-11;  // last change of forces and approach, relative to their values
 constexpr int kWhole = 10;        // iterations that change the ellipses by full steps
 constexpr double kLeastPart = 0.1,
-                 kMostPart = 5.0;  // limits of the step length after these iterations
-constexpr int kHalvings = 40;
+                 kMostPart = 5.0;  // limits of the step length afterwards; 1 is a full step
+constexpr int kHalvings = 40;      // of the interval in which the end of the flank lies
 constexpr double kNoLength =
     1e-3;  // relative to the semi-axis: a shorter footprint has a single node
 constexpr double kIdle =
-    1e-6;  // force for the footprint of an unloaded place, relative to the whole force
-constexpr double kStraightest = 0.25;  // least curvature of the bent bodies, relative to k1
+    1e-6;  // least force for which a footprint is computed, relative to the whole force
+constexpr double kStraightest =
+    0.25;  // least curvature of the gap of the bent bodies, relative to k1
 
 using Nodes = boost::math::quadrature::gauss<double, 9>;
 
@@ -196,7 +197,8 @@ MatrixXd PointSolver::yields(const PointPosition& at, const std::vector<Laid>& l
 }
 
 // The displacement is fitted by w ≈ c0 + c1 x + ½ c2 x² over the footprint, weighted by the load
-// shares. The gap is then least at x0 = −c1/(k1 + c2), or at the end of the flank before x0.
+// shares. The gap is then least at x0 = −c1/(k1 + c2), or, if x0 lies beyond an end of a flank, at
+// this end.
 Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid,
                           const VectorXd& force, std::size_t i) {
   const Laid& here = laid[i];
@@ -257,7 +259,7 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   VectorXd force = VectorXd::Constant(n, q.moment / q.arm.sum());
   double approach = 0.0;
   // Full steps are used first. If they do not converge, the step length is computed from the last
-  // two steps. It is more than 1 for slow convergence and less than 1 for oscillation.
+  // two steps. It exceeds a full step if convergence is slow, and is shorter for oscillation.
   double part = 1.0;
   VectorXd last;
   bool still = false;

@@ -20,12 +20,12 @@ namespace gearwright::detail {
 struct PointPlace {
   int pair;    // k in N
   double te;   // T  rad
-  double arm;  // mm
+  double arm;  // mm of normal gap per rad of gap angle
   TouchKind kind;
   std::array<double, 2> curvature;  // k1 ≤ k2  1/mm
   PairTouch touch;
   Eigen::Vector2d along;  // (ds, dz) on flank 1 per mm along the major axis
-  // Steps along the face and in radius on each gear, per mm along the major and the minor axis.
+  // Per gear: steps (along the face, in radius) per mm along the major and along the minor axis.
   std::array<std::array<Eigen::Vector2d, 2>, 2> axis;
 };
 
@@ -47,12 +47,12 @@ struct Laid {
   double softness = 0.0;         // c of [T12.24]  mm/N^(2/3)
   std::vector<double> x, share;  // per node: mm from the touch; load share, sum 1
   std::array<std::vector<Eigen::MatrixXd>, 2>
-      node;                             // per node: a force of 1 on the grid of each gear
-  std::array<Eigen::MatrixXd, 2> grid;  // sum of `node`, weighted by `share`
+      node;                             // per gear and node: a unit force there, on the grid
+  std::array<Eigen::MatrixXd, 2> grid;  // per gear: sum of `node`, weighted by `share`
 };
 struct PointPosition {
   std::vector<PointPlace> places;  // places that may touch, from the start to the end of contact
-  double te = 0.0;                 // TE at which the teeth first touch
+  double te = 0.0;                 // rad, TE without load, at which the first tooth pair touches
 };
 
 class PointSolver {
@@ -77,8 +77,8 @@ class PointSolver {
   }
   Eigen::MatrixXd yields(const PointPosition& at, const std::vector<Laid>& laid) const;
   AxisPlace on_axis(const PointPlace& place, double x);
-  // Returns x if it lies on both flanks. Otherwise returns the last value that does, on the way
-  // from `from`, which lies on both flanks, to x.
+  // `from` and x are points on the major axis, mm, and `from` lies on both flanks. Returns x if it
+  // lies on both flanks, otherwise the last point on both flanks on the way from `from` to x.
   double reach(const PointPlace& place, double from, double x);
   Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
   // The ellipse of place i after the bending of the bodies along its major axis.

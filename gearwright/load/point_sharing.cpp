@@ -15,8 +15,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMost = 100;
-constexpr int kHalvings = 40;
-constexpr double kStill = 1e-13;  // residual, relative to the approach and the moment
+constexpr int kHalvings = 40;     // greatest number of halvings of a step
+constexpr double kStill = 1e-13;  // last residual, relative to the approach and the moment
 // The unknowns are δ of every point and, as the last element, Θ.
 class Sharing {
  public:
@@ -34,7 +34,8 @@ class Sharing {
       d[i] = 1.5 * std::sqrt(std::max(x[i], 0.0) / q_.softness[i]) / q_.softness[i];
     return d;
   }
-  // The last element is the relative error of the moment; the other elements are lengths.
+  // The last element is the relative error of the moment; the others are the errors of the gap
+  // equations, mm.
   VectorXd residual(const VectorXd& x) const {
     const VectorXd f = force(x);
     VectorXd r(n_ + 1);
@@ -50,7 +51,7 @@ class Sharing {
     j.bottomLeftCorner(1, n_) = q_.arm.cwiseProduct(d).transpose() / q_.moment;
     return j;
   }
-  // At the start, the nearest point carries the whole load.
+  // At the start, the point that touches at the least rotation carries the whole load.
   VectorXd start() const {
     Index first = 0;
     q_.gap.cwiseQuotient(q_.arm).minCoeff(&first);

@@ -29,7 +29,7 @@ struct RootSwing {
 };
 
 /// The greatest principal stress along the fillets of the loaded teeth and their neighbours, MPa; 0
-/// if the table has no root points. The stresses of all these teeth are added to `swing`.
+/// if the table has no root points. `swing` is widened to include the stresses of all these teeth.
 double greatest_root_stress(const ToothTable& table, int gear, double module,
                             const std::vector<ToothForces>& forces, RootSwing& swing);
 

@@ -3,7 +3,8 @@
 //
 //   β_b, r_b, ρ   base helix angle; base radius and radius of curvature of a flank at a place
 //   s_i           +1 or −1, sign of the moment of the axial force in the plane of action
-//   S_ij          displacement along the normal at place i per normal force at place j, both gears
+//   S_ij          displacement along the normal at place i per normal force at place j, summed over
+//                 both gears
 //
 // A normal force of 1 on a flank acts on the shaft as a force cos β_b along the line of action, a
 // moment s_i ρ sin β_b in the plane of action, a moment r_b sin β_b perpendicular to this plane,
@@ -26,8 +27,8 @@ struct FaceDeflection {
   double bow = 0.0;    ///< B  height of the parabola in the middle
   bool any() const { return slope != 0.0 || bow != 0.0; }
 };
-/// Fits slope, bow and a constant part to the values in the middles of equal slices, from −z on, by
-/// least squares.
+/// Fits slope, bow and a constant part to the approach in the middles of equal slices, in the order
+/// from −z on, by least squares.
 ///
 /// Formula   [T12.31]
 /// Domain    at least three values (contract)
@@ -46,7 +47,7 @@ class ShaftYield {
     std::array<double, 2> radius;  ///< mm, on each gear
   };
   bool any() const { return shafts_[0].influence || shafts_[1].influence; }
-  /// S  mm/N.
+  /// S between these places, mm/N.
   ///
   /// Formula   [T12.35]
   Eigen::MatrixXd between(const std::vector<Place>& places) const;
@@ -56,7 +57,7 @@ class ShaftYield {
   /// The mean of S at the pitch point, mm/N, which is the displacement of the axes. It is excluded
   /// from the approach, the transmission error and the stiffness of the mesh.
   double of_axes() const { return any() ? at_pitch_point_.mean() : 0.0; }
-  /// Slope and bow of the approach of the flanks under a line load, N/mm by slice from −z on.
+  /// Slope and bow of the approach of the flanks under a line load, N/mm for each slice from −z on.
   FaceDeflection under(const Eigen::VectorXd& line_load) const;
 
  private:

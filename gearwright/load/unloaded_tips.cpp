@@ -21,7 +21,7 @@ constexpr int kHeights = 8;      // points along the face at which a tip is exam
 constexpr int kMostTurns = 30;   // limit of iterations, each of which at least halves the error
 constexpr double kClose = 5e-6;  // mm: tolerance of a relief; reliefs are made in whole µm
 constexpr double kGreatest =
-    1.0 / 40;  // modules: greatest relief tried; at kFarGap and beyond, contact is ignored
+    1.0 / 40;  // modules: greatest relief tried; less than kFarGap, the widest gap that is solved
 
 // The law ρ_1 = a + r_b1 φ + c z for a contact of pair 0 at the height z and the rotation φ in N.
 struct PathPlace {
@@ -30,7 +30,8 @@ struct PathPlace {
   double rotation(double rho1, double z) const { return (rho1 - a - c * z) / base_radius; }
 };
 
-// Fits the law to the contacts of a position by least squares. It is exact for involutes.
+// Fits a and c to the places of least gap at one position by least squares. The law is exact for
+// involutes.
 PathPlace path_place(const Position& at, const FaceSlices& slices, double base_radius) {
   double n = 0.0;
   double z1 = 0.0;
@@ -75,7 +76,8 @@ std::vector<TipPlace> tip_places(const PathPlace& path, const TipPath& ends,
   return list;
 }
 
-// The distance s at a place; 0 if the place carries load, NaN if the forces do not converge.
+// The distance s between tip and flank at a place; 0 if the place carries load, NaN if the forces
+// do not converge.
 double distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
   Position at = solver.prepare(tip.rotation);
   if (at.rows.empty()) return std::numeric_limits<double>::infinity();
@@ -109,7 +111,7 @@ PairModifications with_reliefs(const PairModifications& all, const std::array<do
   return made;
 }
 
-// True if every section of the face has the same contact, so that one of them is sufficient.
+// True if every section of the face has the same contact, so that examining one is sufficient.
 bool alike_sections(const ContactSetup& setup, const LoadRequest& request) {
   const auto plain = [](const FlankModifications& m) {
     return m.lead_crowning == 0.0 && m.lead_slope == 0.0 && m.end_relief.amount == 0.0;
@@ -160,7 +162,7 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
     });
     std::array<double, 2> least{std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity()};
-    // A place without a solution leaves the least distance of its gear unknown (NaN).
+    // If a place has no solution, the least distance of its gear is unknown (NaN).
     for (std::size_t i = 0; i < tips.size(); ++i) {
       double& known = least[tips[i].gear];
       if (std::isnan(distance[i]) || distance[i] < known)

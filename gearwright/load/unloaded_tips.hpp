@@ -35,7 +35,7 @@ struct UnloadedTips {
 /// and topographies are ignored, because the reliefs replace them.
 ///
 /// Formula   [T12.27]
-/// Domain    involute teeth with line contact, tables of the same teeth (contract)
+/// Domain    involute teeth with line contact, `compliance` of the gears of `setup` (contract)
 /// Accuracy  amounts exceed the least ones by at most 0.005 µm
 /// Errors    `gearN.modifications.tip_relief.reach` as make_removal_field
 /// Laws      of aligned gears: (1) if the gears are exchanged, the amounts are exchanged   (2) the

@@ -59,7 +59,8 @@ std::vector<int> BSplineBasis::multiplicities() const {
 
 int BSplineBasis::span(double u) const {
   GW_EXPECTS(u >= knots_.front() && u <= knots_.back());
-  // The last knot <= u among t_p … t_(n−1). At the right end, this is the start of the last span that is not empty.
+  // The last knot <= u among t_p … t_(n−1). If u is the right end, this knot is the start of the
+  // last span that is not empty.
   const auto first = knots_.begin() + degree_;
   const auto last = knots_.begin() + poles_;
   const auto above = std::upper_bound(first, last, u);
@@ -95,7 +96,8 @@ void BSplineBasis::prepare() {
     for (std::size_t j = 1; j <= p; ++j) sum += knots_[i + j];
     greville_.push_back(sum / degree_);
   }
-  // The sum of p equal numbers divided by p may differ from that number, so the ends are set exactly.
+  // At an end, p equal knots are averaged. The computed mean may differ from the knot by rounding,
+  // so the ends are set exactly.
   greville_.front() = knots_.front();
   greville_.back() = knots_.back();
 

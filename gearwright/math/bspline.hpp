@@ -12,7 +12,8 @@
 //
 //   Laws  (1) the first and last pole are the first and last sample, bit for bit
 //         (2) polynomials of degree ≤ p are reproduced
-//         (3) poles in reverse order give the same curve in the opposite direction (symmetric knots)
+//         (3) for symmetric knots, poles in reverse order give the same curve in the opposite
+//             direction
 #pragma once
 
 #include <Eigen/Core>
@@ -26,25 +27,26 @@ class BSplineBasis {
   /// Domain    degree ≥ 1, poles ≥ degree + 1 (contract)
   BSplineBasis(int degree, int poles);
 
-  /// Basis with the given knots, which are clamped at both ends. Inner multiplicity is at most
-  /// `degree`.
+  /// Basis with the given knots, which are clamped at both ends. An inner knot occurs at most
+  /// `degree` times.
   /// Domain    non-decreasing, ends repeated degree + 1 times (contract)
   BSplineBasis(int degree, std::vector<double> knots);
 
   int degree() const { return degree_; }
   int poles() const { return poles_; }
 
-  /// The full knot vector of poles + degree + 1 numbers, in which each knot is repeated by its multiplicity.
+  /// The full knot vector of poles + degree + 1 numbers, in which each knot occurs as often as its
+  /// multiplicity.
   const std::vector<double>& knots() const { return knots_; }
 
-  /// The distinct knots in increasing order, used with multiplicities() (the form that OCCT needs).
+  /// The distinct knots in increasing order, and the multiplicity of each (as OCCT needs them).
   std::vector<double> distinct_knots() const;
   std::vector<int> multiplicities() const;
 
   /// The Greville abscissae g_i. The first and the last are exactly the ends of the knot vector.
   const std::vector<double>& greville() const { return greville_; }
 
-  /// Poles of the spline through `samples`. Row i of the result belongs to row i of `samples`.
+  /// Poles of the spline that passes through row i of `samples` at u = g_i.
   ///
   /// Units     as the samples
   /// Domain    samples.rows() == poles() (contract); any number of columns
@@ -54,8 +56,8 @@ class BSplineBasis {
   /// C(u) for poles in rows.   Domain: knots.front() ≤ u ≤ knots.back() (contract)
   Eigen::VectorXd evaluate(const Eigen::MatrixXd& poles, double u) const;
 
-  /// dᵏC/duᵏ, which is zero for k > degree. At a knot it is the derivative from the right, and at the
-  /// end of the last span the derivative from the left.
+  /// dᵏC/duᵏ, which is zero for k > degree. At a knot it is the derivative from the right; at the
+  /// last knot it is the derivative from the left.
   Eigen::VectorXd derivative(const Eigen::MatrixXd& poles, double u, int k = 1) const;
 
   /// The p + 1 nonzero basis functions at u; values[j] belongs to pole first + j.

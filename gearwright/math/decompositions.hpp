@@ -1,7 +1,7 @@
 // Small dense problems of linear algebra, solved by decompositions of Eigen.
 //
-// These templates of Eigen take longer to compile than anything else in the engine, two to seven seconds
-// each. They are instantiated once, behind these functions.
+// These templates of Eigen take longer to compile than anything else in the engine, two to seven
+// seconds each. They are instantiated once, in the source file of these functions.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,15 +10,15 @@ namespace gearwright {
 
 /// A symmetric 2×2 matrix as V diag(values) Vᵀ.
 struct SymmetricEigen {
-  Eigen::Vector2d values;   ///< ascending
-  Eigen::Matrix2d vectors;  ///< unit vectors in columns, in the order of the values
+  Eigen::Vector2d values;   ///< eigenvalues, ascending
+  Eigen::Matrix2d vectors;  ///< V, a unit eigenvector in each column, in the order of the values
 };
 
 /// Eigenvalues and eigenvectors of m. Only the lower triangle of m is read.
 SymmetricEigen symmetric_eigen(const Eigen::Matrix2d& m);
 
-/// The solution x of a·x = b, by elimination with complete pivoting. If `a` is singular, the unknowns
-/// that it does not determine are 0.
+/// The solution x of a·x = b, by elimination with complete pivoting. If `a` is singular, the
+/// unknowns that a·x = b does not determine are 0.
 ///
 /// Domain    a is square, and b has as many rows as a (contract)
 Eigen::VectorXd solve_linear(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);

@@ -3,8 +3,9 @@
 //   α    pressure angle at a point, rad        ξ = tan α   roll angle, rad
 //   r_b  base radius, mm                       inv α       polar angle of the point, rad
 //
-// The functions are templates over the scalar, which is double here and a number of 50 digits in the
-// accuracy ledger. For double, small angles use a series, because tan α − α loses 3ε/α² to cancellation.
+// The functions are templates over the scalar, which is double in the engine and a number of 50
+// digits in the accuracy ledger. For double, small angles use a series, because tan α − α has a
+// relative error of 3ε/α² by cancellation.
 #pragma once
 
 #include <algorithm>
@@ -55,7 +56,7 @@ T involute_of_roll(const T& xi) {
   return xi - atan(xi);
 }
 
-/// Pressure angle α with inv α = y, by Halley's iteration from a start value with an error of at most
+/// Pressure angle α with inv α = y, by Halley's iteration. The start value has an error of at most
 /// 2.4 %.
 ///
 /// Formula   [T2.3]; the iteration is monotone from the second step on
@@ -69,11 +70,11 @@ T inverse_involute(const T& y) {
   using std::cbrt;
   using std::tan;
   const T limit(1e12);    // π/2 − α is 1/y there
-  const T rounding(1e3);  // loss of tan α − α near π/2, as a multiple of the tolerance
+  const T rounding(1e3);  // error of tan α − α near π/2, as a multiple of the tolerance
   GW_EXPECTS(abs(y) <= limit);
   if (y == T(0)) return y;
   if (y < T(0)) return -inverse_involute<T>(-y);
-  // Small y: inv α = α³/3 + 2α⁵/15 + …; large y: α → π/2 − 1/(y + π/2).
+  // Start value. Small y: from inv α = α³/3 + 2α⁵/15 + …; large y: α → π/2 − 1/(y + π/2).
   T alpha;
   if (y < T(0.6)) {
     const T c = cbrt(T(3) * y);

@@ -33,7 +33,7 @@ LeastNode least_node(const F& f, int steps) {
 ///           neighbours
 /// Domain    f is finite and has one minimum between these neighbours. If there are several minima
 ///           in the interval, the minimum next to the best point is found
-/// Accuracy  1e-8 of the interval; at this distance f differs from its minimum only by rounding
+/// Accuracy  1e-8 of the interval; within this distance of the minimum, f varies by rounding only
 template <class F>
 double place_of_least(const F& f, double lo, double hi) {
   constexpr int kParts = 16;

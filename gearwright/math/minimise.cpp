@@ -20,8 +20,8 @@ std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vect
   opt.set_maxeval(task.evaluations);
   opt.set_ftol_rel(task.relative_gain);
   opt.set_ftol_abs(task.gain);
-  // An exception of f must not pass through the C code of NLopt. It stops NLopt and is thrown again
-  // afterwards.
+  // An exception of f must not pass through the C code of NLopt. It is stored, stops NLopt, and is
+  // thrown again after the call of NLopt.
   struct Objective {
     const MinimiserTask& task;
     std::exception_ptr thrown;
@@ -41,7 +41,7 @@ std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vect
   try {
     opt.optimize(start, least);
   } catch (const nlopt::roundoff_limited&) {
-    // `start` is then the best point, up to rounding
+    // Rounding prevents further progress; `start` then contains the best point.
   } catch (const nlopt::forced_stop&) {
     std::rethrow_exception(called.thrown);
   }

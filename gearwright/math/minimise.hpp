@@ -15,11 +15,11 @@ enum class Minimiser {
   downhill    ///< Subplex: local search from the start point
 };
 
-/// A search ends after `evaluations` evaluations, or when f changes by less than `relative_gain` or
-/// `gain`.
+/// A search ends after `evaluations` evaluations, or when the best f changes in a step by less than
+/// the fraction `relative_gain` or by less than `gain`.
 struct MinimiserTask {
-  std::vector<double> lo{}, hi{};  ///< the box
-  std::vector<double> step{};      ///< first step of each variable, > 0
+  std::vector<double> lo{}, hi{};  ///< ends of the box
+  std::vector<double> step{};      ///< first step of each variable (downhill only), > 0
   int evaluations = 1;
   double relative_gain = 0.0;
   double gain = 0.0;

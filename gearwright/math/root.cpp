@@ -12,11 +12,11 @@
 
 namespace gearwright {
 
-// The budget of evaluations for TOMS 748, which needs about ten. If it is used up, the remaining
-// bracket is bisected.
+// Limit of the evaluations by TOMS 748, which usually needs about ten. If the limit is reached, the
+// remaining bracket is bisected.
 constexpr std::uintmax_t kBudget = 100;
-// TOMS 748 stays two ulp away from the ends of its bracket and may cycle there until its budget is
-// used up. It is stopped when the width of the bracket is at most this fraction of its ends.
+// TOMS 748 stays two ulp away from the ends of its bracket and may cycle there until kBudget is
+// reached. It is stopped when the width of the bracket is at most this fraction of its ends.
 constexpr double kCircles = 16 * std::numeric_limits<double>::epsilon();
 
 Root find_root(const std::function<double(double)>& f, double lo, double hi) {

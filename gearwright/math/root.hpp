@@ -19,7 +19,7 @@ enum class RootStop {
   exact,        ///< f(x) = 0
   bracket,      ///< |b − a| ≤ 2 ulp of the larger end
   no_bracket,   ///< f(lo) and f(hi) have the same sign; x is the end at which |f| is smaller
-  evaluations,  ///< the budget was used up, which happens only if f is NaN inside the bracket
+  evaluations,  ///< the limit of evaluations was reached; only if f is NaN inside the bracket
 };
 
 struct Root {
@@ -50,9 +50,9 @@ std::vector<double> polynomial_roots(std::span<const double> c, double lo, doubl
 
 // Newton's iteration within a bracket, for smooth functions with a cheap derivative.
 //
-// Every evaluation narrows the bracket. If a step would leave the bracket, or is longer than half the
-// previous step, the bracket is bisected instead. The function is a template over the scalar, like
-// the formulas.
+// Every evaluation narrows the bracket. If a step would leave the bracket, or is longer than half
+// the previous step, the bracket is bisected instead. newton_in_bracket() is a template over the
+// scalar, like the formulas.
 
 template <class T>
 struct Slope {
@@ -63,7 +63,7 @@ struct Slope {
 enum class NewtonStop {
   exact,      ///< f(x) = 0
   step,       ///< the next step is below 2 ulp of x
-  bracket,    ///< the bracket has closed
+  bracket,    ///< the width of the bracket is at most 2 ulp of its ends
   iterations  ///< the budget of iterations was used up
 };
 
@@ -76,15 +76,16 @@ struct NewtonRoot {
   bool found() const { return stop != NewtonStop::iterations; }
 };
 
-/// The root of f in [lo, hi]. If `rising` is true, f(lo) ≤ 0 ≤ f(hi), otherwise f(lo) ≥ 0 ≥ f(hi). f is not evaluated
-/// at the ends, where it may be infinite. f(x) returns a Slope<T>.
+/// The root of f in [lo, hi]. f must satisfy f(lo) ≤ 0 ≤ f(hi) if `rising` is true, and f(lo) ≥ 0
+/// ≥ f(hi) otherwise. It is not evaluated at the ends, where it may be infinite. f(x) returns a
+/// Slope<T>.
 ///
 /// Domain    lo ≤ start ≤ hi (contract)
 template <class T, class F>
 NewtonRoot<T> newton_in_bracket(const F& f, T lo, T hi, T start, bool rising) {
   using std::abs;
   GW_EXPECTS(!(start < lo) && !(hi < start));
-  constexpr int kBudget = 400;  // twice the 170 bisections that 50 digits need at most
+  constexpr int kBudget = 400;  // more than twice the 170 bisections that 50 digits need
   const T ulps = T(2) * std::numeric_limits<T>::epsilon();
   NewtonRoot<T> root{start, T(0), 0, NewtonStop::iterations};
   T last = hi - lo;

@@ -11,7 +11,8 @@ namespace {
 using Table = boost::random::default_sobol_table;
 static_assert(SobolPoints::kMaxDimensions == Table::max_dimension);
 
-// v_k = m_k 2^(31 − k) for k from 0. The bits of `polynomial` are its coefficients a_0 = 1 to a_degree = 1.
+// v_k = m_k 2^(31 − k) for k from 0. The bits of `polynomial` are the coefficients of a primitive
+// polynomial, a_0 = 1 to a_degree = 1.
 std::array<std::uint32_t, 32> directions(unsigned polynomial, unsigned degree, std::size_t j) {
   std::array<std::uint32_t, 32> m{};
   for (unsigned k = 0; k < 32; ++k) {
@@ -78,7 +79,7 @@ std::uint32_t owen_scrambled(std::uint32_t bits, std::uint64_t key) {
 double unit_interval(std::uint32_t bits) { return (bits + 0.5) / 4294967296.0; }
 
 double random_unit(std::uint64_t key, std::uint64_t n) {
-  // The last of the 53 bits is set, so the results are neither 0 nor 1 after rounding.
+  // The 52 bits and the ½ fit into the 53 bits of a double, so the result is not rounded to 0 or 1.
   return (static_cast<double>(hash64(key ^ n) >> 12U) + 0.5) * 0x1p-52;
 }
 

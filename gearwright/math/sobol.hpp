@@ -1,7 +1,8 @@
 // Points that fill the unit cube evenly: Sobol's sequence with random access, and Owen's scrambling
 // by a hash. Any thread can compute any point, and the bits are the same on every machine.
 //
-//   x_n   point n, in the order of the Gray code      v_k   direction numbers of a coordinate, 32 bits
+//   x_n   point n, in the order of the Gray code
+//   v_k   direction numbers of a coordinate, 32 bits
 //   u     a coordinate of the scrambled point, 0 < u < 1
 //                                                     theory: docs/theory/14-scatter.md
 #pragma once
@@ -15,8 +16,8 @@ namespace gearwright {
 /// Steele, Lea and Flood's splitmix64, which converts 64 bits to 64 well mixed bits.
 std::uint64_t hash64(std::uint64_t x);
 
-/// Points of Sobol's sequence, each coordinate as 32 bits, from the direction numbers of Joe and Kuo
-/// (2008, file new-joe-kuo-6), whose table Boost.Random contains.
+/// Points of Sobol's sequence, each coordinate as 32 bits, from the direction numbers of Joe and
+/// Kuo (2008, file new-joe-kuo-6), whose table Boost.Random contains.
 ///
 /// Formula   [T14.3], [T14.4]
 class SobolPoints {

@@ -32,7 +32,8 @@ double sum_of_squares(std::span<const double> f, std::span<const double> g) {
 Moments moments(std::span<const double> samples) {
   GW_EXPECTS(!samples.empty());
   const auto n = static_cast<double>(samples.size());
-  // The first sample is subtracted, because the sum would lose digits if the mean is far from 0.
+  // The first sample is subtracted from each sample, because the sum would lose digits if the mean
+  // is far from 0.
   double sum = 0.0;
   for (const double x : samples) sum += x - samples[0];
   const double mean = samples[0] + sum / n;
@@ -147,7 +148,8 @@ double beta_quantile(double u, double p, double q) {
 
 double student_quantile(double u, double nu) {
   GW_EXPECTS(nu > 0.0 && u > 0.0 && u < 1.0);
-  // t²/(ν + t²), or its complement if that is smaller and therefore has more digits.
+  // Near u = 1/2, c = t²/(ν + t²) is small, otherwise its complement b. The small one is computed,
+  // because it has more digits.
   const double middle = std::abs(2.0 * u - 1.0);
   double t = 0.0;
   if (middle < 0.5) {

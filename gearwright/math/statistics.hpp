@@ -20,7 +20,7 @@ struct Moments {
   double variance;  ///< unbiased estimate, with the divisor n − 1; 0 for n = 1
 };
 
-/// Domain    n ≥ 1 (contract)
+/// Mean and variance of the samples.   Domain  n ≥ 1 (contract)
 Moments moments(std::span<const double> samples);
 
 /// The p-quantile of the sorted samples, interpolated linearly between two of them.
@@ -29,12 +29,14 @@ Moments moments(std::span<const double> samples);
 /// Domain    n ≥ 1, sorted, 0 ≤ p ≤ 1 (contract)
 double quantile(std::span<const double> sorted, double p);
 
-/// Ranks of sorted samples, counted from 1, between which the p-quantile lies. A bound is absent if
-/// there are too few samples.
+/// Ranks of sorted samples, counted from 1, between which the p-quantile of the distribution lies
+/// with a given confidence. A bound is absent if there are too few samples for it.
 struct RankInterval {
   std::optional<std::int64_t> lower, upper;
 };
 
+/// The ranks for n samples. The confidence is at least `confidence` if both bounds exist.
+///
 /// Formula   [T14.8]
 /// Domain    n ≥ 1, 0 < p < 1, 0 < confidence < 1 (contract)
 RankInterval quantile_ranks(std::int64_t n, double p, double confidence);
@@ -56,11 +58,13 @@ struct Estimate {
   std::optional<double> standard_error;  ///< none if R = 1
 };
 
+/// The estimate from the values of a statistic in the replicates.
+///
 /// Formula   [T14.9]
 /// Domain    R ≥ 1 (contract)
 Estimate estimate(std::span<const double> replicates);
 
-/// value ± t_{R−1} standard errors.
+/// The interval value ± t_{R−1} · standard_error, with R = `replicates`.
 ///
 /// Domain    an estimate with a standard error, R ≥ 2, 0 < confidence < 1 (contract)
 ConfidenceInterval interval(const Estimate& estimate, std::size_t replicates, double confidence);
@@ -69,9 +73,10 @@ struct SobolIndices {
   std::vector<double> first, total;  ///< one index for each group
 };
 
-/// Jansen's estimates. `a` and `b` contain n values of f at A and at B. For each group, `mixed` contains n values of f
-/// at A with the columns of the group taken from B. There are no estimates if the variance is at most `least_variance`
-/// or a value is not a number.
+/// Jansen's estimates for a function f of the inputs. A and B are two independent sets of n points;
+/// `a` and `b` contain the values of f at their points. For each group, `mixed` contains the values
+/// of f at the points of A with the inputs of the group taken from B. None if the variance of f is
+/// at most `least_variance`, or if a value is NaN.
 ///
 /// Formula   [T14.10]
 /// Domain    n ≥ 1, and all spans have n values (contract)

@@ -62,7 +62,8 @@ double Distribution::at(double u) const {
       break;
     case Kind::normal: {
       const double v = from_ + u * (to_ - from_);
-      // If the upper end is many standard deviations above the mean, Φ = 1 within rounding.
+      // If h is many standard deviations above the mean, Φ at h is 1 within rounding, and v may
+      // be 1.
       if (v >= 1.0) return h;
       x = mean_ + sigma_ * normal_quantile(v);
       break;

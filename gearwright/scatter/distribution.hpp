@@ -15,14 +15,14 @@ namespace gearwright {
 struct DistributionSpec {
   enum class Kind {
     uniform,
-    triangular,  ///< symmetric
+    triangular,  ///< symmetric about m
     normal,      ///< truncated to the range, because inspection rejects other parts
     beta
   };
   std::array<double, 2> range{};  ///< l, h
   Kind kind = Kind::uniform;
-  double cpk = 1.0;                       ///< C_pk, for Kind::normal
-  double offset = 0.0;                    ///< distance of the mean from m, for Kind::normal
+  double cpk = 1.0;                       ///< C_pk, for Kind::normal only
+  double offset = 0.0;                    ///< mean minus m, for Kind::normal only
   std::array<double, 2> shape{1.0, 1.0};  ///< p, q, for Kind::beta
 };
 
@@ -30,11 +30,12 @@ class Distribution {
  public:
   /// Checks the spec and makes its distribution.
   ///
-  /// Errors    `range` if l > h or if an end is not finite (l = h is a number that does not vary),
+  /// Errors    `range` if l > h or if an end is not finite (for l = h the number does not vary),
   ///           `cpk` ≤ 0, `offset` not inside the range, `shape` ≤ 0
   static Result<Distribution> of(const DistributionSpec& spec);
 
-  /// F⁻¹(u).   Formula [T14.1]   Domain 0 < u < 1 (contract)
+  /// F⁻¹(u), the inverse of the distribution function.   Formula [T14.1]
+  /// Domain    0 < u < 1 (contract)
   double at(double u) const;
   /// Mean and variance, in closed form.
   Moments moments() const;
@@ -48,7 +49,7 @@ class Distribution {
 
   DistributionSpec spec_;
   double mean_ = 0.0, sigma_ = 0.0;  // of the normal distribution before truncation
-  double from_ = 0.0, to_ = 0.0;     // Φ at the ends of its range
+  double from_ = 0.0, to_ = 0.0;     // its distribution function at the ends of the range
 };
 
 /// The two coordinates of a point in a disc, from two numbers in (0, 1).   Formula [T14.2]

@@ -1,4 +1,4 @@
-// Deviations of flanks that a grade of ISO 1328-1 allows, as random variables.
+// The flank deviations that a grade of ISO 1328-1 allows, as limits of random variables.
 //
 //   f_H   limit of the slope deviation over an evaluation range
 //   f_f   limit of the form deviation around the line with this slope
@@ -12,16 +12,16 @@
 
 namespace gearwright {
 
-/// All in mm.
+/// The deviations that a grade allows on the flanks of a gear, mm.
 struct GradedFlank {
-  double profile_slope;              ///< ±, f_Hα, over the whole usable flank instead of L_α
-  double helix_slope;                ///< ±, f_Hβ, over the whole face instead of L_β
+  double profile_slope;              ///< ± f_Hα, converted from L_α to the whole usable flank
+  double helix_slope;                ///< ± f_Hβ, converted from L_β to the whole face
   double profile_form, helix_form;   ///< f_fα, f_fβ
   double total_pitch, single_pitch;  ///< F_p, f_pt
   double helix_total;                ///< F_β
 };
 
-/// The deviations that a grade allows on the flanks of a gear.
+/// The deviations that the grade `quality` of an edition of the standard allows for a gear.
 ///
 /// Formula   [T14.23], with the values of flank_tolerances()
 /// Domain    a grade of the edition (contract)
@@ -29,8 +29,8 @@ struct GradedFlank {
 ///           range
 std::optional<GradedFlank> graded_flank(const Gear& gear, FlankTolerances edition, int quality);
 
-/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. As angles, they do not depend on the
-/// bearing span.
+/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. The report gives them in proportion to the
+/// bearing span, so the angles do not depend on it.
 ///
 /// Formula   [T14.23]
 struct GradedAxes {

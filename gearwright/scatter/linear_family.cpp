@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kHeights = 33;                                         // number of heights
+constexpr int kHeights = 33;                                         // over the face
 constexpr double kBeyond = std::numeric_limits<double>::infinity();  // exceeds any value
 
 // Heights over the face of gear 1, or over the common face if the axes are parallel.
@@ -67,7 +67,8 @@ double least_between(const Branches& a, const Branches& b) {
   return std::min(least, first->second + part * (falls->second - first->second));
 }
 
-// True if the field of a member differs from the drawn field. Their topographies are always equal.
+// True if the field of a member differs from the drawn field. Topographies are not compared,
+// because they are always equal.
 bool changed(const RemovalField& member, const RemovalField& drawn) {
   if (member.waves() != drawn.waves()) return true;
   return std::any_of(RemovalField::kParameters.begin(), RemovalField::kParameters.end(),
@@ -76,10 +77,10 @@ bool changed(const RemovalField& member, const RemovalField& drawn) {
 
 }  // namespace
 
-// The difference of a member from the pair as drawn.
+// The differences of a member from the pair as drawn.
 struct LinearFamily::Member {
-  std::array<double, 6> error;                   // in the order of kErrorKinds
-  std::array<const RemovalField*, 2> removal{};  // null without a change
+  std::array<double, 6> error;                   // minus the drawn one, in the order of kErrorKinds
+  std::array<const RemovalField*, 2> removal{};  // field of each gear; null if it is as drawn
 };
 
 std::optional<LinearFamily> LinearFamily::of(const ContactSetup& drawn,

@@ -1,7 +1,7 @@
 // Estimates the peak-to-peak TE of the members of a family to first order. It is fast enough for a
 // diagram that follows a slider.
 //
-//   T_i    greatest gap angle over the profile at place i, which is a height of a tooth pair
+//   T_i    greatest gap angle over the profile at place i, which is one height on one tooth pair
 //   e      errors of a member minus those drawn      ΔC   additional removal of the member at i
 //   T_i(x) ≈ T_i + Σ ∂T_i/∂e · e + Σ ∂T_i/∂C · ΔC       theory: docs/theory/14-scatter.md, [T14.26]
 //
@@ -29,17 +29,17 @@ class LinearFamily {
   /// Peak-to-peak TE of a member, rad. Thickness, pitch deviations and the lead angle of a cutter
   /// have no effect.
   ///
-  /// Accuracy  first order in the deviation at each place
+  /// Accuracy  T_i is exact to first order in the deviation
   /// Laws      (1) without a deviation, the result equals continuous_peak_to_peak()   (2) for small
   ///           deviations, the result changes like continuous_peak_to_peak()
   double peak_to_peak(const Deviation& deviation) const;
 
  private:
   struct Place {
-    double te;                           // rad in N
-    std::array<double, 6> by_error;      // in the order of kErrorKinds
-    std::array<RemovalTurn, 2> removal;  // of each gear
-    std::array<double, 2> drawn;         // mm removed in the drawing
+    double te;                           // T_i of the pair as drawn, rad in N
+    std::array<double, 6> by_error;      // ∂T_i/∂e, in the order of kErrorKinds
+    std::array<RemovalTurn, 2> removal;  // ∂T_i/∂C of each gear
+    std::array<double, 2> drawn;         // mm removed from each gear as drawn
   };
   // A tooth pair at a position, with the heights at which its flanks face each other, in order.
   struct Row {

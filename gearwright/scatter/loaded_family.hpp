@@ -2,8 +2,8 @@
 // first samples of a family.
 //
 // The tables of the teeth do not depend on errors and modifications, so all members share them.
-// All teeth of a gear are identical here. Pitch deviations therefore have no effect, and a change
-// of thickness only turns gear 2.
+// All teeth of a gear are treated as identical. Pitch deviations therefore have no effect, and a
+// change of thickness only turns gear 2.
 //
 // Internal to scatter/.                theory: docs/theory/14-scatter.md, [T14.24]
 #pragma once
@@ -15,8 +15,8 @@
 
 namespace gearwright {
 
-/// The scores of the members at the points `x`, by member and torque. They are empty for a member
-/// whose forces have no solution at some position.
+/// The scores of the members at the points `x`: for each member, one score for each torque. The
+/// list of a member is empty if its forces have no solution at some position.
 ///
 /// Accuracy  as loaded_contact() for each member
 std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setup,

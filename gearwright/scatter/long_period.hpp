@@ -1,5 +1,5 @@
-// Computes TE of a pair with unequal pitches over its long period, after which the same teeth mesh
-// again.
+// Computes TE of a pair with unequal pitches over its long period, after which every tooth meets
+// the same mating tooth again.
 //
 //   T(φ)    TE of one tooth pair alone, over the whole range in which it touches
 //   ε_i,k   angle by which tooth k of gear i is ahead, rad
@@ -17,7 +17,7 @@ namespace gearwright {
 /// Peak to peak of TE over lcm(z1, |z2|) pitches at the positions of `touches`, rad.
 ///
 /// Formula   [T14.22]; exact for deviations of gear 2, to first order in those of gear 1
-/// Domain    a touch at every position; deviations of all teeth of a gear, or of none of them
+/// Domain    a touch at every position; `pitch` of a gear has a value for each tooth, or is empty
 ///           (contract)
 /// Laws      (1) without deviations it is the peak to peak of the touches
 ///           (2) it is at most the peak to peak of the touches plus the ranges of both deviations

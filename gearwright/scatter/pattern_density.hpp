@@ -24,7 +24,7 @@ struct ScatterTask;  // scatter/scatter.hpp
 
 struct DensityRequest {
   double marking = 0.00635;  ///< δ  mm
-  int positions = 32;        ///< per pitch
+  int positions = 32;        ///< of each sample, per pitch
   int samples = 32;          ///< of each replicate, a power of two, at most ScatterTask::samples
   RasterSize size{17, 33};
 };
@@ -50,7 +50,7 @@ struct PatternDensity {
 /// The density over the first samples of each replicate of a family. Pitch deviations and
 /// thicknesses have no effect on it.
 ///
-/// Accuracy  each sample as contact_pattern(); a share has the sampling error
+/// Accuracy  each sample as contact_pattern(); a share has the sampling error of a fraction
 /// Laws      (1) without deviations, the share of a place is 1 where the pattern of the pair covers
 ///           the place, and 0 elsewhere   (2) a greater δ does not lower any share
 ///           (3) the result does not depend on the number of threads

@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kCoarseSamples = 128;  // for the search of the whole box
-constexpr int kFineSamples = 1024;   // for the descent and the comparison
+constexpr int kCoarseSamples = 128;  // greatest number for the search of the whole box
+constexpr int kFineSamples = 1024;   // greatest number for the descent and the comparison
 
 // Peak to peak of rigid teeth in the first samples of the family.
 class RigidFamily final : public CorrectedFamily {
@@ -42,7 +42,8 @@ class RigidFamily final : public CorrectedFamily {
   }
 
  private:
-  // Flank corrections have exact slopes. For tool settings, difference quotients are used.
+  // Corrections that remove material from flanks have exact slopes. For tool settings and cutter
+  // leads, difference quotients are used.
   void add_slopes(Values& values, const std::vector<double>& v,
                   const std::vector<MemberSpan>& spans) const {
     values.slope.assign(spans.size(), std::vector<double>(v.size()));

@@ -6,7 +6,7 @@
 //                                    and [T14.25]
 //
 // The samples are the same for every v, so that differences between corrections are not due to
-// chance. The result is assessed with samples of another seed.
+// chance. The result is assessed with other samples, from another seed.
 #pragma once
 
 #include <optional>
@@ -20,17 +20,17 @@ namespace gearwright {
 struct RobustTask {
   std::vector<WorkshopCorrection> corrections;
   std::vector<Correction> bounds;  ///< of each correction in its unit, lo ≤ 0 ≤ hi
-  double percent = 95.0;           ///< 100 p
+  double percent = 95.0;           ///< 100 p, the percentile that is minimised
   /// If given, f_k is the loaded peak to peak under the worst of its torques.
   std::optional<LoadedFamily> load{};
 };
 
-/// The family without or with corrections, computed with samples of another seed.
+/// The family without or with corrections, computed with samples of another seed than the search.
 struct JudgedFamily {
   std::vector<std::vector<double>> x;  ///< of the samples, in the users' units of the tolerances
   Spread peak_to_peak;                 ///< f; its only percentile is the one that is minimised
-  Probability edge;                    ///< an edge touches or, under load, carries load
-  Probability lost;                    ///< a sample has no f
+  Probability edge;                    ///< that an edge touches or, under load, carries load
+  Probability lost;                    ///< that a sample has no f
   std::vector<LoadedSpread> loaded{};  ///< by torque, under load
 
   /// The percentile, rad.
@@ -49,8 +49,8 @@ struct RobustCorrections {
 /// Errors    as scatter_of(); `percentile`, if no sample has a peak to peak
 /// Accuracy  a local minimum, the best from a search of the whole box and descents by exact
 ///           derivatives; values are multiples of a hundredth of `step`
-/// Laws      (1) with the other seed, the corrections increase neither the percentile nor the
-///           number of samples without a value; if they would, every correction is 0   (2) the
+/// Laws      (1) in the samples of the other seed, the corrections increase neither the percentile
+///           nor the number of samples without f; if they would, every correction is 0   (2) the
 ///           result is the same, byte for byte, for any number of threads   (3) with tolerances
 ///           of width 0, the percentile after the corrections is that of the nominal optimum
 Result<RobustCorrections> robust_corrections(const ContactSetup& setup, const ScatterTask& task,

@@ -17,11 +17,13 @@ namespace gearwright {
 
 namespace {
 
+// Greatest number of samples for the search of the whole box, and for all other steps.
 constexpr int kCoarseLoaded = 16, kFineLoaded = 64;
 constexpr int kPositions = 16;       // per pitch during the search, as in `compensate`
 constexpr int kMostCenters = 6;      // greatest number of centers in a search
-constexpr double kNextReach = 0.25;  // relative to the bounds, for all centers except the first
-constexpr double kLastReach = 1e-3;
+constexpr double kNextReach = 0.25;  // greatest reach around all centers after the first, relative
+                                     // to the bounds; the first search covers the whole box
+constexpr double kLastReach = 1e-3;  // the search ends below this reach
 constexpr double kGain = kSameError.rad();  // smallest gain worth another step
 
 bool all_influences(const RobustTask& robust) {
@@ -62,7 +64,7 @@ class LoadedTrials final : public CorrectedFamily {
         task_.threads);
   }
 
-  // True if every trial repeats the whole contact.
+  // True if every trial repeats the whole contact computation, so that its result is exact.
   bool exact() const {
     return load_.request.regime == LoadRegime::point || !all_influences(robust_);
   }

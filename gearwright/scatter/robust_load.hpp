@@ -18,7 +18,8 @@ namespace gearwright {
 std::vector<double> corrections_under_load(const ContactSetup& setup, const ScatterTask& task,
                                            const RobustTask& robust);
 
-/// The family of this task under the worst of the torques; none if no sample has a solution.
+/// The family of the task `judged`, with f under the worst of the torques; none if no sample has a
+/// solution.
 std::optional<JudgedFamily> judged_under_load(const ContactSetup& setup, const ScatterTask& judged,
                                               const LoadedFamily& load);
 

@@ -11,13 +11,13 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFirstRadius = 0.25;  // relative to the bounds: initial trust radius of the
-                                       // linearised problem
-constexpr double kLastRadius = 1e-3;
-constexpr int kMostSteps = 20;
+constexpr double kFirstRadius = 0.25;  // first trust radius of the linearised problem, relative to
+                                       // the width of the box
+constexpr double kLastRadius = 1e-3;   // the descent ends below this radius
+constexpr int kMostSteps = 20;         // greatest number of steps of a descent
 
 // The mean of the worst fraction 1 − p of the samples. The sample at the border of this fraction
-// counts partly.   [T14.17]
+// counts with the part of it that belongs to the fraction.   [T14.17]
 double mean_of_worst(std::vector<double> f, double p) {
   const double worst = (1.0 - p) * static_cast<double>(f.size());
   const auto whole = std::min(static_cast<std::size_t>(worst), f.size() - 1);

@@ -14,8 +14,8 @@
 
 namespace gearwright {
 
-/// A quantity for any corrections, computed for the same samples, so that differences between
-/// corrections are not due to chance.
+/// A quantity for any corrections. All corrections are evaluated with one set of samples, so that
+/// differences between them are not due to chance.
 class CorrectedFamily {
  public:
   struct Values {
@@ -36,7 +36,7 @@ struct RobustSearch {
   const CorrectedFamily& coarse;  ///< few samples, for the search of the whole box
   const CorrectedFamily& fine;    ///< for the descents and the comparison
   std::vector<Correction> box;
-  double p;
+  double p;        ///< the percentile, as a fraction
   double gain;     ///< rad, smallest gain worth another step
   bool whole_box;  ///< false for a search around the start only
 };

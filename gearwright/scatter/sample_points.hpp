@@ -1,5 +1,5 @@
-// Computes the points x of the samples of a family, and the peak-to-peak TE at these points. They
-// are Sobol's points or random points with the distributions of the tolerances.
+// Computes the points x of the samples of a family, and the peak-to-peak TE of the members at these
+// points. The points are Sobol's or random points with the distributions of the tolerances.
 //                                    theory: docs/theory/14-scatter.md, [T14.4] to [T14.6]
 // Internal to scatter/.
 #pragma once
@@ -26,12 +26,12 @@ class SamplePoints {
 
   /// x of sample n of a replicate, in the users' units.
   std::vector<double> at(int replicate, std::uint32_t n) const { return from(0, replicate, n); }
-  /// x of sample n of a second, independent set. It uses the second half of the coordinates of
-  /// points with twice the dimension.
+  /// x of sample n of a second set, independent of at(). The points have twice as many coordinates
+  /// as x: at() uses the first half of them, and this function the second half.
   std::vector<double> of_other_half(int replicate, std::uint32_t n) const {
     return from(dimensions_, replicate, n);
   }
-  /// The first samples of a replicate.
+  /// x of the first `count` samples of a replicate.
   std::vector<std::vector<double>> first(int replicate, int count) const;
 
  private:
@@ -42,7 +42,8 @@ class SamplePoints {
   SobolPoints points_;
 };
 
-/// Peak to peak of the continuous curve of the members at these points, rad, and its slopes.
+/// Peak to peak of the continuous TE curve of the member at each of these points x, rad, and its
+/// slopes with respect to the influences.
 std::vector<MemberSpan> spans_at(const ContactSetup& setup, const ScatterTask& task,
                                  const std::vector<std::vector<double>>& places,
                                  std::span<const Influence> influences = {});

@@ -48,7 +48,7 @@ std::vector<ScatterSample> members_of(const ContactSetup& setup, const ScatterTa
   return samples;
 }
 
-// The point `a`, in which the coordinates of a group are replaced by those of `b`.
+// The point `a`, with the coordinates of the tolerances in a group replaced by those of `b`.
 std::vector<double> mixed(const ScatterTask& task, const ToleranceGroup& group,
                           std::vector<double> a, const std::vector<double>& b) {
   std::size_t from = 0;
@@ -78,7 +78,7 @@ std::vector<double> kept(const std::vector<ScatterSample>& samples, std::size_t 
   return values;
 }
 
-// One quantity of one replicate. A sample that loses contact has no value.
+// One quantity of `count` samples; NaN for samples that have no value.
 std::vector<double> column(const std::vector<ScatterSample>& samples, std::size_t quantity,
                            std::size_t from, std::size_t count) {
   std::vector<double> v;

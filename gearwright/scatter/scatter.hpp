@@ -1,5 +1,5 @@
-// Computes the effect of tolerances on a pair: the distribution of each number of its contact,
-// probabilities, the influence of each tolerance, and the worst member of the box.
+// Computes the effect of tolerances on a pair: the distribution of each quantity of its contact,
+// probabilities, the influence of each tolerance, and the worst member of the box of tolerances.
 //
 //   n, R   samples of a replicate, replicates        d   coordinates of x
 //                                    theory: docs/theory/14-scatter.md
@@ -32,7 +32,7 @@ struct ToleranceGroup {
 /// Teeth under torque for the first samples of each replicate.
 struct LoadedFamily {
   PairCompliance compliance;
-  LoadRequest request;  ///< without root stress
+  LoadRequest request;  ///< its root stresses are not used
   int samples = 32;     ///< of each replicate, a power of two, at most ScatterTask::samples
 };
 
@@ -64,7 +64,7 @@ struct ScatterSample {
 struct Percentile {
   double percent;
   Estimate estimate;
-  std::optional<double> lower, upper;  ///< ends of the confidence interval; none if samples are few
+  std::optional<double> lower, upper;  ///< ends of the confidence interval; none with few samples
   std::size_t sample;                  ///< index of the sample with the nearest value
 };
 
@@ -98,21 +98,22 @@ struct IndexEstimates {
 
 /// The worst member found by a search of the box.
 struct WorstMember {
-  double value;           ///< of the quantity
-  std::vector<double> x;  ///< its position, in the users' units
+  double value;           ///< peak to peak or least play of this member, rad
+  std::vector<double> x;  ///< coordinates of this member, in the users' units
   bool corner;            ///< true if every coordinate is at an end of its range
 };
 
 /// Effect of each tolerance: the highest percentile of the peak to peak TE if one tolerance becomes
 /// wider or narrower about the value of the drawing, and all others stay the same.
 struct Loosening {
-  double percent, percentile;  ///< highest percent p, and the percentile p, rad,
-                               ///< in the first replicate
+  /// The highest of ScatterTask::percentiles, and the peak to peak at this percentile in the first
+  /// replicate with the tolerances as given, rad.
+  double percent, percentile;
   struct Change {
-    std::optional<double> factor;  ///< greatest factor with which the percentile grows by at most
-                                   ///< kLooser; none if this holds for any factor up to
-                                   ///< kMostFactor for which the teeth exist
-    double halved;                 ///< rad, the percentile with half of this tolerance
+    /// Greatest factor of the tolerance with which the percentile grows by at most the fraction
+    /// kLooser; none if this holds for any factor up to kMostFactor for which the teeth exist.
+    std::optional<double> factor;
+    double halved;  ///< rad, the percentile with half of this tolerance
   };
   std::vector<Change> by_tolerance;
   /// The tolerance whose halving lowers the percentile most; none if no halving lowers it.
@@ -123,7 +124,7 @@ constexpr double kLooser = 0.05, kMostFactor = 8.0;
 struct Scatter {
   Scatter() = default;                 ///< empty; also prevents aggregate initialisation
   std::vector<ScatterSample> samples;  ///< replicate by replicate
-  /// The spread of each ScatterQuantity; none if there is no such number.
+  /// The spread of each ScatterQuantity; none if no sample has a value of this quantity.
   std::array<std::optional<Spread>, kScatterQuantities> spread{};
   /// None if the quantity varies by rounding only, or if a sample has no contact.
   std::array<std::optional<IndexEstimates>, kScatterQuantities> indices{};

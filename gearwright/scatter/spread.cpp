@@ -7,7 +7,7 @@ namespace gearwright {
 
 namespace {
 
-// The values of one quantity, and the indices of the samples that have a value.
+// The values of one quantity in the samples that have a value, and the indices of these samples.
 struct Values {
   std::vector<double> value;
   std::vector<std::size_t> sample;

@@ -17,7 +17,7 @@
 
 namespace gearwright {
 
-/// A member of ContactErrors, in the order of docs/spec.md, [errors].
+/// An error in ContactErrors, in the order of docs/spec.md, [errors].
 enum class VaryingError {
   center_distance,  ///< mm
   crossing,         ///< rad
@@ -29,7 +29,7 @@ enum class VaryingError {
   cutter_lead2
 };
 
-/// E_sn of a gear, mm.
+/// The tooth thickness of a gear, as its deviation E_sn, mm.
 struct VaryingThickness {
   int gear;
 };
@@ -44,7 +44,7 @@ struct VaryingModification {
 /// the bearing span. It varies within a circle.
 struct VaryingBore {
   double span;    ///< L  mm
-  double offset;  ///< c  mm, position of the gear from the middle of the span, towards +z
+  double offset;  ///< c  mm, z of the gear relative to the middle of the span
   bool far_end;   ///< true for the plane at z = +L/2, false for −L/2
 };
 
@@ -63,14 +63,14 @@ struct VaryingWave {
   int gear;
   bool along_face;           ///< true if over the face, false if over the usable profile
   std::array<int, 2> waves;  ///< least and greatest number of waves
-  double height;             ///< f_fα or f_fβ  mm
+  double height;             ///< f_fα or f_fβ  mm, from crest to trough
 };
 
 struct ScatterTolerance {
   std::string name;   ///< name for the user, for example "errors.crossing_deg"
-  double unit = 1.0;  ///< one unit of the user in rad or mm; the distribution uses the user's unit
-  /// The distribution of the number. For a bore, each coordinate has this distribution over −R to
-  /// R. For pitches, the share has this distribution. For a wave, it is not used.
+  double unit = 1.0;  ///< the user's unit, in rad or mm; the distribution is in the user's unit
+  /// The distribution of the toleranced number. For a bore, each coordinate has this distribution
+  /// over −R to R. For pitches, the share has this distribution. For a wave, it is not used.
   Distribution distribution;
   std::variant<VaryingError, VaryingThickness, VaryingModification, VaryingBore, VaryingPitch,
                VaryingWave>
@@ -81,7 +81,7 @@ struct ScatterTolerance {
   int coordinates() const;
   /// The coordinates of x, computed from as many numbers in (0, 1), in the user's units.
   std::array<double, 3> at(std::span<const double> u) const;
-  /// Least and greatest value of a coordinate.
+  /// Least and greatest value of this coordinate of x, in the users' unit.
   std::array<double, 2> side(int coordinate) const;
 };
 
@@ -90,7 +90,7 @@ struct Deviation {
   ContactErrors errors;               ///< of the member, including the drawn errors
   PairModifications modifications;    ///< of the member, including the drawn modifications
   bool modified = false;              ///< true if the modifications differ from the drawn ones
-  std::array<double, 2> thickness{};  ///< ΔE_sn  mm
+  std::array<double, 2> thickness{};  ///< ΔE_sn of each gear, mm, relative to the drawn gear
   /// ε of each tooth of a gear, rad, > 0 if the tooth is ahead; empty for equal pitches.
   std::array<std::vector<double>, 2> pitch;
 

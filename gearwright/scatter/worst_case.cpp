@@ -12,21 +12,21 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kMostCorners = 1024;  // if there are more, kChosenCorners of them are used
+constexpr std::size_t kMostCorners = 1024;  // of a box with more, only kChosenCorners are used
 constexpr std::size_t kChosenCorners = 256;
 constexpr std::size_t kStartCorners = 8;   // number of the worst corners at which a search starts
 constexpr std::size_t kStartSamples = 16;  // number of the worst samples at which a search starts
 constexpr int kDirections = 8;       // positions of a bore on its circle that count as corners
-constexpr double kFirstStep = 0.25;  // of a range
-constexpr double kLastStep = 1e-4;   // of a range
-constexpr double kAtEnd = 1e-9;      // of a range: a point that is nearer to an end is at the end
+constexpr double kFirstStep = 0.25;  // relative to the range of a coordinate
+constexpr double kLastStep = 1e-4;   // relative to the range of a coordinate
+constexpr double kAtEnd = 1e-9;      // relative to a range: a point nearer to an end is at the end
 
 class Box {
  public:
   Box(const ContactSetup& setup, const ScatterTask& task, ScatterQuantity quantity)
       : setup_(setup), task_(task), quantity_(quantity) {
     for (const ScatterTolerance& t : task.tolerances) {
-      // Pitches affect the long period only; here they are nominal.
+      // Pitches affect the long period only, which is not computed here, so they stay nominal.
       const bool pitch = std::holds_alternative<VaryingPitch>(t.of);
       for (int k = 0; k < t.coordinates(); ++k)
         sides_.push_back(pitch ? std::array{0.0, 0.0} : t.side(k));
@@ -37,8 +37,8 @@ class Box {
   std::size_t dimensions() const { return sides_.size(); }
   double width(std::size_t i) const { return sides_[i][1] - sides_[i][0]; }
 
-  // The quantity to maximise: the peak to peak of a member, or its negative play; minus infinity if
-  // the member has no such value.
+  // The quantity to maximise: the peak to peak of the member at x, or its negative play; minus
+  // infinity if the member has no such value.
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
     const double value = quantity_ == ScatterQuantity::peak_to_peak
@@ -134,7 +134,7 @@ class Box {
   const ScatterTask& task_;
   ScatterQuantity quantity_;
   std::vector<std::array<double, 2>> sides_;  // range of each coordinate
-  std::vector<int> choices_;                  // number of corner positions of each tolerance
+  std::vector<int> choices_;                  // number of values of each tolerance at corners
 };
 
 struct Place {

@@ -17,7 +17,7 @@ namespace gearwright {
 /// improvement, and are halved if there is no improvement.
 ///
 /// Accuracy  a local maximum, the worst one found from several starts; not a bound
-/// Laws      (1) no sample and no corner that was tried is worse
+/// Laws      (1) no sample and no corner that was tried is worse than the result
 std::optional<WorstMember> worst_member(const ContactSetup& setup, const ScatterTask& task,
                                         const std::vector<ScatterSample>& samples,
                                         ScatterQuantity quantity);
