@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/arrange/contact_warnings.hpp"
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/number_text.hpp"
@@ -41,6 +42,12 @@ JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const WantedSafety& wa
   }
   made.judged.gears = {&pair.gear(1), &pair.gear(2)};
   made.judged.pair = &pair;
+  if (!drive.contacts.empty() && drive.contacts[m]) {
+    const MeshContact& c = *drive.contacts[m];
+    warn_of_contact(c.driving, c.other, c.least_play, made.judged.gears, made.warnings);
+    // The contact of whole double-helical gears has no places.
+    if (!pair.gear(1).gap) made.judged.contact = &c.driving;
+  }
   if (!drive.ratings.empty() && drive.ratings[m]) {
     const MeshRating& r = *drive.ratings[m];
     made.judged.rating = JudgedRating{&r.pair, &r.input, &r.rating, wanted};
@@ -56,6 +63,10 @@ std::vector<Finding> rack_findings(const Drive& drive, std::size_t m) {
   for (Warning w : rack.pinion.warnings) {
     w.gear = 1;
     warnings.push_back(std::move(w));
+  }
+  if (!drive.contacts.empty() && drive.contacts[m]) {
+    const MeshContact& c = *drive.contacts[m];
+    warn_of_contact(c.driving, c.other, c.least_play, {&rack.pinion}, warnings);
   }
   return findings_of({.gears = {&rack.pinion}, .rack = &rack, .warnings = &warnings});
 }
@@ -264,10 +275,11 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
   });
   Verdict verdict;
   if (!parts.empty()) verdict.level = parts.front().finding.level;
-  // A drive with a remedy is not rated again, so no remedy is tried for a rated drive.
+  // A drive with a remedy is not rated again, and its contact is not analysed again, so no remedy
+  // is tried for a drive with a rating or with errors.
   const auto worst = parts.empty() ? std::nullopt : parts.front().mesh;
   if (verdict.level != Level::green && worst && drive.geometry.pairs[*worst] &&
-      drive.ratings.empty())
+      drive.ratings.empty() && drive.contacts.empty())
     add_remedy(parts, drive, input, key_of, wanted);
   for (Part& part : parts) {
     Finding f = std::move(part.finding);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/contact/contact.hpp"
 #include "gearwright/drive/assembly.hpp"
 #include "gearwright/drive/drive_geometry.hpp"
 #include "gearwright/drive/drive_motion.hpp"
@@ -92,6 +93,14 @@ struct MeshRating {
   std::array<int, 2> engagements{1, 1};  ///< engagements of a flank per turn
 };
 
+/// Contact of a mesh under errors of mounting. For a double-helical pair, the contact of the whole
+/// gears.
+struct MeshContact {
+  ContactResult driving, other;     ///< of the working flanks and of the other flanks
+  std::optional<Angle> least_play;  ///< of gear 2 or of the rack; none if one of the flanks never
+                                    ///< touches
+};
+
 struct Drive {
   DriveGraph graph;
   DriveMotion motion;
@@ -106,6 +115,9 @@ struct Drive {
   std::optional<DriveError> error;        ///< none if `backlash` is none or a mesh loses contact
   std::vector<std::optional<MeshRating>> ratings;  ///< of each mesh; empty if they are not rated
   std::optional<LoadedDrive> loaded;               ///< none if no load was requested
+  /// Of each mesh under the errors of the spec; empty if there are none. None for a mesh if its
+  /// flanks or the senses of rotation are unknown.
+  std::vector<std::optional<MeshContact>> contacts;
   std::vector<Warning> findings;
   std::vector<Drive> stages;  ///< of a train; each stage is a separate drive
 

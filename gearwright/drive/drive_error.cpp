@@ -80,12 +80,9 @@ class DriveCurves {
   static std::vector<double> curve_of(const ContactSetup& setup, bool gear2_drives, bool turned) {
     if (!setup.gear(1).gap)
       return gearwright::transmission_error(setup.pair(gear2_drives), kErrorPositions);
-    const double side = turned ? -1.0 : 1.0;
-    const std::array middles{side * middle_of_half(setup.gear(1)),
-                             side * middle_of_half(setup.gear(2))};
-    const ContactSetup one = setup.half_at(middles, false), image = setup.half_at(middles, true);
-    const ContactPair a = one.pair(gear2_drives), b = image.pair(gear2_drives);
-    return gearwright::transmission_error(HalvesMesh{&setup.gear(1), {&a, &b}}, kErrorPositions);
+    const HalvesPair both = HalvesSetup(setup, 0.0, turned ? -1.0 : 1.0)
+                                .pair(setup.place().errors, gear2_drives);
+    return gearwright::transmission_error(both.mesh, kErrorPositions);
   }
 
   // The transmission error of a mesh in mm along its line of action. It is > 0 if the driven gear is

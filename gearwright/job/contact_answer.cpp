@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/arrange/contact_warnings.hpp"
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/units.hpp"
@@ -34,55 +35,6 @@ ErrorMap make_map(const ContactMapInput& m, const Curve& te_at, Progress* progre
 ContactErrors errors_at(const ContactSetup& setup, const ContactMapInput& m, double x, double y) {
   const ContactErrors e = with_error(setup, setup.place().errors, m.key[0], x);
   return with_error(setup, e, m.key[1], y);
-}
-
-void warn_of_jam(Angle least_play, RackTravel rack, const char* touched,
-                 std::vector<Warning>& warnings) {
-  constexpr Angle kTouching = Angle::radians(1e-12);  // rounding; teeth without backlash do not jam
-  if (!(least_play < -kTouching)) return;
-  warnings.push_back(
-      {WarningCode::jam,
-       fmt::format("The {} jam, because {} in contact at once. {} would have to yield by {}.",
-                   rack ? "pinion and the rack" : "gears", touched, rack ? "The rack" : "Gear 2",
-                   rack ? fmt::format("{:.6f} mm", rack.of(-least_play))
-                        : fmt::format("{:.6f} degrees", -least_play.deg())),
-       0});
-}
-
-// Adds warnings about facts that the numbers do not show.
-void warn_about(const ContactAnswer& answer, const std::vector<const Gear*>& gears,
-                std::vector<Warning>& warnings) {
-  const auto warn = [&](WarningCode code, std::string text, int gear = 0) {
-    warnings.push_back({code, std::move(text), gear});
-  };
-  std::array<bool, 2> below{};
-  for (const ContactPoint& p : answer.driving.positions) {
-    below[0] = below[0] || p.kind == TouchKind::form1;
-    below[1] = below[1] || p.kind == TouchKind::form2;
-  }
-  for (std::size_t i = 0; i < gears.size(); ++i) {
-    const Gear& gear = *gears[i];
-    if (!below[i] || gear.undercut) continue;
-    warn(WarningCode::contact_below_form,
-         fmt::format(
-             "Contact reaches the end of the usable flank of gear {} at a diameter of {:.4f} mm, "
-             "where the root fillet begins. The tip of the mating gear enters the fillet, and the "
-             "true transmission error there is larger than the computed error.",
-             i + 1, 2 * *gear.root_form_radius()),
-         static_cast<int>(i) + 1);
-  }
-  if (answer.driving.contact_lost)
-    warn(WarningCode::contact_lost,
-         "Contact is lost at some positions, where no tooth pair touches.");
-  if (answer.min_play)
-    warn_of_jam(*answer.min_play, answer.driving.rack, "both flanks of a tooth space are",
-                warnings);
-  if (answer.driving.unfinished + answer.other.unfinished > 0) {
-    warn(WarningCode::contact_search_unfinished,
-         fmt::format("{} searches for a contact point did not converge. The best point found is "
-                     "used at these positions.",
-                     answer.driving.unfinished + answer.other.unfinished));
-  }
 }
 
 void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>& warnings) {
@@ -178,7 +130,8 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
   if (input.pattern)
     answer.pattern =
         contact_pattern(answer.setup->pair(gear2_drives), input.positions, {}, progress);
-  warn_about(answer, {&answer.setup->gear(1), &answer.setup->gear(2)}, warnings);
+  warn_of_contact(answer.driving, answer.other, answer.min_play,
+                  {&answer.setup->gear(1), &answer.setup->gear(2)}, warnings);
   if (job.spec.errors.any()) warn_about_fillets(answer, input, warnings, progress);
   return answer;
 }
@@ -202,7 +155,7 @@ Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
   answer.continuous_span = found.continuous_span;
   answer.other = std::move(found.non_working);
   answer.driving = std::move(found);
-  warn_about(answer, {&job.rack->pinion}, job.warnings);
+  warn_of_contact(answer.driving, answer.other, answer.min_play, {&job.rack->pinion}, job.warnings);
   return answer;
 }
 

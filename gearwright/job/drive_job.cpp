@@ -114,6 +114,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   if (spec.errors.any()) {
     job.drive.error =
         transmission_error(job.drive, spec.drive->harmonics, mesh_errors(spec, job.drive));
+    job.drive.contacts = mesh_contacts(job.drive, mesh_errors(spec, job.drive));
   }
   if (auto places = drive_places(job.drive)) job.places = std::move(places).take();
   if (auto layout = drive_layout(job.drive)) {
@@ -199,12 +200,16 @@ WantedSafety wanted_safety(const JobSpec& spec) {
 }
 
 Verdict judge(const DriveJob& job) {
-  return judge_drive(
+  Verdict verdict = judge_drive(
       job.drive, *job.spec.drive,
       [&](const DriveChange& change) {
         return key_of(job.spec.tree->tables, job.drive.graph, change);
       },
       wanted_safety(job.spec));
+  const auto& contacts = job.drive.contacts;
+  if (std::find(contacts.begin(), contacts.end(), std::nullopt) != contacts.end())
+    verdict.not_judged.emplace_back("contact");
+  return verdict;
 }
 
 Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job) {
