@@ -40,7 +40,8 @@ struct RingPoint {
   Vec3 before, after;  ///< unit normals, pointing out of the material
 };
 
-/// One level of a wall that is not a screw surface, with the columns of its first copy.
+/// One level of a wall that is not a screw surface: a point for each column of the first copy of
+/// the wall.
 struct Ring {
   double z;  ///< mm
   std::vector<RingPoint> points;

@@ -94,7 +94,8 @@ class DriveSpace {
     for (z[at(m)] = band_[at(m)][0]; z[at(m)] <= band_[at(m)][1]; ++z[at(m)]) next();
     z[at(m)] = 0;
   }
-  // Tries the numbers of teeth near `middle`, which makes the set coaxial without profile shifts.
+  // Tries the numbers of teeth near `middle`. With `middle` teeth, the set is coaxial without
+  // profile shifts.
   template <class Next>
   void near(SetMember m, TeethOfSet& z, int middle, const Next& next) const {
     const int last = std::min(band_[at(m)][1], middle + slack_);

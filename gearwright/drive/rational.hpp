@@ -70,8 +70,8 @@ std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns);
 /// Rank of the matrix; none after overflow.
 std::optional<std::size_t> rank_of(RationalMatrix rows);
 
-/// Basis of all y with y·A = 0, one in each row; empty if the rows are independent or after
-/// overflow.
+/// Basis of all y with y·A = 0 for A = `rows`, one y in each row. Empty if the rows are independent
+/// or if a number overflows.
 RationalMatrix left_kernel(const RationalMatrix& rows);
 
 }  // namespace gearwright

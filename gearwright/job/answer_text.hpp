@@ -21,7 +21,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);
 Json compensate_json(const SolvedJob& job, const CompensateAnswer& answer);
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& answer);
 
-/// A record with the title and "load".
+/// A record with the title of the spec and, under the key "load", the results under load.
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 

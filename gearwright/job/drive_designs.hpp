@@ -14,8 +14,8 @@ namespace gearwright {
 /// The numbers of teeth of a candidate, "sun 19, planet 17, ring 56".
 std::string teeth_text(const DriveCandidate& c);
 
-/// A candidate as a spec for the verb `drive`, from the common keys of the search and the numbers
-/// of the candidate.
+/// A candidate as a spec for the verb `drive`, from the keys that all candidates share and the
+/// numbers of the candidate.
 Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c);
 
 /// True if the designs of the search are rated.

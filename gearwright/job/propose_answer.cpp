@@ -102,7 +102,7 @@ std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
   return std::nullopt;
 }
 
-// The load task of a spec, without root stress.
+// The load task of a job, without root stress.
 Result<LoadTask> quick_task(SolvedJob& job) {
   auto made = load_task(job);
   if (!made) return made.error();

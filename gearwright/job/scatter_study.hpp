@@ -88,7 +88,7 @@ bool loses_contact(const JobSpec& spec, const Json& row);
 /// scatter are moved to `refused`.
 void rank_rows(const JobSpec& spec, std::vector<Json> rows, StudyRun& run);
 
-/// The whole result as text, one design per line.
+/// The whole result as JSON text, one design per line.
 std::string study_json_text(const JobSpec& spec, const StudyRun& run);
 /// The result of a study that has not finished.
 Json unfinished_study(const StudyRun& run);

@@ -27,8 +27,8 @@ struct FaceDeflection {
   double bow = 0.0;    ///< B  height of the parabola in the middle
   bool any() const { return slope != 0.0 || bow != 0.0; }
 };
-/// Fits slope, bow and a constant part to the approach in the middles of equal slices, in the order
-/// from −z on, by least squares.
+/// Fits slope, bow and a constant by least squares to `approach`, which contains the approach in the
+/// middle of each of n equal slices, from −z to +z.
 ///
 /// Formula   [T12.31]
 /// Domain    at least three values (contract)

@@ -320,7 +320,7 @@ Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> dista
   // comparison of the outlines therefore covers the whole bodies.
   if (pair.backlash_rotation) {
     detail::find_collisions(pair, pair.backlash_rotation->at(1).rad() / 2, pair.backlash_normal);
-    // Flanks that are too thick and tips in roots have their own warnings.
+    // Negative backlash and tips that cut into roots have their own warnings.
     for (const Collision& s : *pair.overlap) {
       if (s.cause != CollisionCause::negative_backlash && s.cause != CollisionCause::root)
         pair.warnings.push_back({WarningCode::overlap, s.message, s.gear});

@@ -28,7 +28,7 @@ namespace gearwright {
 void inverse_involutes(const double* y, double* alpha, std::size_t n);
 void inverse_involutes_scalar(const double* y, double* alpha, std::size_t n);
 
-/// Values common to all rows; the axes are parallel.
+/// Values that all rows of the input share. The axes are parallel.
 struct BacklashConstants {
   double normal_module = 1.0;  ///< m_n  mm, > 0
   double tan_alpha = 0.0;      ///< tan α_n, > 0

@@ -231,7 +231,7 @@ TipGap descend(const GapOver& gap_at, const Node& from, double h) {
   return best;
 }
 
-// The least gap of an external pair, searched from the best node of an even grid.
+// The least gap of an external pair, searched from the best node of a uniform grid.
 TipGap least_outside(const GapOver& gap_at) {
   constexpr int kGrid = 9;
   const std::vector<Node> nodes = grid_of(gap_at, kGrid, kGrid);

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kWidth = 520.0;
 constexpr double kAspect = 1.0;    // width over height of the plot
-constexpr double kMargin = 0.055;  // margin around the essential part, as a fraction of its height
-                                   // and width
+constexpr double kMargin = 0.055;  // margin on each side, relative to the height and width of the
+                                   // plot
 constexpr int kFewTeeth = 12;      // with more teeth, a root without undercut looks like any other
 
 const Arc& flank_of(const Gear& gear) {

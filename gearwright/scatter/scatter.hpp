@@ -81,7 +81,7 @@ struct Probability {
   ConfidenceInterval interval;
 };
 
-/// Quantities under one torque, over the samples that have a solution.
+/// Statistics of the results under one torque, over the samples that have a solution.
 struct LoadedSpread {
   double torque;                       ///< N mm, on gear 1
   std::optional<Spread> peak_to_peak,  ///< rad, of the loaded transmission error

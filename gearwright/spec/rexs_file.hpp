@@ -20,7 +20,7 @@ struct RexsComponent {
   std::string id;
   std::string type;  ///< "cylindrical_gear"
   std::string name;
-  /// Plain values and lists of one value, as text.
+  /// Plain values, and lists with a single element, as text.
   std::map<std::string, std::string, std::less<>> attributes{};
   std::map<std::string, std::string, std::less<>> units{};
 
