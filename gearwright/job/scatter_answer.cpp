@@ -335,8 +335,7 @@ namespace {
 // marking pattern and the long period of a sample are those of one pair of flanks.
 std::optional<Error> not_for_halves(const ScatterInput& input) {
   for (const auto& [key, given] :
-       {std::pair("robust", input.robust.has_value()), std::pair("worst_case", input.worst_case),
-        std::pair("loosening", input.loosening), std::pair("loaded", input.loaded),
+       {std::pair("robust", input.robust.has_value()), std::pair("loaded", input.loaded),
         std::pair("pattern", input.pattern), std::pair("gear1.pitch", input.gears[0].pitch),
         std::pair("gear2.pitch", input.gears[1].pitch)})
     if (given)

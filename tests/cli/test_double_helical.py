@@ -128,9 +128,19 @@ class TwoHalves(unittest.TestCase):
         self.assertGreater(self.scatter(PAIR.format("") + self.SCATTER + "[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n")
                            ["peak_to_peak_arcsec"]["standard_deviation"], 0.01)
 
+    def test_the_worst_sample_of_halves_is_a_contact_of_them(self):
+        spec = PAIR.format("") + self.SCATTER + ("worst_case = true\nloosening = true\n[scatter.errors]\n"
+                                                 "crossing_deg = [-0.01, 0.01]\nintersecting_deg = [-0.01, 0.01]\n")
+        found = self.scatter(spec)
+        worst = found["worst"]["peak_to_peak_arcsec"]
+        self.assertGreaterEqual(worst["value"], found["peak_to_peak_arcsec"]["greatest"] - 1e-9)
+        at = "".join(f"{name.removeprefix('errors.')} = {value}\n" for name, value in worst["at"].items())
+        contact = self.contact(PAIR.format("") + f"[errors]\n{at}[contact]\npositions = 32\n")
+        self.assertAlmostEqual(worst["value"], contact["continuous_peak_to_peak_arcsec"], 6)
+        self.assertEqual(len(found["loosening"]["tolerances"]), 2)
+
     def test_a_scatter_of_halves_rejects_what_needs_one_helix(self):
-        for key, table in (("worst_case", "worst_case = true\n"), ("loosening", "loosening = true\n"),
-                           ("loaded", "loaded = true\n"), ("pattern", "pattern = true\n"), ("robust", "[scatter.robust]\n"),
+        for key, table in (("loaded", "loaded = true\n"), ("pattern", "pattern = true\n"), ("robust", "[scatter.robust]\n"),
                            ("gear1.pitch", 'quality = 6\n[scatter.gear1]\npitch = "F_p"\n'),
                            ("gear2.pitch", 'quality = 6\n[scatter.gear2]\npitch = "F_p"\n')):
             run = Run("scatter", PAIR.format("") + "[load]\ntorque_Nm = 100\n" + self.SCATTER + table +
