@@ -195,7 +195,27 @@ class BadInput(unittest.TestCase):
 
     def test_distances_that_no_shift_reaches(self):
         self.fact(SET + "center_distance_mm = 30\n", "not_coaxial", "the reference centre distance is 45 mm")
-        self.fact(SET + "center_distance_mm = 60\n", "not_coaxial", "sun_planet", "60.0000 mm", "profile shifts of")
+        self.fact(SET + "center_distance_mm = 60\n", "not_coaxial", "sun_planet", "60.0000 mm", "profile shifts of",
+                  "A centre distance from 44.")
+
+    def test_rings_that_do_not_fit_name_those_that_do(self):
+        for ring in (30, 76):
+            self.fact(SET.replace("ring = 70", f"ring = {ring}"), "not_coaxial",
+                      "ring must be close to sun + 2 planet = 70; ring = 66 to 72 is possible.")
+        for ring in (66, 72):
+            r = Run("drive", SET.replace("ring = 70", f"ring = {ring}"), "--json")
+            self.assertNotEqual(r.json["verdict"]["level"], "red")
+
+    def test_files_of_a_drive_with_a_rack_are_not_supported(self):
+        spec = ('[drive]\ninput = "p"\noutput = "r"\n[[drive.body]]\nname = "p"\n[[drive.body]]\nname = "r"\n'
+                '[[drive.gear]]\nname = "p"\nbody = "p"\nteeth = 20\nnormal_module_mm = 2\n'
+                '[[drive.gear]]\nname = "r"\nbody = "r"\nform = "rack"\nteeth = 30\nheight_mm = 10\n'
+                '[[drive.mesh]]\ngears = ["p", "r"]\n')
+        r = Run("export", spec, "--step", "rack.step")
+        self.assertEqual(r.status, 1)
+        self.assertIn("r is a rack", r.err)
+        pair = Run("drive", spec, "--take", "1")
+        self.assertEqual(Run("export", pair.out, "--step", "rack.step").status, 0)
 
 
 if __name__ == "__main__":
