@@ -96,6 +96,10 @@ const KeyTable& planetary_keys() {
               "tip diameter of the basic rack with its clearance; for a ring, a diameter with "
               "clearance to the flanks of its planets",
               "tip diameter"),
+       formed("bore_mm", "", kMembers, "no bore",
+              "diameter of the bore in the CAD files; a number applies to all gears except rings, "
+              "and a number for a ring is the outside diameter of its rim")
+           .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"}),
        formed("center_distance_mm", "a", kMeshes, "backlash-free distance of the first mesh",
               "centre distance"),
        formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
@@ -142,6 +146,10 @@ const KeyTable& stage_keys() {
               "profile shifts"),
        formed("thickness_allowance_mm", "E_sn", "a number, or a list of two", "0",
               "thickness allowances"),
+       formed("bore_mm", "", "a number, or a list of two; for a set as in [planetary]", "no bore",
+              "diameters of the bores in the CAD files; a number applies to both gears except a "
+              "ring, and the second number for a ring is the outside diameter of its rim")
+           .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"}),
        formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
               "efficiency of the mesh, from 0 to 1"),
        Key::not_negative("friction_coefficient", "μ", {}, "0.05",

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/drive/geometry_remedy.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/pair/clearing_tip.hpp"
@@ -36,29 +37,6 @@ ShiftProblem shift_problem(const DriveGraph& graph, const DriveMesh& mesh,
   problem.x1 = made.shift[mesh.gears[0]];
   problem.x2 = made.shift[mesh.gears[1]];
   return problem;
-}
-
-// Groups the meshes that have one centre distance. The meshes of a planet with its central gears
-// form a group, and any other mesh is a group by itself.
-std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph) {
-  std::vector<std::vector<std::size_t>> classes;
-  std::vector<std::optional<std::size_t>> planet;
-  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
-    const std::size_t a = graph.gear(graph.meshes[m], 0).body;
-    const std::size_t b = graph.gear(graph.meshes[m], 1).body;
-    const bool rides_a = graph.bodies[a].carrier.has_value();
-    const bool rides_b = graph.bodies[b].carrier.has_value();
-    std::optional<std::size_t> rider;
-    if (rides_a != rides_b) rider = rides_a ? a : b;
-    std::size_t k = 0;
-    while (k < classes.size() && !(rider && planet[k] == rider)) ++k;
-    if (k == classes.size()) {
-      classes.emplace_back();
-      planet.push_back(rider);
-    }
-    classes[k].push_back(m);
-  }
-  return classes;
 }
 
 class Completion {
@@ -102,7 +80,15 @@ class Completion {
     ShiftProblem problem = shift_problem(graph_, mesh, made_);
     problem.center_distance = distance;
     const auto solved = complete_shifts(problem);
-    if (!solved) return fault(mesh, solved.error());
+    if (!solved && mesh.center_distance) return fault(mesh, solved.error());
+    if (!solved) {
+      made_.faults.push_back(
+          {Fault::Kind::not_coaxial,
+           fmt::format("No profile shift is possible for the mesh {} at the centre distance of "
+                       "{:.4f} mm, which the other meshes of the planet determine.",
+                       mesh.name, distance)});
+      return;
+    }
     made_.shift[mesh.gears[0]] = solved->x1;
     made_.shift[mesh.gears[1]] = solved->x2;
   }
@@ -154,11 +140,14 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
   } else {
     std::string why = pair.error().rule;
     while (why.ends_with('.')) why.pop_back();
-    made.faults.push_back({Fault::Kind::no_pair,
-                           fmt::format("The mesh {} cannot be mounted at a centre distance of "
-                                       "{:.4f} mm with profile shifts of {:.4f} and {:.4f}: {}.",
-                                       mesh.name, *made.distance[m], *made.shift[mesh.gears[0]],
-                                       *made.shift[mesh.gears[1]], why)});
+    const bool given = graph.gear(mesh, 0).shift && graph.gear(mesh, 1).shift;
+    made.faults.push_back(
+        {Fault::Kind::no_pair,
+         fmt::format("{} the mesh {} at a centre distance of {:.4f} mm {} profile shifts of {:.4f} "
+                     "and {:.4f}: {}.",
+                     given ? "It is impossible to mount" : "No profile shift is possible for",
+                     mesh.name, *made.distance[m], given ? "with" : "that would need",
+                     *made.shift[mesh.gears[0]], *made.shift[mesh.gears[1]], why)});
   }
 }
 
@@ -288,9 +277,7 @@ double least_gap_of(const std::vector<Rider>& riders, const std::vector<double>&
   return least;
 }
 
-}  // namespace
-
-DriveGeometry drive_geometry(const DriveGraph& graph) {
+DriveGeometry build(const DriveGraph& graph) {
   DriveGeometry made;
   made.distance.resize(graph.meshes.size());
   made.pairs.resize(graph.meshes.size());
@@ -308,6 +295,22 @@ DriveGeometry drive_geometry(const DriveGraph& graph) {
   cut_back_tips(graph, made);
   turn_out_rings(graph, made);
   mount_racks(graph, made);
+  return made;
+}
+
+}  // namespace
+
+DriveGeometry drive_geometry(const DriveGraph& graph) {
+  DriveGeometry made = build(graph);
+  const auto remedy = geometry_remedy(graph, made, build);
+  if (!remedy || remedy->text.empty()) return made;
+  if (made.faults.empty())
+    made.faults.push_back(
+        {Fault::Kind::no_pair,
+         fmt::format("The teeth of the mesh {} do not touch at a centre distance "
+                     "of {:.4f} mm.",
+                     graph.meshes[remedy->mesh].name, *made.distance[remedy->mesh])});
+  made.faults.front().message += " " + remedy->text;
   return made;
 }
 

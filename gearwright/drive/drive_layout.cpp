@@ -248,13 +248,28 @@ double DriveLayout::angle_at(const Drive& drive, std::size_t placed, double heig
 
 Result<DriveLayout> drive_layout(const Drive& drive) {
   const auto& gears = drive.geometry.gears;
-  for (std::size_t g = 0; g < gears.size(); ++g)
+  const auto& meshes = drive.graph.meshes;
+  for (std::size_t m = 0; m < meshes.size(); ++m)
+    if (drive.graph.gear(meshes[m], 1).rack)
+      return Error{
+          "drive.gear", drive.graph.gear(meshes[m], 1).name,
+          fmt::format("is a rack, and files of drives with racks are not supported; "
+                      "gearwright drive SPEC --take {} prints the mesh {} as a pair, which "
+                      "the verb export writes",
+                      m + 1, meshes[m].name)};
+  const auto& faults = drive.geometry.faults;
+  std::string why = faults.empty() ? "some gears cannot be mounted" : faults.front().message;
+  while (why.ends_with('.')) why.pop_back();
+  for (std::size_t g = 0; g < gears.size(); ++g) {
+    if (!gears[g] && !faults.empty()) return Error{"drive.mesh", "", why};
     if (!gears[g])
       return Error{"drive.gear", drive.graph.gears[g].name,
-                   "has no teeth to be drawn, because its module or its profile shift is unknown"};
+                   "has no teeth to be drawn, because its module is unknown; give "
+                   "the module"};
+  }
   auto places = drive_places(drive);
   if (!places) return places.error();
-  if (!places->true_scale) return Error{"drive.mesh", "", "some gears cannot be mounted"};
+  if (!places->true_scale) return Error{"drive.mesh", "", why};
   return Layout(drive, std::move(places).take()).layout();
 }
 

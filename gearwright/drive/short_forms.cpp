@@ -250,6 +250,8 @@ Result<DriveGraph> graph_of(const PlanetarySpec& spec) {
     DriveGear gear{to_string(m), *body,        teeth,
                    std::nullopt, std::nullopt, spec.profile_shift.of(m)};
     if (spec.normal_module || spec.module.of(m)) gear.spec = teeth_of(spec, m);
+    const auto& own_bore = spec.bore.each[static_cast<std::size_t>(m)];
+    if (const auto bore = is_ring(m) ? own_bore : spec.bore.of(m)) gear.bore = Bore{*bore};
     graph.gears.push_back(std::move(gear));
   }
   for (const SetMesh& mesh : meshes_of(spec)) {

@@ -54,6 +54,7 @@ struct PlanetarySpec {
   PerMember face_width;     ///< b  mm
   PerMember allowance;      ///< E_sn  mm
   PerMember tip_diameter;   ///< d_a  mm
+  PerMember bore;           ///< bore; of a ring, only its own number, the outside of the rim  mm
   PerMesh efficiency;
   PerMesh center_distance;                        ///< a  mm; `all` applies to the first mesh only
   double friction = 0.05;                         ///< μ

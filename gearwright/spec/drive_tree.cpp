@@ -140,6 +140,7 @@ Json gear_of(const DriveGraph& graph, const DriveGear& gear) {
   if (spec.face_width > 0.0) j["face_width_mm"] = spec.face_width;
   if (spec.thickness_allowance != 0.0) j["thickness_allowance_mm"] = spec.thickness_allowance;
   if (spec.tip_diameter) j["tip_diameter_mm"] = *spec.tip_diameter;
+  if (gear.bore) j["bore"]["diameter_mm"] = gear.bore->diameter;
   return j;
 }
 

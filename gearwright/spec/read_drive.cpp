@@ -66,6 +66,10 @@ void check_efficiencies(const TableReader& t, const PerMesh& meshes) {
   for (const auto& [name, eta] : meshes.each) check(eta);
 }
 
+void check_bore(const TableReader& t, const std::optional<double>& diameter) {
+  if (diameter && !(*diameter > 0.0)) t.fail("bore_mm", "must be greater than 0");
+}
+
 // Rejects the key double_helical outside the table of a gear. `where` is the reason.
 void refuse_halves(const Json& node, const std::string& path, const char* where) {
   if (node.contains("double_helical"))
@@ -86,6 +90,9 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   read_members(t, "thickness_allowance_mm", set.allowance);
   read_members(t, "face_width_mm", set.face_width);
   read_members(t, "tip_diameter_mm", set.tip_diameter);
+  read_members(t, "bore_mm", set.bore);
+  check_bore(t, set.bore.all);
+  for (const auto& bore : set.bore.each) check_bore(t, bore);
   read_meshes(t, "center_distance_mm", set.center_distance);
   read_meshes(t, "mesh_efficiency", set.efficiency);
   check_efficiencies(t, set.efficiency);
@@ -104,8 +111,8 @@ Json set_of_stage(TableReader& t, const Json& node) {
   Json set = *t.table("planetary");
   for (const char* key :
        {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
-        "center_distance_mm", "mesh_efficiency", "thickness_allowance_mm", "friction_coefficient",
-        "speed_rpm", "torque_Nm", "material"}) {
+        "center_distance_mm", "mesh_efficiency", "thickness_allowance_mm", "bore_mm",
+        "friction_coefficient", "speed_rpm", "torque_Nm", "material"}) {
     if (node.contains(key) && !set.contains(key)) set[key] = node[key];
   }
   return set;
@@ -154,6 +161,12 @@ void read_teeth(TableReader& t, PairStage& pair) {
   const double beta = t.number("helix_angle_deg").value_or(0.0);
   const auto face = t.number("face_width_mm");
   const auto allowance = read_two(t, "thickness_allowance_mm");
+  auto bore = read_two(t, "bore_mm");
+  if (pair.teeth[1] < 0 && read_list(t, "bore_mm").size() < 2) bore[1].reset();
+  for (const std::size_t i : {0, 1}) {
+    check_bore(t, bore[i]);
+    if (bore[i]) pair.bores[i] = Bore{*bore[i]};
+  }
   if (!module) return;
   for (const std::size_t i : {0, 1}) {
     CylindricalSpec spec;
@@ -184,7 +197,7 @@ StageSpec read_stage(const Json& node, const std::string& path,
   if (gears) {
     for (const char* key :
          {"teeth", "normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",
-          "face_width_mm", "profile_shift", "thickness_allowance_mm", "material"})
+          "face_width_mm", "profile_shift", "thickness_allowance_mm", "bore_mm", "material"})
       t.refuse(key, "must be in the tables of the gears, because each gear has its own keys");
     read_whole_gears(t, *gears, stage.pair, folder);
   } else {

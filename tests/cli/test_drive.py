@@ -2,6 +2,7 @@
 remedy."""
 import json
 import re
+import tomllib
 import unittest
 import zipfile
 
@@ -204,7 +205,50 @@ class BadInput(unittest.TestCase):
 
     def test_distances_that_no_shift_reaches(self):
         self.fact(SET + "center_distance_mm = 30\n", "not_coaxial", "the reference centre distance is 45 mm")
-        self.fact(SET + "center_distance_mm = 60\n", "not_coaxial", "sun_planet", "60.0000 mm", "profile shifts of")
+        self.fact(SET + "center_distance_mm = 60\n", "not_coaxial", "sun_planet", "60.0000 mm", "profile shifts of",
+                  "A centre distance from 44.")
+
+    def test_rings_that_do_not_fit_name_those_that_do(self):
+        for ring in (30, 76):
+            self.fact(SET.replace("ring = 70", f"ring = {ring}"), "not_coaxial",
+                      "ring must be close to sun + 2 planet = 70; ring = 66 to 72 is possible.")
+        for ring in (66, 72):
+            r = Run("drive", SET.replace("ring = 70", f"ring = {ring}"), "--json")
+            self.assertNotEqual(r.json["verdict"]["level"], "red")
+
+    def test_bores_by_member_are_those_of_the_graph(self):
+        """The files of a set with bores are those of its [drive], in which each gear has the table bore."""
+        stage = '[[stage]]\nteeth = [20, 61]\nnormal_module_mm = 2\nbore_mm = [12, 20]\n'
+        ring = '[[stage]]\nteeth = [20, -61]\nnormal_module_mm = 2\nbore_mm = 12\n'
+        for spec, bores in ((SET + "bore_mm = { sun = 12, planet = 8, ring = 165 }\n", [12, 8, 165]),
+                            (SET + "bore_mm = 10\n", [10, 10, None]), (stage, [12, 20]), (ring, [12, None]),
+                            ("[[stage]]\nnormal_module_mm = 2\nbore_mm = { sun = 9 }\nplanetary = { sun = 20, "
+                             "planet = 25, ring = 70, planets = 3 }\n", [9, None, None])):
+            graph = Run("drive", spec, "--expand")
+            gears = tomllib.loads(graph.out)["drive"]["gear"]
+            self.assertEqual([g.get("bore", {}).get("diameter_mm") for g in gears], bores)
+            files = []
+            for text in (spec, graph.out):
+                r = Run("export", text, "--stl", "drive.stl")
+                self.assertEqual(r.status, 0, r.err)
+                files.append((r.folder / "drive.stl").read_bytes())
+            self.assertEqual(files[0], files[1])
+        inch = Run("drive", 'units = "inch"\n' + SET +
+                   "bore_in = { sun = 0.5 }\n", "--expand")
+        self.assertEqual(tomllib.loads(inch.out)["drive"]["gear"][0]["bore"]["diameter_in"], 0.5)
+        self.error(SET + "bore_mm = 0\n", "planetary.bore_mm", "must be greater than 0")
+        self.error(SET + "bore = 8\n", "planetary.bore", "bore_mm")
+
+    def test_files_of_a_drive_with_a_rack_are_not_supported(self):
+        spec = ('[drive]\ninput = "p"\noutput = "r"\n[[drive.body]]\nname = "p"\n[[drive.body]]\nname = "r"\n'
+                '[[drive.gear]]\nname = "p"\nbody = "p"\nteeth = 20\nnormal_module_mm = 2\n'
+                '[[drive.gear]]\nname = "r"\nbody = "r"\nform = "rack"\nteeth = 30\nheight_mm = 10\n'
+                '[[drive.mesh]]\ngears = ["p", "r"]\n')
+        r = Run("export", spec, "--step", "rack.step")
+        self.assertEqual(r.status, 1)
+        self.assertIn("r is a rack", r.err)
+        pair = Run("drive", spec, "--take", "1")
+        self.assertEqual(Run("export", pair.out, "--step", "rack.step").status, 0)
 
 
 if __name__ == "__main__":

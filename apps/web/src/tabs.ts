@@ -44,6 +44,8 @@ export class Tabs {
   private readonly refreshing = new Map<Tab, number>();
   private turn = 0;
   private rest = 0;
+  /** True if the last solved spec is a drive. */
+  private ofDrive = false;
 
   constructor(readonly tabs: Tab[]) {
     this.current = tabs[0]!;
@@ -70,11 +72,16 @@ export class Tabs {
     this.room.append(this.fault, this.spinner, this.kept);
     bench.on("text", () => this.age());
     bench.on("opened", () => {
+      this.ofDrive = false;
       // Every tab, visible or not, removes the results of the previous design.
       for (const tab of this.tabs) void tab.refresh();
     });
     bench.on("solved", () => {
-      void this.refresh();
+      // A spec that becomes a drive is shown by a tab for drives.
+      const moves = isDrive() && !this.ofDrive && !this.current.ofDrives;
+      this.ofDrive = isDrive();
+      if (moves) this.open(this.tabs.find((tab) => tab.ofDrives)!.id);
+      else void this.refresh();
       clearTimeout(this.rest);
       this.rest = window.setTimeout(() => void this.judge(), kRestMs);
     });

@@ -1,0 +1,167 @@
+#include "gearwright/drive/geometry_remedy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace gearwright {
+
+namespace {
+
+// Greatest differences from the nominal values that are tried. Teeth of the usual height allow less.
+constexpr int kMostTeeth = 40;
+constexpr double kMostDistance = 10.0;  // m_n
+
+// True for a mesh of two gears whose tooth data are known.
+bool has_teeth(const DriveGraph& graph, const DriveMesh& mesh) {
+  return graph.gear(mesh, 0).spec && graph.gear(mesh, 1).spec && !graph.gear(mesh, 1).rack;
+}
+
+bool no_problem(const std::vector<Warning>& warnings) {
+  return std::none_of(warnings.begin(), warnings.end(),
+                      [](const Warning& w) { return severity_of(w) == Severity::problem; });
+}
+
+// True if the teeth of the mesh touch.
+bool can_mesh(const std::optional<Pair>& pair) { return pair && pair->contact_ratio_true() > 0.0; }
+
+bool is_possible(const DriveGraph& graph, BuildGeometry build) {
+  const DriveGeometry made = build(graph);
+  if (!made.faults.empty()) return false;
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m)
+    if (has_teeth(graph, graph.meshes[m]) &&
+        !(can_mesh(made.pairs[m]) && no_problem(made.pairs[m]->warnings())))
+      return false;
+  return true;
+}
+
+// The planet and the central gear of a mesh, as 0 or 1, or nothing if it has no planet or no central
+// gear.
+std::optional<int> planet_of(const DriveGraph& graph, std::size_t mesh) {
+  const auto rides = [&](int which) {
+    return graph.body(graph.gear(graph.meshes[mesh], which)).carrier.has_value();
+  };
+  if (rides(0) == rides(1)) return std::nullopt;
+  return rides(0) ? 0 : 1;
+}
+
+std::vector<std::size_t> with_same_distance(const DriveGraph& graph, std::size_t mesh) {
+  for (const auto& meshes : distance_classes(graph))
+    if (std::find(meshes.begin(), meshes.end(), mesh) != meshes.end()) return meshes;
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph) {
+  std::vector<std::vector<std::size_t>> classes;
+  std::vector<std::optional<std::size_t>> planet;
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    const std::size_t a = graph.gear(graph.meshes[m], 0).body;
+    const std::size_t b = graph.gear(graph.meshes[m], 1).body;
+    const bool rides_a = graph.bodies[a].carrier.has_value();
+    const bool rides_b = graph.bodies[b].carrier.has_value();
+    std::optional<std::size_t> rider;
+    if (rides_a != rides_b) rider = rides_a ? a : b;
+    std::size_t k = 0;
+    while (k < classes.size() && !(rider && planet[k] == rider)) ++k;
+    if (k == classes.size()) {
+      classes.emplace_back();
+      planet.push_back(rider);
+    }
+    classes[k].push_back(m);
+  }
+  return classes;
+}
+
+std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph, std::size_t mesh,
+                                                        BuildGeometry build) {
+  DriveGraph tried = graph;
+  const auto meshes = with_same_distance(graph, mesh);
+  for (const std::size_t m : meshes) tried.meshes[m].center_distance.reset();
+  const auto natural = build(tried).distance[mesh];
+  const auto possible = [&](double a) {
+    tried.meshes[meshes.front()].center_distance = a;
+    return is_possible(tried, build);
+  };
+  if (!natural || !possible(*natural)) return std::nullopt;
+  const double module = graph.gear(graph.meshes[mesh], 0).spec->normal_module;
+  std::array<double, 2> range{};
+  for (const int side : {0, 1}) {
+    double step = (side == 0 ? -0.025 : 0.025) * module, good = *natural;
+    while (std::abs(good - *natural) < kMostDistance * module && possible(good + step))
+      good += step;
+    for (int i = 0; i < 5; ++i) {  // 0.025 m_n/2⁵ < m_n/1000
+      step /= 2;
+      if (possible(good + step)) good += step;
+    }
+    range[static_cast<std::size_t>(side)] = good;
+  }
+  return range;
+}
+
+std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t mesh,
+                                            BuildGeometry build) {
+  const auto planet = planet_of(graph, mesh);
+  const auto distance = build(graph).distance[mesh];
+  if (!planet || !distance) return std::nullopt;
+  const std::size_t gear = graph.meshes[mesh].gears[static_cast<std::size_t>(1 - *planet)];
+  const DriveGear& rider = graph.gear(graph.meshes[mesh], *planet);
+  const int sign = graph.gears[gear].teeth < 0 ? -1 : 1;
+  const double sum =
+      2 * *distance * std::cos(rider.spec->helix_angle.rad()) / rider.spec->normal_module;
+  const int nominal = static_cast<int>(std::lround(sum)) - sign * rider.teeth;
+  const auto possible = [&](int z) {
+    if (z < 1 || std::abs(z - nominal) > kMostTeeth) return false;
+    DriveGraph tried = graph;
+    tried.meshes[with_same_distance(graph, mesh).front()].center_distance = distance;
+    tried.gears[gear].teeth = sign * z;
+    return is_possible(tried, build);
+  };
+  for (const int first : {nominal, nominal + 1, nominal - 1}) {
+    if (!possible(first)) continue;
+    PossibleTeeth found{gear, first, first, nominal};
+    while (possible(found.least - 1)) --found.least;
+    while (possible(found.greatest + 1)) ++found.greatest;
+    return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<GeometryRemedy> geometry_remedy(const DriveGraph& graph, const DriveGeometry& made,
+                                              BuildGeometry build) {
+  std::size_t m = 0;
+  while (m < graph.meshes.size() && (!has_teeth(graph, graph.meshes[m]) || can_mesh(made.pairs[m])))
+    ++m;
+  if (m == graph.meshes.size()) return std::nullopt;
+  const auto same = with_same_distance(graph, m);
+  const bool given = std::any_of(same.begin(), same.end(), [&](std::size_t k) {
+    return graph.meshes[k].center_distance.has_value();
+  });
+  if (const auto range = given ? possible_distances(graph, m, build) : std::nullopt)
+    return GeometryRemedy{
+        m, fmt::format("A centre distance from {:.3f} mm to {:.3f} mm is possible.",
+                       std::ceil((*range)[0] * 1e3) / 1e3, std::floor((*range)[1] * 1e3) / 1e3)};
+  const auto teeth = possible_teeth(graph, m, build);
+  if (!teeth) return GeometryRemedy{m, ""};
+  const std::string& name = graph.gears[teeth->gear].name;
+  std::string text = fmt::format("{} = {}", name, teeth->least);
+  if (teeth->greatest > teeth->least) text += fmt::format(" to {}", teeth->greatest);
+  text += " is possible.";
+  // z_r = z_s + 2 z_p without shifts, if the planet has one gear.
+  for (const std::size_t k : same) {
+    const auto planet = planet_of(graph, k);
+    if (k == m || !planet || graph.gears[teeth->gear].teeth > 0) continue;
+    const DriveGear& rider = graph.gear(graph.meshes[k], *planet);
+    const DriveGear& sun = graph.gear(graph.meshes[k], 1 - *planet);
+    const bool same_rider = &rider == &graph.gear(graph.meshes[m], *planet_of(graph, m));
+    if (same_rider && sun.teeth > 0)
+      text = fmt::format("{} must be close to {} + 2 {} = {}; {}", name, sun.name, rider.name,
+                         sun.teeth + 2 * rider.teeth, text);
+  }
+  return GeometryRemedy{m, text};
+}
+
+}  // namespace gearwright
