@@ -47,17 +47,6 @@ std::optional<double> set_distance(const Drive& d) {
   return d.geometry.distance[d.sets.front().group.meshes.front()];
 }
 
-const Quantities<Drive>& coaxial_quantities() {
-  static const Quantities<Drive> kAll("drive.coaxial", [](Quantities<Drive>& q) {
-    q.term("center_distance_mm", "for the meshes of the first set [T13.15]",
-           [](const Drive& d) { return set_distance(d); });
-    q.add(Type::map, "profile_shift", "profile shifts", "x",
-          "per gear, as given or as computed from the centre distance [T13.15]", shifts_of)
-        .doors(kJson);
-  });
-  return kAll;
-}
-
 // A motion of a body that is stored in rad: the rotation of a body that turns, or the travel of a rack,
 // mm. `lever` as in DriveError.
 std::optional<Angle> rotation(double motion, const std::optional<double>& lever) {
@@ -343,6 +332,17 @@ Value exact_fraction(const Rational& r) {
   const auto p = r.numerator(), q = r.denominator();
   if (!p || !q) return {};
   return ValueList{Value(*p), Value(*q)};
+}
+
+const Quantities<Drive>& coaxial_quantities() {
+  static const Quantities<Drive> kAll("drive.coaxial", [](Quantities<Drive>& q) {
+    q.term("center_distance_mm", "for the meshes of the first set [T13.15]",
+           [](const Drive& d) { return set_distance(d); });
+    q.add(Type::map, "profile_shift", "profile shifts", "x",
+          "per gear, as given or as computed from the centre distance [T13.15]", shifts_of)
+        .doors(kJson);
+  });
+  return kAll;
 }
 
 const Quantities<Drive>& drive_quantities() {

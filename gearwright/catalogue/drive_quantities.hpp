@@ -9,6 +9,8 @@
 namespace gearwright {
 
 const Quantities<Drive>& drive_quantities();
+/// The centre distance and the profile shifts: `coaxial` of a drive.
+const Quantities<Drive>& coaxial_quantities();
 
 /// A view of one body of a drive, and a view of one mesh.
 struct DriveBodyView {

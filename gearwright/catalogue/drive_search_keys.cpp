@@ -116,7 +116,7 @@ const KeyTable& drive_search_keys() {
                      "distances; both are computed without profile shifts"),
        of_set("normal_pressure_angle_deg"),
        of_set("helix_angle_deg"),
-       of_set("profile_shift"),
+       of_set("profile_shift", "chosen for each set, without undercut"),
        of_set("thickness_allowance_mm", "by `thickness_series`"),
        Key::text("thickness_series", &Problem::series, "\"cd25\"",
                  "thickness allowances of all gears by DIN 3967, used if a module is given; each "

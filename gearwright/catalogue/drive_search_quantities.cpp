@@ -10,8 +10,9 @@ namespace {
 using F = FoundDrive;
 
 // The value with this key in the result of the verb `drive`.
-Value of_drive(const F& f, std::string_view key) {
-  for (const Quantity<Drive>& q : drive_quantities().list())
+Value of_drive(const F& f, std::string_view key,
+               const Quantities<Drive>& quantities = drive_quantities()) {
+  for (const Quantity<Drive>& q : quantities.list())
     if (q.info.key == key) return q.get(f.drive);
   return {};
 }
@@ -71,6 +72,9 @@ void say_found(Quantities<F>& q) {
       .always();
   q.number("center_distance_mm", "centre distance", "a", "centre distance of the meshes of the set",
            [](const F& f) { return of_drive(f, "center_distance_mm"); });
+  q.add(Type::map, "profile_shift", "profile shifts", "x", "per gear; null without geometry",
+        [](const F& f) { return of_drive(f, "profile_shift", coaxial_quantities()); })
+      .doors(kJson);
   q.whole("positions", "possible positions per turn", "N*",
           "number of positions in a turn at which a planet can be assembled",
           [](const F& f) { return of_set(f, assembly_quantities(), "positions"); });

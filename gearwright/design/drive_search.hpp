@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/design/drive_shifts.hpp"
 #include "gearwright/drive/phasing.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
@@ -102,6 +103,7 @@ struct DriveCandidate {
   /// Efficiencies with given or estimated losses; 0 if self-locking or not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;
   std::optional<double> face_width{};  ///< b  mm, if the search sizes the face width
+  GearShifts shifts{};                 ///< x  if the search chooses the profile shifts
 };
 
 struct DriveSearchResult {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/job/drive_job.hpp"
@@ -135,6 +136,62 @@ TEST(DriveAnswerTest, SearchesHaveTheNumbersOfTheirSpecs) {
     }
     for (std::size_t i = 1; i < designs.size(); ++i)
       EXPECT_GE(designs[i - 1]["efficiency"], designs[i]["efficiency"]);
+  }
+}
+
+// Law: if a search gives no profile shifts, no external gear of a listed drive is undercut, and its
+// spec has the listed numbers. Every drive that is green with x = 0 is listed too, with at least the
+// same efficiency.
+TEST(DriveAnswerTest, SearchesChooseProfileShifts) {
+  struct Case {
+    std::string keys, unshifted;
+    std::size_t least;  // the number of designs that must be listed
+  };
+  for (const Case& each :
+       {Case{"kind = \"planetary\"\nratio = [4.8, 5.2]\nsun_teeth = [10, 16]\n",
+             "{ sun = 0, planet = 0 }", 12},
+        Case{"kind = \"planetary\"\nratio = [4.4, 4.6]\nsun_teeth = [15, 24]\n",
+             "{ sun = 0, planet = 0 }", 12},
+        Case{"kind = \"stepped\"\nratio = [9.3, 9.4]\nsun_teeth = [17, 24]\nplanet2_teeth = "
+             "[14, 20]\n",
+             "{ sun = 0, planet = 0 }", 12},
+        Case{"kind = \"train\"\nratio = [11.99, 12.01]\npinion_teeth = [10, 13]\n"
+             "wheel_teeth = [35, 50]\n",
+             "0", 8}}) {
+    const std::string search = "[search]\nnormal_module_mm = 2\n" + each.keys;
+    const auto answer = answer_drive_search(drive_job(search), 300, 2);
+    ASSERT_TRUE(answer) << answer.error().message();
+    const Json& designs = answer->record["search"]["designs"];
+    EXPECT_GE(designs.size(), each.least) << search;
+    std::map<std::string, double> efficiency;
+    for (std::size_t i = 0; i < designs.size(); ++i) {
+      const auto solved = solve_drive(drive_job(toml_text(answer->specs[i])));
+      ASSERT_TRUE(solved);
+      EXPECT_EQ(solved->verdict.level, Level::green) << solved->verdict.headline;
+      const Drive& drive = solved->drive;
+      EXPECT_EQ(designs[i]["ratio"], drive.motion.ratio->value());
+      for (std::size_t g = 0; g < drive.graph.gears.size(); ++g) {
+        EXPECT_FALSE(drive.geometry.gears[g]->undercut);
+        EXPECT_EQ(designs[i]["profile_shift"][drive.graph.gears[g].name], *drive.geometry.shift[g]);
+      }
+      const Json& a = designs[i]["center_distance_mm"];
+      for (const auto& distance : drive.geometry.distance) {
+        if (!a.is_null()) {
+          EXPECT_NEAR(a, *distance, 1e-9);
+        }
+      }
+      efficiency[designs[i]["teeth"].dump() + designs[i]["stages"].dump()] =
+          designs[i]["efficiency"];
+    }
+    const auto before =
+        answer_drive_search(drive_job(search + "profile_shift = " + each.unshifted + "\n"), 300, 2);
+    ASSERT_TRUE(before) << before.error().message();
+    EXPECT_LT(before->record["search"]["designs"].size(), designs.size());
+    for (const Json& was : before->record["search"]["designs"]) {
+      const std::string teeth = was["teeth"].dump() + was["stages"].dump();
+      ASSERT_TRUE(efficiency.contains(teeth)) << teeth;
+      EXPECT_GE(efficiency[teeth], was["efficiency"].get<double>() - 1e-12) << teeth;
+    }
   }
 }
 

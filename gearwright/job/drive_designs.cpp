@@ -42,7 +42,40 @@ class Designer {
   Designer(const JobSpec& spec, const DriveSearchProblem& problem)
       : spec_(spec), problem_(problem), rates_(rates_drives(spec, problem)) {}
 
+  // If the search gives no profile shifts, those with the better design by the objectives are chosen.
   Outcome operator()(DriveCandidate candidate) const {
+    if (spec_.tree->tables["search"].contains("profile_shift")) return sized(std::move(candidate));
+    // The shifts do not depend on the face width.
+    if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
+    const auto own = read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
+    if (!own) return DriveFault::no_teeth;
+    const bool same_cost = !problem_.asks(DriveObjective::efficiency) &&
+                           !problem_.asks(DriveObjective::efficiency_backward) &&
+                           !problem_.asks(DriveObjective::clearance);
+    std::optional<Outcome> best;
+    for (GearShifts& shifts : shift_trials(own->drive->graph)) {
+      if (best && same_cost && std::holds_alternative<FoundDrive>(*best)) break;
+      candidate.shifts = std::move(shifts);
+      Outcome other = sized(candidate);
+      if (!best || is_better(other, *best)) best = std::move(other);
+    }
+    return std::move(*best);
+  }
+
+ private:
+  // Compares two designs by the objectives, the first one first.
+  bool is_better(const Outcome& a, const Outcome& b) const {
+    const auto costs = [&](const Outcome& outcome) {
+      const auto* found = std::get_if<FoundDrive>(&outcome);
+      std::vector<double> list;
+      for (const DriveObjective o : problem_.objectives)
+        list.push_back(found ? cost_of(problem_, found->candidate, o) : kInfinity);
+      return list;
+    };
+    return costs(a) < costs(b);
+  }
+
+  Outcome sized(DriveCandidate candidate) const {
     if (!problem_.face_width) return with_width(std::move(candidate));
     // The least sufficient width in whole millimetres is found by bisection, because the safeties
     // grow with the width.
@@ -65,7 +98,6 @@ class Designer {
     return best;
   }
 
- private:
   Outcome with_width(DriveCandidate candidate) const {
     const auto own = read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
     if (!own) return DriveFault::no_teeth;
@@ -203,15 +235,19 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
       stage["teeth"] = c.stages[k];
       if (!problem.series.empty())
         stage["thickness_allowance_mm"] = {allowance(c.stages[k][0]), allowance(c.stages[k][1])};
+      if (const auto& x = c.shifts; !x.empty() && x[2 * k] && x[2 * k + 1])
+        stage["profile_shift"] = {*x[2 * k], *x[2 * k + 1]};
       made["stage"].push_back(std::move(stage));
     }
     return made;
   }
-  for (std::size_t m = 0; m < kSetMembers; ++m) {
+  for (std::size_t m = 0, g = 0; m < kSetMembers; ++m) {
     if (c.teeth[m] == 0) continue;
     const char* member = to_string(static_cast<SetMember>(m));
     shared[member] = c.teeth[m];
     if (!problem.series.empty()) shared["thickness_allowance_mm"][member] = allowance(c.teeth[m]);
+    if (g < c.shifts.size() && c.shifts[g]) shared["profile_shift"][member] = *c.shifts[g];
+    ++g;
   }
   shared["planets"] = c.planets;
   const PlanetarySpec& base = problem.base;

@@ -51,8 +51,8 @@ std::string advice(const FoundDrives& f) {
     case DriveFault::no_teeth:
     case DriveFault::verdict: break;
   }
-  return "No drive has a green verdict. Try greater numbers of teeth, add profile_shift, or "
-         "change coaxial_teeth. The verb drive shows why a given set has no green verdict.";
+  return "No drive has a green verdict. Try greater numbers of teeth, or give profile_shift or "
+         "another coaxial_teeth. The verb drive shows why a given set has no green verdict.";
 }
 
 // A row of words or numbers. It has a cell for each value that this search computes.
@@ -73,7 +73,15 @@ std::string design_row(const FoundDrives& f, const std::string& rank, const auto
     add("S_H", 6);
     add("S_F", 6);
   }
-  return row + fmt::format("  {}\n", cell("phases"));
+  if (f.problem.modules.empty()) return row + fmt::format("  {}\n", cell("phases"));
+  return row + fmt::format("  {:<10}  {}\n", cell("phases"), cell("x"));
+}
+
+// The profile shifts in the order of the numbers of teeth.
+std::string shifts_text(const FoundDrive& d) {
+  std::vector<std::string> list;
+  for (const auto& x : d.drive.geometry.shift) list.push_back(drive_number(x, 4));
+  return fmt::format("{}", fmt::join(list, " "));
 }
 
 std::string design_cell(const FoundDrive& d, std::string_view name, UnitSystem units) {
@@ -84,6 +92,7 @@ std::string design_cell(const FoundDrive& d, std::string_view name, UnitSystem u
   const auto eta = [](const std::optional<PowerFlow>& flow) {
     return drive_number(flow ? std::optional(flow->efficiency) : std::nullopt, 5);
   };
+  if (name == "x") return shifts_text(d);
   const PlanetSet* set = d.drive.sets.empty() ? nullptr : &d.drive.sets.front();
   if (name == "teeth") return teeth_text(c);
   if (name == "N") return fmt::format("{}", c.planets);
@@ -151,12 +160,13 @@ std::string drives_csv(const FoundDrives& f, UnitSystem units) {
   constexpr const char* kColumns[] = {"ratio",        "efficiency",       "efficiency_backward",
                                       "size_mm",      "normal_module_mm", "face_width_mm",
                                       "safety_flank", "safety_root"};
-  std::string out = "teeth,planets";
+  std::string out = "teeth,planets,profile_shift";
   for (const char* key : kColumns) out += "," + key_in(units, key);
   out += "\r\n";
   for (const FoundDrive& d : f.designs.list) {
     const Json row = in_units(units, to_json(found_drive_quantities().of(d)));
-    out += fmt::format("{},{}", csv_cell(Value(teeth_text(d.candidate))), d.candidate.planets);
+    out += fmt::format("{},{},{}", csv_cell(Value(teeth_text(d.candidate))), d.candidate.planets,
+                       shifts_text(d));
     for (const char* key : kColumns) {
       const Json& value = row[key_in(units, key)];
       out += "," + (value.is_null() ? "" : json_text(value));

@@ -7,6 +7,8 @@ from searching import Run, folder, spec
 
 SET = {"kind": "planetary", "ratio": [4.4, 4.6], "planets": [3, 4], "sun_teeth": [15, 24], "normal_module_mm": 2,
        "objective": ["efficiency", "size"]}
+SMALL_SUNS = {"kind": "planetary", "ratio": [4.8, 5.2], "sun_teeth": [10, 16], "normal_module_mm": 2,
+              "thickness_allowance_mm": -0.05}
 TRAIN = {"kind": "train", "ratio": [11.9, 12.1], "pinion_teeth": [17, 19], "wheel_teeth": [55, 70], "objective": "size"}
 
 
@@ -28,6 +30,24 @@ class DriveSearch(unittest.TestCase):
                 expanded = folder(Run("drive", None, "--expand", folder=again).out)
                 graph = Run("drive", None, "--json", folder=expanded).json["drive"]
                 self.assertEqual(json.dumps(graph["meshes"]), json.dumps(drive["meshes"]))
+
+    def test_small_suns_are_not_undercut(self):
+        where = folder(spec(SMALL_SUNS))
+        found = Run("search", None, "--json", "--top", "100", folder=where).json["search"]
+        self.assertGreater(len(found["designs"]), 10)
+        gears = {(design["teeth"][member], design["profile_shift"][member])
+                 for design in found["designs"] for member in ("sun", "planet")}
+        for teeth, shift in gears:
+            keys = f"teeth = {teeth}\nnormal_module_mm = 2\nprofile_shift = {shift}\nthickness_allowance_mm = -0.05\n"
+            gear = Run("gear", "[gear1]\n" + keys, "--json", folder=folder()).json["gears"][0]
+            self.assertFalse(gear["undercut"], keys)
+        for place in range(1, len(found["designs"]) + 1):
+            taken = Run("search", None, "--top", "100", "--take", str(place), folder=where)
+            drive = Run("drive", None, "--json", folder=folder(taken.out)).json
+            design = found["designs"][place - 1]
+            self.assertEqual(drive["verdict"]["level"], "green")
+            self.assertEqual(drive["drive"]["coaxial"]["profile_shift"], design["profile_shift"])
+            self.assertAlmostEqual(drive["drive"]["center_distance_mm"], design["center_distance_mm"], delta=1e-9)
 
     def test_threads_do_not_matter(self):
         where = folder(spec(SET))

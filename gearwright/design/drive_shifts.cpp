@@ -1,0 +1,93 @@
+#include "gearwright/design/drive_shifts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/drive/drive_geometry.hpp"
+#include "gearwright/pair/shift.hpp"
+
+namespace gearwright {
+
+namespace {
+
+double rounded_up(double x) {
+  constexpr double kPerUnit = 1e4;
+  return std::ceil(x * kPerUnit) / kPerUnit + 0.0;  // + 0.0 turns −0 into 0
+}
+
+// x_u of each external gear. A thickness allowance moves the cutter by x_E − x, so x_u is less or
+// greater by this amount.
+GearShifts undercut_limits(const DriveGraph& graph) {
+  GearShifts limits;
+  for (const DriveGear& gear : graph.gears) {
+    limits.emplace_back();
+    if (gear.teeth <= 0 || !gear.spec) continue;
+    CylindricalSpec spec = *gear.spec;
+    spec.teeth = gear.teeth;
+    spec.profile_shift = 0.0;
+    const auto made = make_gear(spec);
+    if (!made || !made->involute() || !made->involute()->undercut_free_profile_shift) continue;
+    limits.back() =
+        *made->involute()->undercut_free_profile_shift - made->reference().generating_profile_shift;
+  }
+  return limits;
+}
+
+// The division of the least sum ≥ 0 with which neither of two external gears is undercut. Along the
+// line, each shift grows by z/(z1 + z2) per unit of the sum. A sum of 0 stays 0 if both shifts are
+// rounded.
+std::array<double, 2> balanced_shifts(const std::array<int, 2>& z,
+                                      const std::array<double, 2>& limits) {
+  const auto start = divided_shift_sum(z[0], z[1], 0.0);
+  double sum = 0.0;
+  for (const std::size_t i : {0, 1})
+    sum = std::max(sum, (limits[i] - start[i]) * (z[0] + z[1]) / z[i]);
+  const auto x = divided_shift_sum(z[0], z[1], sum);
+  const double first = rounded_up(x[0]);
+  return {first, std::max(sum == 0.0 ? 0.0 - first : rounded_up(x[1]), rounded_up(limits[1]))};
+}
+
+// Gives a gear whose shift follows from the centre distance its x_u if it would be undercut. The
+// shift of its mating gear then follows.
+void raise(DriveGraph graph, const GearShifts& limits, GearShifts& shifts) {
+  bool all_given = true;
+  for (std::size_t g = 0; g < shifts.size(); ++g) {
+    graph.gears[g].shift = shifts[g];
+    all_given = all_given && (shifts[g] || !limits[g]);
+  }
+  if (all_given) return;
+  const DriveGeometry made = drive_geometry(graph);
+  for (std::size_t g = 0; g < shifts.size(); ++g)
+    if (limits[g] && !shifts[g] && made.shift[g] && *made.shift[g] < *limits[g])
+      shifts[g] = rounded_up(*limits[g]);
+}
+
+}  // namespace
+
+std::vector<GearShifts> shift_trials(const DriveGraph& graph) {
+  const GearShifts limits = undercut_limits(graph);
+  GearShifts least(limits.size()), balanced(limits.size());
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    const DriveMesh& mesh = graph.meshes[m];
+    GW_EXPECTS(!mesh.center_distance);
+    // The other meshes of a planet have the centre distance of the first.
+    if (m > 0 && graph.frame(mesh)) continue;
+    for (const std::size_t g : mesh.gears)
+      if (limits[g]) balanced[g] = least[g] = std::max(0.0, rounded_up(*limits[g]));
+    const auto [a, b] = mesh.gears;
+    if (!limits[a] || !limits[b]) continue;
+    const auto x =
+        balanced_shifts({graph.gears[a].teeth, graph.gears[b].teeth}, {*limits[a], *limits[b]});
+    balanced[a] = x[0];
+    balanced[b] = x[1];
+  }
+  raise(graph, limits, balanced);
+  if (balanced != least) raise(graph, limits, least);
+  std::vector<GearShifts> trials{balanced};
+  if (balanced != least) trials.push_back(least);
+  return trials;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,31 @@
+// Chooses profile shifts for a drive of a search whose shifts are not given.
+//
+//   x_u    least shift without undercut, for the thinned teeth [T9.2]
+//   Σx     x1 + x2 of a mesh of two external gears       theory: docs/theory/13-drives.md, 13.3
+//
+// The shifts of the first mesh of a set determine its centre distance. The shifts of the other
+// gears follow from this distance (drive/drive_geometry.hpp). In a train, every mesh has its own
+// centre distance.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearwright/drive/drive_graph.hpp"
+
+namespace gearwright {
+
+/// x of each gear of a graph; absent if it follows from the centre distance.
+using GearShifts = std::vector<std::optional<double>>;
+
+/// The shifts to try, first balanced and then least shifts.
+///
+/// Formula   least: x = max(0, x_u). Balanced: the division [T2.18a] of the least Σx ≥ 0 with which
+///           both x ≥ x_u. The second gear of a stepped planet has x_u if its shift would be less
+///           than x_u. All shifts are rounded up to 1e-4.
+/// Domain    a checked graph without shifts and centre distances (contract)
+/// Accuracy  no external gear of a planetary set or a train is undercut, except in sets with two
+///           suns, in which sun2 and its planet gear may be
+std::vector<GearShifts> shift_trials(const DriveGraph& graph);
+
+}  // namespace gearwright
