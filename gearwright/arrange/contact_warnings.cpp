@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/pair/mounted_gears.hpp"
 
 namespace gearwright {
 
-void warn_of_jam(Angle least_play, RackTravel rack, std::string_view touched,
+void warn_of_jam(Angle least_play, const Gear& moved, RackTravel rack, std::string_view touched,
                  std::vector<Warning>& warnings) {
-  constexpr Angle kTouching = Angle::radians(1e-12);  // rounding; teeth without backlash do not jam
-  if (!(least_play < -kTouching)) return;
+  const double normal = least_play.rad() * std::abs(moved.reference_diameter) / 2 *
+                        std::cos(moved.spec.helix_angle.rad());
+  if (!(normal <= -kNoBacklash)) return;
   warnings.push_back(
       {WarningCode::jam,
        fmt::format("The {} jam, because {} in contact at once. {} would have to yield by {}.",
@@ -47,7 +50,8 @@ void warn_of_contact(const ContactResult& driving, const ContactResult& other,
     warn(WarningCode::contact_lost,
          "Contact is lost at some positions, where no tooth pair touches.");
   if (least_play)
-    warn_of_jam(*least_play, driving.rack, "both flanks of a tooth space are", warnings);
+    warn_of_jam(*least_play, *gears.back(), driving.rack, "both flanks of a tooth space are",
+                warnings);
   if (driving.unfinished + other.unfinished > 0) {
     warn(WarningCode::contact_search_unfinished,
          fmt::format("{} searches for a contact point did not converge. The best point found is "

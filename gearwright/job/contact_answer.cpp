@@ -88,7 +88,8 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
   }
   // If the flanks alone jam, there is already a warning.
   const bool flanks_jam = answer.min_play && *answer.min_play < Angle();
-  if (least && !flanks_jam) warn_of_jam(*least, {}, "root fillets and flanks are", warnings);
+  if (least && !flanks_jam)
+    warn_of_jam(*least, answer.setup->gear(2), {}, "root fillets and flanks are", warnings);
 }
 
 // The contact of the working and of the non-working flanks at the positions of the input.
