@@ -23,7 +23,7 @@ using GearShifts = std::vector<std::optional<double>>;
 /// Formula   least: x = max(0, x_u). Balanced: the division [T2.18a] of the least Σx ≥ 0 with which
 ///           both x ≥ x_u. The second gear of a stepped planet has x_u if its shift would be less
 ///           than x_u. All shifts are rounded up to 1e-4.
-/// Domain    a checked graph without shifts and centre distances (contract)
+/// Domain    a checked graph without centre distances (contract); its shifts are ignored
 /// Accuracy  no external gear of a planetary set or a train is undercut, except in sets with two
 ///           suns, in which sun2 and its planet gear may be
 std::vector<GearShifts> shift_trials(const DriveGraph& graph);
