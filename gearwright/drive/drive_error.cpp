@@ -23,7 +23,18 @@ constexpr double kRounding = Angle::arcseconds(1e-9).rad();
 
 Wave phasor(double turns) { return std::polar(1.0, kTurn * turns); }
 
-// The harmonics of the curve of a mesh.
+// e^{2πi turn/kErrorPositions}. The turns are integers, so that harmonics which vanish are exactly 0.
+Wave root_of_unity(int turn) {
+  static const std::vector<Wave> all = [] {
+    std::vector<Wave> list;
+    for (int j = 0; j < kErrorPositions; ++j)
+      list.push_back(phasor(static_cast<double>(j) / kErrorPositions));
+    return list;
+  }();
+  return all[static_cast<std::size_t>(turn % kErrorPositions)];
+}
+
+// The harmonics of the curve of a mesh. Empty if the curve is 0 or does not move the output.
 struct MeshCurve {
   std::vector<Wave> waves;   // complex amplitudes of harmonics 0, 1, …, kErrorPositions/2
   std::vector<Wave> shares;  // of each harmonic: mean over the planets of e^{−2πikγ}
@@ -52,16 +63,20 @@ class DriveCurves {
     DriveError found;
     for (const std::size_t first : frequencies()) {
       const auto teeth = drive_.frequency_ratio(first);
+      // The time at which the first mesh reaches position 0 of its curve.
+      const double begin = -phases_[first].event - phases_[first].time;
+      std::vector<Wave> waves;
+      for (int k = 0; k <= kErrorPositions / 2; ++k) waves.push_back(sum(first, k, begin));
       for (int k = 1; k <= harmonics; ++k)
-        found.lines.push_back({k * teeth.value_or(0.0), 2 * std::abs(sum(first, k, 0.0))});
+        found.lines.push_back(
+            {k * teeth.value_or(0.0), 2 * std::abs(waves[static_cast<std::size_t>(k)])});
+      if (std::all_of(waves.begin(), waves.end(), [](const Wave& w) { return w == 0.0; })) continue;
       double least = 0.0, greatest = 0.0;
       for (int i = 0; i < kErrorPositions; ++i) {
-        // The time at which the first mesh reaches position i of its curve.
-        const double t =
-            static_cast<double>(i) / kErrorPositions - phases_[first].event - phases_[first].time;
         double value = 0.0;
         for (int k = 1; k <= kErrorPositions / 2; ++k)
-          value += (2 * k < kErrorPositions ? 2 : 1) * sum(first, k, t).real();
+          value += (2 * k < kErrorPositions ? 2 : 1) *
+                   (waves[static_cast<std::size_t>(k)] * root_of_unity(k * i)).real();
         least = i == 0 ? value : std::min(least, value);
         greatest = i == 0 ? value : std::max(greatest, value);
       }
@@ -80,8 +95,8 @@ class DriveCurves {
   static std::vector<double> curve_of(const ContactSetup& setup, bool gear2_drives, bool turned) {
     if (!setup.gear(1).gap)
       return gearwright::transmission_error(setup.pair(gear2_drives), kErrorPositions);
-    const HalvesPair both = HalvesSetup(setup, 0.0, turned ? -1.0 : 1.0)
-                                .pair(setup.place().errors, gear2_drives);
+    const HalvesPair both =
+        HalvesSetup(setup, 0.0, turned ? -1.0 : 1.0).pair(setup.place().errors, gear2_drives);
     return gearwright::transmission_error(both.mesh, kErrorPositions);
   }
 
@@ -120,19 +135,17 @@ class DriveCurves {
 
   bool find_waves(std::size_t m) {
     MeshCurve& curve = curves_[m];
-    curve.waves.assign(kErrorPositions / 2 + 1, 0.0);
     const ContactErrors errors = errors_ ? errors_(m) : ContactErrors();
     if (conjugate(m, errors)) return true;
     const std::vector<double> e = along_line(m, errors);
     if (e.empty()) return false;
+    curve.waves.assign(kErrorPositions / 2 + 1, 0.0);
     for (int k = 0; k <= kErrorPositions / 2; ++k) {
       Wave wave = 0.0;
       for (int j = 0; j < kErrorPositions; ++j) {
-        // The curve starts half a pitch before its middle. The phase is computed with integers, so
-        // that harmonics which vanish are exactly 0.
-        const int turn = k * (j + kErrorPositions / 2) % kErrorPositions;
+        // The curve starts half a pitch before its middle.
         wave += (e[static_cast<std::size_t>(j)] - e[0]) *
-                phasor(-static_cast<double>(turn) / kErrorPositions);
+                std::conj(root_of_unity(k * (j + kErrorPositions / 2)));
       }
       curve.waves[static_cast<std::size_t>(k)] = wave / double(kErrorPositions);
     }
@@ -141,6 +154,7 @@ class DriveCurves {
 
   void find_shares(std::size_t m) {
     const MeshPhase& phase = phases_[m];
+    if (curves_[m].waves.empty()) return;
     curves_[m].shares.assign(kErrorPositions / 2 + 1, 1.0);
     if (phase.phases.empty()) return;
     for (std::size_t k = 0; k < curves_[m].shares.size(); ++k) {
@@ -167,7 +181,7 @@ class DriveCurves {
     Wave total = 0.0;
     for (std::size_t m = 0; m < curves_.size(); ++m) {
       const MeshPhase& p = phases_[m];
-      if (p.first != first) continue;
+      if (p.first != first || curves_[m].waves.empty()) continue;
       const MeshCurve& c = curves_[m];
       const auto at = static_cast<std::size_t>(k);
       total += p.weight * c.waves[at] * c.shares[at] * phasor(k * (t + p.event - p.time));
