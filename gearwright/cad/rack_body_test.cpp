@@ -138,8 +138,7 @@ TEST(RackBody, drawings_contain_the_bar) {  // (3)
 
 TEST(RackBody, has_a_default_size_and_names_a_height_that_is_too_small) {
   const auto pair = mount_rack(
-      make_gear(testing::plain_spec({.teeth = 20, .module = 2, .face_width = 20})).value(),
-      {});
+      make_gear(testing::plain_spec({.teeth = 20, .module = 2, .face_width = 20})).value(), {});
   ASSERT_TRUE(pair);
   RackGeometry rack = pair->rack;
   EXPECT_EQ(rack.teeth, 21);

@@ -147,8 +147,8 @@ const Quantities<RackGeometry>& rack_quantities() {
     q.number("length_mm", "length", "",
              "length n p_t, with half a tooth space at both ends; null without `teeth`",
              &R::length);
-    q.number("height_mm", "height", "",
-             "height from the back of the rack to the datum line", &R::height)
+    q.number("height_mm", "height", "", "height from the back of the rack to the datum line",
+             &R::height)
         .always();
     q.number("addendum_mm", "addendum", "h_a", "height above the datum line", &R::addendum)
         .always();

@@ -29,7 +29,8 @@ std::optional<ContactResult> contact_of(const Drive& drive, std::size_t m,
 
 }  // namespace
 
-std::vector<std::optional<MeshContact>> mesh_contacts(const Drive& drive, const MeshErrors& errors) {
+std::vector<std::optional<MeshContact>> mesh_contacts(const Drive& drive,
+                                                      const MeshErrors& errors) {
   std::vector<std::optional<MeshContact>> all(drive.graph.meshes.size());
   if (drive.motion.freedom != 1 || !drive.motion.redundant.empty()) return all;
   const auto phases = detail::phases_of(drive);

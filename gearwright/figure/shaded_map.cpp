@@ -33,9 +33,13 @@ void add_map(Figure& f, const FlankRaster& raster, const std::vector<double>& le
     if (std::isfinite(v)) v = -v;
   const std::size_t n = levels.size() + 1;
   for (std::size_t i = 0; i < n; ++i)
-    f.area(region_below(raster, field, i > 0 ? -levels[i - 1] : above ? -*above : kAll),
+    f.area(region_below(raster, field,
+                        i > 0   ? -levels[i - 1]
+                        : above ? -*above
+                                : kAll),
            shade_style(i, n) + (i > 0 ? " step" : ""), step_words(levels, i, unit));
-  f.grid = FigureGrid{std::move(words), std::move(unit), raster.height, raster.diameter, raster.gap};
+  f.grid =
+      FigureGrid{std::move(words), std::move(unit), raster.height, raster.diameter, raster.gap};
 }
 
 }  // namespace gearwright

@@ -319,8 +319,7 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
                   "the results of the pair and of the drive agree to the last bit.",
                   printable(m.name))};
   if (job.verdict.level == Level::red) notes.push_back(job.verdict.headline);
-  if (locks)
-    notes.emplace_back("The pair has no load, because the input cannot drive the output.");
+  if (locks) notes.emplace_back("The pair has no load, because the input cannot drive the output.");
   if (job.spec.rating.given) {
     const auto load = rating_load(job.spec, drive);
     if (carries && load) {

@@ -39,10 +39,9 @@ void TableBuilder::open_row(std::string_view words, std::string_view symbol,
       "<tr><th scope=\"row\">{}</th><td class=\"symbol\">{}</td><td class=\"unit\">{}</td>",
       with_symbols(words), symbol_html(symbol), escaped(unit));
   row_has_value_ = false;
-  beside_ = decisive_keys_.empty()
-                ? rows_ < kFirst
-                : std::find(decisive_keys_.begin(), decisive_keys_.end(), key_) !=
-                      decisive_keys_.end();
+  beside_ = decisive_keys_.empty() ? rows_ < kFirst
+                                   : std::find(decisive_keys_.begin(), decisive_keys_.end(),
+                                               key_) != decisive_keys_.end();
   ++rows_;
   if (beside_)
     first_ += (first_.empty() ? ": " : "; ") +
