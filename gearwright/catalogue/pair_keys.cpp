@@ -96,10 +96,9 @@ const KeyTable& rack_bar_keys() {
       "rack_bar",
       "A rack as gear 2, with the profile of the basic rack of gear 1",
       {Key::word("form", {"rack"}, KeyPlace::unused(), kRequired, "makes gear 2 a rack"),
-       Key::number(
-           "teeth", "z", KeyRange::between(1, 100'000), &RackBar::teeth,
-           "an odd number of at least one turn of the pinion and 15, for pictures and files",
-           "number of teeth, which determines the length of the rack")
+       Key::number("teeth", "z", KeyRange::between(1, 100'000), &RackBar::teeth,
+                   "not limited; pictures and files contain at least one turn of the pinion",
+                   "number of teeth, which determines the length of the rack")
            .with_also({"number_of_teeth", "length"}),
        Key::positive("face_width_mm", "b", &RackBar::face_width, "face width of gear 1",
                      "face width")
