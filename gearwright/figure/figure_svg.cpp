@@ -156,9 +156,9 @@ class Writer {
       grid();
     }
     if (!f_.definitions.empty()) svg_.define(f_.definitions);
-    svg_.begin_group(
-        fmt::format("class=\"plot\" data-x=\"{}\" data-y=\"{}\" data-pitch=\"{:.9g}\"{}",
-                    x_.attribute(), y_.attribute(), f_.pitch, f_.bare ? " data-bare=\"\"" : ""));
+    svg_.begin_group(fmt::format(
+        "class=\"plot\" data-x=\"{}\" data-y=\"{}\" data-pitch=\"{:.9g}\"{}", x_.attribute(),
+        y_.attribute(), f_.pitch, f_.bare && !f_.plane ? " data-bare=\"\"" : ""));
     if (!f_.leaders.empty())
       svg_.begin_clip(at_.left, at_.top, at_.right - at_.left, at_.bottom - at_.top);
     int frame = -1, group = -1;
