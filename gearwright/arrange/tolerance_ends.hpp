@@ -3,8 +3,8 @@
 //
 // Over the small range of a tolerance, backlash, contact ratio, clearances, tip thickness and
 // safeties are monotonic in each toleranced number. The worst value of each quantity therefore
-// occurs at a combination of ends, which is a corner of the box of tolerances. Internal to
-// arrange/.
+// occurs at a combination of ends, which is a corner of the box of tolerances.
+// Internal to arrange/.
 #pragma once
 
 #include <memory>

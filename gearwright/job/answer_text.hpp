@@ -1,5 +1,5 @@
-// The answers of `contact`, `compensate` and `load` in JSON and as tables for people. Internal to
-// job/ and the program.
+// The answers of `contact`, `compensate` and `load` in JSON and as tables for people.
+// Internal to job/ and the program.
 #pragma once
 
 #include <string>

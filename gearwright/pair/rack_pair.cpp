@@ -78,11 +78,14 @@ void note_defaults(RackPair& p) {
   const RackGeometry& rack = p.rack;
   if (!rack.bar.teeth)
     warn(p, WarningCode::default_rack_body, 2,
-         fmt::format("`teeth` is not given; pictures and files contain {} teeth.", rack.teeth));
+         fmt::format(
+             "The number of teeth of the rack is not given; pictures and files contain {} teeth.",
+             rack.teeth));
   if (!rack.bar.height)
     warn(p, WarningCode::default_rack_body, 2,
-         fmt::format("`height` is not given; {} mm ({:g} modules below the roots) is used.",
-                     format_number(rack.height), kRimModules));
+         fmt::format(
+             "The height of the rack is not given; {} mm ({:g} modules below the roots) is used.",
+             format_number(rack.height), kRimModules));
 }
 
 void find_faults(RackPair& p) {

@@ -98,7 +98,7 @@ TEST(RackPair, what_is_wrong_is_a_warning_and_what_cannot_be_an_error) {
                        [&](const Warning& w) { return w.code == code; });
   };
   const Gear gear = pinion(22, 2, 0, 0);
-  EXPECT_TRUE(testing::taken(mount_rack(gear, {})).warnings.empty());
+  EXPECT_TRUE(testing::taken(mount_rack(gear, {.teeth = 30, .height = 9})).warnings.empty());
   EXPECT_TRUE(has(testing::taken(mount_rack(gear, {}, 21.9)), WarningCode::negative_backlash));
   EXPECT_TRUE(has(testing::taken(mount_rack(gear, {}, 21.4)), WarningCode::root));
   EXPECT_TRUE(has(testing::taken(mount_rack(gear, {}, 27.0)), WarningCode::no_contact));

@@ -59,10 +59,12 @@ class Stages(unittest.TestCase):
 
 class PlaneSections(unittest.TestCase):
     def test_every_angle_of_a_planet_has_a_plane_section(self):
-        for sun, planet, ring, count in ((19, 17, 56, 3), (21, 37, 95, 4), (22, 35, 92, 3), (25, 23, 71, 3)):
+        for sun, planet, ring, count, distance in ((19, 17, 56, 3, "38.3556"), (21, 37, 95, 4, "58"),
+                                                   (22, 35, 92, 3, "57"), (25, 23, 71, 3, "48")):
             with self.subTest(sun=sun, planet=planet, ring=ring):
                 spec = f"[planetary]\nsun = {sun}\nplanet = {planet}\nring = {ring}\nplanets = {count}\n"
-                r = Run("export", spec + "normal_module_mm = 2\n", "--svg", "set.svg")
+                spec += f"normal_module_mm = 2\ncenter_distance_mm = {distance}\n"
+                r = Run("export", spec, "--svg", "set.svg")
                 self.assertEqual(r.status, 0, r.err)
 
 

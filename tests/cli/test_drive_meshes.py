@@ -153,7 +153,7 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
     def test_a_rack_has_contact_and_a_verdict(self):
         """Under errors, the travel of the rack deviates by as much as `contact` gives for the pinion and its rack."""
         askew = self.LIFT.replace('r"], efficiency', 'r"], center_distance_mm = 20.4, efficiency')
-        askew += "[errors]\ncrossing_deg = 0.1\n[contact]\npositions = 64\n"
+        askew += "[errors]\ncrossing_deg = 0.1\n[contact]\npositions = 256\n"
         drive = Run("drive", askew, "--json").json
         contact = Run("contact", Run("drive", askew, "--take", "1").out, "--json").json
         error = drive["drive"]["transmission_error"]
@@ -259,7 +259,7 @@ class DoubleHelical(unittest.TestCase):
         self.assertIn("rating.face_load_factor", run.err)
 
     def test_the_spec_of_a_mesh_runs(self):
-        stage = self.stage() + "[errors]\nintersecting_deg = 0.01\ncrossing_deg = 0.004\n"
+        stage = self.stage() + "[errors]\nintersecting_deg = 0.01\ncrossing_deg = 0.004\n[contact]\npositions = 256\n"
         spec = Run("drive", stage, "--take", "1").out
         for table in ("[load]", "[errors]", "[gear2.double_helical]"):
             self.assertIn(table, spec)
