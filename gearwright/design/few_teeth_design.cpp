@@ -82,9 +82,9 @@ double gap_of(const Gear& gear) {
   return 2 * p.norm() * std::sin(half);
 }
 
-class Search {
+class FewTeethSearch {
  public:
-  explicit Search(const FewTeethProblem& p) : p_(p), side_(side_of(p.teeth[1])) {}
+  explicit FewTeethSearch(const FewTeethProblem& p) : p_(p), side_(side_of(p.teeth[1])) {}
 
   Verdict best;
   int tried = 0;
@@ -418,7 +418,7 @@ Result<FewTeethAnswer> design_few_teeth(const FewTeethProblem& problem) {
         fmt::format("an internal gear must have more teeth than its pinion (gear 1 has {})",
                     problem.teeth[0]));
   }
-  Search search(problem);
+  FewTeethSearch search(problem);
   search.run();
   return FewTeethAnswer{std::move(search.best.design), search.best.limit, search.tried};
 }
