@@ -64,7 +64,11 @@
     var ends = plot.getAttribute('data-x').split(' ').map(Number), left = found.x < (ends[2] + ends[3]) / 2;
     shown = add(svg, 'g', {'class': 'readout'});
     add(shown, 'circle', {cx: found.x, cy: found.y, r: 3.5});
-    add(shown, 'text', {x: found.x + (left ? 9 : -9), y: found.y - 9, 'class': 'halo' + (left ? '' : ' e')},
+    var words = add(shown, 'text', {x: found.x + (left ? 9 : -9), y: found.y - 9, 'class': 'halo' + (left ? '' : ' e')},
         bare ? found.name : found.far === undefined ? found.name + ' at ' + x + '; ' + y : found.name + ': ' + y + ' at ' + x);
+    // Long words are moved into the picture.
+    var box = words.getBBox(), view = svg.viewBox.baseVal;
+    var beyond = Math.max(0, box.x + box.width + 6 - view.x - view.width);
+    if (beyond) words.setAttribute('transform', 'translate(' + -beyond + ' 0)');
   });
 })();
