@@ -3,18 +3,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 
 #include "gearwright/gear/gear.hpp"
-#include "gearwright/pair/mounted_gears.hpp"
 
 namespace gearwright {
 
 void warn_of_jam(Angle least_play, const Gear& moved, RackTravel rack, std::string_view touched,
                  std::vector<Warning>& warnings) {
-  const double normal = least_play.rad() * std::abs(moved.reference_diameter) / 2 *
-                        std::cos(moved.spec.helix_angle.rad());
-  if (!(normal <= -kNoBacklash)) return;
+  if (!jams(least_play, moved)) return;
   warnings.push_back(
       {WarningCode::jam,
        fmt::format("The {} jam, because {} in contact at once. {} would have to yield by {}.",

@@ -10,10 +10,8 @@
 
 namespace gearwright {
 
-/// Warns if the least play of gear 2, or of a rack, is negative. A normal backlash of up to
-/// kNoBacklash below 0 is a rounding of the centre distance. `moved` is gear 2 or the pinion of the
-/// rack. `touched` names the surfaces that are in contact at once: "both flanks of a tooth space
-/// are".
+/// Warns if the gears jam, see jams(). `touched` names the surfaces that are in contact at once:
+/// "both flanks of a tooth space are".
 void warn_of_jam(Angle least_play, const Gear& moved, RackTravel rack, std::string_view touched,
                  std::vector<Warning>& warnings);
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/pair/mounted_gears.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -47,6 +49,11 @@ std::optional<Angle> least_play(const ContactResult& working, const ContactResul
     if (play) least = std::min(least.value_or(*play), *play);
   }
   return least;
+}
+
+bool jams(Angle least_play, const Gear& moved) {
+  const double radius = std::abs(moved.reference_diameter) / 2;
+  return least_play.rad() * radius * std::cos(moved.spec.helix_angle.rad()) <= -kNoBacklash;
 }
 
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n) {

@@ -49,6 +49,9 @@ std::optional<Angle> play_between(const ContactPoint& working, const ContactPoin
 /// The least play_between() over all positions. Both results must have the same positions.
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
+/// True if the gears jam at this least play, because the normal play is −kNoBacklash or less. A
+/// smaller overlap is a rounding of the centre distance. `moved` is gear 2, or the pinion of a rack.
+bool jams(Angle least_play, const Gear& moved);
 
 /// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the housing
 /// is `first` + i pitch/n.

@@ -385,7 +385,7 @@ void warn_of_samples(const Scatter& scatter, std::vector<Warning>& warnings) {
   if (scatter.jam.count > 0) {
     double least = 0.0;
     for (const ScatterSample& sample : scatter.samples)
-      if (sample.member.jams()) least = std::min(least, sample.member[ScatterQuantity::least_play]);
+      if (sample.member.jam) least = std::min(least, sample.member[ScatterQuantity::least_play]);
     warnings.push_back(
         {WarningCode::samples_jam,
          fmt::format("The gears jam in {} of {} samples. The least play of gear 2 is "

@@ -18,7 +18,6 @@ namespace gearwright {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kTouching = 1e-12;                // rad; a play of −1e-12 is a rounding error
 constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a smaller peak to peak is the rounding error
                                                    // of 0
 
@@ -32,8 +31,6 @@ MemberSetup::MemberSetup(const ContactSetup& setup, const Deviation& deviation) 
   GW_EXPECTS(made);
   own_ = std::move(made).take();
 }
-
-bool FamilyMember::jams() const { return (*this)[ScatterQuantity::least_play] < -kTouching; }
 
 double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickness) {
   if (thickness[0] == 0.0 && thickness[1] == 0.0) return 0.0;
@@ -143,6 +140,7 @@ FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
     sum += te.back();
   }
   if (std::isfinite(least)) set(Q::least_play, least);
+  m.jam = std::isfinite(least) && jams(Angle::radians(least), drawn.gear(2));
   const ContactScore score = driving.score(request.profile);
   set(Q::edge_share, score.edge_share);
   const double span = driving.span();

@@ -36,10 +36,10 @@ constexpr std::size_t kScatterQuantities = 10;
 struct FamilyMember {
   std::array<double, kScatterQuantities> value{};  ///< NaN if there is no such number
   bool lost = false;                               ///< true if nothing touches at some position
+  bool jam = false;                                ///< jams() at the least play
 
   double operator[](ScatterQuantity q) const { return value[static_cast<std::size_t>(q)]; }
   bool edge() const { return (*this)[ScatterQuantity::edge_share] > 0.0; }
-  bool jams() const;
 };
 
 struct MemberRequest {

@@ -236,13 +236,22 @@ TEST(Member, SpurGearsHaveClosedForms) {
   }
 }
 
+// A normal backlash that is printed as 0.0000 mm is no jam.
+TEST(Member, ARoundedPlayIsNoJam) {
+  const ContactSetup setup = testing::spur_pair(false).setup();
+  const Gear& g = setup.gear(2);
+  const double per_mm = 2 / (g.reference_diameter * std::cos(g.spec.helix_angle.rad()));
+  EXPECT_FALSE(jams(Angle::radians(-0.49e-4 * per_mm), g));
+  EXPECT_TRUE(jams(Angle::radians(-0.51e-4 * per_mm), g));
+}
+
 TEST(Member, LostContactIsNoNumber) {
   const ContactSetup setup = testing::spur_pair(false).setup();
   Deviation d = none(setup);
   d.errors.center_distance = 5.0;
   const FamilyMember m = member_at(setup, d, {8, false, {}});
   EXPECT_TRUE(m.lost);
-  EXPECT_FALSE(m.jams());
+  EXPECT_FALSE(m.jam);
   EXPECT_TRUE(std::isnan(m[Q::peak_to_peak]));
   EXPECT_TRUE(std::isnan(continuous_peak_to_peak(setup, d, {8, false, {}}).value));
 }

@@ -133,7 +133,7 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
     s.spread[q] = spread_of(task, kept(s.samples, q), task.samples);
   s.edge_contact =
       share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.edge(); });
-  s.jam = share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.jams(); });
+  s.jam = share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.jam; });
   s.contact_lost =
       share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.lost; });
   if (task.indices) {
