@@ -243,14 +243,21 @@ Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path
       writer.stage(mesh.name, gears[a][std::min(copy, gears[a].size() - 1)],
                    gears[b][std::min(copy, gears[b].size() - 1)], *geometry.distance[m]);
   }
-  const auto placed = [](const DriveBody& b) { return b.spacing || !b.positions_deg.empty(); };
-  const auto lossy = [](const DriveMesh& m) { return m.efficiency || m.friction; };
+  const auto placed = [](const DriveBody& b) {
+    return b.spacing.value_or(Spacing::nearest) != Spacing::nearest || !b.positions_deg.empty();
+  };
+  const auto lossy = [](const DriveMesh& m) {
+    return m.efficiency || m.friction.value_or(DriveGraph{}.friction) != DriveGraph{}.friction;
+  };
   if (graph.spacing != Spacing::nearest ||
       std::any_of(graph.bodies.begin(), graph.bodies.end(), placed))
     writer.leave_out("the positions of the planets");
   if (graph.friction != DriveGraph{}.friction ||
       std::any_of(graph.meshes.begin(), graph.meshes.end(), lossy))
     writer.leave_out("friction and efficiencies");
+  if (std::any_of(geometry.gears.begin(), geometry.gears.end(),
+                  [](const auto& gear) { return gear && gear->bore; }))
+    writer.leave_out("bores");
   for (const std::size_t b : graph.fixed) writer.hold(shafts[b].front());
   for (std::size_t i = 0; i < graph.inputs.size(); ++i)
     writer.input(shafts[graph.inputs[i]].front(), i == 0 ? graph.torque_Nm : std::nullopt,
