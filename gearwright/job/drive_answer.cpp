@@ -342,7 +342,7 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
       notes.push_back(fmt::format("The table [rating] is left out, because {}.", why));
     }
   }
-  if (pair.empty()) spec.erase("pair");
+  if (spec["pair"].empty()) spec.erase("pair");  // `pair` is invalid after other tables were added
   return {std::move(spec), std::move(notes)};
 }
 
