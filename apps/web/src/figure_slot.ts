@@ -120,6 +120,7 @@ export class FigureSlot {
     rows.push(...(points ?? []).map(({ name, at: [a, b] }) => `${cell(name)},${a},${b}`));
     let head = ["curve", words(x), words(y)].map(cell).join();
     if (grid) {
+      // The curves and points of a map are parts of its picture, so the file has only the values.
       head = [words(x), words(y), words(grid)].map(cell).join();
       rows.splice(0, rows.length, ...grid.y.flatMap((b, i) => grid.x.map((a, k) => `${a},${b},${grid.values[i]![k] ?? ""}`)));
     }

@@ -8,7 +8,7 @@
   });
   // On paper all details are open, and long tables are in an appendix, under the names of their
   // sections.
-  var moved = [], appendix = document.createElement('section');
+  var moved = [], emptied = [], appendix = document.createElement('section');
   function heading(tag, words) {
     appendix.appendChild(document.createElement(tag)).textContent = words;
   }
@@ -26,10 +26,16 @@
       appendix.appendChild(d);
     });
     if (moved.length) document.querySelector('main').appendChild(appendix);
+    // A section whose tables were all moved has only its heading left.
+    Array.prototype.forEach.call(document.querySelectorAll('main section'), function (s) {
+      if (s.children.length === 1 && s !== appendix) { s.hidden = true; emptied.push(s); }
+    });
   });
   window.addEventListener('afterprint', function () {
     moved.forEach(function (m) { m[1].parentNode.replaceChild(m[0], m[1]); });
+    emptied.forEach(function (s) { s.hidden = false; });
     moved = [];
+    emptied = [];
     appendix.remove();
   });
   var hint = document.getElementById('hint');
