@@ -45,8 +45,7 @@ JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const WantedSafety& wa
   if (!drive.contacts.empty() && drive.contacts[m]) {
     const MeshContact& c = *drive.contacts[m];
     warn_of_contact(c.driving, c.other, c.least_play, made.judged.gears, made.warnings);
-    // The contact of whole double-helical gears has no places.
-    if (!pair.gear(1).gap) made.judged.contact = &c.driving;
+    made.judged.contact = &c.judged();
   }
   if (!drive.ratings.empty() && drive.ratings[m]) {
     const MeshRating& r = *drive.ratings[m];
@@ -64,11 +63,13 @@ std::vector<Finding> rack_findings(const Drive& drive, std::size_t m) {
     w.gear = 1;
     warnings.push_back(std::move(w));
   }
+  Judged judged{.gears = {&rack.pinion}, .rack = &rack, .warnings = &warnings};
   if (!drive.contacts.empty() && drive.contacts[m]) {
     const MeshContact& c = *drive.contacts[m];
-    warn_of_contact(c.driving, c.other, c.least_play, {&rack.pinion}, warnings);
+    warn_of_contact(c.driving, c.other, c.least_play, judged.gears, warnings);
+    judged.contact = &c.judged();
   }
-  return findings_of({.gears = {&rack.pinion}, .rack = &rack, .warnings = &warnings});
+  return findings_of(judged);
 }
 
 std::vector<Finding> mesh_findings(const Drive& drive, std::size_t m, const WantedSafety& wanted) {

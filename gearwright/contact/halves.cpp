@@ -187,6 +187,13 @@ HalvesPair HalvesSetup::pair(const ContactErrors& errors, bool gear2_drives) con
   return made;
 }
 
+ContactResult HalvesContact::on_halves() const {
+  ContactResult both;
+  for (const ContactResult* one : {&half[0], &image})
+    both.positions.insert(both.positions.end(), one->positions.begin(), one->positions.end());
+  return both;
+}
+
 HalvesContact analyse_contact(const HalvesMesh& mesh, const ContactRequest& request) {
   HalvesContact found;
   found.half[0] = analyse_contact(*mesh.half[0], request);

@@ -81,12 +81,16 @@ class HalvesSetup {
 
 /// The contact of both halves and of the whole gears at the same rotations of the gears.
 struct HalvesContact {
-  std::array<ContactResult, 2> half;  ///< A and B
-  ContactResult image;                ///< of the mirror image of half B, at rotations_of_second()
+  std::array<ContactResult, 2> half{};  ///< A and B
+  ContactResult image{};                ///< of the mirror image of half B, at rotations_of_second()
   /// Rotations and TE of every position of the whole gears; the place of contact is NaN. `kind` is
   /// taken from half B if only half B touches at an edge, otherwise from half A.
-  ContactResult whole;
-  std::vector<double> float_axial;  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
+  ContactResult whole{};
+  std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
+
+  /// The positions of half A, followed by those of the mirror image of half B. The verdict judges
+  /// the places of contact of both.
+  ContactResult on_halves() const;
 };
 
 /// Derivatives refer to the errors of the pair itself.

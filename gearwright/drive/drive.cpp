@@ -9,6 +9,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/drive/drive_error.hpp"
 #include "gearwright/drive/drive_places.hpp"
+#include "gearwright/drive/geometry_remedy.hpp"
 #include "gearwright/drive/rack_pitch.hpp"
 
 namespace gearwright {
@@ -298,6 +299,7 @@ Result<Drive> make_drive(const DriveInput& input) {
   if (!motion) return motion.error();
   drive.motion = std::move(motion).take();
   drive.geometry = drive_geometry(drive.graph);
+  if (input.remedies) add_remedy(drive.graph, drive.geometry);
   drive.efficiencies = mesh_efficiencies(drive.graph, drive.geometry);
   if (auto error = find_flows(drive)) return *error;
   for (const PlanetGroup& group : planet_groups(drive.graph)) {
@@ -309,7 +311,7 @@ Result<Drive> make_drive(const DriveInput& input) {
   drive.error = transmission_error(drive, input.harmonics);
   find_facts(drive);
   for (const DriveGraph& stage : input.stages) {
-    auto made = make_drive({stage, {}, input.harmonics});
+    auto made = make_drive({stage, {}, input.harmonics, input.remedies});
     if (!made) return made.error();
     drive.stages.push_back(std::move(made).take());
   }

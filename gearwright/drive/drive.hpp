@@ -99,6 +99,10 @@ struct MeshContact {
   ContactResult driving, other;     ///< of the working flanks and of the other flanks
   std::optional<Angle> least_play;  ///< of gear 2 or of the rack; none if one of the flanks never
                                     ///< touches
+  ContactResult on_halves;          ///< of the working flanks of a double-helical pair
+
+  /// The contact with the places that the verdict judges.
+  const ContactResult& judged() const { return on_halves.positions.empty() ? driving : on_halves; }
 };
 
 struct Drive {
@@ -151,6 +155,9 @@ struct DriveInput {
   DriveGraph graph;
   std::vector<DriveGraph> stages{};
   int harmonics = 3;  ///< number of harmonics of the phasing and the transmission error
+  /// True to add to the fault of impossible teeth the changes that make the drive possible. This
+  /// takes the time of up to 80 drives.
+  bool remedies = false;
 };
 
 /// Computes the drive of a graph. Load and ratings are computed by other functions.

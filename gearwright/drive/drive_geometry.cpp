@@ -277,7 +277,9 @@ double least_gap_of(const std::vector<Rider>& riders, const std::vector<double>&
   return least;
 }
 
-DriveGeometry build(const DriveGraph& graph) {
+}  // namespace
+
+DriveGeometry drive_geometry(const DriveGraph& graph) {
   DriveGeometry made;
   made.distance.resize(graph.meshes.size());
   made.pairs.resize(graph.meshes.size());
@@ -295,22 +297,6 @@ DriveGeometry build(const DriveGraph& graph) {
   cut_back_tips(graph, made);
   turn_out_rings(graph, made);
   mount_racks(graph, made);
-  return made;
-}
-
-}  // namespace
-
-DriveGeometry drive_geometry(const DriveGraph& graph) {
-  DriveGeometry made = build(graph);
-  const auto remedy = geometry_remedy(graph, made, build);
-  if (!remedy || remedy->text.empty()) return made;
-  if (made.faults.empty())
-    made.faults.push_back(
-        {Fault::Kind::no_pair,
-         fmt::format("The teeth of the mesh {} do not touch at a centre distance "
-                     "of {:.4f} mm.",
-                     graph.meshes[remedy->mesh].name, *made.distance[remedy->mesh])});
-  made.faults.front().message += " " + remedy->text;
   return made;
 }
 

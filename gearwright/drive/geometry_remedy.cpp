@@ -27,8 +27,8 @@ bool no_problem(const std::vector<Warning>& warnings) {
 // True if the teeth of the mesh touch.
 bool can_mesh(const std::optional<Pair>& pair) { return pair && pair->contact_ratio_true() > 0.0; }
 
-bool is_possible(const DriveGraph& graph, BuildGeometry build) {
-  const DriveGeometry made = build(graph);
+bool is_possible(const DriveGraph& graph) {
+  const DriveGeometry made = drive_geometry(graph);
   if (!made.faults.empty()) return false;
   for (std::size_t m = 0; m < graph.meshes.size(); ++m)
     if (has_teeth(graph, graph.meshes[m]) &&
@@ -76,15 +76,14 @@ std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph) 
   return classes;
 }
 
-std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph, std::size_t mesh,
-                                                        BuildGeometry build) {
+std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph, std::size_t mesh) {
   DriveGraph tried = graph;
   const auto meshes = with_same_distance(graph, mesh);
   for (const std::size_t m : meshes) tried.meshes[m].center_distance.reset();
-  const auto natural = build(tried).distance[mesh];
+  const auto natural = drive_geometry(tried).distance[mesh];
   const auto possible = [&](double a) {
     tried.meshes[meshes.front()].center_distance = a;
-    return is_possible(tried, build);
+    return is_possible(tried);
   };
   if (!natural || !possible(*natural)) return std::nullopt;
   const double module = graph.gear(graph.meshes[mesh], 0).spec->normal_module;
@@ -102,10 +101,9 @@ std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph,
   return range;
 }
 
-std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t mesh,
-                                            BuildGeometry build) {
+std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t mesh) {
   const auto planet = planet_of(graph, mesh);
-  const auto distance = build(graph).distance[mesh];
+  const auto distance = drive_geometry(graph).distance[mesh];
   if (!planet || !distance) return std::nullopt;
   const std::size_t gear = graph.meshes[mesh].gears[static_cast<std::size_t>(1 - *planet)];
   const DriveGear& rider = graph.gear(graph.meshes[mesh], *planet);
@@ -118,7 +116,7 @@ std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t
     DriveGraph tried = graph;
     tried.meshes[with_same_distance(graph, mesh).front()].center_distance = distance;
     tried.gears[gear].teeth = sign * z;
-    return is_possible(tried, build);
+    return is_possible(tried);
   };
   for (const int first : {nominal, nominal + 1, nominal - 1}) {
     if (!possible(first)) continue;
@@ -130,22 +128,20 @@ std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t
   return std::nullopt;
 }
 
-std::optional<GeometryRemedy> geometry_remedy(const DriveGraph& graph, const DriveGeometry& made,
-                                              BuildGeometry build) {
-  std::size_t m = 0;
-  while (m < graph.meshes.size() && (!has_teeth(graph, graph.meshes[m]) || can_mesh(made.pairs[m])))
-    ++m;
-  if (m == graph.meshes.size()) return std::nullopt;
+namespace {
+
+// The changes with which the mesh and the whole drive are possible, as a sentence; empty if none is
+// found.
+std::string changes_for(const DriveGraph& graph, std::size_t m) {
   const auto same = with_same_distance(graph, m);
   const bool given = std::any_of(same.begin(), same.end(), [&](std::size_t k) {
     return graph.meshes[k].center_distance.has_value();
   });
-  if (const auto range = given ? possible_distances(graph, m, build) : std::nullopt)
-    return GeometryRemedy{
-        m, fmt::format("A centre distance from {:.3f} mm to {:.3f} mm is possible.",
-                       std::ceil((*range)[0] * 1e3) / 1e3, std::floor((*range)[1] * 1e3) / 1e3)};
-  const auto teeth = possible_teeth(graph, m, build);
-  if (!teeth) return GeometryRemedy{m, ""};
+  if (const auto range = given ? possible_distances(graph, m) : std::nullopt)
+    return fmt::format("A centre distance from {:.3f} mm to {:.3f} mm is possible.",
+                       std::ceil((*range)[0] * 1e3) / 1e3, std::floor((*range)[1] * 1e3) / 1e3);
+  const auto teeth = possible_teeth(graph, m);
+  if (!teeth) return {};
   const std::string& name = graph.gears[teeth->gear].name;
   std::string text = fmt::format("{} = {}", name, teeth->least);
   if (teeth->greatest > teeth->least) text += fmt::format(" to {}", teeth->greatest);
@@ -161,7 +157,24 @@ std::optional<GeometryRemedy> geometry_remedy(const DriveGraph& graph, const Dri
       text = fmt::format("{} must be close to {} + 2 {} = {}; {}", name, sun.name, rider.name,
                          sun.teeth + 2 * rider.teeth, text);
   }
-  return GeometryRemedy{m, text};
+  return text;
+}
+
+}  // namespace
+
+void add_remedy(const DriveGraph& graph, DriveGeometry& made) {
+  std::size_t m = 0;
+  while (m < graph.meshes.size() && (!has_teeth(graph, graph.meshes[m]) || can_mesh(made.pairs[m])))
+    ++m;
+  if (m == graph.meshes.size()) return;
+  const std::string changes = changes_for(graph, m);
+  if (changes.empty()) return;
+  if (made.faults.empty())
+    made.faults.push_back(
+        {GeometryFault::Kind::no_pair,
+         fmt::format("The teeth of the mesh {} do not touch at a centre distance of {:.4f} mm.",
+                     graph.meshes[m].name, *made.distance[m])});
+  made.faults.front().message += " " + changes;
 }
 
 }  // namespace gearwright

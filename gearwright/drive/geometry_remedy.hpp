@@ -18,17 +18,13 @@ namespace gearwright {
 /// form a group, and any other mesh is a group by itself.
 std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph);
 
-/// Computes the geometry of a graph without remedies.
-using BuildGeometry = DriveGeometry (*)(const DriveGraph&);
-
 /// The least and the greatest possible centre distance of the meshes that share the distance of
 /// `mesh`, around the distance that applies if none is given, mm. None if that one is impossible.
 ///
 /// Accuracy  a limit is possible, and m_n/1000 beyond it is not; between them, steps of m_n/40 are
 ///           tried
 /// Domain    a mesh of two gears with teeth
-std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph, std::size_t mesh,
-                                                        BuildGeometry build);
+std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph, std::size_t mesh);
 
 /// The least and the greatest |z| of the central gear of a mesh with a planet, around the |z| that
 /// needs no profile shift. None if the mesh has no planet, or if no |z| is possible.
@@ -38,17 +34,10 @@ struct PossibleTeeth {
   std::size_t gear;
   int least, greatest, nominal;
 };
-std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t mesh,
-                                            BuildGeometry build);
+std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t mesh);
 
-/// The mesh that cannot be made, and a sentence with the changes that help, or an empty text.
-struct GeometryRemedy {
-  std::size_t mesh;
-  std::string text;
-};
-
-/// None if every mesh of the geometry can be made.
-std::optional<GeometryRemedy> geometry_remedy(const DriveGraph& graph, const DriveGeometry& made,
-                                              BuildGeometry build);
+/// Adds to the first fault of a geometry the changes with which the whole drive is possible. Nothing
+/// is added if every mesh can be made or if no such change is found.
+void add_remedy(const DriveGraph& graph, DriveGeometry& made);
 
 }  // namespace gearwright

@@ -8,9 +8,9 @@ namespace gearwright {
 
 namespace {
 
-// The contact of a mesh on the flanks that work if gear 2 drives, or if gear 1 drives; none if the
-// flanks cannot be computed.
-std::optional<ContactResult> contact_of(const Drive& drive, std::size_t m,
+// The contact of a mesh on the flanks that work if gear 2 drives, or if gear 1 drives. Only `whole` is
+// set if the pair is not double-helical. None if the flanks cannot be computed.
+std::optional<HalvesContact> contact_of(const Drive& drive, std::size_t m,
                                         const ContactErrors& errors, const detail::MeshPhase& phase,
                                         bool gear2_drives) {
   const ContactRequest request{.positions = kErrorPositions};
@@ -18,13 +18,16 @@ std::optional<ContactResult> contact_of(const Drive& drive, std::size_t m,
     detail::MeshPhase driven = phase;
     driven.first_drives = !gear2_drives;
     const auto pair = detail::rack_contact(drive, m, errors, driven);
-    return pair ? std::optional(analyse_contact(*pair, request)) : std::nullopt;
+    if (!pair) return std::nullopt;
+    return HalvesContact{.whole = analyse_contact(*pair, request)};
   }
   const auto setup = detail::mesh_contact(drive, m, errors, phase.turned);
   if (!setup) return std::nullopt;
-  if (!setup->gear(1).gap) return analyse_contact(setup->pair(gear2_drives), request);
+  if (!setup->gear(1).gap)
+    return HalvesContact{.whole = analyse_contact(setup->pair(gear2_drives), request)};
   const HalvesSetup halves(*setup, 0.0, phase.turned ? -1.0 : 1.0);
-  return analyse_contact(halves.pair(setup->place().errors, gear2_drives).mesh, request).whole;
+  const HalvesPair pair = halves.pair(setup->place().errors, gear2_drives);
+  return analyse_contact(pair.mesh, request);
 }
 
 }  // namespace
@@ -35,12 +38,13 @@ std::vector<std::optional<MeshContact>> mesh_contacts(const Drive& drive,
   if (drive.motion.freedom != 1 || !drive.motion.redundant.empty()) return all;
   const auto phases = detail::phases_of(drive);
   for (std::size_t m = 0; phases && m < all.size(); ++m) {
+    if (!mesh_backlash(drive.geometry, m)) continue;
     const bool gear2_drives = !(*phases)[m].first_drives;
     auto driving = contact_of(drive, m, errors(m), (*phases)[m], gear2_drives);
     auto other = contact_of(drive, m, errors(m), (*phases)[m], !gear2_drives);
     if (!driving || !other) continue;
-    const auto play = least_play(*driving, *other, gear2_drives);
-    all[m] = MeshContact{*std::move(driving), *std::move(other), play};
+    const auto play = least_play(driving->whole, other->whole, gear2_drives);
+    all[m] = MeshContact{driving->whole, other->whole, play, driving->on_halves()};
   }
   return all;
 }

@@ -173,9 +173,7 @@ Result<ContactAnswer> answer_of_halves(SolvedJob& job, const HalvesSetup& setup,
       job, [&](bool gear2_drives) -> const HalvesMesh& { return pairs[gear2_drives].mesh; },
       progress);
   ContactAnswer whole{half, {}, {}, {}, {}, {}, {}};
-  for (const ContactResult* one : {&driving.half[0], &driving.image})
-    whole.on_halves.positions.insert(whole.on_halves.positions.end(), one->positions.begin(),
-                                     one->positions.end());
+  whole.on_halves = driving.on_halves();
   auto first = answer_of(job, half, {std::move(driving.half[0]), std::move(other.half[0])}, input,
                          job.warnings, progress);
   if (!first) return first.error();

@@ -107,7 +107,9 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
                         "; a drive is described by [planetary], [[stage]] or [drive], for example "
                         "by [planetary] with sun = 20, planet = 25, ring = 70 and planets = 3");
   }
-  auto made = make_drive(*spec.drive);
+  DriveInput input = *spec.drive;
+  input.remedies = true;
+  auto made = make_drive(input);
   if (!made) return of_drive_table(made.error(), spec.tree->tables);
   DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}};
   if (auto error = find_halves(job.drive)) return of_drive_table(*error, spec.tree->tables);
@@ -207,8 +209,10 @@ Verdict judge(const DriveJob& job) {
       },
       wanted_safety(job.spec));
   const auto& contacts = job.drive.contacts;
-  if (std::find(contacts.begin(), contacts.end(), std::nullopt) != contacts.end())
-    verdict.not_judged.emplace_back("contact");
+  bool unknown = false;
+  for (std::size_t m = 0; m < contacts.size(); ++m)
+    unknown = unknown || (mesh_backlash(job.drive.geometry, m) && !contacts[m]);
+  if (unknown) verdict.not_judged.emplace_back("contact");
   return verdict;
 }
 

@@ -43,6 +43,18 @@ class Meshes(unittest.TestCase):
         self.assertEqual(still.status, 0, still.err)
         self.assertNotIn("[load]", still.out)
 
+    def test_a_mesh_without_module_has_no_contact(self):
+        """It does not move the output, so the errors of the other mesh are judged."""
+        gear = '[[drive.gear]]\nname = "{}"\nbody = "{}"\nteeth = {}\n'
+        spec = '[drive]\ninput = "a"\noutput = "b"\n' + "".join(f'[[drive.body]]\nname = "{b}"\n' for b in "abc")
+        for name, body, teeth in (("g1", "a", 20), ("g2", "b", 40)):
+            spec += gear.format(name, body, teeth) + "normal_module_mm = 2\n"
+        spec += gear.format("g3", "b", 30) + gear.format("g4", "c", 33)
+        spec += '[[drive.mesh]]\ngears = ["g1", "g2"]\n[[drive.mesh]]\ngears = ["g3", "g4"]\n[errors]\ncrossing_deg = 0.1\n'
+        verdict = Run("drive", spec, "--json").json["verdict"]
+        self.assertEqual(verdict["not_judged"], [])
+        self.assertIn("edge_contact", [f["code"] for f in verdict["findings"]])
+
     def test_the_head_of_a_mesh_gives_faults_of_the_drive(self):
         """A Wolfrom set with a high ratio is self-locking if the ring drives."""
         locked = """
@@ -161,6 +173,10 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         self.assertGreater(error["output_peak_to_peak_um"], 1)
         self.assertAlmostEqual(error["output_peak_to_peak_um"], contact["contact"]["peak_to_peak_um"], 9)
         self.assertGreater(error["lines"][0]["amplitude_um"], 0)
+        # Edges in contact are findings of the drive as of the pair.
+        codes = [[f["code"] for f in answer["verdict"]["findings"] if f["level"] != "green"] for answer in (drive, contact)]
+        self.assertEqual(codes[0], codes[1])
+        self.assertIn("edge_contact", codes[0])
         mesh = drive["drive"]["meshes"]["p_r"]
         self.assertEqual(mesh["rack_pair"]["kind"], "rack_and_pinion")
         self.assertIn("The least backlash is", drive["verdict"]["headline"])
@@ -267,6 +283,8 @@ class DoubleHelical(unittest.TestCase):
         # turns counter-clockwise, so its working flanks are the non-working flanks of the verb contact.
         drive = Run("drive", stage, "--json").json["drive"]["transmission_error"]["output_arcsec_peak_to_peak"]
         contact = Run("contact", spec, "--json").json["contact"]
+        askew = stage.replace("crossing_deg = 0.004", "crossing_deg = 0.1")
+        self.assertIn("edge_contact", [f["code"] for f in Run("drive", askew, "--json").json["verdict"]["findings"]])
         self.assertAlmostEqual(drive, contact["non_working_flank"]["peak_to_peak_arcsec"], 8)
         for half in contact["halves"]:
             self.assertGreater(half["non_working_flank"]["peak_to_peak_arcsec"], 1.1 * drive)
