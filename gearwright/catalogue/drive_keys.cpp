@@ -14,11 +14,12 @@ constexpr std::string_view kMeshes = "a number, or a table of numbers by mesh";
 
 // A key whose value may have several forms. The reader of drives converts the value.
 Key formed(std::string_view key, std::string_view symbol, std::string_view form,
-           std::string_view fallback, std::string_view meaning) {
+           std::string_view fallback, std::string_view meaning, KeyRange range = {}) {
   const bool required = fallback == kRequired;
   return {.key = key,
           .symbol = symbol,
           .kind = KeyKind::any,
+          .range = std::move(range),
           .form = std::string(form),
           .required = required,
           .fallback = required ? std::string_view() : fallback,
@@ -86,24 +87,28 @@ const KeyTable& planetary_keys() {
                    "no geometry", "normal module"),
        Key::number("normal_pressure_angle_deg", "α_n", KeyRange::between(1, 60),
                    &P::normal_pressure_angle, "20", "normal pressure angle"),
-       formed("helix_angle_deg", "β", kMembers, "0", "helix angle of the sun"),
-       formed("profile_shift", "x", kMembers, "computed from the centre distance", "profile shift"),
+       formed("helix_angle_deg", "β", kMembers, "0", "helix angle of the sun",
+              gear_keys().find("helix_angle_deg")->range),
+       formed("profile_shift", "x", kMembers, "computed from the centre distance", "profile shift",
+              gear_keys().find("profile_shift")->range),
        formed("thickness_allowance_mm", "E_sn", kMembers, "0", "thickness allowance"),
        formed("face_width_mm", "b", kMembers, "10 m_n",
               "face width; a planet that meshes with two rings or two suns is twice as wide plus a "
-              "gap"),
+              "gap",
+              KeyRange::positive()),
        formed("tip_diameter_mm", "d_a", kMembers,
               "tip diameter of the basic rack with its clearance; for a ring, a diameter with "
               "clearance to the flanks of its planets",
-              "tip diameter"),
+              "tip diameter", KeyRange::positive()),
        formed("bore_mm", "", kMembers, "no bore",
               "diameter of the bore in the CAD files; a number applies to all gears except rings, "
-              "and a number for a ring is the outside diameter of its rim")
+              "and a number for a ring is the outside diameter of its rim",
+              KeyRange::positive())
            .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"}),
        formed("center_distance_mm", "a", kMeshes, "backlash-free distance of the first mesh",
-              "centre distance"),
+              "centre distance", KeyRange::positive()),
        formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
-              "efficiency of the meshes with the carrier at rest, from 0 to 1"),
+              "efficiency of the meshes with the carrier at rest", KeyRange::above(0, 1)),
        Key::not_negative("friction_coefficient", "μ", &P::friction, "0.05",
                          "coefficient of friction of the flanks"),
        fixed_key(),
@@ -143,15 +148,16 @@ const KeyTable& stage_keys() {
        Key::positive("face_width_mm", "b", {}, "10 m_n", "face width"),
        Key::positive("center_distance_mm", "a", {}, "backlash-free distance", "centre distance"),
        formed("profile_shift", "x", "a list of two numbers", "computed from the centre distance",
-              "profile shifts"),
+              "profile shifts", gear_keys().find("profile_shift")->range),
        formed("thickness_allowance_mm", "E_sn", "a number, or a list of two", "0",
               "thickness allowances"),
        formed("bore_mm", "", "a number, or a list of two; for a set as in [planetary]", "no bore",
               "diameters of the bores in the CAD files; a number applies to both gears except a "
-              "ring, and the second number for a ring is the outside diameter of its rim")
+              "ring, and the second number for a ring is the outside diameter of its rim",
+              KeyRange::positive())
            .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"}),
        formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
-              "efficiency of the mesh, from 0 to 1"),
+              "efficiency of the mesh", KeyRange::above(0, 1)),
        Key::not_negative("friction_coefficient", "μ", {}, "0.05",
                          "coefficient of friction of the flanks"),
        speed_key(), torque_key(),

@@ -6,6 +6,7 @@
 
 #include "gearwright/arrange/cut_gears.hpp"
 #include "gearwright/arrange/given_pair.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/few_teeth_design.hpp"
 #include "gearwright/job/fit_answer.hpp"
@@ -19,53 +20,70 @@ constexpr double kMaxContact = 20.0;  // more than any real pair
 constexpr const char* kChosen =
     "cannot be combined with `fit.few_teeth` = true, which determines this value; leave it out";
 
+std::string shown(double x) { return format_number(x); }
+std::string shown(Angle angle) { return format_number(angle.deg()); }
+
+// The value of a member, or nothing if it is absent.
+template <class T>
+std::string shown(const std::optional<T>& given) {
+  return given ? shown(*given) : std::string();
+}
+
+// The first value of the spec that few_teeth determines, or nothing if there is none.
 std::optional<Error> out_of_place(const JobSpec& spec) {
-  const auto fail = [](const std::string& field, const std::string& why) {
-    return Error{field, "", why};
-  };
   for (const int which : {1, 2}) {
     const GearInput& g = spec.gear(which);
-    if (g.cut_by || g.basic || g.cylindrical.tip_fillet || g.tip_clearance)
-      return fail(gear_field(which, g.cut_by  ? "cut_by"
-                                    : g.basic ? "basic"
-                                              : "tip_fillet"),
-                  kChosen);
-    if (g.cylindrical.tip_diameter) return fail(gear_field(which, "tip_diameter"), kChosen);
+    const char* const chosen = g.cut_by                   ? "cut_by"
+                               : g.basic                  ? "basic"
+                               : g.cylindrical.tip_fillet ? "tip_fillet"
+                               : g.tip_clearance          ? "tip_fillet"
+                                                          : nullptr;
+    if (chosen) return Error{gear_field(which, chosen), "", kChosen};
+    if (const auto& d_a = g.cylindrical.tip_diameter)
+      return Error{gear_field(which, "tip_diameter"), shown(d_a), kChosen};
   }
-  const GearInput& pinion = *spec.gears[0];
-  const GearInput& wheel = *spec.gears[1];
   const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(a); };
-  for (const GearInput* g : {&pinion, &wheel}) {
-    if (g->cylindrical.thickness_allowance != 0.0) {
-      return fail(gear_field(g == &pinion ? 1 : 2, "thickness_allowance"),
-                  "cannot be combined with `fit.few_teeth` = true; give `fit.backlash` instead");
-    }
+  for (const int which : {1, 2}) {
+    if (const double E = spec.gear(which).cylindrical.thickness_allowance; E != 0.0)
+      return Error{gear_field(which, "thickness_allowance"), shown(E),
+                   "cannot be combined with `fit.few_teeth` = true; give `fit.backlash` instead"};
   }
-  if (differs(pinion.cylindrical.normal_module, wheel.cylindrical.normal_module))
-    return fail("gear2.normal_module", "must equal the value of gear 1, which cuts gear 2");
-  if (differs(pinion.cylindrical.normal_pressure_angle.deg(),
-              wheel.cylindrical.normal_pressure_angle.deg()))
-    return fail("gear2.normal_pressure_angle", "must equal the value of gear 1, which cuts gear 2");
-  if (wheel.helix_given) return fail("gear2.helix_angle", "is determined by gear 1; leave it out");
+  const CylindricalSpec& pinion = spec.gear(1).cylindrical;
+  const GearInput& wheel = spec.gear(2);
+  const CylindricalSpec& teeth = wheel.cylindrical;
+  if (differs(pinion.normal_module, teeth.normal_module))
+    return Error{"gear2.normal_module", shown(teeth.normal_module),
+                 "must equal the value of gear 1, which cuts gear 2"};
+  if (differs(pinion.normal_pressure_angle.deg(), teeth.normal_pressure_angle.deg()))
+    return Error{"gear2.normal_pressure_angle", shown(teeth.normal_pressure_angle),
+                 "must equal the value of gear 1, which cuts gear 2"};
+  if (wheel.helix_given)
+    return Error{"gear2.helix_angle", shown(teeth.helix_angle),
+                 "is determined by gear 1; leave it out"};
   if (wheel.face_width_given)
-    return fail("gear2.face_width", "is the face width of gear 1; leave it out");
+    return Error{"gear2.face_width", shown(teeth.face_width),
+                 "is the face width of gear 1; leave it out"};
   if (spec.pair.shorten_tips || spec.pair.mounting == Mounting::extended)
-    return fail(spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
-                "cannot be combined with `fit.few_teeth` = true, which determines tips and centre "
-                "distance; leave it out");
-  if (spec.fit.working_normal_pressure_angle)
-    return fail("fit.working_normal_pressure_angle", "cannot be combined with `few_teeth` = true");
-  if (spec.fit.contact_ratio && *spec.fit.contact_ratio > kMaxContact)
-    return fail("fit.contact_ratio", fmt::format("must be at most {}", kMaxContact));
-  if (wheel.cylindrical.root_fillet)
-    return fail("gear2.root_fillet",
-                "is determined by the pinion, which cuts the root of the wheel; leave it out");
-  if (wheel.profile_shift) return fail("gear2.profile_shift", kChosen);
-  if (spec.gears[0]->cylindrical.teeth < 0)
-    return fail("gear1.teeth", "the internal gear of a pair is gear 2; exchange the two gears");
-  if (spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0)
-    return fail("pair.shaft_angle",
-                "must be 0 or absent, because gears with few teeth are designed for parallel axes");
+    return Error{spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
+                 spec.pair.shorten_tips ? "true" : "extended",
+                 "cannot be combined with `fit.few_teeth` = true, which determines tips and centre "
+                 "distance; leave it out"};
+  if (const auto& alpha = spec.fit.working_normal_pressure_angle)
+    return Error{"fit.working_normal_pressure_angle", shown(alpha),
+                 "cannot be combined with `few_teeth` = true"};
+  if (const auto& ratio = spec.fit.contact_ratio; ratio && *ratio > kMaxContact)
+    return Error{"fit.contact_ratio", shown(ratio), fmt::format("must be at most {}", kMaxContact)};
+  if (teeth.root_fillet)
+    return Error{"gear2.root_fillet", "",
+                 "is determined by the pinion, which cuts the root of the wheel; leave it out"};
+  if (wheel.profile_shift) return Error{"gear2.profile_shift", shown(wheel.profile_shift), kChosen};
+  if (pinion.teeth < 0)
+    return Error{"gear1.teeth", std::to_string(pinion.teeth),
+                 "the internal gear of a pair is gear 2; exchange the two gears"};
+  if (const auto& sigma = spec.pair.shaft_angle; sigma && sigma->rad() != 0.0)
+    return Error{
+        "pair.shaft_angle", shown(sigma),
+        "must be 0 or absent, because gears with few teeth are designed for parallel axes"};
   return std::nullopt;
 }
 

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/spec/rexs_file.hpp"
+#include "gearwright/spec/rexs_spec.hpp"
 
 namespace gearwright {
 
@@ -30,7 +32,8 @@ class Writer {
   }
 
   /// Adds a gear on a shaft, with its flanks and its tool. Returns the id of the gear.
-  std::string gear(const Gear& gear, const std::string& name, const std::string& shaft) {
+  std::string gear(const Gear& gear, const std::string& name, const std::string& shaft,
+                   const std::array<FlankModifications, 2>& modifications) {
     const CylindricalSpec& s = gear.spec;
     const std::string id = add(gear.internal() ? "ring_gear" : "cylindrical_gear", name);
     RexsComponent& g = last();
@@ -51,6 +54,8 @@ class Writer {
             "none");
     relate("flank", {{"gear", id}, {"left", flank}, {"right", flank}});
     add_tool(gear, name, flank);
+    if (gear.bore) leave_out("bores");
+    if (any_modification(modifications)) leave_out("flank modifications");
     return id;
   }
 
@@ -101,7 +106,9 @@ class Writer {
   }
 
   JobFile file(const std::filesystem::path& path) const {
-    return {path, "REXS", std::nullopt, "version 1.7" + note_, rexs_text(model_)};
+    const auto back = spec_of_rexs(model_);
+    const std::string other = back ? "" : "; Gearwright cannot read it: " + back.error().rule;
+    return {path, "REXS", std::nullopt, "version 1.7" + note_ + other, rexs_text(model_)};
   }
 
  private:
@@ -186,13 +193,19 @@ Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& pat
     if (auto error = not_in_rexs(gear, name)) return *error;
     const auto i = static_cast<std::size_t>(which - 1);
     shafts[i] = writer.shaft("shaft " + std::to_string(which));
-    gears[i] = writer.gear(gear, name, shafts[i]);
+    gears[i] = writer.gear(gear, name, shafts[i], job.spec.gear(which).modifications);
   }
   writer.stage("stage", gears[0], gears[1], job.pair->center_distance());
-  const auto& torques = job.spec.load.torques;
-  writer.input(shafts[0], torques.empty() ? std::nullopt : std::optional(torques.front()),
-               job.spec.pair.speed_rpm);
-  writer.output(shafts[1]);
+  // Torque and speed of gear 1 in the spec become those of the driving gear.
+  const std::size_t driver = job.spec.load.driver == 2 ? 1 : 0;
+  const double ratio = driver == 1 ? job.pair->gear_ratio() : 1.0;
+  auto speed = job.spec.pair.speed_rpm;
+  if (speed) *speed /= ratio;
+  std::optional<double> torque;
+  if (!job.spec.load.torques.empty()) torque = job.spec.load.torques.front() * ratio;
+  if (job.spec.load.torques.size() > 1) writer.leave_out("the other torques");
+  writer.input(shafts[driver], torque, speed);
+  writer.output(shafts[1 - driver]);
   return writer.file(path);
 }
 
@@ -206,8 +219,12 @@ Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path
       return Error{name, "",
                    "is a rack, which is not supported in a REXS file, whose cylindrical stages "
                    "have two gears"};
-    if (!geometry.gears[g])
+    if (!graph.gears[g].spec)
       return Error{name, "", "has no module; a REXS file needs `normal_module_mm` of every gear"};
+    if (!geometry.gears[g])
+      return Error{name, "",
+                   "has no teeth that fit the drive, so it cannot be written to a REXS file; "
+                   "`gearwright drive SPEC` prints the reason"};
     if (auto error = not_in_rexs(*geometry.gears[g], name)) return *error;
   }
   Writer writer(job.spec.title);
@@ -233,7 +250,8 @@ Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path
   std::vector<std::vector<std::string>> gears(graph.gears.size());
   for (std::size_t g = 0; g < graph.gears.size(); ++g)
     for (const std::string& shaft : shafts[graph.gears[g].body])
-      gears[g].push_back(writer.gear(*geometry.gears[g], graph.gears[g].name, shaft));
+      gears[g].push_back(writer.gear(*geometry.gears[g], graph.gears[g].name, shaft,
+                                     graph.gears[g].modifications));
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     const DriveMesh& mesh = graph.meshes[m];
     if (!geometry.distance[m]) continue;
@@ -255,9 +273,6 @@ Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path
   if (graph.friction != DriveGraph{}.friction ||
       std::any_of(graph.meshes.begin(), graph.meshes.end(), lossy))
     writer.leave_out("friction and efficiencies");
-  if (std::any_of(geometry.gears.begin(), geometry.gears.end(),
-                  [](const auto& gear) { return gear && gear->bore; }))
-    writer.leave_out("bores");
   for (const std::size_t b : graph.fixed) writer.hold(shafts[b].front());
   for (std::size_t i = 0; i < graph.inputs.size(); ++i)
     writer.input(shafts[graph.inputs[i]].front(), i == 0 ? graph.torque_Nm : std::nullopt,

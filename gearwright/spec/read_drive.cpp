@@ -21,11 +21,6 @@ namespace {
 const std::vector<std::string> kMeshes{"sun_planet",  "sun_idler",   "idler_planet",
                                        "sun2_planet", "planet_ring", "planet_ring2"};
 
-double number_of(const TableReader& t, const std::string& key, const Json& value) {
-  if (!value.is_number()) t.fail(key, "must be a number, or a table of numbers by name");
-  return value.get<double>();
-}
-
 // Reads one number, or a table of numbers by name. `set` receives the index of the name among the
 // known names, and the number.
 void read_named(TableReader& t, const std::string& key, std::optional<double>& all,
@@ -34,7 +29,8 @@ void read_named(TableReader& t, const std::string& key, std::optional<double>& a
   const Json* value = t.any(key);
   if (!value) return;
   if (!value->is_object()) {
-    all = number_of(t, key, *value);
+    if (!value->is_number()) t.fail(key, "must be a number, or a table of numbers by name");
+    all = t.checked(key, *value);
     return;
   }
   for (const auto& [name, number] : value->items()) {
@@ -43,7 +39,7 @@ void read_named(TableReader& t, const std::string& key, std::optional<double>& a
       throw SpecError{{t.name(key) + "." + printable(name, 40), shown(number),
                        fmt::format("unknown name; the names are {}", fmt::join(known, ", "))}};
     }
-    set(static_cast<std::size_t>(it - known.begin()), number_of(t, key, number));
+    set(static_cast<std::size_t>(it - known.begin()), t.checked(key, number, name));
   }
 }
 
@@ -55,19 +51,6 @@ void read_members(TableReader& t, const std::string& key, PerMember& to) {
 void read_meshes(TableReader& t, const std::string& key, PerMesh& to) {
   read_named(t, key, to.all, kMeshes,
              [&](std::size_t mesh, double value) { to.each.emplace_back(kMeshes[mesh], value); });
-}
-
-void check_efficiencies(const TableReader& t, const PerMesh& meshes) {
-  const auto check = [&](double eta) {
-    if (!(eta > 0.0 && eta <= 1.0))
-      t.fail("mesh_efficiency", "must be greater than 0 and at most 1");
-  };
-  if (meshes.all) check(*meshes.all);
-  for (const auto& [name, eta] : meshes.each) check(eta);
-}
-
-void check_bore(const TableReader& t, const std::optional<double>& diameter) {
-  if (diameter && !(*diameter > 0.0)) t.fail("bore_mm", "must be greater than 0");
 }
 
 // Rejects the key double_helical outside the table of a gear. `where` is the reason.
@@ -91,11 +74,8 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   read_members(t, "face_width_mm", set.face_width);
   read_members(t, "tip_diameter_mm", set.tip_diameter);
   read_members(t, "bore_mm", set.bore);
-  check_bore(t, set.bore.all);
-  for (const auto& bore : set.bore.each) check_bore(t, bore);
   read_meshes(t, "center_distance_mm", set.center_distance);
   read_meshes(t, "mesh_efficiency", set.efficiency);
-  check_efficiencies(t, set.efficiency);
   set.fixed = read_names(t, "fixed");
   set.inputs = read_names(t, "input").value_or(std::vector<std::string>());
   read_input_loads(t, set.speeds_rpm, set.torque_Nm);
@@ -163,10 +143,8 @@ void read_teeth(TableReader& t, PairStage& pair) {
   const auto allowance = read_two(t, "thickness_allowance_mm");
   auto bore = read_two(t, "bore_mm");
   if (pair.teeth[1] < 0 && read_list(t, "bore_mm").size() < 2) bore[1].reset();
-  for (const std::size_t i : {0, 1}) {
-    check_bore(t, bore[i]);
+  for (const std::size_t i : {0, 1})
     if (bore[i]) pair.bores[i] = Bore{*bore[i]};
-  }
   if (!module) return;
   for (const std::size_t i : {0, 1}) {
     CylindricalSpec spec;
@@ -207,11 +185,7 @@ StageSpec read_stage(const Json& node, const std::string& path,
   stage.friction = t.number("friction_coefficient").value_or(stage.friction);
   read_input_loads(t, stage.speeds_rpm, stage.torque_Nm);
   const auto eta = read_list(t, "mesh_efficiency");
-  if (!eta.empty()) {
-    PerMesh meshes{eta.front(), {}};
-    check_efficiencies(t, meshes);
-    stage.pair.efficiency = eta.front();
-  }
+  if (!eta.empty()) stage.pair.efficiency = eta.front();
   for (const Key& key : stage_keys().keys) t.any(std::string(key.key));
   t.finish();
   return stage;

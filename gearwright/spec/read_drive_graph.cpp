@@ -115,6 +115,7 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
     own.fail_absent("teeth", "; give the number of teeth, which is negative for a ring");
   if (!gear.rack)
     own.refuse("height_mm", "is a key of a rack; add form = \"rack\" if the gear is a rack");
+  own.refuse_unknown();
   for (const auto& [key, value] : node.items())
     if (gear.rack && key != "name" && key != "body" && !rack_bar_keys().find(key))
       own.refuse(key, std::string(kNotOfRack));
@@ -193,8 +194,11 @@ std::optional<std::vector<std::string>> read_names(TableReader& t, const std::st
 }
 
 std::vector<double> read_list(TableReader& t, const std::string& key) {
-  return read_values<double>(t, key, &Json::is_number, "must be a number, or a list of numbers")
-      .value_or(std::vector<double>());
+  auto list =
+      read_values<double>(t, key, &Json::is_number, "must be a number, or a list of numbers")
+          .value_or(std::vector<double>());
+  for (const double x : list) t.checked(key, x);
+  return list;
 }
 
 void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional<double>& torque) {

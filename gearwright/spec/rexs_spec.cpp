@@ -158,7 +158,8 @@ class Reader {
     const auto generated = flank->number("generated_addendum_modification_coefficient");
     if (!x || !generated) return std::nullopt;
     const double alpha = flank->number("normal_pressure_angle").value_or(20.0) * kRadPerDeg;
-    return (*generated - *x) * 2 * *module * std::tan(alpha);
+    // Without the rounding error of the difference.
+    return std::round((*generated - *x) * 2 * *module * std::tan(alpha) * 1e12) / 1e12;
   }
 
   static void put(Json& table, const char* key, std::optional<double> value) {
@@ -188,7 +189,26 @@ class Reader {
     spec["gear1"] = gear_table(*s.gears[0], false);
     spec["gear2"] = gear_table(*s.gears[1], false);
     if (auto a = distance_of(s)) spec["pair"]["center_distance_mm"] = *a;
+    add_pair_load(spec, s);
     return spec;
+  }
+
+  // Adds the torque and the speed of gear 1. Those of gear 2 are converted by the ratio.
+  void add_pair_load(Json& spec, const RexsStage& s) const {
+    const double ratio =
+        std::abs(static_cast<double>(rexs_teeth(*s.gears[1])) / rexs_teeth(*s.gears[0]));
+    for (const std::size_t i : {1U, 0U}) {
+      const Component* const shaft = shaft_of(*s.gears[i]);
+      if (!shaft) continue;
+      Json given = Json::object();
+      add_load(given, *shaft);
+      const double speed = i == 0 ? 1.0 : ratio;
+      if (given.contains("speed_rpm"))
+        spec["pair"]["speed_rpm"] = given["speed_rpm"].get<double>() * speed;
+      if (!given.contains("torque_Nm")) continue;
+      spec["load"]["torque_Nm"] = given["torque_Nm"].get<double>() / speed;
+      if (i == 1) spec["load"]["driver"] = 2;
+    }
   }
 
   // The load on this shaft that defines a torque, or null.
@@ -247,7 +267,7 @@ class Reader {
     return spec;
   }
 
-  void add_load(Json& table, const Component& shaft) {
+  void add_load(Json& table, const Component& shaft) const {
     const Component* const load = torque_on(shaft);
     const auto torque = load ? load->number("torque_around_u_axis") : std::nullopt;
     const auto speed = shaft.number("rotational_speed");
@@ -335,7 +355,12 @@ class Reader {
                                  "flank_geometry",   "rack_shaped_tool",   "cutter_wheel_tool",
                                  "external_load",    "material",           "gear_casing",
                                  "coupling",         "switchable_coupling"};
-      if (std::find(kRead.begin(), kRead.end(), c.type) == kRead.end()) ++left[c.type];
+      // A shaft connects gears; only its speed and its torque are read.
+      const bool plain = c.type == "shaft" &&
+                         std::all_of(c.attributes.begin(), c.attributes.end(), [](const auto& a) {
+                           return a.first == "defines_speed" || a.first == "rotational_speed";
+                         });
+      if (!plain && std::find(kRead.begin(), kRead.end(), c.type) == kRead.end()) ++left[c.type];
     }
     std::string list;
     for (const auto& [type, count] : left)

@@ -81,15 +81,24 @@ void TableReader::check(const std::string& key, double value) const {
   if (!range.contains(value)) fail(key, range.sentence(value));
 }
 
+double TableReader::checked(const std::string& key, const Json& value,
+                            const std::string& part) const {
+  const auto reject = [&](const std::string& why) {
+    if (part.empty()) fail(key, why);
+    throw SpecError{{name(key) + "." + part, shown(value), why}};
+  };
+  const KeyRange& range = entry(key).range;
+  if (!value.is_number()) reject("must be a number");
+  const double x = value.get<double>();
+  if (!std::isfinite(x)) reject("must be a finite number");
+  if (!range.contains(x)) reject(range.sentence(x));
+  if (std::abs(x) > kMaxInput) reject(fmt::format("must lie between -{0} and {0}", kMaxInput));
+  return x;
+}
+
 std::optional<double> TableReader::number(const std::string& key) {
   const Json* value = find(key);
-  if (!value) return std::nullopt;
-  if (!value->is_number()) fail(key, "must be a number");
-  const double x = value->get<double>();
-  if (!std::isfinite(x)) fail(key, "must be a finite number");
-  check(key, x);
-  if (std::abs(x) > kMaxInput) fail(key, fmt::format("must lie between -{0} and {0}", kMaxInput));
-  return x;
+  return value ? std::optional(checked(key, *value)) : std::nullopt;
 }
 
 std::optional<int> TableReader::whole(const std::string& key) {

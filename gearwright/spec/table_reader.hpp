@@ -58,6 +58,9 @@ class TableReader {
 
   /// Checks one number against the key's range.
   void check(const std::string& key, double value) const;
+  /// Returns a finite number within the key's range. `part` is the name of the number within the
+  /// value of the key: "sun" in bore_mm = { sun = 200 }. It is empty if the number is the value.
+  double checked(const std::string& key, const Json& value, const std::string& part = "") const;
   /// Fails if a required key is absent. If the key is misspelled, the error names the misspelled
   /// key.
   void require_all() const;

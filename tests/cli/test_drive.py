@@ -241,6 +241,26 @@ class BadInput(unittest.TestCase):
         self.error(SET + "bore_mm = 0\n", "planetary.bore_mm", "must be greater than 0")
         self.error(SET + "bore = 8\n", "planetary.bore", "bore_mm")
 
+    def test_an_unknown_key_of_a_rack_is_an_error(self):
+        spec = ('[drive]\ninput = "p"\noutput = "r"\n[[drive.body]]\nname = "p"\n[[drive.body]]\nname = "r"\n'
+                '[[drive.gear]]\nname = "p"\nbody = "p"\nteeth = 20\nnormal_module_mm = 2\n'
+                '[[drive.gear]]\nname = "r"\nbody = "r"\nform = "rack"\nteth = 30\n'
+                '[[drive.mesh]]\ngears = ["p", "r"]\n')
+        self.error(spec, "drive.gear[2].teth = 30", "teeth")
+
+    def test_numbers_by_member_have_the_ranges_of_their_keys(self):
+        for line, key, word in (("bore_mm = { sun = 0 }", "bore_mm.sun = 0", "greater than 0"),
+                                ("mesh_efficiency = { sun_planet = 1.2 }", "mesh_efficiency.sun_planet = 1.2", "at most 1"),
+                                ("tip_diameter_mm = { ring = -9 }", "tip_diameter_mm.ring = -9", "greater than 0"),
+                                ("profile_shift = { sun = 1e300 }", "profile_shift.sun = 1e+300", "between -10000 and 10000"),
+                                ("helix_angle_deg = 95", "helix_angle_deg = 95", "between -89 and 89"),
+                                ("bore_mm = { sun = true }", "bore_mm.sun = true", "must be a number"),
+                                ("thickness_allowance_mm = { sun = inf }", "thickness_allowance_mm.sun", "finite")):
+            self.error(SET + line + "\n", "planetary." + key, word)
+        stage = "[[stage]]\nteeth = [20, 61]\nnormal_module_mm = 2\n"
+        self.error(stage + "profile_shift = [0.1, 2e4]\n", "stage[1].profile_shift", "between -10000 and 10000")
+        self.error(stage + "mesh_efficiency = 0\n", "stage[1].mesh_efficiency = 0", "greater than 0")
+
     def test_files_of_a_drive_with_a_rack_are_not_supported(self):
         spec = ('[drive]\ninput = "p"\noutput = "r"\n[[drive.body]]\nname = "p"\n[[drive.body]]\nname = "r"\n'
                 '[[drive.gear]]\nname = "p"\nbody = "p"\nteeth = 20\nnormal_module_mm = 2\n'

@@ -3,6 +3,7 @@ of other programs can be read."""
 import json
 import math
 import tempfile
+import tomllib
 import unittest
 from pathlib import Path
 
@@ -95,6 +96,31 @@ class Rexs(unittest.TestCase):
             source.write_text(SET + "spacing = \"equal\"\nfriction_coefficient = 0.1\n")
             run = raw("export", str(source), "--rexs", str(Path(folder) / "made.rexs"))
             self.assertIn("without the positions of the planets, without friction", " ".join(run.stdout.split()))
+
+    def test_torque_and_speed_of_a_pair_read_back(self):
+        """The torque of a driving gear 2 is on its shaft in the file, and on gear 1 in the spec."""
+        pair = (EXAMPLES / "spur_pair.toml").read_text()
+        pair = pair.replace("[pair]\n", "[pair]\nspeed_rpm = 900\n")
+        load = "\n[load]\ntorque_Nm = 40\ndriver = {}\n"
+        with tempfile.TemporaryDirectory() as folder:
+            for driver in (1, 2):
+                source = Path(folder) / "pair.toml"
+                source.write_text(pair + load.format(driver))
+                made = self.exported(source, folder)
+                spec = tomllib.loads(raw("import", str(made)).stdout)
+                self.assertAlmostEqual(spec["load"]["torque_Nm"], 40, delta=1e-12)
+                self.assertAlmostEqual(spec["pair"]["speed_rpm"], 900, delta=1e-9)
+                self.assertEqual(spec["load"].get("driver", 1), driver)
+
+    def test_an_export_states_that_it_cannot_be_read_back(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = Path(folder) / "drive.toml"
+            source.write_text("[[stage]]\nteeth = [20, 61]\nnormal_module_mm = 2\n[[stage]]\nnormal_module_mm = 2\n"
+                              "planetary = { sun = 20, planet = 25, ring = 70, planets = 3 }\n")
+            path = Path(folder) / "made.rexs"
+            run = raw("export", str(source), "--rexs", str(path))
+            self.assertIn("Gearwright cannot read it: stage", " ".join(run.stdout.split()))
+            self.assertEqual(raw("import", str(path)).returncode, 1)
 
     def test_other_formats_of_rexs_are_rejected_by_name(self):
         with tempfile.TemporaryDirectory() as folder:
