@@ -16,7 +16,8 @@
 #   make figures    draw the figures of the theory pages again
 #   make python     the Python package as a wheel, build/python/*.whl
 #   make package    the Debian packages alone, build/package/*.deb
-#   make dist       programs for Windows (with an installer) and Linux that need no package, and Debian packages: build/dist
+#   make dist       programs for Windows (with an installer) and Linux that need no package, Debian packages, the wheel,
+#                   the npm package and the page: build/dist
 #   make test-dist  these programs under Wine and QEMU, compared with the native one
 #   make test-portable  the program for Windows under Wine with ten examples, compared with the native one; not run if
 #                   Wine does not start on this machine
@@ -113,13 +114,14 @@ package:
 	@tools/install_packages.sh core mpi python package
 	@tools/deb.sh build/package
 
-dist:
+dist: web npm python
 	@tools/install_packages.sh core mpi python package portable dist
 	@tools/dist.sh
 
 test-dist: dist
 	@cmake --preset release > /dev/null
 	@cmake --build --preset release --target gearwright_cli
+	cd build/dist && sha256sum --quiet -c SHA256SUMS
 	tests/dist/test_portable.py build/release/gearwright build/portable/windows-x86_64/gearwright.exe --under wine
 	tests/dist/test_installer.py build/dist/gearwright-*-windows-x86_64-setup.exe
 	tests/dist/test_portable.py build/release/gearwright build/portable/linux-x86_64/gearwright

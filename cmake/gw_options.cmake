@@ -26,6 +26,9 @@ function(gw_target target)
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic
                          -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
                          $<$<BOOL:${GEARWRIGHT_WERROR}>:-Werror>)
+  # Boost's functions of a double compute with doubles. By default they compute with long doubles,
+  # which differ between systems.
+  target_compile_definitions(${target} PRIVATE BOOST_MATH_PROMOTE_DOUBLE_POLICY=false)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # g++ 12 wrongly reports that std::string copies beyond its small buffer (GCC bug 105329),
     # depending on the length of a literal. The presets of clang keep the warning.

@@ -30,6 +30,7 @@ file(GLOB_RECURSE gw_lanes ${PROJECT_SOURCE_DIR}/gearwright/*_simd.cpp)
 # Highway compiles these files once for each instruction set and chooses one at run time.
 if(WIN32)
   add_link_options(LINKER:--wrap=mbrtowc)  # base/system_windows.cpp
+  add_link_options(LINKER:--no-insert-timestamp)  # the same input gives the same bytes
   # g++ aligns the stack on Windows to 16 bytes and moves wider vectors as if it were aligned to their
   # size (GCC bug 54412). The assembler replaces these moves by moves that permit any alignment.
   set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_OPTIONS -Wa,-muse-unaligned-vector-move)

@@ -3,14 +3,16 @@
 #
 #   tools/dist.sh [TARGET ...]     default: windows-x86_64 linux-x86_64 linux-aarch64
 #
-#   gearwright-VERSION-windows-x86_64.zip     gearwright.exe, examples, documents, licences, the list of linked
-#                                             libraries (SPDX) and, if `make web` has built it, the page
+#   gearwright-VERSION-windows-x86_64.zip     gearwright.exe, examples, documents, the page, licences, the list of
+#                                             linked libraries (SPDX)
 #   gearwright-VERSION-windows-x86_64-setup.exe  the same as an installer, with start menu, PATH and uninstaller
 #   gearwright-VERSION-linux-x86_64.tar.gz    the same for any Linux, fully static
 #   gearwright-VERSION-linux-aarch64.tar.gz
 #   gearwright-VERSION-1.x86_64.rpm, .aarch64.rpm     the same programs as packages without dependencies
 #   *.deb                                     program, library with headers, Python module and search on many ranks
 #                                             as packages for Debian 12
+#   gearwright-VERSION-*.whl, gearwright-VERSION.tgz, gearwright-VERSION.html     the wheel, the npm package and the page,
+#                                             which `make python`, `make npm` and `make web` have built
 #   SHA256SUMS
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -18,7 +20,14 @@ version=$(sed -n 's/^project(gearwright VERSION \([0-9.]*\).*/\1/p' CMakeLists.t
 [ $# -gt 0 ] || set -- windows-x86_64 linux-x86_64 linux-aarch64
 dist=$PWD/build/dist
 portable=$PWD/build/portable
+page=$PWD/build/web/gearwright.html
+made=("$page" build/web/gearwright-"$version".tgz build/python/gearwright-"$version"-*.whl)
+for file in "${made[@]}"; do
+  [ -f "$file" ] || { echo "dist: $file is missing; make web, make npm and make python build it" >&2; exit 1; }
+done
 mkdir -p "$dist"
+# Files of older versions would be listed in SHA256SUMS.
+find "$dist" -maxdepth 1 -type f ! -name "*gearwright*[-_]$version[-_.]*" -delete
 
 pack() {
   local target=$1 build=$portable/$1 name=gearwright-$version-$1 program=gearwright
@@ -31,7 +40,7 @@ pack() {
   cp -r docs "$folder/docs"
   rm -rf "$folder/docs/figures" "$folder/docs/doxygen" "$folder/docs/Doxyfile"
   tools/sbom.py "$version" "$target" "$build" "$portable/sources" "$folder"
-  [ ! -f build/web/gearwright.html ] || cp build/web/gearwright.html "$folder/"
+  cp "$page" "$folder/"
   # Names are sorted, and all files have the same date, so that the same input gives the same bytes.
   find "$build/pack" -exec touch -h -d "@${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}" {} +
   if [ "$program" = gearwright.exe ]; then
@@ -51,5 +60,7 @@ for target in "$@"; do
   tools/portable_program.sh "$target"
   pack "$target"
 done
+cp "${made[@]:1}" "$dist/"
+cp "$page" "$dist/gearwright-$version.html"
 (cd "$dist" && rm -f SHA256SUMS && sha256sum -- * >.sums && mv .sums SHA256SUMS)
 ls -l "$dist"

@@ -43,9 +43,11 @@ with_cmake() {
   local from=$1
   shift
   local build=$root/made/$target/$(basename "$from")
+  # Messages of a library name its sources, wherever they are.
+  local flags="-ffp-contract=off -ffile-prefix-map=$root=."
   cmake -S "$from" -B "$build" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_INSTALL_PREFIX="$into" -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF \
-    -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_CXX_FLAGS=-ffp-contract=off -DCMAKE_C_FLAGS=-ffp-contract=off \
+    -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_C_FLAGS="$flags" \
     "$@" >"$build.log" 2>&1 || { tail -n 30 "$build.log" >&2; exit 1; }
   cmake --build "$build" -j "$jobs" --target install >>"$build.log" 2>&1 || { tail -n 30 "$build.log" >&2; exit 1; }
 }

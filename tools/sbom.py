@@ -6,7 +6,8 @@
 BUILD contains gearwright.map, in which the linker lists the archives whose members are in the program, and SOURCES is
 the folder that tools/portable_libraries.sh fetched. Without a map, BUILD is the root of a package, whose programs and
 modules link shared libraries. The script writes INTO/gearwright.spdx.json and INTO/licences. It fails if a library is
-not in the tables below. Versions are those of Debian's packages. Licences are those that the file debian/copyright of
+not in the tables below. If TARGET begins with "wheel", the package contains the shared libraries that it links, except
+those of every Linux system. Versions are those of Debian's packages. Licences are those that the file debian/copyright of
 a package gives for the linked files.
 """
 import json
@@ -92,8 +93,9 @@ def runtime(package):
     return next((v for k, v in RUNTIME.items() if package.startswith(k)), None)
 
 
-def shared(root):
-    """Returns the shared libraries that files below root need, in the form of contents()."""
+def shared(root, contained):
+    """Returns the shared libraries that files below root need, in the form of contents(). If `contained`, the package
+    will contain them, except the runtime libraries and zlib, which every system has."""
     known = {package: about for package, *about in LINKED.values()} | SHARED
     files = [path for path in root.rglob("*") if path.is_file() and path.read_bytes()[:4] == b"\x7fELF"]
     found = {line for path in files for line in output("ldd", str(path)).splitlines()}
@@ -107,7 +109,9 @@ def shared(root):
         if about is None:
             sys.exit(f"sbom: a program links {match[2]} ({owner}), which tools/sbom.py lacks")
         name, licence, home = about
-        yield name, from_system(owner)[0], None, licence, home, "DYNAMIC_LINK"
+        version, text = from_system(owner)
+        inside = contained and not runtime(owner) and match[1] != "libz.so.1"
+        yield name, version, text if inside else None, licence, home, "CONTAINS" if inside else "DYNAMIC_LINK"
 
 
 def elementary():
@@ -116,10 +120,10 @@ def elementary():
     yield name, *from_system("musl-dev"), licence, home, "STATIC_LINK"
 
 
-def contents(build, sources):
+def contents(build, sources, contained):
     """Returns name, version, file with the licence (or None), licence, home page and SPDX relationship."""
     if not (build / "gearwright.map").exists():
-        linked = list(shared(build))
+        linked = list(shared(build, contained))
         yield from linked
         if linked:  # a program or a module, not a library for other programs
             yield from elementary()
@@ -156,7 +160,7 @@ def main():
     product = entry("gearwright", version, "Apache-2.0", "NOASSERTION")
     del product["homepage"]
     packages, relations = {}, []
-    for name, its_version, copyright_file, licence, home, relation in contents(build, sources):
+    for name, its_version, copyright_file, licence, home, relation in contents(build, sources, target.startswith("wheel")):
         part = entry(name, its_version, licence, home)
         if part["SPDXID"] in packages:
             continue

@@ -10,6 +10,7 @@
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/verbs.hpp"
+#include "gearwright/math/minimise.hpp"
 
 namespace gearwright::apps {
 
@@ -44,7 +45,12 @@ constexpr const char* kIntroduction =
 
 constexpr std::size_t kLettersOff = 3;  // in a verb with n letters, n/3 letters may be wrong
 
-std::string version_text() { return std::string("gearwright ") + kVersion; }
+// The version, and the functions that a lean build (cmake/gw_lean.cmake) does not have.
+std::string version_text() {
+  return fmt::format(
+      "gearwright {}{}", kVersion,
+      can_minimise() ? "" : ", without compensate, [scatter.robust] and search --out");
+}
 
 // Checks a tolerance. It replaces the range check of CLI11, which accepts NaN.
 CLI::Validator between(const ToleranceRange& range) {

@@ -2,8 +2,9 @@
 
     pack_wheel.py STAGE SOURCE VERSION INTO BUILT     BUILT is the package in the build folder
 
-The tag names this system. The version of glibc determines the manylinux tag. The folder gearwright.libs contains
-fmt, TBB and the other libraries, so the module needs only libraries on which a wheel may depend.
+The tag names the oldest glibc that has the symbols which the module and its libraries need (PEP 600). The folder
+gearwright.libs contains fmt, TBB and the other libraries, so the module needs only libraries on which a wheel may
+depend. The wheel contains the list of these libraries (SPDX) with their licences.
 """
 
 import platform
@@ -32,6 +33,13 @@ def bundle(stage, built):
             shutil.copyfile(path, into / name)
 
 
+def newest_glibc(libraries):
+    """Returns the newest version of glibc that defines a symbol which one of the libraries needs."""
+    text = "".join(subprocess.run(["readelf", "--wide", "--version-info", str(library)], capture_output=True, text=True,
+                                  check=True).stdout for library in libraries)
+    return max(tuple(map(int, version)) for version in re.findall(r"Name: GLIBC_(\d+)\.(\d+)", text))
+
+
 def metadata(source, version):
     description = (source / "docs" / "python.md").read_text(encoding="utf-8")
     return ("Metadata-Version: 2.1\nName: gearwright\n"
@@ -45,15 +53,21 @@ def main():
     stage, source, into, built = (Path(sys.argv[i]) for i in (1, 2, 4, 5))
     version = sys.argv[3]
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    libc, libc_version = platform.libc_ver()
+    libc, _ = platform.libc_ver()
     assert libc == "glibc", f"there is no wheel tag for {libc}"
-    tag = f"{python}-{python}-manylinux_{libc_version.replace('.', '_')}_{platform.machine()}"
-    bundle(stage, next(built.glob("_core.*.so")))
+    module = next(built.glob("_core.*.so"))
+    parts = stage.parent / "wheel_licences"
+    shutil.rmtree(parts, ignore_errors=True)
+    subprocess.run([sys.executable, source / "tools/sbom.py", version, "wheel", stage, stage, parts], check=True, cwd=source)
+    bundle(stage, module)
+    major, minor = newest_glibc([module, *(stage / "gearwright.libs").iterdir()])
+    tag = f"{python}-{python}-manylinux_{major}_{minor}_{platform.machine()}"
     info = stage / f"gearwright-{version}.dist-info"
     info.mkdir()
     (info / "METADATA").write_text(metadata(source, version), encoding="utf-8")
     (info / "WHEEL").write_text("Wheel-Version: 1.0\nGenerator: gearwright\nRoot-Is-Purelib: false\n"
                                 f"Tag: {tag}\n", encoding="utf-8")
+    shutil.copytree(parts, info, dirs_exist_ok=True)
     shutil.copyfile(source / "LICENSE", info / "LICENSE")
     for old in into.glob("*.whl"):
         old.unlink()

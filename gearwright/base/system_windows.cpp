@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cwchar>
 #include <utility>
 
@@ -83,8 +84,10 @@ FileHandle FileHandle::open_to_read(const std::filesystem::path& path) {
 int FileHandle::write(std::string_view bytes) {
   while (!bytes.empty()) {
     const auto count = static_cast<unsigned>(std::min(bytes.size(), kAtOnce));
+    ::_set_doserrno(0);
     const int written = ::_write(descriptor_, bytes.data(), count);
-    if (written < 0) return errno;
+    // If only a part of the bytes fits on a full disk, Wine returns no error of the system.
+    if (written < 0) return _doserrno == 0 ? ENOSPC : errno;
     if (written == 0) return ENOSPC;
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }

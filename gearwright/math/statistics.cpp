@@ -113,25 +113,16 @@ std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<c
   return indices;
 }
 
-namespace {
-
-using boost::math::policies::promote_double;
-constexpr boost::math::policies::policy<promote_double<false>> kPlainDoubles;
-
-}  // namespace
-
-double normal_cdf(double x) {
-  return 0.5 * boost::math::erfc(-x / std::numbers::sqrt2, kPlainDoubles);
-}
+double normal_cdf(double x) { return 0.5 * boost::math::erfc(-x / std::numbers::sqrt2); }
 
 double normal_quantile(double u) {
   GW_EXPECTS(u > 0.0 && u < 1.0);
-  return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * u, kPlainDoubles);
+  return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * u);
 }
 
 double beta_cdf(double x, double p, double q) {
   GW_EXPECTS(p > 0.0 && q > 0.0 && x >= 0.0 && x <= 1.0);
-  return boost::math::ibeta(p, q, x, kPlainDoubles);
+  return boost::math::ibeta(p, q, x);
 }
 
 double beta_quantile(double u, double p, double q) {
@@ -140,8 +131,7 @@ double beta_quantile(double u, double p, double q) {
   // Boost's own inverse fails for some p and q that are far apart. Newton's step within a bracket
   // cannot fail.
   const auto f = [&](double x) {
-    return Slope<double>{beta_cdf(x, p, q) - u,
-                         boost::math::ibeta_derivative(p, q, x, kPlainDoubles)};
+    return Slope<double>{beta_cdf(x, p, q) - u, boost::math::ibeta_derivative(p, q, x)};
   };
   return newton_in_bracket(f, 0.0, 1.0, p / (p + q), true).x;
 }

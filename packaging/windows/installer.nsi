@@ -61,10 +61,14 @@ VIAddVersionKey LegalCopyright "The Gearwright developers"
 !macroend
 
 Section
+  ; An older version in this folder is removed by its own uninstaller, which deletes only the files that it
+  ; installed. Other files in the folder belong to the user.
+  ReadRegStr $0 HKCU "${KEY}" "InstallLocation"
+  ${If} $0 == $INSTDIR
+  ${AndIf} ${FileExists} "$INSTDIR\uninstall.exe"
+    ExecWait '"$INSTDIR\uninstall.exe" /S _?=$INSTDIR'
+  ${EndIf}
   SetOutPath "$INSTDIR"
-  ; The files of an older version may have other names.
-  RMDir /r "$INSTDIR\docs"
-  RMDir /r "$INSTDIR\examples"
   File /r "${FOLDER}/*"
   WriteUninstaller "$INSTDIR\uninstall.exe"
 

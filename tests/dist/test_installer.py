@@ -4,7 +4,8 @@
     tests/dist/test_installer.py SETUP.EXE
 
 Laws: after the removal, the user's PATH is the same as before the installation, for any value of PATH.
-A file that the user put into the folder still exists. All installed files and entries are removed.
+Files that the user put into the folder still exist after a second installation and after the removal.
+All installed files and entries are removed. A second installation restores a missing file.
 """
 import argparse
 import os
@@ -76,28 +77,36 @@ def main():
                 continue
             folder = programs[0].parent
             links = sorted(p.stem for p in windows.files("*.lnk") if p.parent.name == "Gearwright")
-            wanted = ["Examples", "Gearwright console", "Uninstall"]
-            wanted += ["Gearwright page"] if (folder / "gearwright.html").exists() else []
-            check(f"{name}: start menu", links == sorted(wanted), links)
+            wanted = ["Examples", "Gearwright console", "Gearwright page", "Uninstall"]
+            check(f"{name}: start menu", links == wanted and (folder / "gearwright.html").exists(), links)
             after = windows.path()
             own = "C:" + str(folder).split("drive_c", 1)[1].replace("/", "\\")
             if before is long_path:
                 check(f"{name}: unchanged", after == before, after)
             else:
                 check(f"{name}: has the folder", after == (own if before is None else f"{before};{own}"), after)
+            mine = [folder / "mine.toml", folder / "examples" / "mine.toml", folder / "docs" / "notes.txt"]
+            for path in mine:
+                path.write_text("mine")
+            (folder / "docs" / "page.md").unlink()
             windows.run(setup, "/S")
             check(f"{name}: the same after a second installation", windows.path() == after, windows.path())
+            check(f"{name}: a second installation keeps the user's files", all(path.exists() for path in mine))
+            check(f"{name}: a second installation restores a missing file", (folder / "docs" / "page.md").exists())
             status, text = windows.run(folder / "gearwright.exe", "--version")
             check(f"{name}: runs", status == 0 and text.startswith("gearwright "), text[:200])
             if before is None:
                 status, text = windows.run("cmd", "/c", f"set PATH={own}&& gearwright --version")
                 check(f"{name}: runs by its name", "gearwright " in text, text[:200])
-            (folder / "mine.toml").write_text("mine")
+                status, text = windows.run("cmd", "/c", f"cd /d {own}&& gearwright run examples\\helical_pair.toml")
+                report = "examples\\helical_pair_out\\report.html"
+                check(f"{name}: the first example", report in text and (folder / report.replace("\\", "/")).exists(), text[-300:])
+                shutil.rmtree(folder / "examples" / "helical_pair_out", ignore_errors=True)
             windows.run(folder / "uninstall.exe", "/S", f"_?={own}")
             check(f"{name}: PATH as before", windows.path() == before, windows.path())
-            left = [str(p.relative_to(folder)) for p in folder.rglob("*")] if folder.exists() else []
+            left = [p for p in folder.rglob("*") if p.is_file()]
             # With _?, the uninstaller runs in its folder and waits, so it cannot delete itself.
-            check(f"{name}: only the user's file is left", sorted(set(left) - {"uninstall.exe"}) == ["mine.toml"], left)
+            check(f"{name}: only the user's files are left", set(left) - {folder / "uninstall.exe"} == set(mine), left)
             check(f"{name}: no link is left", not [p for p in windows.files("*.lnk") if p.parent.name == "Gearwright"])
             check(f"{name}: no entry is left", windows.run("reg", "query", ENTRY)[0] != 0)
             shutil.rmtree(folder, ignore_errors=True)

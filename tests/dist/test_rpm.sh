@@ -18,6 +18,7 @@ for file in /usr/bin/gearwright /usr/share/man/man1/gearwright.1.gz /usr/share/l
 done
 # The package is not signed, and static linking is its purpose, so these two findings are expected.
 rpmlint "$package" >"$work/lint" 2>&1 || true
+grep -q 'packages and .* specfiles checked' "$work/lint" || { cat "$work/lint"; echo "rpmlint did not end"; exit 1; }
 ! grep -E ': E: ' "$work/lint" | grep -vE 'no-signature|statically-linked-binary' || { echo "rpmlint finds errors"; exit 1; }
 
 (cd "$work" && rpm2cpio "$package" | cpio -id --quiet)

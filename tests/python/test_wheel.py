@@ -1,8 +1,11 @@
 """Tests the wheel. It is small and complete, does not contain OCCT, and can be installed offline into an
 empty environment."""
 
+import json
 import os
 import pathlib
+import platform
+import re
 import subprocess
 import sys
 import zipfile
@@ -32,12 +35,17 @@ def wheel(tmp_path_factory):
 
 
 def test_what_is_in_it(wheel):
-    assert wheel.name.startswith("gearwright-0.1.0-cp311-cp311-manylinux_2_")
+    tag = re.match(r"gearwright-0\.1\.0-cp311-cp311-manylinux_2_(\d+)_", wheel.name)
+    assert tag and int(tag[1]) <= int(platform.libc_ver()[1].split(".")[1])
     assert wheel.stat().st_size < 6e6
     names = zipfile.ZipFile(wheel).namelist()
     assert {"gearwright/__init__.py", "gearwright/_core.pyi", "gearwright/py.typed"} <= set(names)
     assert not [n for n in names if "libTK" in n or "__pycache__" in n]
     assert [n for n in names if n.startswith("gearwright.libs/libtbb")]
+    folder = "gearwright-0.1.0.dist-info/"
+    sbom = json.loads(zipfile.ZipFile(wheel).read(folder + "gearwright.spdx.json"))
+    licences = {pathlib.Path(n).stem for n in names if n.startswith(folder + "licences/")}
+    assert {"oneTBB", "NLopt", "fmt"} <= licences & {p["name"] for p in sbom["packages"]}
 
 
 def test_pip_installs_it_without_an_index(wheel, tmp_path):
