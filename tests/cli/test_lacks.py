@@ -111,6 +111,11 @@ class Inherited(Asked):
         as_list = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + rating + "quality = [6, 8]\n")
         self.assertEqual(mixed["rating"], as_list["rating"])
 
+    def test_readings_of_a_known_gear_change_nothing_that_is_missing(self):
+        spec = TWO.format("face_width_mm = 20", "[gear2.measured]\nspan_uncertainty_mm = 0.01")
+        self.refused("scatter", spec, "scatter.errors", "is missing")
+        self.refused("load", spec, "load.torque_Nm", "is missing")
+
     def test_material_by_its_name_alone(self):
         short, steel = 'material = "16MnCr5"\n', STEEL.format(1, "16MnCr5")
         named = self.answer("rate", TWO.format(short, "") + RATING)
