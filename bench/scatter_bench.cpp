@@ -84,7 +84,7 @@ void wavy_members(benchmark::State& state) {
   for (const int which : {1, 2}) {
     const GradedFlank f = graded_flank(pair.gear(which), FlankTolerances::iso_2013, 6).value();
     smooth.push_back({"slope", 1.0, Distribution::of({{-f.profile_slope, f.profile_slope}}).value(),
-                      VaryingModification{which, RemovalField::Parameter::profile_slope}});
+                      VaryingModification{which, Modification::profile_slope}});
     waves.push_back({"profile", 1.0, share, VaryingWave{which, false, {1, 4}, f.profile_form}});
     waves.push_back({"helix", 1.0, share, VaryingWave{which, true, {1, 4}, f.helix_form}});
   }

@@ -100,7 +100,7 @@ py::object design(const Found& found, py::ssize_t i) {
 
 // Returns a structured array with the columns of search.parquet and best.csv.
 py::array to_numpy(const Found& found) {
-  const auto& columns = design_columns(found.search->problem());
+  const auto columns = design_columns(found.search->problem());
   const auto& heads = columns.heads();
   const auto& rows = found.run.answer.designs;
   const auto each_cell = [&](const auto& cell) {

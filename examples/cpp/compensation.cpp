@@ -26,7 +26,7 @@ int main() {
 
   const std::vector<ContactErrors> shafts{{.crossing = -0.01_deg}, {.crossing = 0.04_deg}};
   CompensationTask task = compensation_task(
-      *setup, {{CorrectionOf::lead_slope, 1}, {CorrectionOf::lead_crowning, 1}}, shafts);
+      *setup, {{Modification::lead_slope, 1}, {Modification::lead_crowning, 1}}, shafts);
   task.corrections = {{.lo = -50, .hi = 50, .step = 1},  // um
                       {.lo = 0, .hi = 20, .step = 1}};
   task.centering = Angle::arcseconds(20);  // penalty for contact at the end of the face

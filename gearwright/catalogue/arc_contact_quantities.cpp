@@ -28,7 +28,7 @@ std::array<T, 2> by_gear(const ArcContactView& c, const T& convex, const T& conc
 using C = ArcContactView;
 
 const Quantities<C>& tensor_quantities() {
-  static const Quantities<C> kAll("pair.arc_contacts curvature", [](Quantities<C>& q) {
+  return define("pair.arc_contacts curvature", [](Quantities<C>& q) {
     const auto of_gear = [](std::size_t i) {
       return [i](const C& c) {
         const ArcContact& at = c.contact->at;
@@ -42,12 +42,11 @@ const Quantities<C>& tensor_quantities() {
         .unit(Unit::per_mm)
         .list({2, 2});
   });
-  return kAll;
 }
 
 const Quantities<ArcContact>& ellipse_quantities() {
   using A = ArcContact;
-  static const Quantities<A> kAll("pair.arc_contacts ellipse", [](Quantities<A>& q) {
+  return define("pair.arc_contacts ellipse", [](Quantities<A>& q) {
     q.number("marking_mm", "thickness of the marking compound", "δ",
              "the ellipse is computed for this thickness", [](const A&) { return Value(kMarking); })
         .doors(kJson);
@@ -61,12 +60,11 @@ const Quantities<ArcContact>& ellipse_quantities() {
              "angle about the flank normal, from the projection of axis 1 to the major axis",
              &A::angle);
   });
-  return kAll;
 }
 
 const Quantities<ArcContact>& radius_quantities() {
   using A = ArcContact;
-  static const Quantities<A> kAll("pair.arc_contacts radius", [](Quantities<A>& q) {
+  return define("pair.arc_contacts radius", [](Quantities<A>& q) {
     q.number("convex", "radius of the transverse profile, convex", "ρ",
              "at the contact on the convex flank", &A::transverse_radius_convex)
         .unit(Unit::mm);
@@ -74,26 +72,26 @@ const Quantities<ArcContact>& radius_quantities() {
              "at the contact on the concave flank", &A::transverse_radius_concave)
         .unit(Unit::mm);
   });
-  return kAll;
 }
 
-void say(Quantities<C>& q) {
-  const auto at = [](auto get) { return [get](const C& c) { return Value(get(c.contact->at)); }; };
+void add_all(Quantities<C>& q) {
+  const auto at = [](auto get) {
+    return [get](const C& c) -> decltype(auto) { return std::invoke(get, c.contact->at); };
+  };
   q.whole("convex_gear", "gear with the convex flank", "", "1 or 2", [](const C& c) {
      return c.contact->convex_gear;
    }).always();
   q.number("rack_angle_deg", "normal angle of the racks", "θ", "at the contact",
-           at([](const ArcContact& a) { return a.theta.deg(); }));
+           at(&ArcContact::theta));
   q.number("nominal_rack_angle_deg", "normal angle at the reference centre distance", "θ_0",
            "[T7.9]; null if the flanks do not touch there", [](const C& c) {
              const auto& theta = c.contact->nominal_theta;
              return theta ? Value(theta->deg()) : Value();
            });
   q.number("point_mm", "point of contact at rotation 0", "x, y, z", "in the housing frame",
-           at([](const ArcContact& a) { return a.point; }))
+           at(&ArcContact::point))
       .list({3});
-  q.term("normal", "unit vector that points out of gear 1",
-         at([](const ArcContact& a) { return a.normal; }))
+  q.term("normal", "unit vector that points out of gear 1", at(&ArcContact::normal))
       .list({3})
       .doors(kJson);
   q.number("contact_diameter_mm", "diameter of contact", "", "per gear", [](const C& c) {
@@ -107,17 +105,16 @@ void say(Quantities<C>& q) {
              return Value((convex_first(c) ? offset : offset / c.pair->gear_ratio()).deg());
            })
       .doors(kJson);
-  q.record<tensor_quantities>(
-       "curvature_per_mm", "curvatures of both flanks", [](const C& c) -> const auto& { return c; })
+  q.record<tensor_quantities>("curvature_per_mm", "curvatures of both flanks", std::identity{})
       .doors(kJson);
   q.term("gap_curvature_per_mm", "k1 ≤ k2; k1 is 0 or negative if the flanks interfere",
-         at([](const ArcContact& a) { return a.gap; }))
+         at(&ArcContact::gap))
       .words("relative curvatures")
       .list({2});
   q.record<ellipse_quantities>("ellipse", "the contact ellipse under the marking compound",
-                               at([](const ArcContact& a) { return ellipse_quantities().of(a); }));
+                               at(std::identity{}));
   q.record<radius_quantities>("transverse_radius_mm", "radii of the transverse profiles",
-                              at([](const ArcContact& a) { return radius_quantities().of(a); }));
+                              at(std::identity{}));
   q.number("transverse_radius_difference_mm", "difference of the transverse radii", "Δρ",
            "radius of the concave profile minus radius of the convex profile",
            at([](const ArcContact& a) {
@@ -125,14 +122,13 @@ void say(Quantities<C>& q) {
            }));
   q.number("line_contact_radius_difference_mm",
            "difference of the transverse radii for line contact", "", "[T7.10]",
-           at([](const ArcContact& a) { return a.line_contact_difference; }));
+           at(&ArcContact::line_contact_difference));
 }
 
 }  // namespace
 
 const Quantities<ArcContactView>& arc_contact_quantities() {
-  static const Quantities<ArcContactView> kAll("pair.arc_contacts", say);
-  return kAll;
+  return define<add_all>("pair.arc_contacts");
 }
 
 std::vector<ArcContactView> arc_contacts_of(const ArcPair& pair) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "gearwright/catalogue/modification_keys.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -24,9 +26,32 @@ std::optional<KeyFault> check_ranges(CompensateInput& c, const KeyGiven&) {
 
 }  // namespace
 
+const std::vector<CorrectionEntry>& correction_entries() {
+  using M = Modification;
+  static const std::vector<CorrectionEntry> entries = [] {
+    std::vector<CorrectionEntry> list{
+        {"tool_setting_mm", {CutterSetting::tool_setting, 0}, "tool setting of rack F, Δb_F"}};
+    for (const int gear : {1, 2})
+      list.push_back({fmt::format("cutter_lead{}_deg", gear),
+                      {CutterSetting::cutter_lead, gear},
+                      fmt::format("lead angle of the cutter of gear {}", gear)});
+    for (const int gear : {1, 2}) {
+      for (const M kind : {M::lead_slope, M::lead_crowning, M::profile_slope, M::profile_crowning,
+                           M::tip_relief, M::root_relief, M::end_relief}) {
+        const ModificationEntry& m = modification_entries()[static_cast<std::size_t>(kind)];
+        list.push_back({fmt::format("gear{}.{}_um", gear, m.name),
+                        {kind, gear},
+                        fmt::format("{} of gear {}", m.words, gear)});
+      }
+    }
+    return list;
+  }();
+  return entries;
+}
+
 std::vector<std::string_view> correction_words() {
   std::vector<std::string_view> words;
-  for (const CorrectionEntry& c : kCorrections) words.push_back(c.key);
+  for (const CorrectionEntry& c : correction_entries()) words.push_back(c.key);
   return words;
 }
 
@@ -44,7 +69,7 @@ const KeyTable& compensate_keys() {
            "`gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50), and "
            "`gear1.tip_relief_um`, `gear1.root_relief_um` and `gear1.end_relief_um` (0 to 50) if "
            "the spec has such a relief. Each correction is added to the value in the spec")
-           .with_list(KeyList{.most = kCorrectionCount, .noun = "correction"})
+           .with_list(KeyList{.most = correction_entries().size(), .noun = "correction"})
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
        Key::word("aim", {"transmission_error", "loaded_transmission_error", "pressure"},
                  &CompensateInput::aim, "\"transmission_error\"",
@@ -90,10 +115,10 @@ const KeyTable& compensate_range_keys() {
 }
 
 const CorrectionEntry& entry_of(const WorkshopCorrection& correction) {
-  const auto it =
-      std::find_if(kCorrections.begin(), kCorrections.end(),
-                   [&](const CorrectionEntry& e) { return e.correction == correction; });
-  GW_EXPECTS(it != kCorrections.end());
+  const auto& all = correction_entries();
+  const auto it = std::find_if(
+      all.begin(), all.end(), [&](const CorrectionEntry& e) { return e.correction == correction; });
+  GW_EXPECTS(it != all.end());
   return *it;
 }
 

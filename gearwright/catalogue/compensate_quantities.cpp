@@ -15,17 +15,16 @@ constexpr const char* kLead = "Lead angle that removes the slope of the transmis
 
 const Quantities<Scenario>& scenario_quantities() {
   using S = Scenario;
-  static const Quantities<S> kAll("compensate.scenarios", [](Quantities<S>& q) {
+  return define("compensate.scenarios", [](Quantities<S>& q) {
     q.text("errors", "errors of the scenario, in words", &S::errors).always();
     q.record<score_quantities>("before", "scores without corrections", &S::before).always();
     q.record<score_quantities>("after", "scores with the corrections", &S::after).always();
   });
-  return kAll;
 }
 
 const Quantities<SettingAnswer>& angle_quantities() {
   using S = SettingAnswer;
-  static const Quantities<S> kAll("compensate.tool_setting angles", [](Quantities<S>& q) {
+  return define("compensate.tool_setting angles", [](Quantities<S>& q) {
     q.number("nominal", "pressure angle as drawn", "θ", "at the contact", &S::angle_nominal)
         .unit(Unit::deg)
         .digits(6);
@@ -41,21 +40,19 @@ const Quantities<SettingAnswer>& angle_quantities() {
         .unit(Unit::deg)
         .digits(6);
   });
-  return kAll;
 }
 
 const Quantities<SettingAnswer>& setting_quantities() {
   using S = SettingAnswer;
-  static const Quantities<S> kAll("compensate.tool_setting", [](Quantities<S>& q) {
+  return define("compensate.tool_setting", [](Quantities<S>& q) {
     q.number("exact_mm", "exact change of the position b of the arc centre", "Δb_F",
              "change of b that compensates ΔC [T8.20]", &S::exact)
         .digits(6);
     q.number("first_order_mm", "change of the position b of the arc centre, to first order", "Δb_F",
              "[T8.21]", &S::first_order)
         .digits(6);
-    q.record<angle_quantities>(
-        "pressure_angle_deg", "pressure angles at the contact",
-        [](const S& s) -> const auto& { return s; });
+    q.record<angle_quantities>("pressure_angle_deg", "pressure angles at the contact",
+                               std::identity{});
     q.number("tooth_thickness_change_mm", "change of the normal tooth thickness", "",
              "for the exact setting only [T8.23]", &S::thickness_change)
         .digits(6);
@@ -63,12 +60,11 @@ const Quantities<SettingAnswer>& setting_quantities() {
              "for the exact setting only [T8.23]", &S::backlash_change)
         .digits(6);
   });
-  return kAll;
 }
 
 const Quantities<LeadAnswer>& lead_quantities() {
   using L = LeadAnswer;
-  static const Quantities<L> kAll("compensate.lead", [](Quantities<L>& q) {
+  return define("compensate.lead", [](Quantities<L>& q) {
     q.number("slope", "slope of the transmission error", "", "for tooth pair 0 at rotation 0",
              &L::slope)
         .digits(9);
@@ -84,22 +80,20 @@ const Quantities<LeadAnswer>& lead_quantities() {
              "[T8.22]", &L::first_order)
         .digits(6);
   });
-  return kAll;
 }
 
 const Quantities<AimedLoad>& load_quantities_of_aim() {
   using L = AimedLoad;
-  static const Quantities<L> kAll("compensate.under_load", [](Quantities<L>& q) {
+  return define("compensate.under_load", [](Quantities<L>& q) {
     q.term("torque_Nm", "on gear 1", [](const L& l) { return newton_metres(l.torque); }).always();
     q.record<loaded_score_quantities>("before", "without corrections", &L::before).always();
     q.record<loaded_score_quantities>("after", "with the corrections", &L::after).always();
   });
-  return kAll;
 }
 
 bool loaded(const V& v) { return under_load(v.aim); }
 
-void say(Quantities<V>& q) {
+void add_all(Quantities<V>& q) {
   q.groups({kSetting, kLead});
   q.record<correction_quantities>("corrections", "corrections that were found", &V::corrections)
       .list({0})
@@ -156,37 +150,25 @@ const char* least_gain(CompensateAim aim) {
   return aim == CompensateAim::pressure ? "0.1 N/mm²" : "0.001 ″";
 }
 
-const Quantities<CompensateView>& compensate_quantities() {
-  static const Quantities<CompensateView> kAll("compensate", say);
-  return kAll;
-}
+const Quantities<CompensateView>& compensate_quantities() { return define<add_all>("compensate"); }
 
 const Quantities<FoundCorrection>& correction_quantities() {
   using C = FoundCorrection;
-  static const Quantities<C> kAll("compensate.corrections", [](Quantities<C>& q) {
-    q.text("key", "key of the correction, as in the spec", [](const C& c) {
-       return Value(c.key);
-     }).always();
-    q.number("value", "value", "", "in the unit of the correction", [](const C& c) {
-       return Value(c.value);
-     }).always();
-    q.text("unit", "unit of the value, as at the end of keys", [](const C& c) {
-       return Value(c.unit);
-     }).always();
-    q.text("spec_key", "key of the corrected spec that contains the correction", [](const C& c) {
-       return Value(c.spec_key);
-     }).always();
+  return define("compensate.corrections", [](Quantities<C>& q) {
+    q.text("key", "key of the correction, as in the spec", &C::key).always();
+    q.number("value", "value", "", "in the unit of the correction", &C::value).always();
+    q.text("unit", "unit of the value, as at the end of keys", &C::unit).always();
+    q.text("spec_key", "key of the corrected spec that contains the correction", &C::spec_key)
+        .always();
     q.flag("at_bound", "at the end of the searched range",
-           "true if a greater correction might be better",
-           [](const C& c) { return Value(c.at_bound); })
+           "true if a greater correction might be better", &C::at_bound)
         .always();
   });
-  return kAll;
 }
 
 const Quantities<LoadedScore>& loaded_score_quantities() {
   using S = LoadedScore;
-  static const Quantities<S> kAll("compensate loaded score", [](Quantities<S>& q) {
+  return define("compensate loaded score", [](Quantities<S>& q) {
     q.term("peak_to_peak_arcsec", "computed as in `load`", &S::peak_to_peak)
         .words("loaded transmission error, peak to peak")
         .always();
@@ -199,12 +181,11 @@ const Quantities<LoadedScore>& loaded_score_quantities() {
     q.term("edge_carries", "true if an edge carries load, so that the pressure is a lower bound",
            &S::edge_carries);
   });
-  return kAll;
 }
 
 const Quantities<ContactScore>& score_quantities() {
   using S = ContactScore;
-  static const Quantities<S> kAll("compensate score", [](Quantities<S>& q) {
+  return define("compensate score", [](Quantities<S>& q) {
     q.term("peak_to_peak_arcsec", "greatest of all scenarios; null without contact",
            [](const S& s) {
              return std::isfinite(s.peak_to_peak.rad()) ? Value(s.peak_to_peak.arcsec()) : Value();
@@ -224,7 +205,6 @@ const Quantities<ContactScore>& score_quantities() {
         .digits(1);
     q.term("contact_lost", "somewhere", &S::lost).doors(kJson);
   });
-  return kAll;
 }
 
 }  // namespace gearwright

@@ -43,7 +43,7 @@ double travel_um(const RackTravel& rack, Angle angle) { return kUmPerMm * rack.o
 
 const Quantities<ContactEllipse>& ellipse_quantities() {
   using E = ContactEllipse;
-  static const Quantities<E> kAll("contact.positions ellipse", [](Quantities<E>& q) {
+  return define("contact.positions ellipse", [](Quantities<E>& q) {
     q.number("semi_major_mm", "semi-major axis", "", "null for line contact", &E::semi_major);
     q.number("semi_minor_mm", "semi-minor axis", "", "√(2δ/k2)", &E::semi_minor).always();
     q.number("angle_deg", "direction of the major axis", "",
@@ -51,12 +51,11 @@ const Quantities<ContactEllipse>& ellipse_quantities() {
              &E::angle)
         .always();
   });
-  return kAll;
 }
 
 const Quantities<ContactRidge>& ridge_quantities() {
   using R = ContactRidge;
-  static const Quantities<R> kAll("contact.positions ridge", [](Quantities<R>& q) {
+  return define("contact.positions ridge", [](Quantities<R>& q) {
     q.term("gear", "gear whose flank has the ridge", &R::gear).always();
     q.number("along_per_mm", "curvature of the gap along the ridge", "",
              "the curvature is the same on both sides", &R::along)
@@ -77,10 +76,9 @@ const Quantities<ContactRidge>& ridge_quantities() {
         .list({2, 2})
         .always();
   });
-  return kAll;
 }
 
-void say_position(Quantities<P>& q) {
+void add_position(Quantities<P>& q) {
   q.under("");
   q.term("rotation1_deg", "clockwise seen from +z", &P::rotation1).always();
   q.number("rotation2_deg", "rotation of gear 2", "φ_2", "position of gear 2 when gear 1 drives it",
@@ -139,9 +137,8 @@ void say_position(Quantities<P>& q) {
                                "contour on which the gap equals the thickness of the marking "
                                "compound [T8.16]; null at an edge or a ridge",
                                &P::ellipse);
-  q.record<ridge_quantities>("ridge",
-                             "growth of the gap on both sides of a ridge; absent for other kinds",
-                             [](const P& p) { return ridge_quantities().of(*p.ridge); })
+  q.record<ridge_quantities>(
+       "ridge", "growth of the gap on both sides of a ridge; absent for other kinds", &P::ridge)
       .when([](const P& p) { return p.ridge.has_value(); });
   q.number("line_mm", "contact line", "", "both ends of the line; null for other kinds",
            [](const P& p) {
@@ -153,7 +150,7 @@ void say_position(Quantities<P>& q) {
 // The quantities of the non-working flanks at the same positions.
 const Quantities<ContactResult>& non_working_quantities() {
   using R = ContactResult;
-  static const Quantities<R> kAll("contact.non_working_flank", [](Quantities<R>& q) {
+  return define("contact.non_working_flank", [](Quantities<R>& q) {
     const auto each = [](auto get) {
       return [get](const R& r) {
         ValueList list;
@@ -186,7 +183,6 @@ const Quantities<ContactResult>& non_working_quantities() {
            "true if no tooth pair touches at some position", &R::contact_lost)
         .doors(kJson);
   });
-  return kAll;
 }
 
 // Derivatives of the transmission error and of the contact point at every position, in the units of
@@ -220,7 +216,7 @@ struct RasterView {
 
 const Quantities<RasterView>& raster_quantities() {
   using R = RasterView;
-  static const Quantities<R> kAll("contact.pattern gear", [](Quantities<R>& q) {
+  return define("contact.pattern gear", [](Quantities<R>& q) {
     q.number("diameter_mm", "diameters", "", "diameters of the rows", [](const R& r) {
        return r.raster->diameter;
      }).list({0});
@@ -252,11 +248,10 @@ const Quantities<RasterView>& raster_quantities() {
                return Value(static_cast<double>(n) / static_cast<double>(gap.size()));
              });
   });
-  return kAll;
 }
 
 const Quantities<V>& pattern_quantities() {
-  static const Quantities<V> kAll("contact.pattern", [](Quantities<V>& q) {
+  return define("contact.pattern", [](Quantities<V>& q) {
     const auto gear = [](std::size_t i) {
       return [i](const V& v) {
         return Value(raster_quantities().of({&(*v.pattern)[i], v.marking}));
@@ -266,11 +261,10 @@ const Quantities<V>& pattern_quantities() {
     q.record<raster_quantities>("gear2", "the flank of gear 2; absent for a rack", gear(1))
         .when(of_gear);
   });
-  return kAll;
 }
 
 const Quantities<V>& map_quantities() {
-  static const Quantities<V> kAll("contact.map", [](Quantities<V>& q) {
+  return define("contact.map", [](Quantities<V>& q) {
     q.word("x", "error of x", "key of [errors]", [](const V& v) { return v.map_axes[0]; });
     q.number("x_values", "values of x", "", "in the unit of the key", [](const V& v) {
        return v.map->x;
@@ -293,10 +287,9 @@ const Quantities<V>& map_quantities() {
         .words("peak to peak")
         .list({0, 0});
   });
-  return kAll;
 }
 
-void say(Quantities<V>& q) {
+void add_all(Quantities<V>& q) {
   q.record<position_quantities>(
        "positions", "one entry for each rotation, in the given order",
        [](const V& v) -> const auto& { return v.working->positions; })
@@ -356,7 +349,7 @@ void say(Quantities<V>& q) {
          [](const V& v) { return v.working->contact_lost; });
   q.record<non_working_quantities>(
        "non_working_flank", "transmission error of the non-working flanks, at the same positions",
-       [](const V& v) { return non_working_quantities().of(*v.non_working); })
+       &V::non_working)
       .always();
   q.number("least_play_deg", "minimum angular backlash of gear 2", "",
            "least play between the working and the non-working flanks over the positions; negative "
@@ -397,7 +390,7 @@ void say(Quantities<V>& q) {
        "halves",
        "contact of each half of a double-helical pair, first at z > 0, then at z < 0; all other "
        "numbers describe the whole gears, whose positions contain no point of contact",
-       [](const V& v) -> const auto& { return v.halves; })
+       &V::halves)
       .list({2})
       .when([](const V& v) { return !v.halves.empty(); })
       .doors(kJson);
@@ -405,12 +398,12 @@ void say(Quantities<V>& q) {
        "pattern",
        "pattern of both flanks; only with `pattern = true`; for double-helical pairs it is in "
        "`halves`",
-       [](const V& v) -> const auto& { return v; })
+       std::identity{})
       .when([](const V& v) { return v.pattern != nullptr; })
       .doors(kJson);
-  q.record<map_quantities>(
-       "map", "peak-to-peak transmission error over the two errors of [contact.map]",
-       [](const V& v) -> const auto& { return v; })
+  q.record<map_quantities>("map",
+                           "peak-to-peak transmission error over the two errors of [contact.map]",
+                           std::identity{})
       .when([](const V& v) { return v.map != nullptr; })
       .doors(kJson);
 }
@@ -418,13 +411,9 @@ void say(Quantities<V>& q) {
 }  // namespace
 
 const Quantities<ContactPoint>& position_quantities() {
-  static const Quantities<ContactPoint> kAll("contact.positions", say_position);
-  return kAll;
+  return define<add_position>("contact.positions");
 }
 
-const Quantities<ContactView>& contact_quantities() {
-  static const Quantities<ContactView> kAll("contact", say);
-  return kAll;
-}
+const Quantities<ContactView>& contact_quantities() { return define<add_all>("contact"); }
 
 }  // namespace gearwright

@@ -43,7 +43,7 @@ Value objective(const V& v) {
 }
 
 const Quantities<V>& region_quantities() {
-  static const Quantities<V> kAll("search.designs region", [](Quantities<V>& q) {
+  return define("search.designs region", [](Quantities<V>& q) {
     q.add(Type::map, "edges", "edges of the region", "",
           "counter-clockwise, each {constraint, points}; a straight edge has two points (x1, x2), "
           "a curve 25 or more",
@@ -67,10 +67,9 @@ const Quantities<V>& region_quantities() {
         .always()
         .column("shift_sum_#");
   });
-  return kAll;
 }
 
-void say_numbers(Quantities<V>& q) {
+void add_numbers(Quantities<V>& q) {
   q.add(Type::index, "trial", "number of the trial", "", "in the order of the search",
         [](const V& v) { return v.row->trial.index; })
       .always()
@@ -104,7 +103,7 @@ void say_numbers(Quantities<V>& q) {
       .when([](const V& v) { return v.problem->racks.size() > 1; });
 }
 
-void say_place(Quantities<V>& q) {
+void add_place(Quantities<V>& q) {
   q.term("profile_shift", "[x1, x2]", [](const V& v) { return v.row->shift; })
       .per_gear()
       .always()
@@ -132,7 +131,7 @@ void say_place(Quantities<V>& q) {
       .digits(4);
 }
 
-void say_contact(Quantities<V>& q) {
+void add_contact(Quantities<V>& q) {
   q.number("contact_ratio", "transverse contact ratio", "ε_α",
            "by Eq. 10, or for crossed axes AE/p_bn",
            [](const V& v) { return v.row->contact_ratio; })
@@ -168,7 +167,7 @@ void say_contact(Quantities<V>& q) {
       .doors(kColumns);
 }
 
-void say_limits(Quantities<V>& q) {
+void add_limits(Quantities<V>& q) {
   q.number("backlash_normal_mm", "normal backlash, shortest distance of the flanks", "j_bn",
            "`backlash.normal_base_mm` of the pair",
            [](const V& v) { return v.row->backlash_normal; })
@@ -243,7 +242,7 @@ void say_limits(Quantities<V>& q) {
       .shown([](const V& v) { return v.row->interference; });
 }
 
-void say_strength(Quantities<V>& q) {
+void add_strength(Quantities<V>& q) {
   const auto rated = [](const V& v) { return v.problem->rating.has_value(); };
   q.term("S_H", "as in `rate`; only for a rated search",
          [](const V& v) { return v.row->flank_safety; })
@@ -277,21 +276,19 @@ void say_strength(Quantities<V>& q) {
       .digits(kFewDigits);
 }
 
-void say(Quantities<V>& q) {
-  say_numbers(q);
-  say_place(q);
-  say_contact(q);
-  say_limits(q);
-  say_strength(q);
+void add_all(Quantities<V>& q) {
+  add_numbers(q);
+  add_place(q);
+  add_contact(q);
+  add_limits(q);
+  add_strength(q);
   q.term("area", "modules²", [](const V& v) { return v.row->area; })
       .doors(kPage)
       .greater_first()
       .digits(4)
       .shown([](const V& v) { return v.row->area > 0.0; });  // with an exact centre distance, the
                                                              // region is a line
-  q.record<region_quantities>(
-       "region", "profile shifts that satisfy every limit",
-       [](const V& v) -> const auto& { return v; })
+  q.record<region_quantities>("region", "profile shifts that satisfy every limit", std::identity{})
       .always()
       .doors(kJson);
   q.add(Type::map, "objective", "objective", "",
@@ -299,7 +296,7 @@ void say(Quantities<V>& q) {
       .doors(kJson);
 }
 
-void say_point(Quantities<ShiftPoint>& q) {
+void add_point(Quantities<ShiftPoint>& q) {
   using P = ShiftPoint;
   const auto column = [&q](const char* name, Type type, auto get) -> Quantity<P>& {
     return q.add(type, name, name, "", "", get).column(name).doors(kColumns);
@@ -321,14 +318,8 @@ void say_point(Quantities<ShiftPoint>& q) {
 
 }  // namespace
 
-const Quantities<DesignView>& design_quantities() {
-  static const Quantities<DesignView> kAll("search.designs", say);
-  return kAll;
-}
+const Quantities<DesignView>& design_quantities() { return define<add_all>("search.designs"); }
 
-const Quantities<ShiftPoint>& point_quantities() {
-  static const Quantities<ShiftPoint> kAll("search.points", say_point);
-  return kAll;
-}
+const Quantities<ShiftPoint>& point_quantities() { return define<add_point>("search.points"); }
 
 }  // namespace gearwright

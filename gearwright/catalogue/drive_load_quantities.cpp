@@ -21,7 +21,7 @@ Value of_planets(const PlanetShares& shares, const Of& of) {
 
 const Quantities<PlanetSharesView>& planet_share_quantities() {
   using V = PlanetSharesView;
-  static const Quantities<V> kAll("drive.load.set", [](Quantities<V>& q) {
+  return define("drive.load.set", [](Quantities<V>& q) {
     q.text("carrier", "name of the carrier", [](const V& v) {
        return v.drive->graph.bodies[v.drive->sets[v.shares->set].group.carrier].name;
      }).always();
@@ -88,17 +88,15 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
         .list({0})
         .doors(kJson);
   });
-  return kAll;
 }
 
 namespace {
 
 const Quantities<LoadedDrive::Curve>& loaded_curve_quantities() {
   using C = LoadedDrive::Curve;
-  static const Quantities<C> kAll("drive.load.curve", [](Quantities<C>& q) {
-    q.number("frequency_ratio", "teeth per turn of the input", "", "", [](const C& c) {
-       return c.frequency_ratio;
-     }).always();
+  return define("drive.load.curve", [](Quantities<C>& q) {
+    q.number("frequency_ratio", "teeth per turn of the input", "", "", &C::frequency_ratio)
+        .always();
     const auto seconds = [](const std::vector<double>& radians) {
       ValueList list;
       for (const double r : radians) list.emplace_back(Angle::radians(r).arcsec());
@@ -117,13 +115,12 @@ const Quantities<LoadedDrive::Curve>& loaded_curve_quantities() {
         .always()
         .list({0});
   });
-  return kAll;
 }
 
 }  // namespace
 
 const Quantities<Drive>& drive_load_quantities() {
-  static const Quantities<Drive> kAll("drive.load", [](Quantities<Drive>& q) {
+  return define("drive.load", [](Quantities<Drive>& q) {
     q.number("torque_Nm", "torque on the input", "T", "", [](const Drive& d) {
        return d.loaded->torque;
      }).always();
@@ -149,30 +146,28 @@ const Quantities<Drive>& drive_load_quantities() {
         .list({0})
         .doors(kJson);
     q.number("mesh_load_factor", "greatest mesh load factor", "K_γ",
-             "greatest value over all sets [T13.26]; null without planets",
-             [](const Drive& d) { return mesh_load_factor(d); })
+             "greatest value over all sets [T13.26]; null without planets", mesh_load_factor)
         .doors(kJson);
     q.number("rated_mesh_load_factor", "mesh load factor of the rating", "K_γ",
              "`rating.mesh_load_factor`, which the rating uses; null without a rating",
-             [](const Drive& d) { return rated_mesh_load_factor(d); });
+             rated_mesh_load_factor);
     q.record<planet_share_quantities>("sets", "shares of the planets of each set",
                                       [](const Drive& d) {
                                         std::vector<PlanetSharesView> list;
                                         for (const PlanetShares& s : d.loaded->sets)
                                           list.push_back({&d, &s});
-                                        return Value(planet_share_quantities().each(list));
+                                        return list;
                                       })
         .always()
         .list({0})
         .doors(kJson);
     q.record<loaded_curve_quantities>(
          "curves", "rotation error over a period of each mesh frequency",
-         [](const Drive& d) { return Value(loaded_curve_quantities().each(d.loaded->curves)); })
+         [](const Drive& d) -> const auto& { return d.loaded->curves; })
         .always()
         .list({0})
         .doors(kJson);
   });
-  return kAll;
 }
 
 std::optional<double> mesh_load_factor(const Drive& drive) {

@@ -58,7 +58,7 @@ std::optional<double> travel(double motion, const std::optional<double>& lever) 
 
 const Quantities<DriveBacklash>& drive_backlash_quantities() {
   using B = DriveBacklash;
-  static const Quantities<B> kAll("drive.backlash", [](Quantities<B>& q) {
+  return define("drive.backlash", [](Quantities<B>& q) {
     q.number("input_deg", "backlash of the input, output held", "", "[T13.20]; null for a rack",
              [](const B& b) { return rotation(b.input, b.input_lever); });
     q.number("input_mm", "backlash of the rack, output held", "",
@@ -70,12 +70,11 @@ const Quantities<DriveBacklash>& drive_backlash_quantities() {
              "the same of an output that is a rack, along its travel",
              [](const B& b) { return travel(b.output, b.output_lever); });
   });
-  return kAll;
 }
 
 const Quantities<DriveError>& drive_error_quantities() {
   using E = DriveError;
-  static const Quantities<E> kAll("drive.transmission_error", [](Quantities<E>& q) {
+  return define("drive.transmission_error", [](Quantities<E>& q) {
     q.number("output_arcsec_peak_to_peak", "transmission error of the output", "",
              "greatest value minus least value; for several mesh frequencies, the sum of these "
              "differences [T13.21]",
@@ -93,8 +92,9 @@ const Quantities<DriveError>& drive_error_quantities() {
         .list({0})
         .doors(kJson);
   });
-  return kAll;
 }
+
+const PlanetSet* first_set(const Drive& d) { return d.sets.empty() ? nullptr : &d.sets.front(); }
 
 // True if the power flow is self-locking, or null if there is no power flow.
 Value locks(const std::optional<PowerFlow>& flow) {
@@ -105,7 +105,7 @@ Value efficiency_of(const std::optional<PowerFlow>& flow) {
   return flow->self_locking() ? Value(0.0) : Value(flow->efficiency);
 }
 
-void say_motion(Quantities<Drive>& q) {
+void add_motion(Quantities<Drive>& q) {
   q.under(kMotion);
   q.number(
       "ratio", "ratio", "i", "n_in/n_out, signed; null with several inputs [T13.3]",
@@ -126,7 +126,7 @@ void say_motion(Quantities<Drive>& q) {
           });
 }
 
-void say_power(Quantities<Drive>& q) {
+void add_power(Quantities<Drive>& q) {
   q.under(kPower);
   q.term("efficiency",
          "with tooth losses and the input driving; 0 if the drive is self-locking [T13.9]",
@@ -144,13 +144,12 @@ void say_power(Quantities<Drive>& q) {
         [](const Drive& d) { return flows(d) ? Value(d.flow->circulating) : Value(); });
 }
 
-void say(Quantities<Drive>& q) {
+void add_all(Quantities<Drive>& q) {
   q.groups({kMotion, kPower, kGeometry});
-  say_motion(q);
-  say_power(q);
+  add_motion(q);
+  add_power(q);
   q.under(kGeometry);
-  q.term("center_distance_mm", "for the meshes of the first set",
-         [](const Drive& d) { return set_distance(d); });
+  q.term("center_distance_mm", "for the meshes of the first set", set_distance);
   q.add(Type::map, "bodies", "bodies", "", "speeds, torque and power of each body, by name",
         [](const Drive& d) { return by_name(drive_body_quantities(), d, d.graph.bodies); })
       .doors(kJson);
@@ -158,20 +157,14 @@ void say(Quantities<Drive>& q) {
         [](const Drive& d) { return by_name(drive_mesh_quantities(), d, d.graph.meshes); })
       .doors(kJson);
   q.record<assembly_quantities>(
-       "assembly", "positions of the planets of the first set; null without planets",
-       [](const Drive& d) {
-         return d.sets.empty() ? Value() : Value(assembly_quantities().of(d.sets.front()));
-       })
+       "assembly", "positions of the planets of the first set; null without planets", first_set)
       .doors(kJson);
   q.record<coaxial_quantities>(
        "coaxial", "centre distance and profile shifts of the first set; null without a set",
-       [](const Drive& d) { return d.sets.empty() ? Value() : Value(coaxial_quantities().of(d)); })
+       [](const Drive& d) { return d.sets.empty() ? nullptr : &d; })
       .doors(kJson);
-  q.record<phasing_quantities>(
-       "phasing", "relative phases of the meshes of the first set",
-       [](const Drive& d) {
-         return d.sets.empty() ? Value() : Value(phasing_quantities().of(d.sets.front()));
-       })
+  q.record<phasing_quantities>("phasing", "relative phases of the meshes of the first set",
+                               first_set)
       .doors(kJson);
   q.record<drive_backlash_quantities>(
       "backlash",
@@ -185,16 +178,13 @@ void say(Quantities<Drive>& q) {
       "that moves the output, no geometry, lost contact, several pinions on one rack, an error of "
       "the teeth of a rack, or a measured gear that is loaded on the flank without readings",
       &Drive::error);
-  q.record<drive_load_quantities>(
-       "load", "the drive under load; only with `[load]`",
-       [](const Drive& d) { return Value(drive_load_quantities().of(d)); })
+  q.record<drive_load_quantities>("load", "the drive under load; only with `[load]`",
+                                  std::identity{})
       .when([](const Drive& d) { return d.loaded.has_value(); })
       .doors(kJson);
   q.record<drive_quantities>(
        "stages", "the stages of a train, each as a separate drive; null for other drives",
-       [](const Drive& d) {
-         return d.stages.empty() ? Value() : Value(drive_quantities().each(d.stages));
-       })
+       [](const Drive& d) { return d.stages.empty() ? nullptr : &d.stages; })
       .list({0})
       .doors(kJson);
 }
@@ -203,7 +193,7 @@ void say(Quantities<Drive>& q) {
 
 const Quantities<DriveErrorLine>& drive_error_line_quantities() {
   using L = DriveErrorLine;
-  static const Quantities<L> kAll("drive.transmission_error.line", [](Quantities<L>& q) {
+  return define("drive.transmission_error.line", [](Quantities<L>& q) {
     q.number("frequency_ratio", "waves per turn of the input", "", "", [](const L& l) {
        return Value(l.line->frequency_ratio);
      }).always();
@@ -216,7 +206,6 @@ const Quantities<DriveErrorLine>& drive_error_line_quantities() {
              "amplitude of the travel of an output that is a rack",
              [](const L& l) { return travel(kUmPerMm * l.line->amplitude, l.lever); });
   });
-  return kAll;
 }
 
 Value error_lines(const DriveError& error) {
@@ -228,7 +217,7 @@ Value error_lines(const DriveError& error) {
 
 const Quantities<DriveBodyView>& drive_body_quantities() {
   using V = DriveBodyView;
-  static const Quantities<V> kAll("drive.body", [](Quantities<V>& q) {
+  return define("drive.body", [](Quantities<V>& q) {
     q.number("speed_ratio", "speed ratio", "",
              "absolute speed divided by the speed of the first input; for a rack, pitches per turn "
              "of the input",
@@ -269,12 +258,11 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
              60.0 / 1000.0;
     });
   });
-  return kAll;
 }
 
 const Quantities<DriveMeshView>& drive_mesh_quantities() {
   using V = DriveMeshView;
-  static const Quantities<V> kAll("drive.mesh", [](Quantities<V>& q) {
+  return define("drive.mesh", [](Quantities<V>& q) {
     q.text("frame", "name of the carrier in whose frame the gears roll, or `housing`",
            [](const V& v) {
              const auto frame = v.drive->graph.frame(v.drive->graph.meshes[v.mesh]);
@@ -308,15 +296,13 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
                if (!flows(*v.drive) || !(v.drive->flow->power_in > 0.0)) return {};
                return v.drive->flow->mesh_power[v.mesh] / v.drive->flow->power_in;
              });
-    q.record<pair_quantities>("pair", "the two gears as mounted; null without geometry",
-                              [](const V& v) {
-                                const auto& pair = v.drive->geometry.pairs[v.mesh];
-                                return pair ? Value(pair_quantities().of(*pair)) : Value();
-                              })
+    q.record<pair_quantities>(
+         "pair", "the two gears as mounted; null without geometry",
+         [](const V& v) -> const auto& { return v.drive->geometry.pairs[v.mesh]; })
         .doors(kJson);
     q.record<rack_pair_quantities>(
          "rack_pair", "the pinion and its rack as mounted; only of a mesh with a rack",
-         [](const V& v) { return rack_pair_quantities().of(*v.drive->geometry.racks[v.mesh]); })
+         [](const V& v) -> const auto& { return v.drive->geometry.racks[v.mesh]; })
         .when([](const V& v) { return v.drive->geometry.racks[v.mesh].has_value(); })
         .doors(kJson);
     q.record<rating_quantities>(
@@ -325,7 +311,6 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
         .when([](const V& v) { return !v.drive->ratings.empty(); })
         .doors(kJson);
   });
-  return kAll;
 }
 
 Value exact_fraction(const Rational& r) {
@@ -335,20 +320,15 @@ Value exact_fraction(const Rational& r) {
 }
 
 const Quantities<Drive>& coaxial_quantities() {
-  static const Quantities<Drive> kAll("drive.coaxial", [](Quantities<Drive>& q) {
-    q.term("center_distance_mm", "for the meshes of the first set [T13.15]",
-           [](const Drive& d) { return set_distance(d); });
+  return define("drive.coaxial", [](Quantities<Drive>& q) {
+    q.term("center_distance_mm", "for the meshes of the first set [T13.15]", set_distance);
     q.add(Type::map, "profile_shift", "profile shifts", "x",
           "per gear, as given or as computed from the centre distance [T13.15]", shifts_of)
         .doors(kJson);
   });
-  return kAll;
 }
 
-const Quantities<Drive>& drive_quantities() {
-  static const Quantities<Drive> kAll("drive", say);
-  return kAll;
-}
+const Quantities<Drive>& drive_quantities() { return define<add_all>("drive"); }
 
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh) {
   const auto& made = drive.ratings[mesh];

@@ -42,7 +42,7 @@ Value stages_of(const F& f) {
   return list;
 }
 
-void say_found(Quantities<F>& q) {
+void add_found(Quantities<F>& q) {
   q.add(Type::map, "teeth", "numbers of teeth", "z", "numbers of teeth by member; null for a train",
         teeth_of)
       .doors(kJson);
@@ -91,9 +91,8 @@ void say_found(Quantities<F>& q) {
              const auto& gear = f.drive.geometry.gears.front();
              return gear ? Value(f.candidate.module) : Value();
            });
-  q.number(
-      "face_width_mm", "face width", "b", "null if the search does not size the faces",
-      [](const F& f) { return f.candidate.face_width ? Value(*f.candidate.face_width) : Value(); });
+  q.number("face_width_mm", "face width", "b", "null if the search does not size the faces",
+           [](const F& f) { return f.candidate.face_width; });
   q.number("safety_flank", "safety against pitting", "S_H",
            "least value of all meshes; null if designs are not rated",
            [](const F& f) { return Value(least_safety(f.drive, &Rating::S_H)); });
@@ -111,7 +110,7 @@ Value counts(const std::array<std::string_view, N>& names, const std::array<T, N
   return Value(std::move(map));
 }
 
-void say_search(Quantities<DriveSearchView>& q) {
+void add_search(Quantities<DriveSearchView>& q) {
   using S = DriveSearchView;
   q.word("kind", "kind", "kind of the drives", [](const S& s) {
      return Value(std::string(kDriveKindNames[static_cast<std::size_t>(s.problem->kind)]));
@@ -152,7 +151,7 @@ void say_search(Quantities<DriveSearchView>& q) {
        "designs",
        "drives in order, the best first, at most the number of `--top`; all have a green verdict, "
        "and their numbers equal the results of the verb drive",
-       [](const S& s) { return Value(found_drive_quantities().each(s.designs->list)); })
+       [](const S& s) -> const auto& { return s.designs->list; })
       .list({0})
       .always()
       .doors(kJson);
@@ -160,14 +159,10 @@ void say_search(Quantities<DriveSearchView>& q) {
 
 }  // namespace
 
-const Quantities<FoundDrive>& found_drive_quantities() {
-  static const Quantities<F> kAll("search.drive", say_found);
-  return kAll;
-}
+const Quantities<FoundDrive>& found_drive_quantities() { return define<add_found>("search.drive"); }
 
 const Quantities<DriveSearchView>& drive_search_quantities() {
-  static const Quantities<DriveSearchView> kAll("search.drives", say_search);
-  return kAll;
+  return define<add_search>("search.drives");
 }
 
 }  // namespace gearwright

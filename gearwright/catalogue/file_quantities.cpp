@@ -6,7 +6,7 @@ namespace gearwright {
 
 const Quantities<FileView>& file_quantities() {
   using F = FileView;
-  static const Quantities<F> kAll("file", [](Quantities<F>& q) {
+  return define("file", [](Quantities<F>& q) {
     q.text("file", "name of the file", &F::file).always();
     q.text("what", "content of the file", &F::what).always();
     q.number("max_deviation_um", "maximum deviation", "",
@@ -14,12 +14,11 @@ const Quantities<FileView>& file_quantities() {
              [](const F& f) { return f.deviation ? Value(kUmPerMm * *f.deviation) : Value(); });
     q.text("note", "remarks on the file", &F::note).always();
   });
-  return kAll;
 }
 
 const Quantities<ArcView>& outline_quantities() {
   using A = ArcView;
-  static const Quantities<A> kAll("outline.arc", [](Quantities<A>& q) {
+  return define("outline.arc", [](Quantities<A>& q) {
     q.word("name", "arc",
            "name of the arc; the arcs are listed from the middle of the space to the middle of the "
            "tooth",
@@ -38,12 +37,11 @@ const Quantities<ArcView>& outline_quantities() {
        return Value("mm");
      }).always();
   });
-  return kAll;
 }
 
 const Quantities<DrawingInput>& drawing_quantities() {
   using D = DrawingInput;
-  static const Quantities<D> kAll("drawing", [](Quantities<D>& q) {
+  return define("drawing", [](Quantities<D>& q) {
     const auto line = [&q](const char* key, const char* words, std::string D::*member) {
       q.add(Type::text, key, words, "", "text as given; null if absent",
             [member](const D& d) { return (d.*member).empty() ? Value() : Value(d.*member); });
@@ -61,7 +59,6 @@ const Quantities<DrawingInput>& drawing_quantities() {
     line("keyway_fit", "fit of the keyway", &D::keyway_fit);
     line("note", "note", &D::note);
   });
-  return kAll;
 }
 
 }  // namespace gearwright

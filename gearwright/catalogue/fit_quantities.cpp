@@ -6,7 +6,7 @@ namespace {
 
 const Quantities<BranchView>& branch_quantities() {
   using B = BranchView;
-  static const Quantities<B> kAll("fit.branches", [](Quantities<B>& q) {
+  return define("fit.branches", [](Quantities<B>& q) {
     q.term("helix_angle_deg", "per gear", [](const B& b) { return b.branch.helix; })
         .per_gear()
         .always();
@@ -33,27 +33,25 @@ const Quantities<BranchView>& branch_quantities() {
     q.text("refused",
            "reason why the verb pair rejects the teeth of this branch, although its line of action "
            "is correct; absent if the verb pair accepts the branch",
-           [](const B& b) { return b.refused ? Value(*b.refused) : Value(); })
+           &B::refused)
         .when([](const B& b) { return b.refused.has_value(); });
   });
-  return kAll;
 }
 
 const Quantities<Fit>& nearest_quantities() {
-  static const Quantities<Fit> kAll("fit.nearest", [](Quantities<Fit>& q) {
+  return define("fit.nearest", [](Quantities<Fit>& q) {
     q.term("center_distance_mm", "null if there is no near value", &Fit::nearest_distance)
         .words("nearest centre distance at this shaft angle");
     q.term("shaft_angle_deg", "null if there is no near value", &Fit::nearest_shaft_angle)
         .words("nearest shaft angle at this centre distance");
   });
-  return kAll;
 }
 
 }  // namespace
 
 const Quantities<FitView>& fit_quantities() {
   using V = FitView;
-  static const Quantities<V> kAll("fit", [](Quantities<V>& q) {
+  return define("fit", [](Quantities<V>& q) {
     q.under("Answers");
     q.record<branch_quantities>(
          "branches",
@@ -70,10 +68,9 @@ const Quantities<FitView>& fit_quantities() {
         [](const V& v) {
           const Fit& f = *v.fit;
           const bool near = f.nearest_distance || f.nearest_shaft_angle;
-          return f.branches.empty() && near ? Value(nearest_quantities().of(f)) : Value();
+          return f.branches.empty() && near ? &f : nullptr;
         });
   });
-  return kAll;
 }
 
 }  // namespace gearwright

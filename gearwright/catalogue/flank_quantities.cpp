@@ -11,7 +11,7 @@ namespace {
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
 // Adds the quantities of one end of the contact with the mating gear, at the root or at the tip.
-void say_active(Quantities<EvaluationRanges>& q, const std::string& end, const char* diameter,
+void add_active(Quantities<EvaluationRanges>& q, const std::string& end, const char* diameter,
                 const char* length, RollPlace ActiveFlank::*at) {
   using R = EvaluationRanges;
   const auto mounted = [](const R& r) { return r.active.has_value(); };
@@ -40,7 +40,7 @@ void say_active(Quantities<EvaluationRanges>& q, const std::string& end, const c
 
 const Quantities<FlankToleranceValues>& tolerance_quantities() {
   using T = FlankToleranceValues;
-  static const Quantities<T> kAll("measure.tolerances", [](Quantities<T>& q) {
+  return define("measure.tolerances", [](Quantities<T>& q) {
     const auto um = [&](const char* key, const char* words, const char* symbol, const char* meaning,
                         double T::*member) {
       q.number(key, words, symbol, meaning, [member](const T& t) { return t.*member; })
@@ -89,11 +89,10 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
     perhaps("axis_inclination_um", "inclination of the axes in their plane", "f_Σδ",
             "null under the same conditions as the crossing", &T::axis_inclination);
   });
-  return kAll;
 }
 const Quantities<EvaluationRanges>& range_quantities() {
   using R = EvaluationRanges;
-  static const Quantities<R> kAll("measure.flank", [](Quantities<R>& q) {
+  return define("measure.flank", [](Quantities<R>& q) {
     const auto place = [&](const char* length, const char* angle, const char* words,
                            const char* roll, const char* symbol, RollPlace R::*at) {
       q.number(length, words, symbol, "[T10.22]", [at](const R& r) { return (r.*at).length; })
@@ -109,8 +108,8 @@ const Quantities<EvaluationRanges>& range_quantities() {
           "roll angle at d", "L", &R::reference);
     place("tip_form_roll_length_mm", "tip_form_roll_angle_deg", "roll length at d_Fa",
           "roll angle at d_Fa", "L_Fa", &R::tip_form);
-    say_active(q, "root", "d_Nf", "L_Nf", &ActiveFlank::root);
-    say_active(q, "tip", "d_Na", "L_Na", &ActiveFlank::tip);
+    add_active(q, "root", "d_Nf", "L_Nf", &ActiveFlank::root);
+    add_active(q, "tip", "d_Na", "L_Na", &ActiveFlank::tip);
     q.number("profile_evaluation_mm", "profile evaluation, roll lengths", "L_α",
              "by ISO 1328-1: the usable profile without 5 % at its tip [T10.23]", &R::profile)
         .ends()
@@ -122,7 +121,6 @@ const Quantities<EvaluationRanges>& range_quantities() {
         .ends()
         .always();
   });
-  return kAll;
 }
 
 }  // namespace gearwright

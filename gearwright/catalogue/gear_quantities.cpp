@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kHalves = "Double helical";
 
-void say_halves(Quantities<Halves>& q) {
+void add_halves(Quantities<Halves>& q) {
   using H = Halves;
   q.under(kHalves);
   q.number("half_face_width_mm", "face width of one half", "b_B", "(b − gap)/2 [T2.42]",
@@ -117,7 +117,7 @@ Value fillet_center(const Gear& g, std::optional<FilletArc> GeneratedTooth::*whi
   return arc ? Value(arc->distance) : Value();
 }
 
-void say(Quantities<Gear>& q) {
+void add_all(Quantities<Gear>& q) {
   q.groups({kTeeth, kDiameters, kTooth, kUndercut, kRootFillet, kTipFillet, kCutter});
   using G = Gear;
   constexpr auto kRoot = &GeneratedTooth::root_fillet;
@@ -322,13 +322,10 @@ void say(Quantities<Gear>& q) {
 
 }  // namespace
 
-const Quantities<Gear>& gear_quantities() {
-  static const Quantities<Gear> kAll("gear", say);
-  return kAll;
-}
+const Quantities<Gear>& gear_quantities() { return define<add_all>("gear"); }
 
 const Quantities<Warning>& warning_quantities() {
-  static const Quantities<Warning> kAll("warning", [](Quantities<Warning>& q) {
+  return define("warning", [](Quantities<Warning>& q) {
     q.text("code", "code for programs, which never changes", [](const Warning& w) {
        return to_string(w.code);
      }).always();
@@ -336,7 +333,6 @@ const Quantities<Warning>& warning_quantities() {
     q.term("gear", "number of the gear, 1 or 2; null for the pair or the spec",
            [](const Warning& w) { return w.gear ? Value(w.gear) : Value(); });
   });
-  return kAll;
 }
 
 ValueRecord gear_record(const Gear& gear, const std::optional<Halves>& halves) {
@@ -348,8 +344,7 @@ ValueRecord gear_record(const Gear& gear, const std::optional<Halves>& halves) {
 }
 
 const Quantities<Halves>& double_helical_quantities() {
-  static const Quantities<Halves> kAll("double_helical", say_halves);
-  return kAll;
+  return define<add_halves>("double_helical");
 }
 
 }  // namespace gearwright

@@ -7,7 +7,7 @@ namespace {
 using G = IdentifiedGear;
 
 const Quantities<G>& uncertainty_quantities() {
-  static const Quantities<G> kAll("identify.uncertainty", [](Quantities<G>& q) {
+  return define("identify.uncertainty", [](Quantities<G>& q) {
     q.number("normal_module_mm", "uncertainty of the module", "",
              "95 % interval; 0 for a standard module", &G::module_uncertainty)
         .always()
@@ -21,7 +21,6 @@ const Quantities<G>& uncertainty_quantities() {
         .always()
         .digits(4);
   });
-  return kAll;
 }
 
 Value series_word(const G& g) {
@@ -34,12 +33,12 @@ Value series_word(const G& g) {
   return {};
 }
 
-void say_candidate(Quantities<G>& q) {
+void add_candidate(Quantities<G>& q) {
   q.under("");
   q.term("teeth", "as given", &G::teeth).always();
   q.term("normal_module_mm", "`none` if the module is not in a series", &G::normal_module).always();
   q.word("module_series", "series of the module", "`none` if the module is not in a series",
-         [](const G& g) { return series_word(g); })
+         series_word)
       .always()
       .one_of({"ISO54-I", "ISO54-II", "diametral_pitch", "none"});
   q.number("normal_diametral_pitch_per_in", "diametral pitch", "P_nd", "null for a metric gear",
@@ -71,9 +70,8 @@ void say_candidate(Quantities<G>& q) {
       .always()
       .digits(2)
       .greater_first();
-  q.record<uncertainty_quantities>(
-       "uncertainty", "half widths of the 95 % intervals of the values",
-       [](const G& g) -> const auto& { return g; })
+  q.record<uncertainty_quantities>("uncertainty", "half widths of the 95 % intervals of the values",
+                                   std::identity{})
       .always();
 }
 
@@ -89,7 +87,7 @@ void add_units(Quantities<R>& q) {
 
 const Quantities<Contradiction>& contradiction_quantities() {
   using C = Contradiction;
-  static const Quantities<C> kAll("identify.contradiction", [](Quantities<C>& q) {
+  return define("identify.contradiction", [](Quantities<C>& q) {
     q.word("reading", "contradictory reading", "the reading that contradicts all others",
            &C::reading)
         .always()
@@ -101,12 +99,11 @@ const Quantities<Contradiction>& contradiction_quantities() {
         .always();
     add_units(q);
   });
-  return kAll;
 }
 
 const Quantities<NextMeasurement>& next_quantities() {
   using N = NextMeasurement;
-  static const Quantities<N> kAll("identify.next_measurement", [](Quantities<N>& q) {
+  return define("identify.next_measurement", [](Quantities<N>& q) {
     q.word("reading", "next measurement", "", &N::reading)
         .always()
         .one_of({"span", "over_balls", "helix_angle"});
@@ -122,19 +119,17 @@ const Quantities<NextMeasurement>& next_quantities() {
             "position of the other candidate in the list, from 0", &N::rival)
         .always();
   });
-  return kAll;
 }
 
 }  // namespace
 
 const Quantities<IdentifiedGear>& identified_gear_quantities() {
-  static const Quantities<G> kAll("identify.candidate", say_candidate);
-  return kAll;
+  return define<add_candidate>("identify.candidate");
 }
 
 const Quantities<Identification>& identify_quantities() {
   using I = Identification;
-  static const Quantities<I> kAll("identify", [](Quantities<I>& q) {
+  return define("identify", [](Quantities<I>& q) {
     q.under("Candidate");
     q.record<identified_gear_quantities>(
          "candidates", "possible gears as tables that a spec can contain, the likeliest first",
@@ -155,7 +150,6 @@ const Quantities<Identification>& identify_quantities() {
            "reason why no candidate fits the readings; null if at least one candidate fits",
            [](const I& i) { return i.reason.empty() ? Value() : Value(i.reason); });
   });
-  return kAll;
 }
 
 }  // namespace gearwright

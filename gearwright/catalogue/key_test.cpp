@@ -235,10 +235,10 @@ TEST(Keys, the_eight_errors_and_seven_modifications_have_their_derivatives) {
     if (e.kind) kinds.insert(*e.kind);
   }
   EXPECT_EQ(kinds.size(), kErrorKinds.size());
-  for (std::size_t i = 0; i < RemovalField::kParameters.size(); ++i) {
+  for (std::size_t i = 0; i < kModifications.size(); ++i) {
     const ModificationEntry& m = modification_entries()[i];
-    EXPECT_EQ(m.parameter, RemovalField::kParameters[i]) << m.name;
-    EXPECT_NE(m.relief == nullptr, m.amount == nullptr) << m.name;
+    EXPECT_EQ(static_cast<std::size_t>(m.kind), i) << m.name;
+    EXPECT_NE(m.relief == nullptr, m.alone == nullptr) << m.name;
   }
   Gear gear{};
   gear.reference_diameter = 20.0;

@@ -12,25 +12,20 @@ using S = LoadedTorque::Stiffness;
 
 constexpr const char* kLoad = "Teeth under load";
 
-Quantities<S> stiffness_in(Unit unit, const char* name) {
-  return Quantities<S>(name, [unit](Quantities<S>& q) {
-    const auto add = [&](const char* key, const char* words, const char* meaning, auto get) {
-      q.number(key, words, "", meaning, [get](const S& s) { return get(s); }).unit(unit);
-    };
-    add("mean", "mesh stiffness", "mesh stiffness at the mean approach over the positions",
-        [](const S& s) { return s.mean; });
-    add("min", "least mesh stiffness", "", [](const S& s) { return s.min; });
-    add("max", "greatest mesh stiffness", "", [](const S& s) { return s.max; });
-  });
+template <Unit unit>
+void add_stiffness(Quantities<S>& q) {
+  q.number("mean", "mesh stiffness", "", "mesh stiffness at the mean approach over the positions",
+           &S::mean)
+      .unit(unit);
+  q.number("min", "least mesh stiffness", "", "", &S::min).unit(unit);
+  q.number("max", "greatest mesh stiffness", "", "", &S::max).unit(unit);
 }
 const Quantities<S>& stiffness_quantities() {
-  static const auto kAll = stiffness_in(Unit::newton_per_mm_um, "load.torques stiffness");
-  return kAll;
+  return define<add_stiffness<Unit::newton_per_mm_um>>("load.torques stiffness");
 }
 // The stiffness for point contact.
 const Quantities<S>& point_stiffness_quantities() {
-  static const auto kAll = stiffness_in(Unit::newton_per_um, "load.torques point stiffness");
-  return kAll;
+  return define<add_stiffness<Unit::newton_per_um>>("load.torques point stiffness");
 }
 
 bool at_points(const P& p) { return p.regime == LoadRegime::point; }
@@ -57,7 +52,7 @@ ValueList numbers(const Eigen::VectorXd& all) {
   return list;
 }
 
-void say_position(Quantities<P>& q) {
+void add_position(Quantities<P>& q) {
   q.under("");
   q.term("torque_Nm", "on gear 1", [](const P& p) {
      return newton_metres(p.torque->torque);
@@ -109,7 +104,7 @@ void say_position(Quantities<P>& q) {
 bool has_standard(const T& t) { return t.standard.has_value(); }
 bool has_nominal(const T& t) { return has_standard(t) && t.standard->root_stress; }
 
-void say_torque(Quantities<T>& q) {
+void add_torque(Quantities<T>& q) {
   q.under(kLoad);
   q.term("torque_Nm", "on gear 1", [](const T& t) {
      return newton_metres(t.torque->torque);
@@ -120,7 +115,7 @@ void say_torque(Quantities<T>& q) {
                                        std::vector<P> all;
                                        for (const LoadedPosition& p : t.torque->positions)
                                          all.push_back({t.torque, &p, t.all->regime});
-                                       return Value(load_position_quantities().each(all));
+                                       return all;
                                      })
       .list({0})
       .always()
@@ -242,7 +237,7 @@ void say_torque(Quantities<T>& q) {
 }
 
 const Quantities<ProbeView>& probe_quantities() {
-  static const Quantities<ProbeView> kAll("load.probes", [](Quantities<ProbeView>& q) {
+  return define("load.probes", [](Quantities<ProbeView>& q) {
     q.number("own_um_per_N_mm", "displacement under the load", "",
              "displacement per line load, for a wide gear in plane strain, including the twist of "
              "the body",
@@ -265,7 +260,6 @@ const Quantities<ProbeView>& probe_quantities() {
         .list({0})
         .when([](const ProbeView& p) { return !p.wide; });
   });
-  return kAll;
 }
 
 }  // namespace
@@ -281,7 +275,7 @@ std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
 }
 
 const Quantities<LoadedPair>& load_point_quantities() {
-  static const Quantities<LoadedPair> kAll("load.points", [](Quantities<LoadedPair>& q) {
+  return define("load.points", [](Quantities<LoadedPair>& q) {
     q.number("force_N", "force", "F_n", "along the common normal", [](const LoadedPair& p) {
        return p.point.force;
      }).always();
@@ -307,27 +301,23 @@ const Quantities<LoadedPair>& load_point_quantities() {
            "the Hertz pressure",
            [](const LoadedPair& p) { return p.point.beyond; });
   });
-  return kAll;
 }
 
 const Quantities<LoadPositionView>& load_position_quantities() {
-  static const Quantities<P> kAll("load.positions", say_position);
-  return kAll;
+  return define<add_position>("load.positions");
 }
 
 const Quantities<LoadTorqueView>& load_torque_quantities() {
-  static const Quantities<T> kAll("load.torques", say_torque);
-  return kAll;
+  return define<add_torque>("load.torques");
 }
 
 const Quantities<LoadView>& load_quantities() {
-  static const Quantities<LoadView> kAll("load", [](Quantities<LoadView>& q) {
-    q.record<load_torque_quantities>(
-         "torques", "one entry for each torque, in the given order",
-         [](const LoadView& v) {
-           const auto all = v.contact ? torque_views(*v.contact, v.standard) : std::vector<T>();
-           return Value(load_torque_quantities().each(all));
-         })
+  return define("load", [](Quantities<LoadView>& q) {
+    q.record<load_torque_quantities>("torques", "one entry for each torque, in the given order",
+                                     [](const LoadView& v) {
+                                       return v.contact ? torque_views(*v.contact, v.standard)
+                                                        : std::vector<T>();
+                                     })
         .list({0})
         .always()
         .doors(kJson);
@@ -352,7 +342,7 @@ const Quantities<LoadView>& load_quantities() {
          "results of each half of a double-helical pair under half of the torque, first at z > 0, "
          "then at z < 0; all other numbers describe the whole gears, which have no shares and no "
          "values along the face",
-         [](const LoadView& v) -> const auto& { return v.halves; })
+         &LoadView::halves)
         .list({2})
         .when([](const LoadView& v) { return !v.halves.empty(); })
         .doors(kJson);
@@ -362,7 +352,6 @@ const Quantities<LoadView>& load_quantities() {
         .always()
         .doors(kJson);
   });
-  return kAll;
 }
 
 }  // namespace gearwright

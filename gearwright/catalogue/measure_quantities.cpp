@@ -36,7 +36,7 @@ Value place_word(ContactPlace place) {
 }
 const std::vector<std::string> kPlaces{"usable", "below_flank", "on_tip_rounding", "beyond_tip"};
 
-void say_span(Quantities<Span>& q) {
+void add_span(Quantities<Span>& q) {
   using S = Span;
   q.under("");
   q.whole("teeth", "teeth between the anvils", "k", "number of tooth spaces for an internal gear",
@@ -57,14 +57,11 @@ void say_span(Quantities<Span>& q) {
          "true if b is greater than the required face width", &S::face_is_wide_enough);
 }
 
-const Quantities<Span>& span_quantities() {
-  static const Quantities<Span> kAll("measure.span", say_span);
-  return kAll;
-}
+const Quantities<Span>& span_quantities() { return define<add_span>("measure.span"); }
 
 // Adds the position of a ball or pin, which follows its dimension.
 template <class V, class Seat>
-void say_seat(Quantities<V>& q, const Seat& seat) {
+void add_seat(Quantities<V>& q, const Seat& seat) {
   q.under("");
   q.term("center_diameter_mm", "[T10.6]", [seat](const V& v) {
      return seat(v).center_diameter;
@@ -84,7 +81,7 @@ void say_seat(Quantities<V>& q, const Seat& seat) {
 
 const Quantities<BallMeasure>& ball_quantities() {
   using B = BallMeasure;
-  static const Quantities<B> kAll("measure.over_balls", [](Quantities<B>& q) {
+  return define("measure.over_balls", [](Quantities<B>& q) {
     q.number("ball_diameter_mm", "diameter of the balls", "D_M", "as given, or the standard size",
              [](const B& b) { return b.seat.ball_diameter; })
         .always();
@@ -97,14 +94,13 @@ const Quantities<BallMeasure>& ball_quantities() {
              "for an internal gear, to the inner side of the ball",
              [](const B& b) { return b.seat.radial; })
         .always();
-    say_seat<B>(q, [](const B& b) -> const BallSeat& { return b.seat; });
+    add_seat<B>(q, [](const B& b) -> const BallSeat& { return b.seat; });
   });
-  return kAll;
 }
 
 const Quantities<PinMeasure>& pin_quantities() {
   using P = PinMeasure;
-  static const Quantities<P> kAll("measure.over_pins", [](Quantities<P>& q) {
+  return define("measure.over_pins", [](Quantities<P>& q) {
     q.number("pin_diameter_mm", "diameter of the pins", "D_M",
              "as given, or the diameter of the balls",
              [](const P& p) { return p.seat.ball_diameter; })
@@ -122,9 +118,8 @@ const Quantities<PinMeasure>& pin_quantities() {
              "dimension on a spur gear with an odd number of teeth [T10.30]; on other gears equal "
              "to the dimension between parallel anvils; null for an internal helical gear",
              [](const P& p) { return p.reading.three_pins; });
-    say_seat<P>(q, [](const P& p) -> const BallSeat& { return p.seat; });
+    add_seat<P>(q, [](const P& p) -> const BallSeat& { return p.seat; });
   });
-  return kAll;
 }
 
 std::string inch_text(double inch) {
@@ -138,7 +133,7 @@ std::string inch_text(double inch) {
 
 const Quantities<BallSizes>& size_quantities() {
   using S = BallSizes;
-  static const Quantities<S> kAll("measure.ball_sizes", [](Quantities<S>& q) {
+  return define("measure.ball_sizes", [](Quantities<S>& q) {
     q.number("ideal_mm", "size that touches at the V circle", "D_M",
              "size that touches at the middle of the usable flank if the V circle lies outside the "
              "flank [T10.11]",
@@ -156,12 +151,11 @@ const Quantities<BallSizes>& size_quantities() {
        return s.inch * kMmPerInch;
      }).always();
   });
-  return kAll;
 }
 
 const Quantities<ChordMeasure>& chord_quantities() {
   using C = ChordMeasure;
-  static const Quantities<C> kAll("measure.chordal_thickness", [](Quantities<C>& q) {
+  return define("measure.chordal_thickness", [](Quantities<C>& q) {
     q.number("diameter_mm", "diameter of the chord", "d_y",
              "diameter at which the jaws of the calliper touch", &C::diameter)
         .always();
@@ -182,12 +176,11 @@ const Quantities<ChordMeasure>& chord_quantities() {
         .always()
         .digits(3);
   });
-  return kAll;
 }
 
 const Quantities<ConstantChord>& constant_quantities() {
   using C = ConstantChord;
-  static const Quantities<C> kAll("measure.constant_chord", [](Quantities<C>& q) {
+  return define("measure.constant_chord", [](Quantities<C>& q) {
     q.number("chord_mm", "constant chord", "s_c", "s_n cos² α_n [T10.13]", &C::chord).always();
     q.number("tip_to_chord_mm", "calliper setting from the tip", "h_c",
              "distance from d_a [T10.13]", &C::tip_to_chord)
@@ -200,12 +193,11 @@ const Quantities<ConstantChord>& constant_quantities() {
         .always()
         .one_of(kPlaces);
   });
-  return kAll;
 }
 
 const Quantities<ThicknessAt>& thickness_quantities() {
   using T = ThicknessAt;
-  static const Quantities<T> kAll("measure.tooth_thickness", [](Quantities<T>& q) {
+  return define("measure.tooth_thickness", [](Quantities<T>& q) {
     q.number("diameter_mm", "diameter", "d_y", "diameter of the chord", &T::diameter).always();
     q.number("transverse_mm", "transverse tooth thickness", "s_yt", "arc [T2.11]", &T::transverse)
         .always();
@@ -217,10 +209,9 @@ const Quantities<ThicknessAt>& thickness_quantities() {
        return deg(t.helix);
      }).always();
   });
-  return kAll;
 }
 
-void say_measure(Quantities<GearMeasures>& q) {
+void add_measure(Quantities<GearMeasures>& q) {
   using M = GearMeasures;
   q.under(kSpan);
   q.record<span_quantities>("span", "null if no span can be measured", &M::span);
@@ -263,14 +254,11 @@ void say_measure(Quantities<GearMeasures>& q) {
 
 }  // namespace
 
-const Quantities<GearMeasures>& measure_quantities() {
-  static const Quantities<GearMeasures> kAll("measure", say_measure);
-  return kAll;
-}
+const Quantities<GearMeasures>& measure_quantities() { return define<add_measure>("measure"); }
 
 const Quantities<ReferenceInput<double>>& as_rack_quantities() {
   using R = ReferenceInput<double>;
-  static const Quantities<R> kAll("as_rack", [](Quantities<R>& q) {
+  return define("as_rack", [](Quantities<R>& q) {
     constexpr const char* kRack = "Values for the requested rack";
     q.under(kRack);
     q.term("normal_module_mm", "of the requested rack", &R::normal_module).always().digits(6);
@@ -285,7 +273,6 @@ const Quantities<ReferenceInput<double>>& as_rack_quantities() {
        return r.normal_module / std::cos(r.helix_angle) * std::abs(r.teeth);
      }).always();
   });
-  return kAll;
 }
 
 }  // namespace gearwright

@@ -30,30 +30,25 @@ void add(std::vector<Key>& keys, Key key) {
 
 }  // namespace
 
-const std::array<ModificationEntry, 7>& modification_entries() {
-  using M = FlankModifications;
-  using P = RemovalField::Parameter;
-  static const std::array<ModificationEntry, 7> entries{{
-      {"tip_relief", "C_αa", "tip relief", P::tip_relief, &M::tip_relief, nullptr, "_start_mm",
-       "from diameter", "amount C; the removal grows from 0 at the start diameter to C at d_Fa"},
-      {"root_relief", "C_αf", "root relief", P::root_relief, &M::root_relief, nullptr, "_start_mm",
-       "from diameter", "amount C; the removal grows from 0 at the start diameter to C at d_Ff"},
-      {"profile_crowning", "C_α", "profile crowning", P::profile_crowning, nullptr,
-       &M::profile_crowning, "", "",
+const std::array<ModificationEntry, kModifications.size()>& modification_entries() {
+  using M = Modification;
+  static const std::array<ModificationEntry, kModifications.size()> entries{{
+      {member_of(M::tip_relief), "C_αa", "tip relief", "_start_mm", "from diameter",
+       "amount C; the removal grows from 0 at the start diameter to C at d_Fa"},
+      {member_of(M::root_relief), "C_αf", "root relief", "_start_mm", "from diameter",
+       "amount C; the removal grows from 0 at the start diameter to C at d_Ff"},
+      {member_of(M::profile_crowning), "C_α", "profile crowning", "", "",
        "parabola over the usable flank, with 0 in the middle and C at both ends; negative if "
        "hollow"},
-      {"profile_slope", "C_Hα", "profile slope", P::profile_slope, nullptr, &M::profile_slope, "",
-       "",
+      {member_of(M::profile_slope), "C_Hα", "profile slope", "", "",
        "linear over the usable flank, with 0 in the middle and greater by C at d_Fa than at d_Ff; "
        "can be negative"},
-      {"lead_crowning", "C_β", "helix crowning", P::lead_crowning, nullptr, &M::lead_crowning, "",
-       "", "parabola over the face, with 0 in the middle and C at both ends; negative if hollow"},
-      {"lead_slope", "C_Hβ", "helix slope modification", P::lead_slope, nullptr, &M::lead_slope, "",
-       "",
+      {member_of(M::lead_crowning), "C_β", "helix crowning", "", "",
+       "parabola over the face, with 0 in the middle and C at both ends; negative if hollow"},
+      {member_of(M::lead_slope), "C_Hβ", "helix slope modification", "", "",
        "C z/b, with 0 in the middle and greater by C at the +z end than at the other end; can be "
        "negative"},
-      {"end_relief", "C_βI = C_βII", "end relief", P::end_relief, &M::end_relief, nullptr,
-       "_length_mm", "over",
+      {member_of(M::end_relief), "C_βI = C_βII", "end relief", "_length_mm", "over",
        "amount C; at each end of the face, the removal is 0 at the distance l from the end and "
        "grows to C at the end"},
   }};

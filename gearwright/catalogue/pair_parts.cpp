@@ -21,7 +21,7 @@ struct PathPoint {
   double rho1;
 };
 
-void say_path_point(Quantities<PathPoint>& q) {
+void add_path_point(Quantities<PathPoint>& q) {
   using P = PathPoint;
   q.under("");
   q.number("from_A_mm", "distance from A", "", "distance along the line of action",
@@ -38,8 +38,7 @@ void say_path_point(Quantities<PathPoint>& q) {
 }
 
 const Quantities<PathPoint>& path_point_quantities() {
-  static const Quantities<PathPoint> kAll("pair.path point", say_path_point);
-  return kAll;
+  return define<add_path_point>("pair.path point");
 }
 
 // Sliding speeds at A, at the pitch point of gear 1 and at E, per radian of gear 1.
@@ -52,48 +51,39 @@ Value sliding_at_A_C_E(const InvolutePair& p, double (*part)(double across, doub
   return speeds;
 }
 
-}  // namespace
-
-namespace {
-
-Quantities<std::array<Value, 2>> two_gears_in(Unit unit, const char* name) {
-  using A = std::array<Value, 2>;
-  return {name, [unit](Quantities<A>& q) {
-            for (const std::size_t i : {0, 1}) {
-              const std::string gear = std::to_string(i + 1);
-              q.term(("gear" + gear).c_str(), ("of gear " + gear).c_str(),
-                     [i](const A& a) { return a[i]; })
-                  .list({2})
-                  .unit(unit);
-            }
-          }};
+template <Unit unit>
+void add_two_gears(Quantities<std::array<Value, 2>>& q) {
+  for (const std::size_t i : {0, 1}) {
+    const std::string gear = std::to_string(i + 1);
+    q.term(("gear" + gear).c_str(), ("of gear " + gear).c_str(),
+           [i](const std::array<Value, 2>& a) { return a[i]; })
+        .list({2})
+        .unit(unit);
+  }
 }
 
 }  // namespace
 
 const Quantities<std::array<Value, 2>>& two_gears() {
-  static const auto kAll = two_gears_in(Unit::none, "two gears");
-  return kAll;
+  return define<add_two_gears<Unit::none>>("two gears");
 }
 
 const Quantities<std::array<Value, 2>>& two_gears_mm() {
-  static const auto kAll = two_gears_in(Unit::mm, "two lengths");
-  return kAll;
+  return define<add_two_gears<Unit::mm>>("two lengths");
 }
 
 const Quantities<CrossedPlace>& place_quantities() {
   using P = CrossedPlace;
-  static const Quantities<P> kAll("place", [](Quantities<P>& q) {
+  return define("place", [](Quantities<P>& q) {
     q.term("center_distance_mm", "free of backlash", &P::center_distance).always();
     q.term("shaft_angle_deg", "there", &P::shaft_angle).always();
     q.term("working_normal_pressure_angle_deg", "there", &P::normal_pressure_angle).always();
   });
-  return kAll;
 }
 
 const Quantities<CrossedPlaces>& places_quantities() {
   using P = CrossedPlaces;
-  static const Quantities<P> kAll("places", [](Quantities<P>& q) {
+  return define("places", [](Quantities<P>& q) {
     const char* ends = "[at the least α_wn, at the greatest α_wn]";
     q.term("working_normal_pressure_angle_deg", ends, [](const P& p) {
        return std::array{p.lo.normal_pressure_angle, p.hi.normal_pressure_angle};
@@ -114,12 +104,11 @@ const Quantities<CrossedPlaces>& places_quantities() {
            "true if the interval ends because a helix angle reaches 90°", &P::limit)
         .doors(kJson);
   });
-  return kAll;
 }
 
 const Quantities<LineView>& line_quantities() {
   using L = LineView;
-  static const Quantities<L> kAll("pair.line of action", [](Quantities<L>& q) {
+  return define("pair.line of action", [](Quantities<L>& q) {
     const auto ends = [](const std::array<Vec3, 2>& line) {
       return Value(ValueList{line[0], line[1]});
     };
@@ -143,7 +132,6 @@ const Quantities<LineView>& line_quantities() {
        return Value("mm");
      }).always();
   });
-  return kAll;
 }
 
 namespace {
@@ -194,7 +182,7 @@ std::vector<InterferenceView> interference_of(const Pair& v) {
 }
 
 const Quantities<InvolutePair>& path_quantities() {
-  static const Quantities<InvolutePair> kAll("pair.path", [](Quantities<InvolutePair>& q) {
+  return define("pair.path", [](Quantities<InvolutePair>& q) {
     const auto point = [&q](const char* key, const char* meaning, auto rho1) {
       q.record<path_point_quantities>(key, meaning, [rho1](const InvolutePair& p) {
          return path_point_quantities().of({&p, p.mesh.*rho1});
@@ -206,12 +194,11 @@ const Quantities<InvolutePair>& path_quantities() {
     point("D", "one pitch after A", &Mesh<double>::rho1_D);
     point("E", "end of contact, at the tip of gear 1", &Mesh<double>::rho1_E);
   });
-  return kAll;
 }
 
 const Quantities<PairBacklash>& backlash_quantities() {
   using B = PairBacklash;
-  static const Quantities<B> kAll("pair.backlash", [](Quantities<B>& q) {
+  return define("pair.backlash", [](Quantities<B>& q) {
     q.term("normal_base_mm", "along the common normal", &B::normal_base).always();
     q.term("normal_mm", "j_bn/cos α_wn", &B::normal).always();
     q.term("circumferential_mm", "per gear, at the working pitch circles", &B::circumferential)
@@ -235,13 +222,12 @@ const Quantities<PairBacklash>& backlash_quantities() {
           return b.free && std::abs(b.free->at(1).rad() - b.rotation[1].rad()) > kSame;
         });
   });
-  return kAll;
 }
 
 const Quantities<ParallelPair>& needed_face_quantities() {
   using P = ParallelPair;
   using Face = std::optional<double> (*)(const P&);
-  static const Quantities<P> kAll("pair.needed face width", [](Quantities<P>& q) {
+  return define("pair.needed face width", [](Quantities<P>& q) {
     // Adds the face width of the teeth. For double-helical gears, the face width of the whole gear
     // is also added.
     const auto add = [&q](const char* key, const char* whole_key, const char* words,
@@ -266,34 +252,31 @@ const Quantities<ParallelPair>& needed_face_quantities() {
         "null for a spur pair whose transverse contact ratio is lower",
         [](const P& p) { return face_width_for_total(p, 1.2); });
     add("overlap_1", "whole_overlap_1", "face width for an overlap ratio of 1",
-        "null for spur pairs", [](const P& p) { return face_width_for_overlap(p); });
+        "null for spur pairs", face_width_for_overlap);
   });
-  return kAll;
 }
 
 const Quantities<InvolutePair>& sliding_velocity_quantities() {
-  static const Quantities<InvolutePair> kAll(
-      "pair.sliding velocity", [](Quantities<InvolutePair>& q) {
-        const auto at = [&q](const char* key, const char* meaning, double (*part)(double, double)) {
-          q.number(key, key, "", meaning,
-                   [part](const InvolutePair& p) { return sliding_at_A_C_E(p, part); })
-              .unit(Unit::mm_per_rad)
-              .list({3})
-              .always();
-        };
-        at("across_teeth", "[at A, at C, at E]; on parallel axes in the transverse section",
-           [](double across, double) { return across; });
-        at("along_teeth", "[at A, at C, at E]; 0 on parallel axes",
-           [](double, double along) { return along; });
-        at("total", "[at A, at C, at E]; resultant of `across_teeth` and `along_teeth`",
-           [](double across, double along) { return std::hypot(across, along); });
-      });
-  return kAll;
+  return define("pair.sliding velocity", [](Quantities<InvolutePair>& q) {
+    const auto at = [&q](const char* key, const char* meaning, double (*part)(double, double)) {
+      q.number(key, key, "", meaning,
+               [part](const InvolutePair& p) { return sliding_at_A_C_E(p, part); })
+          .unit(Unit::mm_per_rad)
+          .list({3})
+          .always();
+    };
+    at("across_teeth", "[at A, at C, at E]; on parallel axes in the transverse section",
+       [](double across, double) { return across; });
+    at("along_teeth", "[at A, at C, at E]; 0 on parallel axes",
+       [](double, double along) { return along; });
+    at("total", "[at A, at C, at E]; resultant of `across_teeth` and `along_teeth`",
+       [](double across, double along) { return std::hypot(across, along); });
+  });
 }
 
 const Quantities<Efficiency>& efficiency_quantities() {
   using E = Efficiency;
-  static const Quantities<E> kAll("pair.efficiency", [](Quantities<E>& q) {
+  return define("pair.efficiency", [](Quantities<E>& q) {
     q.number("gear1_drives", "efficiency, gear 1 driving", "η",
              "output power divided by input power; null if self-locking", &E::gear1_drives)
         .unit(Unit::percent);
@@ -301,12 +284,11 @@ const Quantities<Efficiency>& efficiency_quantities() {
              "output power divided by input power; null if self-locking", &E::gear2_drives)
         .unit(Unit::percent);
   });
-  return kAll;
 }
 
 const Quantities<InternalMargins>& internal_quantities() {
   using M = InternalMargins;
-  static const Quantities<M> kAll("pair.internal", [](Quantities<M>& q) {
+  return define("pair.internal", [](Quantities<M>& q) {
     q.under(kMargins);
     q.number(
         "involute_margin_mm",
@@ -323,12 +305,11 @@ const Quantities<InternalMargins>& internal_quantities() {
              "[T2.28]; negative if only axial assembly is possible; null if there is no such limit",
              &M::trimming);
   });
-  return kAll;
 }
 
 const Quantities<InterferenceView>& interference_quantities() {
   using I = InterferenceView;
-  static const Quantities<I> kAll("pair.interference", [](Quantities<I>& q) {
+  return define("pair.interference", [](Quantities<I>& q) {
     q.text("code", "code for programs, which never changes", [](const I& i) {
        return to_string(i.code);
      }).always();
@@ -342,7 +323,6 @@ const Quantities<InterferenceView>& interference_quantities() {
         .when([](const I& i) { return i.amount.has_value(); });
     q.text("message", "sentence for users", &I::message).always();
   });
-  return kAll;
 }
 
 std::array<std::optional<double>, 2> needed_crowning_um(const CrossedPair& pair) {
@@ -354,10 +334,10 @@ std::array<std::optional<double>, 2> needed_crowning_um(const CrossedPair& pair)
 
 const Quantities<Collision>& collision_quantities() {
   using S = Collision;
-  const auto at = [](auto get) {
-    return [get](const S& s) { return s.touch ? Value(get(*s.touch)) : Value(); };
-  };
-  static const Quantities<S> kAll("pair.strike", [at](Quantities<S>& q) {
+  return define("pair.collision", [](Quantities<S>& q) {
+    const auto at = [](auto get) {
+      return [get](const S& s) { return s.touch ? Value(get(*s.touch)) : Value(); };
+    };
     q.text("cause", "code for programs, which never changes", [](const S& s) {
        return to_string(s.cause);
      }).always();
@@ -389,7 +369,6 @@ const Quantities<Collision>& collision_quantities() {
         .list({3});
     q.text("message", "sentence for users", &S::message).always();
   });
-  return kAll;
 }
 
 // The helix angle is greater on a larger cylinder, because tan β is proportional to the radius.

@@ -67,7 +67,7 @@ std::array<double, 2> pitch_line_velocity(const V& v) {
   return {std::numbers::pi * d[0] * turns_1 / kMmPerM, std::numbers::pi * d[1] * turns_2 / kMmPerM};
 }
 
-void say_mounting(Quantities<V>& q) {
+void add_mounting(Quantities<V>& q) {
   q.under(kMounting);
   auto of_involutes = q.part(as<InvolutePair>);
   q.word("kind", "kind of pair", "position of the axes",
@@ -117,12 +117,12 @@ void say_mounting(Quantities<V>& q) {
                }))
       .per_gear();
   q.number("working_pitch_diameter_mm", "working pitch diameter", "d_w", "per gear",
-           [](const V& v) { return working_pitch_diameter(v); })
+           working_pitch_diameter)
       .per_gear();
   q.term("pitch_line_velocity_m_per_s",
          "per gear, on the working pitch cylinder; equal for both gears on parallel axes; only "
          "with `speed_rpm`",
-         [](const V& v) { return pitch_line_velocity(v); })
+         pitch_line_velocity)
       .per_gear()
       .when([](const V& v) { return v.mounted().speed_rpm.has_value(); });
   of_involutes
@@ -133,7 +133,7 @@ void say_mounting(Quantities<V>& q) {
 }
 
 // Adds quantities that exist only on crossed axes.
-void say_crossed(Quantities<V>& all) {
+void add_crossed(Quantities<V>& all) {
   auto q = all.part(as<CrossedPair>);
   all.under(kFace);
   q.number("min_face_width_mm", "minimum face width for one flank", "f", "per gear [T4.21]",
@@ -158,7 +158,7 @@ void say_crossed(Quantities<V>& all) {
            "only with an internal gear; for each gear, the least lead crowning of this gear alone "
            "with which the flanks stay clear of each other beside the line of action [T4.36]; null "
            "if no crowning of this gear alone is sufficient",
-           [](const CrossedPair& p) { return needed_crowning_um(p); })
+           needed_crowning_um)
       .per_gear()
       .when([](const V& v) { return v.mounted().crossed_inside(); });
   all.under(kContact);
@@ -181,7 +181,7 @@ void say_crossed(Quantities<V>& all) {
                               &CrossedPair::contact_ratio_range);
 }
 
-void say_contact(Quantities<V>& q) {
+void add_contact(Quantities<V>& q) {
   q.under(kContact);
   auto of_involutes = q.part(as<InvolutePair>);
   auto of_crossed = q.part(as<CrossedPair>);
@@ -229,7 +229,7 @@ void say_contact(Quantities<V>& q) {
       .number("face_width_for_contact_mm", "minimum face width for continuous contact", "b",
               "smallest common face width with a contact point at all times; for double-helical "
               "gears, the width of one half; only for circular arcs",
-              [](const ArcPair& p) { return p.face_for_contact; })
+              &ArcPair::face_for_contact)
       .when()
       .shown([](const V& v) { return !double_helical(v); });
   q.part(as<ArcPair>)
@@ -241,7 +241,7 @@ void say_contact(Quantities<V>& q) {
   q.record<line_quantities>("line_of_action",
                             "line of action, or for circular arcs path of the contact point over "
                             "the common face; null without contact",
-                            [](const V& v) { return record_value(line_quantities(), line_of(v)); })
+                            line_of)
       .shown(is<InvolutePair>);
   of_involutes
       .number(
@@ -251,9 +251,7 @@ void say_contact(Quantities<V>& q) {
           [](const InvolutePair& p) { return p.mesh.base_tangent_distance / p.mesh.line_cosine; })
       .doors(kJson)
       .when();
-  of_involutes
-      .record<path_quantities>("path", "points of the path of contact",
-                               [](const InvolutePair& p) { return path_quantities().of(p); })
+  of_involutes.record<path_quantities>("path", "points of the path of contact", std::identity{})
       .doors(kJson)
       .when();
   q.record<collision_quantities>(
@@ -262,10 +260,7 @@ void say_contact(Quantities<V>& q) {
        "crossed axes overlaps of tips and roots [T4.33], with an internal gear also of tip corners "
        "and flanks; null if not computed (circular arcs of unequal lead, internal gear without a "
        "given cutter)",
-       [](const V& v) {
-         const auto& overlap = v.mounted().overlap;
-         return overlap ? Value(collision_quantities().each(*overlap)) : Value();
-       })
+       [](const V& v) -> const auto& { return v.mounted().overlap; })
       .list({0})
       .doors(kJson);
   q.record<collision_quantities>("beyond_flank",
@@ -277,13 +272,13 @@ void say_contact(Quantities<V>& q) {
   q.record<interference_quantities>("interference",
                                     "causes of an overlap; if `overlap` was not computed, all "
                                     "interferences of circles and corners",
-                                    [](const V& v) { return interference_of(v); })
+                                    interference_of)
       .always()
       .list({0})
       .doors(kJson);
 }
 
-void say_clearances(Quantities<V>& q) {
+void add_clearances(Quantities<V>& q) {
   q.under(kClearances);
   q.term("tip_clearance_mm",
          "from the tip of gear 1 to the root of gear 2, then from the tip of gear 2 to the root of "
@@ -323,7 +318,7 @@ void say_clearances(Quantities<V>& q) {
       .when();
 }
 
-void say_sliding(Quantities<V>& q) {
+void add_sliding(Quantities<V>& q) {
   q.under(kContact);
   add_sliding(q,
               "[at A, at E], sliding distance per mm that the contact travels on the flank. On "
@@ -339,7 +334,7 @@ void say_sliding(Quantities<V>& q) {
 }
 
 // Adds quantities that exist only on parallel axes.
-void say_parallel(Quantities<V>& all) {
+void add_parallel(Quantities<V>& all) {
   auto q = all.part(as<ParallelPair>);
   all.under(kFace);
   q.record<needed_face_quantities>(
@@ -347,7 +342,7 @@ void say_parallel(Quantities<V>& all) {
        "face widths for total contact ratios of 1 and 1.2, and for an overlap ratio of 1 [T6.14]; "
        "for double-helical gears, the widths of one half and, in addition, the widths including "
        "both halves and the gap; null on crossed axes",
-       [](const ParallelPair& p) { return needed_face_quantities().of(p); })
+       std::identity{})
       .when(is<InvolutePair>);
   all.under(kContact);
   q.term("approach_contact_ratio",
@@ -362,18 +357,17 @@ void say_parallel(Quantities<V>& all) {
            "per gear, along +z, if gear 1 drives in its sense of rotation [T6.15]; for "
            "double-helical gears, the ratio of one half, because the forces of the halves balance; "
            "null on crossed axes",
-           [](const ParallelPair& p) { return axial_force(p); })
+           axial_force)
       .per_gear()
       .when(is<InvolutePair>)
       .shown([](const V& v) { return v.gear(1).spec.helix_angle.rad() != 0.0; });
   all.under(kBacklash);
   q.number("backlash_per_center_distance", "circumferential backlash per mm of centre distance", "",
-           "[T6.16]; null on crossed axes",
-           [](const ParallelPair& p) { return backlash_per_distance(p); })
+           "[T6.16]; null on crossed axes", backlash_per_distance)
       .when(is<InvolutePair>);
 }
 
-void say_friction(Quantities<V>& q) {
+void add_friction(Quantities<V>& q) {
   q.under(kContact);
   auto of_involutes = q.part(as<InvolutePair>);
   of_involutes
@@ -381,7 +375,7 @@ void say_friction(Quantities<V>& q) {
           "sliding_velocity_mm_per_rad",
           "speed of the contact along flank 1 minus the speed along flank 2, per radian of gear 1 "
           "[T4.24]",
-          [](const InvolutePair& p) { return sliding_velocity_quantities().of(p); })
+          std::identity{})
       .doors(kJson)
       .when();
   auto of_efficiency = q.part(efficiency_of);
@@ -391,7 +385,7 @@ void say_friction(Quantities<V>& q) {
           "efficiency with friction of the flanks alone [T4.27], if all tooth pairs in contact "
           "carry equal parts of a constant normal force; null without `friction_coefficient`, or "
           "if `contact_ratio_true` is less than 1",
-          [](const Efficiency& e) { return efficiency_quantities().of(e); })
+          std::identity{})
       .doors(kJson);
   of_efficiency
       .number("efficiency_driving", "efficiency with this gear driving", "η", "per gear",
@@ -404,40 +398,35 @@ void say_friction(Quantities<V>& q) {
       .doors(kPeople);
 }
 
-void say(Quantities<V>& q) {
+void add_all(Quantities<V>& q) {
   q.groups({kMounting, kContact, kBacklash, kClearances, kFace});
-  say_mounting(q);
-  say_crossed(q);
-  say_contact(q);
-  say_clearances(q);
-  say_sliding(q);
-  say_parallel(q);
-  say_friction(q);
+  add_mounting(q);
+  add_crossed(q);
+  add_contact(q);
+  add_clearances(q);
+  add_sliding(q);
+  add_parallel(q);
+  add_friction(q);
   q.under(kBacklash);
   q.record<backlash_quantities>(
-      "backlash", "backlash of the flanks as cut, at this centre distance",
-      [](const V& v) { return record_value(backlash_quantities(), backlash_of(v)); });
+      "backlash", "backlash of the flanks as cut, at this centre distance", backlash_of);
   q.under(kMargins);
   q.part(margins_of)
-      .record<internal_quantities>(
-          "internal", "margins of internal pairs; absent for other pairs",
-          [](const InternalMargins& m) { return internal_quantities().of(m); })
+      .record<internal_quantities>("internal", "margins of internal pairs; absent for other pairs",
+                                   std::identity{})
       .when();
   q.under("Point of contact");
   q.part(as<ArcPair>)
       .record<arc_contact_quantities>(
           "arc_contacts",
           "points of contact, only for circular arcs; empty for gears of unequal lead",
-          [](const ArcPair& p) { return arc_contacts_of(p); })
+          arc_contacts_of)
       .list({0})
       .when();
 }
 
 }  // namespace
 
-const Quantities<Pair>& pair_quantities() {
-  static const Quantities<Pair> kAll("pair", say);
-  return kAll;
-}
+const Quantities<Pair>& pair_quantities() { return define<add_all>("pair"); }
 
 }  // namespace gearwright

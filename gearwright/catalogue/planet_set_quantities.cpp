@@ -10,7 +10,7 @@ Value degrees_of(const Rational& turns) { return Value(360 * turns.value()); }
 
 const Quantities<Resultant>& resultant_quantities() {
   using R = Resultant;
-  static const Quantities<R> kAll("drive.phasing.resultant", [](Quantities<R>& q) {
+  return define("drive.phasing.resultant", [](Quantities<R>& q) {
     q.number("torque", "torque and axial force", "R_k",
              "remaining share of harmonic k in the sum over all planets [T13.18]", &R::torque)
         .always();
@@ -21,7 +21,6 @@ const Quantities<Resultant>& resultant_quantities() {
              &R::force_backward)
         .always();
   });
-  return kAll;
 }
 
 const char* words_of(PhasingClass kind) {
@@ -52,7 +51,7 @@ Value each(const std::vector<Rational>& list, Show show) {
 
 const Quantities<PlanetSet>& assembly_quantities() {
   using P = PlanetSet;
-  static const Quantities<P> kAll("drive.assembly", [](Quantities<P>& q) {
+  return define("drive.assembly", [](Quantities<P>& q) {
     q.whole("positions", "possible positions per turn", "N*",
             "number of positions in a turn at which a planet can be assembled; 0 if every position "
             "is possible [T13.12]",
@@ -83,12 +82,11 @@ const Quantities<PlanetSet>& assembly_quantities() {
              "least distance of their tip circles [T13.15b]",
              [](const P& p) { return p.neighbours ? Value(p.neighbours->clearance) : Value(); });
   });
-  return kAll;
 }
 
 const Quantities<PlanetSet>& phasing_quantities() {
   using P = PlanetSet;
-  static const Quantities<P> kAll("drive.phasing", [](Quantities<P>& q) {
+  return define("drive.phasing", [](Quantities<P>& q) {
     q.word("class", "class of phasing", "for the first harmonic [T13.19]",
            [](const P& p) { return words_of(p.phasing.kind); })
         .always()
@@ -109,7 +107,6 @@ const Quantities<PlanetSet>& phasing_quantities() {
         .list({0})
         .doors(kJson);
   });
-  return kAll;
 }
 
 }  // namespace gearwright

@@ -20,7 +20,7 @@ Value um(const std::optional<double>& mm) { return mm ? Value(*mm * kUmPerMm) : 
 
 const Quantities<ProposedGear>& gear_of_proposal_quantities() {
   using G = ProposedGear;
-  static const Quantities<G> kAll("propose.proposals.gears", [](Quantities<G>& q) {
+  return define("propose.proposals.gears", [](Quantities<G>& q) {
     q.number("tip_relief_um", "tip relief", "C_αa", "null if unchanged", [](const G& g) {
        return um(g.tip_relief);
      }).digits(0);
@@ -37,36 +37,32 @@ const Quantities<ProposedGear>& gear_of_proposal_quantities() {
     q.number("lead_slope_um", "helix slope modification of the loaded flank", "C_Hβ",
              "null if unchanged", [](const G& g) { return um(g.lead_slope); })
         .digits(0);
-    q.text("amounts", "amounts in words, empty if as given", [](const G& g) {
-       return amounts_of(g);
-     }).always();
+    q.text("amounts", "amounts in words, empty if as given", amounts_of).always();
   });
-  return kAll;
 }
 
 const Quantities<ProposedLoad>& load_of_proposal_quantities() {
   using L = ProposedLoad;
-  static const Quantities<L> kAll("propose.proposals.under_load", [](Quantities<L>& q) {
+  return define("propose.proposals.under_load", [](Quantities<L>& q) {
     q.term("torque_Nm", "on gear 1", [](const L& l) { return newton_metres(l.torque); }).always();
     q.record<loaded_score_quantities>("score", "as computed by `load` for the spec of the proposal",
                                       &L::score)
         .always();
   });
-  return kAll;
 }
 
 }  // namespace
 
 const Quantities<Proposal>& proposal_quantities() {
   using P = Proposal;
-  static const Quantities<P> kAll("propose.proposals", [](Quantities<P>& q) {
+  return define("propose.proposals", [](Quantities<P>& q) {
     q.word("profile", "profile modifications",
            "the modifications of the spec, or linear reliefs at the tips of both gears, or at tip "
            "and root of gear 1",
            [](const P& p) { return profile_words()[static_cast<std::size_t>(p.profile)]; })
         .one_of(profile_words())
         .always();
-    q.text("words", "modifications in words", [](const P& p) { return words_of(p); }).always();
+    q.text("words", "modifications in words", words_of).always();
     q.flag("pitch_deviations", "reliefs with pitch deviations",
            "true if the reliefs allow for load and pitch deviations, false if they allow for the "
            "load alone",
@@ -75,9 +71,7 @@ const Quantities<Proposal>& proposal_quantities() {
            "true if the proposal has a helix crowning and slope of gear 1, false if it keeps the "
            "helix modifications of the spec",
            &P::lead);
-    q.record<gear_of_proposal_quantities>(
-         "gears", "amounts, per gear",
-         [](const P& p) { return Value(gear_of_proposal_quantities().each(p.gears)); })
+    q.record<gear_of_proposal_quantities>("gears", "amounts, per gear", &P::gears)
         .list({2})
         .always();
     q.record<load_of_proposal_quantities>("under_load", "one entry for each torque", &P::loads)
@@ -94,7 +88,6 @@ const Quantities<Proposal>& proposal_quantities() {
     q.add(Type::map, "spec", "spec", "", "the whole spec with these modifications", &P::spec)
         .always();
   });
-  return kAll;
 }
 
 std::string amounts_of(const ProposedGear& g) {
@@ -133,7 +126,7 @@ std::string words_of(const Proposal& p) {
 
 const Quantities<ProposeView>& propose_quantities() {
   using V = ProposeView;
-  static const Quantities<V> kAll("propose", [](Quantities<V>& q) {
+  return define("propose", [](Quantities<V>& q) {
     q.under("Origin of the amounts");
     q.term("torque_Nm", "greatest of the torques; the amounts are computed for it", [](const V& v) {
        return newton_metres(v.torque);
@@ -177,7 +170,6 @@ const Quantities<ProposeView>& propose_quantities() {
         .doors(kJson);
     q.text("reason", "reason for the recommendation", &V::reason).always();
   });
-  return kAll;
 }
 
 }  // namespace gearwright

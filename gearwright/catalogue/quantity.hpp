@@ -139,18 +139,18 @@ Value angles_in(Unit unit, const Range& angles) {
 template <class S>
 class Quantities;
 
-/// The record of a subject or of an optional subject, or the records of a range of subjects. A
-/// finished value is returned unchanged.
+/// The record of a subject, or the records of a range of subjects. They may be optional or given by a
+/// pointer. A finished value is returned unchanged.
 template <class T, class R>
 Value record_value(const Quantities<T>& quantities, const R& found) {
   if constexpr (std::is_same_v<R, T>) {
     return quantities.of(found);
-  } else if constexpr (std::is_same_v<R, std::optional<T>> || std::is_same_v<R, const T*>) {
-    return found ? Value(quantities.of(*found)) : Value();
-  } else if constexpr (std::is_convertible_v<R, Value> && !std::is_same_v<R, std::vector<T>>) {
-    return found;
-  } else {
+  } else if constexpr (requires { found ? *found : *found; }) {
+    return found ? record_value(quantities, *found) : Value();
+  } else if constexpr (requires { requires std::is_same_v<typename R::value_type, T>; }) {
     return quantities.each(found);
+  } else {
+    return found;
   }
 }
 
@@ -309,6 +309,23 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
   Quantities<S>& all_;
   Find find_;
 };
+
+template <class S>
+S subject_of(void (*fill)(Quantities<S>&));  // only declared, for its type
+
+/// The quantities that the lambda `fill` adds. They are made at the first call. Every lambda has its
+/// own type, and so every call in the code has its own quantities.
+template <class Fill, class S = decltype(subject_of(+std::declval<Fill>()))>
+const Quantities<S>& define(const char* name, Fill fill) {
+  static_assert(std::is_empty_v<Fill>, "functions of the same type would share their quantities");
+  static const Quantities<S> kAll(name, fill);
+  return kAll;
+}
+/// The quantities that the function `fill` adds.
+template <auto fill, class S = decltype(subject_of(fill))>
+const Quantities<S>& define(const char* name) {
+  return define(name, [](Quantities<S>& q) { fill(q); });
+}
 
 /// The number of decimals for users. By default, it is 4 for mm (0.1 µm, the last digit of a gear
 /// drawing), and 5 for degrees (0.17 µm on a radius of 1 m) and for pure numbers.

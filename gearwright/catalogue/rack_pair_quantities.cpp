@@ -10,7 +10,7 @@ namespace {
 using V = RackPair;
 
 const Quantities<RackPair>& rack_backlash_quantities() {
-  static const Quantities<V> kAll("rack_pair.backlash", [](Quantities<V>& q) {
+  return define("rack_pair.backlash", [](Quantities<V>& q) {
     q.term("normal_base_mm", "along the common normal", &V::base_backlash).always();
     q.term("normal_mm", "j_bn/cos α_n", &V::normal_backlash).always();
     q.term("circumferential_mm", "for the pinion at the reference circle, and along the rack",
@@ -28,10 +28,9 @@ const Quantities<RackPair>& rack_backlash_quantities() {
              })
         .always();
   });
-  return kAll;
 }
 
-void say_mounting(Quantities<V>& q) {
+void add_mounting(Quantities<V>& q) {
   q.under(kMounting);
   q.word("kind", "kind of pair", "for a pinion and a rack",
          [](const V&) { return Value("rack_and_pinion"); })
@@ -71,7 +70,7 @@ void say_mounting(Quantities<V>& q) {
       .when([](const V& v) { return v.speed_rpm.has_value(); });
 }
 
-void say_contact(Quantities<V>& q) {
+void add_contact(Quantities<V>& q) {
   q.under(kContact);
   q.term("contact_ratio", "ε_α + ε_β", [](const V& v) {
      return v.transverse_contact_ratio() + v.overlap_ratio;
@@ -99,14 +98,14 @@ void say_contact(Quantities<V>& q) {
               });
 }
 
-void say(Quantities<V>& q) {
+void add_all(Quantities<V>& q) {
   q.groups({kMounting, kContact, kBacklash, kClearances});
-  say_mounting(q);
-  say_contact(q);
+  add_mounting(q);
+  add_contact(q);
   q.under(kBacklash);
   q.record<rack_backlash_quantities>(
        "backlash", "backlash of the flanks as cut, at this centre distance [T2.37]",
-       [](const V& v) -> const auto& { return v; })
+       std::identity{})
       .always();
   q.under(kClearances);
   q.term("tip_clearance_mm",
@@ -126,14 +125,14 @@ void say(Quantities<V>& q) {
 
 const Quantities<RackGeometry>& rack_quantities() {
   using R = RackGeometry;
-  static const Quantities<R> kAll("rack", [](Quantities<R>& q) {
+  return define("rack", [](Quantities<R>& q) {
     q.word("form", "form of the part", "`rack`, because gear 2 is a rack",
            [](const R&) { return Value("rack"); })
         .always()
         .one_of({"rack"})
         .doors(kJson);
     q.term("teeth", "number of teeth of the rack; null if the rack is as long as required",
-           [](const R& r) { return r.bar.teeth ? Value(*r.bar.teeth) : Value(); });
+           [](const R& r) { return r.bar.teeth; });
     q.term("normal_module_mm", "normal module of the pinion", &R::normal_module).always();
     q.term("helix_angle_deg",
            "angle of the teeth to the pinion axis; the hand is opposite to the hand of the pinion",
@@ -157,12 +156,8 @@ const Quantities<RackGeometry>& rack_quantities() {
            "at the datum line, including the thickness allowance", &R::thickness)
         .always();
   });
-  return kAll;
 }
 
-const Quantities<RackPair>& rack_pair_quantities() {
-  static const Quantities<V> kAll("rack_pair", say);
-  return kAll;
-}
+const Quantities<RackPair>& rack_pair_quantities() { return define<add_all>("rack_pair"); }
 
 }  // namespace gearwright

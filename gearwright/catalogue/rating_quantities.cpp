@@ -164,7 +164,7 @@ double ratio(const V& v) {
   return std::abs(static_cast<double>(gears[v.pair.place(2)].teeth) / gears[v.pair.place(1)].teeth);
 }
 
-void say_inputs(Quantities<V>& q) {
+void add_inputs(Quantities<V>& q) {
   q.under("");
   q.word("standard", "standard", "standard with its edition", [](const V& v) {
      return name(v.rating.edition);
@@ -214,7 +214,7 @@ void say_inputs(Quantities<V>& q) {
       .digits(1);
 }
 
-void say_section(Quantities<V>& q) {
+void add_section(Quantities<V>& q) {
   using C = CriticalSection;
   q.under(kRoot);
   q.number("h_F_mm", "bending moment arm", "h_F", "distance of the load from the critical section",
@@ -244,7 +244,7 @@ Value of_spectrum(const V& v, std::array<double, 2> SpectrumRating::*member) {
   return v.spectrum ? Value((*v.spectrum).*member) : Value();
 }
 
-void say_spectrum(Quantities<V>& q) {
+void add_spectrum(Quantities<V>& q) {
   using S = SpectrumRating;
   q.under(kWhole);
   q.number("damage_flank", "damage of the flanks", "U_H",
@@ -283,7 +283,7 @@ Value over(const std::array<double, 2>& contact, const FactorPair& standard) {
   return std::array{contact[0] / standard[0].value, contact[1] / standard[1].value};
 }
 
-void say_contact(Quantities<V>& q) {
+void add_contact(Quantities<V>& q) {
   const auto asked = [](const V& v) { return v.contact.has_value(); };
   q.under(kBeside);
   q.number("contact_torque_Nm", "torque on the teeth", "T_1",
@@ -324,7 +324,7 @@ void say_contact(Quantities<V>& q) {
 // rows and keys.
 bool by_vdi(const V& v) { return v.rating.edition == RatingEdition::vdi_2736; }
 
-void say_temperatures(Quantities<V>& q) {
+void add_temperatures(Quantities<V>& q) {
   const auto of = [](FactorPair ToothTemperatures::*member) {
     return [member](const V& v) {
       const FactorPair& t = (*v.rating.temperature).*member;
@@ -343,7 +343,7 @@ void say_temperatures(Quantities<V>& q) {
       .when(by_vdi);
 }
 
-void say_factor(Quantities<V>& q, const FactorEntry& e) {
+void add_factor(Quantities<V>& q, const FactorEntry& e) {
   q.under(e.group);
   auto& quantity = q.number(e.key, e.words, e.symbol, "", [&e](const V& v) {
     if (e.of) return number(e.of(v.rating));
@@ -354,17 +354,17 @@ void say_factor(Quantities<V>& q, const FactorEntry& e) {
   if (std::string_view(e.key) == "Y_epsilon") quantity.when(by_vdi);
 }
 
-void say(Quantities<V>& q) {
+void add_all(Quantities<V>& q) {
   q.groups({"", kLoad, kMaterial, kGeneral, kFlank, kRoot, kWhole, kSizing, kBeside});
-  say_inputs(q);
-  say_temperatures(q);
+  add_inputs(q);
+  add_temperatures(q);
   for (const FactorEntry& e : entries()) {
     // The section of the root is listed before the factors that are computed from it.
-    if (std::string_view(e.key) == "Y_F") say_section(q);
-    say_factor(q, e);
+    if (std::string_view(e.key) == "Y_F") add_section(q);
+    add_factor(q, e);
   }
-  say_spectrum(q);
-  say_contact(q);
+  add_spectrum(q);
+  add_contact(q);
   q.add(Type::map, "formulas", "formulas", "",
         "for each factor the clause of the standard and the branch of the formula, {key: {formula, "
         "branch}}",
@@ -384,10 +384,7 @@ void say(Quantities<V>& q) {
 
 }  // namespace
 
-const Quantities<RatingView>& rating_quantities() {
-  static const Quantities<V> kAll("rating", say);
-  return kAll;
-}
+const Quantities<RatingView>& rating_quantities() { return define<add_all>("rating"); }
 
 std::vector<FactorSource> factor_sources(const Rating& rating) {
   std::vector<FactorSource> all;

@@ -190,7 +190,7 @@ const KeyTable& scatter_robust_keys() {
                  "corrections of `[compensate]`",
                  "corrections that can be used, as in `[compensate]`; each correction is added to "
                  "the value in the spec")
-           .with_list(KeyList{.most = kCorrectionCount, .noun = "correction"})
+           .with_list(KeyList{.most = correction_entries().size(), .noun = "correction"})
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
        Key::word(
            "aim", {"transmission_error", "loaded_transmission_error"}, &R::aim,

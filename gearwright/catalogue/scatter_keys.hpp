@@ -35,7 +35,8 @@ struct ScatterGear {
 struct ScatterRobust {
   CompensateAim aim = CompensateAim::transmission_error;  ///< the transmission error of rigid or
                                                           ///< loaded teeth
-  std::vector<std::size_t> corrections;  ///< indices in kCorrections; empty for the default ones
+  std::vector<std::size_t>
+      corrections;  ///< indices in correction_entries; empty for the default ones
   double percentile = 95.0;
   std::optional<std::array<double, 2>> range;  ///< range of every correction, in its unit
 };

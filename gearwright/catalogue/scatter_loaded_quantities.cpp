@@ -22,15 +22,14 @@ const std::array<LoadedEntry, 3>& loaded_entries() {
 
 const Quantities<LoadedSpreadView>& loaded_spread_quantities() {
   using V = LoadedSpreadView;
-  static const Quantities<V> kAll("scatter.loaded", [](Quantities<V>& q) {
+  return define("scatter.loaded", [](Quantities<V>& q) {
     q.number("torque_Nm", "torque", "T_1", "on gear 1", [](const V& v) {
        return Value(newton_metres(v.loaded->torque));
      }).always();
     for (std::size_t i = 0; i < loaded_entries().size(); ++i) {
       const LoadedEntry& entry = loaded_entries()[i];
-      q.record<spread_quantities>(entry.key, entry.meaning, [i](const V& v) {
-        return v.spread[i] ? Value(spread_quantities().of(*v.spread[i])) : Value();
-      });
+      q.record<spread_quantities>(
+          entry.key, entry.meaning, [i](const V& v) -> const auto& { return v.spread[i]; });
     }
     q.record<probability_quantities>(
          "edge_carries", "samples in which an edge of a tooth carries load at some position",
@@ -43,7 +42,6 @@ const Quantities<LoadedSpreadView>& loaded_spread_quantities() {
          [](const V& v) -> const auto& { return v.loaded->unsolved; })
         .always();
   });
-  return kAll;
 }
 
 }  // namespace gearwright

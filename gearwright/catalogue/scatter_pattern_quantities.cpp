@@ -12,7 +12,7 @@ struct DensityView {
 
 const Quantities<DensityView>& flank_density_quantities() {
   using D = DensityView;
-  static const Quantities<D> kAll("scatter.pattern gear", [](Quantities<D>& q) {
+  return define("scatter.pattern gear", [](Quantities<D>& q) {
     q.number("diameter_mm", "diameters", "", "diameters of the rows", [](const D& d) {
        return d.flank->diameter;
      }).list({0});
@@ -34,16 +34,15 @@ const Quantities<DensityView>& flank_density_quantities() {
              })
         .list({0, 0});
   });
-  return kAll;
 }
 
 }  // namespace
 
 const Quantities<PatternDensity>& density_quantities() {
   using D = PatternDensity;
-  static const Quantities<D> kAll("scatter.pattern", [](Quantities<D>& q) {
+  return define("scatter.pattern", [](Quantities<D>& q) {
     q.number("marking_mm", "thickness of the marking compound", "δ", "value in `[contact]`",
-             [](const D& d) { return d.marking; })
+             &D::marking)
         .always();
     q.add(Type::index, "samples", "number of samples", "",
           "the first samples of each replicate are used",
@@ -57,7 +56,6 @@ const Quantities<PatternDensity>& density_quantities() {
     q.record<flank_density_quantities>("gear1", "the flank of gear 1", gear(0)).always();
     q.record<flank_density_quantities>("gear2", "the flank of gear 2", gear(1)).always();
   });
-  return kAll;
 }
 
 }  // namespace gearwright

@@ -9,11 +9,11 @@ namespace {
 using V = ScatterView;
 using Q = ScatterQuantity;
 
-Value listed(const std::vector<Percentile>& all, const SpreadEntry& entry,
-             std::optional<double> (*of)(const Percentile&)) {
+template <class Of>
+Value listed(const std::vector<Percentile>& all, const SpreadEntry& entry, Of of) {
   ValueList list;
   for (const Percentile& p : all) {
-    const auto value = of(p);
+    const std::optional<double> value = std::invoke(of, p);
     list.push_back(value ? Value(entry.shown(*value)) : Value());
   }
   return list;
@@ -27,7 +27,7 @@ Value listed(const std::vector<Estimate>& all, bool error) {
 
 const Quantities<SpreadView>& error_quantities() {
   using S = SpreadView;
-  static const Quantities<S> kAll("scatter.standard_errors", [](Quantities<S>& q) {
+  return define("scatter.standard_errors", [](Quantities<S>& q) {
     q.number("mean", "standard error of the mean", "", "null if there is only one replicate",
              [](const S& s) {
                const auto& e = s.spread->mean.standard_error;
@@ -43,18 +43,15 @@ const Quantities<SpreadView>& error_quantities() {
                      [](const Percentile& p) { return p.estimate.standard_error; });
      }).list({0});
   });
-  return kAll;
 }
 
-const Quantities<IndexView>& index_quantities() {
-  using I = IndexView;
-  static const Quantities<I> kAll("scatter.index", [](Quantities<I>& q) {
+const Quantities<IndexEstimates>& index_quantities() {
+  using I = IndexEstimates;
+  return define("scatter.index", [](Quantities<I>& q) {
     const auto list = [&q](const char* key, const char* words, const char* symbol, bool total,
                            bool error) {
       q.number(key, words, symbol, "for each input or group",
-               [total, error](const I& i) {
-                 return listed(total ? i.estimates->total : i.estimates->first, error);
-               })
+               [total, error](const I& i) { return listed(total ? i.total : i.first, error); })
           .list({0})
           .always();
     };
@@ -63,11 +60,10 @@ const Quantities<IndexView>& index_quantities() {
     list("first_error", "standard error of the first-order index", "", false, true);
     list("total_error", "standard error of the total index", "", true, true);
   });
-  return kAll;
 }
 
 const Quantities<V>& indices_quantities() {
-  static const Quantities<V> kAll("scatter.indices", [](Quantities<V>& q) {
+  return define("scatter.indices", [](Quantities<V>& q) {
     q.text("groups", "inputs or groups in the order of the lists",
            [](const V& v) {
              ValueList names;
@@ -80,18 +76,14 @@ const Quantities<V>& indices_quantities() {
       const auto at = static_cast<std::size_t>(entry.quantity);
       q.record<index_quantities>(
           entry.key, "Sobol indices of the quantity; null if the quantity varies only by rounding",
-          [at](const V& v) {
-            const auto& found = v.scatter->indices[at];
-            return found ? Value(index_quantities().of({&*found})) : Value();
-          });
+          [at](const V& v) -> const auto& { return v.scatter->indices[at]; });
     }
   });
-  return kAll;
 }
 
 const Quantities<WorstView>& worst_quantities() {
   using W = WorstView;
-  static const Quantities<W> kAll("scatter.worst value", [](Quantities<W>& q) {
+  return define("scatter.worst value", [](Quantities<W>& q) {
     q.number("value", "worst value", "", "in the unit of its key", [](const W& w) {
        return w.entry->shown(w.worst->value);
      }).always();
@@ -101,26 +93,21 @@ const Quantities<WorstView>& worst_quantities() {
     q.flag("corner", "corner", "true if every input is at an end of its range",
            [](const W& w) { return w.worst->corner; });
   });
-  return kAll;
 }
 
 const Quantities<V>& worsts_quantities() {
-  static const Quantities<V> kAll("scatter.worst", [](Quantities<V>& q) {
-    const auto of = [](const std::optional<WorstView>& w) {
-      return w ? Value(worst_quantities().of(*w)) : Value();
-    };
+  return define("scatter.worst", [](Quantities<V>& q) {
     q.record<worst_quantities>("peak_to_peak_arcsec",
                                "greatest value found by a search; there might be greater values",
-                               [of](const V& v) { return of(v.worst_peak_to_peak); });
+                               &V::worst_peak_to_peak);
     q.record<worst_quantities>("least_play_deg", "least value found by a search",
-                               [of](const V& v) { return of(v.worst_least_play); });
+                               &V::worst_least_play);
   });
-  return kAll;
 }
 
 const Quantities<JudgedView>& judged_quantities() {
   using J = JudgedView;
-  static const Quantities<J> kAll("scatter.robust judged", [](Quantities<J>& q) {
+  return define("scatter.robust judged", [](Quantities<J>& q) {
     const auto arcsec = [](double rad) { return Value(Angle::radians(rad).arcsec()); };
     q.number("percentile_arcsec", "percentile of the peak-to-peak transmission error", "",
              "minimised percentile",
@@ -131,32 +118,30 @@ const Quantities<JudgedView>& judged_quantities() {
                const auto& e = j.family->percentile().estimate.standard_error;
                return e ? arcsec(*e) : Value();
              });
-    q.record<spread_quantities>(
-         "peak_to_peak_arcsec", "distribution of the peak-to-peak transmission error",
-         [](const J& j) { return Value(spread_quantities().of(j.peak_to_peak)); })
+    q.record<spread_quantities>("peak_to_peak_arcsec",
+                                "distribution of the peak-to-peak transmission error",
+                                &J::peak_to_peak)
         .always();
     q.record<probability_quantities>(
          "edge_contact",
          "samples in which an edge of a tooth touches at some position or, under load, carries "
          "load",
-         [](const J& j) { return Value(probability_quantities().of(j.family->edge)); })
+         [](const J& j) -> const auto& { return j.family->edge; })
         .always();
     q.record<loaded_spread_quantities>(
-         "loaded", "results under each torque; only with `aim` under load",
-         [](const J& j) { return Value(loaded_spread_quantities().each(j.loaded)); })
+         "loaded", "results under each torque; only with `aim` under load", &J::loaded)
         .list({0})
         .when([](const J& j) { return !j.loaded.empty(); });
   });
-  return kAll;
 }
 
 const Quantities<RobustView>& robust_quantities() {
   using R = RobustView;
-  static const Quantities<R> kAll("scatter.robust", [](Quantities<R>& q) {
+  return define("scatter.robust", [](Quantities<R>& q) {
     q.record<correction_quantities>(
          "corrections",
          "corrections that were found; every value is 0 if no correction lowers the percentile",
-         [](const R& r) { return Value(correction_quantities().each(r.corrections)); })
+         &R::corrections)
         .list({0})
         .always();
     q.word("aim", "quantity computed for each sample", "value of the key `aim`",
@@ -165,19 +150,14 @@ const Quantities<RobustView>& robust_quantities() {
            })
         .one_of({"transmission_error", "loaded_transmission_error"})
         .always();
-    q.number("percentile", "percentile", "p", "minimised percentile", [](const R& r) {
-       return Value(r.percent);
-     }).always();
+    q.number("percentile", "percentile", "p", "minimised percentile", &R::percent).always();
     q.record<judged_quantities>(
-         "before", "result without corrections, computed with samples of the next seed",
-         [](const R& r) { return Value(judged_quantities().of(r.before)); })
+         "before", "result without corrections, computed with samples of the next seed", &R::before)
         .always();
-    q.record<judged_quantities>("after",
-                                "result with the corrections, computed with the same samples",
-                                [](const R& r) { return Value(judged_quantities().of(r.after)); })
+    q.record<judged_quantities>(
+         "after", "result with the corrections, computed with the same samples", &R::after)
         .always();
   });
-  return kAll;
 }
 
 // A tolerance and the effect of loosening or tightening it.
@@ -188,7 +168,7 @@ struct LooseningView {
 
 const Quantities<LooseningView>& change_quantities() {
   using L = LooseningView;
-  static const Quantities<L> kAll("scatter.loosening input", [](Quantities<L>& q) {
+  return define("scatter.loosening input", [](Quantities<L>& q) {
     q.text("input", "name of the tolerance", [](const L& l) { return Value(*l.input); }).always();
     q.number("factor",
              "factor by which the tolerance can grow until the percentile has grown by 5 %", "",
@@ -198,11 +178,10 @@ const Quantities<LooseningView>& change_quantities() {
     q.number("halved_arcsec", "percentile with half the tolerance", "", "",
              [](const L& l) { return Value(Angle::radians(l.change->halved).arcsec()); });
   });
-  return kAll;
 }
 
 const Quantities<V>& loosening_quantities() {
-  static const Quantities<V> kAll("scatter.loosening", [](Quantities<V>& q) {
+  return define("scatter.loosening", [](Quantities<V>& q) {
     q.number("percentile", "percentile", "", "the greatest of `percentiles`", [](const V& v) {
        return Value(v.scatter->loosening->percent);
      }).always();
@@ -218,7 +197,7 @@ const Quantities<V>& loosening_quantities() {
            std::vector<LooseningView> list;
            for (std::size_t i = 0; i < v.inputs.size(); ++i)
              list.push_back({&v.inputs[i], &v.scatter->loosening->by_tolerance[i]});
-           return Value(change_quantities().each(list));
+           return list;
          })
         .list({0})
         .always();
@@ -230,10 +209,9 @@ const Quantities<V>& loosening_quantities() {
              return first ? Value(v.inputs[*first]) : Value();
            });
   });
-  return kAll;
 }
 
-void say(Quantities<V>& q) {
+void add_all(Quantities<V>& q) {
   q.text("inputs", "names of the inputs that vary, in order",
          [](const V& v) {
            ValueList names;
@@ -253,44 +231,39 @@ void say(Quantities<V>& q) {
    }).always();
   for (const ScatterEntry& entry : scatter_entries()) {
     const auto at = static_cast<std::size_t>(entry.quantity);
-    q.record<spread_quantities>(entry.key, entry.meaning, [at](const V& v) {
-       return v.spread[at] ? Value(spread_quantities().of(*v.spread[at])) : Value();
-     }).doors(kJson);
+    q.record<spread_quantities>(
+         entry.key, entry.meaning, [at](const V& v) -> const auto& { return v.spread[at]; })
+        .doors(kJson);
   }
   q.record<probabilities_quantities>(
        "probability", "probabilities of events, with the interval of Clopper and Pearson",
-       [](const V& v) -> const auto& { return v; })
+       std::identity{})
       .always()
       .doors(kJson);
-  q.record<indices_quantities>(
-       "indices", "Sobol indices of each quantity; only with `indices`",
-       [](const V& v) -> const auto& { return v; })
+  q.record<indices_quantities>("indices", "Sobol indices of each quantity; only with `indices`",
+                               std::identity{})
       .when([](const V& v) { return v.task->indices; })
       .doors(kJson);
-  q.record<worsts_quantities>(
-       "worst", "worst values within all ranges; only with `worst_case`",
-       [](const V& v) -> const auto& { return v; })
+  q.record<worsts_quantities>("worst", "worst values within all ranges; only with `worst_case`",
+                              std::identity{})
       .when([](const V& v) { return v.task->worst_case; })
       .doors(kJson);
   q.record<loosening_quantities>("loosening",
                                  "factors by which the tolerances can grow; only with `loosening`",
-                                 [](const V& v) { return Value(loosening_quantities().of(v)); })
+                                 std::identity{})
       .when([](const V& v) { return v.scatter->loosening.has_value(); })
       .doors(kJson);
   q.record<loaded_spread_quantities>(
-       "loaded", "results under each torque of `[load]`; only with `loaded`",
-       [](const V& v) { return Value(loaded_spread_quantities().each(v.loaded)); })
+       "loaded", "results under each torque of `[load]`; only with `loaded`", &V::loaded)
       .list({0})
       .when([](const V& v) { return v.task->load.has_value(); })
       .doors(kJson);
-  q.record<density_quantities>("pattern",
-                               "density of the contact pattern on both flanks; only with `pattern`",
-                               [](const V& v) { return v.density; })
+  q.record<density_quantities>(
+       "pattern", "density of the contact pattern on both flanks; only with `pattern`", &V::density)
       .when([](const V& v) { return v.task->density.has_value(); })
       .doors(kJson);
-  q.record<robust_quantities>("robust",
-                              "corrections for a percentile; only with `[scatter.robust]`",
-                              [](const V& v) { return Value(robust_quantities().of(*v.robust)); })
+  q.record<robust_quantities>(
+       "robust", "corrections for a percentile; only with `[scatter.robust]`", &V::robust)
       .when([](const V& v) { return v.robust.has_value(); })
       .doors(kJson);
   q.add(Type::map, "spec", "spec", "",
@@ -345,14 +318,11 @@ double SpreadEntry::shown(double value) const {
   return unit == Unit::arcsec ? angle.arcsec() : unit == Unit::deg ? angle.deg() : value;
 }
 
-const Quantities<ScatterView>& scatter_quantities() {
-  static const Quantities<ScatterView> kAll("scatter", say);
-  return kAll;
-}
+const Quantities<ScatterView>& scatter_quantities() { return define<add_all>("scatter"); }
 
 const Quantities<SpreadView>& spread_quantities() {
   using S = SpreadView;
-  static const Quantities<S> kAll("scatter spread", [](Quantities<S>& q) {
+  return define("scatter spread", [](Quantities<S>& q) {
     q.number("mean", "mean", "", "", [](const S& s) {
        return s.entry->shown(s.spread->mean.value);
      }).always();
@@ -368,21 +338,14 @@ const Quantities<SpreadView>& spread_quantities() {
         .always();
     q.number("lower", "lower ends of the intervals of the percentiles", "",
              "null if there are too few samples",
-             [](const S& s) {
-               return listed(s.spread->percentiles, *s.entry,
-                             [](const Percentile& p) { return p.lower; });
-             })
+             [](const S& s) { return listed(s.spread->percentiles, *s.entry, &Percentile::lower); })
         .list({0});
     q.number("upper", "upper ends of the intervals of the percentiles", "",
              "null if there are too few samples",
-             [](const S& s) {
-               return listed(s.spread->percentiles, *s.entry,
-                             [](const Percentile& p) { return p.upper; });
-             })
+             [](const S& s) { return listed(s.spread->percentiles, *s.entry, &Percentile::upper); })
         .list({0});
-    q.record<error_quantities>(
-         "standard_errors", "computed from the replicates [T14.9]",
-         [](const S& s) -> const auto& { return s; })
+    q.record<error_quantities>("standard_errors", "computed from the replicates [T14.9]",
+                               std::identity{})
         .always();
     q.number("least", "least value of all samples", "", "", [](const S& s) {
        return s.entry->shown(s.spread->least);
@@ -397,11 +360,10 @@ const Quantities<SpreadView>& spread_quantities() {
         .list({0})
         .always();
   });
-  return kAll;
 }
 
 const Quantities<V>& probabilities_quantities() {
-  static const Quantities<V> kAll("scatter.probability", [](Quantities<V>& q) {
+  return define("scatter.probability", [](Quantities<V>& q) {
     q.record<probability_quantities>(
          "edge_contact", "an edge of a tooth touches at some position",
          [](const V& v) -> const auto& { return v.scatter->edge_contact; })
@@ -416,12 +378,11 @@ const Quantities<V>& probabilities_quantities() {
          [](const V& v) -> const auto& { return v.scatter->contact_lost; })
         .always();
   });
-  return kAll;
 }
 
 const Quantities<Probability>& probability_quantities() {
   using P = Probability;
-  static const Quantities<P> kAll("scatter probability", [](Quantities<P>& q) {
+  return define("scatter probability", [](Quantities<P>& q) {
     q.number("value", "share of the samples", "", "", &P::value).always();
     q.add(Type::index, "count", "number of samples with the event", "", "", [](const P& p) {
        return static_cast<long long>(p.count);
@@ -436,7 +397,6 @@ const Quantities<Probability>& probability_quantities() {
        return p.interval.upper;
      }).always();
   });
-  return kAll;
 }
 
 }  // namespace gearwright

@@ -49,10 +49,6 @@ struct SpreadView {
   ValueList samples;
 };
 
-struct IndexView {
-  const IndexEstimates* estimates;
-};
-
 struct WorstView {
   const ScatterEntry* entry;
   const WorstMember* worst;

@@ -13,7 +13,7 @@ constexpr ScatterQuantity kShown[] = {ScatterQuantity::peak_to_peak, ScatterQuan
 
 bool computed(const D& d) { return d.scatter != nullptr; }
 
-void say_design(Quantities<D>& q) {
+void add_design(Quantities<D>& q) {
   q.add(Type::index, "design", "number of the design", "",
         "its rank in the search; `search --take` with this number prints its spec",
         [](const D& d) { return static_cast<long long>(d.number); })
@@ -50,11 +50,9 @@ void say_design(Quantities<D>& q) {
   for (const ScatterQuantity quantity : kShown) {
     const auto at = static_cast<std::size_t>(quantity);
     const ScatterEntry& entry = scatter_entries()[at];
-    q.record<spread_quantities>(entry.key, entry.meaning,
-                                [at](const D& d) {
-                                  const auto& spread = d.scatter->spread[at];
-                                  return spread ? Value(spread_quantities().of(*spread)) : Value();
-                                })
+    q.record<spread_quantities>(
+         entry.key,
+         entry.meaning, [at](const D& d) -> const auto& { return d.scatter->spread[at]; })
         .when(computed)
         .doors(kJson);
   }
@@ -66,24 +64,23 @@ void say_design(Quantities<D>& q) {
       .doors(kJson);
   q.record<loaded_spread_quantities>(
        "loaded", "results under each torque of `[load]`; only with `loaded`",
-       [](const D& d) { return Value(loaded_spread_quantities().each(d.scatter->loaded)); })
+       [](const D& d) -> const auto& { return d.scatter->loaded; })
       .list({0})
       .when([](const D& d) { return computed(d) && d.scatter->task->load.has_value(); })
       .doors(kJson);
   q.text("reason", "reason why the scatter of the design was not computed; only in `refused`",
-         [](const D& d) { return d.reason; })
+         &D::reason)
       .when([](const D& d) { return !computed(d); });
 }
 
 }  // namespace
 
 const Quantities<ScatteredDesign>& scattered_design_quantities() {
-  static const Quantities<D> kAll("scatter_designs.designs", say_design);
-  return kAll;
+  return define<add_design>("scatter_designs.designs");
 }
 
 const Quantities<ScatterStudyView>& scatter_study_quantities() {
-  static const Quantities<S> kAll("scatter_designs", [](Quantities<S>& q) {
+  return define("scatter_designs", [](Quantities<S>& q) {
     q.number("percentile", "percentile of the ranking", "p", "the greatest of `percentiles`",
              &S::percent)
         .always();
@@ -105,7 +102,6 @@ const Quantities<ScatterStudyView>& scatter_study_quantities() {
         .list({0})
         .always();
   });
-  return kAll;
 }
 
 }  // namespace gearwright

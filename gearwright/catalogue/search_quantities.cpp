@@ -23,7 +23,7 @@ namespace {
 
 const Quantities<NearestChange>& change_quantities() {
   using C = NearestChange;
-  static const Quantities<C> kAll("search.changes", [](Quantities<C>& q) {
+  return define("search.changes", [](Quantities<C>& q) {
     q.text("key", "key of the spec", [](const C& c) { return spelled_change(c).key; }).always();
     q.text("from", "value as given", [](const C& c) { return spelled_change(c).from; }).always();
     q.text("to", "value with which a design exists", [](const C& c) {
@@ -33,11 +33,10 @@ const Quantities<NearestChange>& change_quantities() {
              &C::effort)
         .always();
   });
-  return kAll;
 }
 const Quantities<SearchProblem>& margin_quantities() {
   using P = SearchProblem;
-  static const Quantities<P> kAll("search.margins", [](Quantities<P>& q) {
+  return define("search.margins", [](Quantities<P>& q) {
     q.word("interference", "interference", "`exclude` or `flag`",
            [](const P& p) { return Value(p.limits.avoid_interference ? "exclude" : "flag"); })
         .one_of({"exclude", "flag"})
@@ -67,11 +66,10 @@ const Quantities<SearchProblem>& margin_quantities() {
              return p.allowances.series.empty() ? Value() : Value(p.allowances.series);
            })
         .when(drawn);
-    q.term(
-         "backlash_mm",
-         "least and greatest backlash for which the teeth are thinned; `null` if the series "
-         "determines the allowances",
-         [](const P& p) { return p.allowances.backlash ? Value(*p.allowances.backlash) : Value(); })
+    q.term("backlash_mm",
+           "least and greatest backlash for which the teeth are thinned; `null` if the series "
+           "determines the allowances",
+           [](const P& p) { return p.allowances.backlash; })
         .ends()
         .when(drawn);
     q.text("center_distance_tolerance", "tolerance of ISO 286; `null` if there is no tolerance",
@@ -91,10 +89,9 @@ const Quantities<SearchProblem>& margin_quantities() {
        return Value(p.limits.sliding);
      }).when(drawn);
   });
-  return kAll;
 }
 
-void say_search(Quantities<SearchView>& q) {
+void add_search(Quantities<SearchView>& q) {
   using S = SearchView;
   const auto count = [&q](const char* key, const char* meaning,
                           std::int64_t SearchCounts::*member) -> Quantity<S>& {
@@ -122,9 +119,8 @@ void say_search(Quantities<SearchView>& q) {
           return Value(std::move(map));
         })
       .always();
-  q.record<margin_quantities>("margins",
-                              "limits that every design satisfies; clearances in modules",
-                              [](const S& s) { return Value(margin_quantities().of(*s.problem)); })
+  q.record<margin_quantities>(
+       "margins", "limits that every design satisfies; clearances in modules", &S::problem)
       .always();
   count("points_tested", "number of points on the grid of `shift_step`",
         &SearchCounts::points_tested)
@@ -136,7 +132,7 @@ void say_search(Quantities<SearchView>& q) {
        "changes",
        "changes of a single limit with which designs exist, the smallest change first; only if no "
        "design is feasible, and for at most 2 million trials",
-       [](const S& s) { return change_quantities().each(*s.changes); })
+       &S::changes)
       .always()
       .list({0})
       .when([](const S& s) { return s.answer->counts.feasible == 0; });
@@ -166,9 +162,6 @@ void say_search(Quantities<SearchView>& q) {
 
 }  // namespace
 
-const Quantities<SearchView>& search_quantities() {
-  static const Quantities<SearchView> kAll("search", say_search);
-  return kAll;
-}
+const Quantities<SearchView>& search_quantities() { return define<add_search>("search"); }
 
 }  // namespace gearwright

@@ -54,7 +54,7 @@ Value change_of(const Finding& finding) {
 
 const Quantities<Finding>& finding_quantities() {
   using F = Finding;
-  static const Quantities<F> kAll("verdict.finding", [](Quantities<F>& q) {
+  return define("verdict.finding", [](Quantities<F>& q) {
     q.text("code",
            "code of a warning, or `form_margin`, `fillet_margin`, `tip_margin`, `edge_contact`, "
            "`contact_place`, `root_safety`, `flank_safety`",
@@ -82,14 +82,13 @@ const Quantities<Finding>& finding_quantities() {
           "the number that is too small and its limit, under keys with units", values_of)
         .always();
   });
-  return kAll;
 }
 
 }  // namespace
 
 const Quantities<Verdict>& verdict_quantities() {
   using V = Verdict;
-  static const Quantities<V> kAll("verdict", [](Quantities<V>& q) {
+  return define("verdict", [](Quantities<V>& q) {
     q.word("level", "verdict",
            "green means that the gears run without findings, amber that the gears run but the "
            "findings should be checked, and red that the gears cannot be made as specified or do "
@@ -111,7 +110,6 @@ const Quantities<Verdict>& verdict_quantities() {
         .always()
         .list({0});
   });
-  return kAll;
 }
 
 }  // namespace gearwright

@@ -12,11 +12,9 @@ namespace gearwright {
 namespace {
 
 bool any_modification(const FlankModifications& m) {
-  for (const Relief* relief : {&m.tip_relief, &m.root_relief, &m.end_relief})
-    if (relief->amount != 0.0 || relief->reach) return true;
-  return m.topography || m.profile_wave.waves > 0 || m.helix_wave.waves > 0 ||
-         m.profile_crowning != 0.0 || m.profile_slope != 0.0 || m.lead_crowning != 0.0 ||
-         m.lead_slope != 0.0;
+  for (const ModificationMember& one : kModifications)
+    if (one.amount_of(m) != 0.0 || (one.relief && one.placed(m))) return true;
+  return m.topography || m.profile_wave.waves > 0 || m.helix_wave.waves > 0;
 }
 
 // The reason why no teeth touch, such as tips that do not reach each other.
@@ -110,22 +108,15 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
   ContactSetup setup = *this;
   for (int i = 0; i < 2; ++i) {
     setup.place_.errors.cutter_lead[i] += change.cutter_lead[i];
-    const SetupChange::Flank& f = change.flank[i];
-    if (f == SetupChange::Flank{}) continue;
+    const ModificationAmounts& by = change.flank[i];
+    if (by == ModificationAmounts{}) continue;
     // True if the working flanks are the left ones. If gear 1 drives, the right flanks of external
     // gears touch.
     const bool left = change.left != (i == 1 && gears_[1]->internal());
     for (int side = 0; side < 2; ++side) {
       FlankModifications& m = setup.modifications_[i][side];
-      m.lead_crowning += f.lead_crowning;
-      m.profile_crowning += f.profile_crowning;
-      m.tip_relief.amount += f.tip_relief;
-      m.root_relief.amount += f.root_relief;
-      m.end_relief.amount += f.end_relief;
-      if (left == (side == 1)) {
-        m.lead_slope += f.lead_slope;
-        m.profile_slope += f.profile_slope;
-      }
+      for (const ModificationMember& one : kModifications)
+        if (!is_slope(one.kind) || left == (side == 1)) one.amount_of(m) += by[one.kind];
       auto field = make_removal_field(m, flank_extent(*gears_[i]));
       if (!field) return of_flank(i + 1, side, field.error());
       setup.removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());

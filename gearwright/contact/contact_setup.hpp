@@ -19,20 +19,17 @@ namespace gearwright {
 /// The modifications of gear 1 and of gear 2, each for the right and the left flank.
 using PairModifications = std::array<std::array<FlankModifications, 2>, 2>;
 
+constexpr bool is_slope(Modification m) {
+  return m == Modification::lead_slope || m == Modification::profile_slope;
+}
+
 /// Changes made by a workshop, as amounts in addition to the amounts on the drawing.
 struct SetupChange {
   double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that a rack F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ of the cutter of each gear
-  struct Flank {
-    /// mm. Slopes change the working flanks only, crownings change both flanks, and reliefs change
-    /// only where the drawing has a relief.
-    double lead_slope = 0.0, lead_crowning = 0.0;
-    double profile_slope = 0.0, profile_crowning = 0.0;
-    double tip_relief = 0.0, root_relief = 0.0, end_relief = 0.0;
-
-    bool operator==(const Flank&) const = default;
-  };
-  std::array<Flank, 2> flank;
+  /// Of each gear. Slopes change the working flanks only, crownings change both flanks, and reliefs
+  /// change only where the drawing has a relief.
+  std::array<ModificationAmounts, 2> flank;
   bool left = false;  ///< true if the working flanks of gear 1 are the left ones (gear 2 drives)
 };
 

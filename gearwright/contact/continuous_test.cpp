@@ -121,9 +121,8 @@ TEST(Continuous, SlopesAreThoseOfDifferences) {
     const double difference =
         (span_at(sample, m, ErrorKind::axial, 0, h) - span_at(sample, m, ErrorKind::axial, 0, -h)) /
         (2 * h);
-    const double slope =
-        span_slope(transmission, extremes,
-                   {ErrorKind::center_distance, 1, RemovalField::Parameter::lead_crowning});
+    const double slope = span_slope(transmission, extremes,
+                                    {ErrorKind::center_distance, 1, Modification::lead_crowning});
     EXPECT_NEAR(slope, difference, 1e-4 * std::abs(difference) + 1e-7) << i << " crowning";
   }
 }

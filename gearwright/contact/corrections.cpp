@@ -12,73 +12,52 @@ SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
   change.left = gear2_drives;
   for (std::size_t k = 0; k < corrections.size(); ++k) {
     const auto gear = static_cast<std::size_t>(std::max(1, corrections[k].gear) - 1);
-    SetupChange::Flank& flank = change.flank[gear];
-    const double mm = value[k] * kMmPerUm;
-    switch (corrections[k].what) {
-      case CorrectionOf::tool_setting: change.tool_setting = value[k]; break;
-      case CorrectionOf::cutter_lead: change.cutter_lead[gear] = Angle::degrees(value[k]); break;
-      case CorrectionOf::lead_slope: flank.lead_slope = mm; break;
-      case CorrectionOf::lead_crowning: flank.lead_crowning = mm; break;
-      case CorrectionOf::profile_slope: flank.profile_slope = mm; break;
-      case CorrectionOf::profile_crowning: flank.profile_crowning = mm; break;
-      case CorrectionOf::tip_relief: flank.tip_relief = mm; break;
-      case CorrectionOf::root_relief: flank.root_relief = mm; break;
-      case CorrectionOf::end_relief: flank.end_relief = mm; break;
+    if (const Modification* m = corrections[k].modification()) {
+      change.flank[gear][*m] = value[k] * kMmPerUm;
+    } else if (corrections[k].is(CutterSetting::cutter_lead)) {
+      change.cutter_lead[gear] = Angle::degrees(value[k]);
+    } else {
+      change.tool_setting = value[k];
     }
   }
   return change;
 }
 
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction) {
-  const auto placed = [&](Relief FlankModifications::*relief) {
+  if (correction.is(CutterSetting::tool_setting)) return setup.convex_gear().has_value();
+  if (const Modification* m = correction.modification()) {
     const auto& flanks = setup.modifications()[static_cast<std::size_t>(correction.gear - 1)];
-    return (flanks[0].*relief).reach && (flanks[1].*relief).reach;
-  };
-  switch (correction.what) {
-    case CorrectionOf::tool_setting: return setup.convex_gear().has_value();
-    case CorrectionOf::cutter_lead: {
-      const Gear& gear = setup.gear(correction.gear);
-      return gear.twist() != 0.0 && !gear.cut_by;
-    }
-    case CorrectionOf::tip_relief: return placed(&FlankModifications::tip_relief);
-    case CorrectionOf::root_relief: return placed(&FlankModifications::root_relief);
-    case CorrectionOf::end_relief: return placed(&FlankModifications::end_relief);
-    default: return true;
+    return member_of(*m).placed(flanks[0]) && member_of(*m).placed(flanks[1]);
   }
+  const Gear& gear = setup.gear(correction.gear);
+  return gear.twist() != 0.0 && !gear.cut_by;
 }
 
 std::optional<Influence> influence_of(const WorkshopCorrection& correction) {
-  using P = RemovalField::Parameter;
-  const auto of = [&](P parameter) {
-    return Influence{ErrorKind::center_distance, correction.gear, parameter};
-  };
-  switch (correction.what) {
-    case CorrectionOf::tool_setting:
-    case CorrectionOf::cutter_lead: break;
-    case CorrectionOf::lead_slope: return of(P::lead_slope);
-    case CorrectionOf::lead_crowning: return of(P::lead_crowning);
-    case CorrectionOf::profile_slope: return of(P::profile_slope);
-    case CorrectionOf::profile_crowning: return of(P::profile_crowning);
-    case CorrectionOf::tip_relief: return of(P::tip_relief);
-    case CorrectionOf::root_relief: return of(P::root_relief);
-    case CorrectionOf::end_relief: return of(P::end_relief);
-  }
-  return std::nullopt;
+  const Modification* m = correction.modification();
+  if (!m) return std::nullopt;
+  return Influence{ErrorKind::center_distance, correction.gear, *m};
 }
 
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction) {
-  Correction bounds = usual_bounds(correction.what);
-  if (correction.what != CorrectionOf::tool_setting) return bounds;
-  const double most = 0.1 * setup.gear(*setup.convex_gear()).spec.normal_module;
-  bounds.lo = std::max(bounds.lo, -most);
-  bounds.hi = std::min(bounds.hi, most);
-  return bounds;
+  if (correction.is(CutterSetting::cutter_lead)) return {-0.5, 0.5, 0.005};
+  const Modification* m = correction.modification();
+  if (!m) {
+    const double most = std::min(5.0, 0.1 * setup.gear(*setup.convex_gear()).spec.normal_module);
+    return {-most, most, 0.005};
+  }
+  switch (*m) {
+    case Modification::lead_slope: return {-100.0, 100.0, 2.0};
+    case Modification::profile_slope: return {-50.0, 50.0, 1.0};
+    case Modification::lead_crowning: return {0.0, 50.0, 2.0};
+    default: return {0.0, 50.0, 1.0};
+  }
 }
 
 std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup) {
-  const WorkshopCorrection setting{CorrectionOf::tool_setting, 0};
-  if (can_take(setup, setting)) return {setting, {CorrectionOf::cutter_lead, 1}};
-  return {{CorrectionOf::lead_slope, 1}, {CorrectionOf::lead_crowning, 1}};
+  const WorkshopCorrection setting{CutterSetting::tool_setting, 0};
+  if (can_take(setup, setting)) return {setting, {CutterSetting::cutter_lead, 1}};
+  return {{Modification::lead_slope, 1}, {Modification::lead_crowning, 1}};
 }
 
 CompensationTask compensation_task(const ContactSetup& setup,

@@ -2,10 +2,11 @@
 // them.
 //
 //   const auto setup = ContactSetup::of(*pair, {});
-//   CompensationTask task = compensation_task(*setup, {{CorrectionOf::lead_slope, 1}}, scenarios);
+//   CompensationTask task = compensation_task(*setup, {{Modification::lead_slope, 1}}, scenarios);
 //   const Compensation found = compensate(task);  // found.value[0] in µm
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "gearwright/contact/compensation.hpp"
@@ -13,43 +14,24 @@
 
 namespace gearwright {
 
-enum class CorrectionOf {
-  tool_setting,      ///< Δb_F  mm, of the rack F that cuts convex circular arcs
-  cutter_lead,       ///< Δλ  degrees, of the cutter of the gear
-  lead_slope,        ///< µm, on the working flanks
-  lead_crowning,     ///< µm, on both flanks
-  profile_slope,     ///< µm, on the working flanks
-  profile_crowning,  ///< µm, on both flanks
-  tip_relief,        ///< µm, on both flanks; only if the drawing gives the reach of the relief
-  root_relief,       ///< µm, as tip_relief
-  end_relief,        ///< µm, as tip_relief
+/// A correction by another setting of a cutter.
+enum class CutterSetting {
+  tool_setting,  ///< Δb_F  mm, of the rack F that cuts convex circular arcs
+  cutter_lead,   ///< Δλ  degrees, of the cutter of the gear
 };
 
+/// A correction. A modification is in µm. Slopes apply to the working flanks and all others to both
+/// flanks. A relief is possible only if the drawing gives its reach.
 struct WorkshopCorrection {
-  CorrectionOf what;
+  std::variant<CutterSetting, Modification> what;
   int gear;  ///< 1, 2; 0 for the tool setting, which applies to the gear that the rack F cuts
 
   bool operator==(const WorkshopCorrection&) const = default;
-  bool slope() const {
-    return what == CorrectionOf::lead_slope || what == CorrectionOf::profile_slope;
-  }
+  bool is(CutterSetting setting) const { return what == decltype(what)(setting); }
+  /// The modification, or null for a setting of a cutter.
+  const Modification* modification() const { return std::get_if<Modification>(&what); }
+  bool slope() const { return modification() && is_slope(*modification()); }
 };
-
-/// Usual lower and upper bound of a correction and its step, in the unit of the correction.
-constexpr Correction usual_bounds(CorrectionOf what) {
-  switch (what) {
-    case CorrectionOf::tool_setting: return {-5.0, 5.0, 0.005};
-    case CorrectionOf::cutter_lead: return {-0.5, 0.5, 0.005};
-    case CorrectionOf::lead_slope: return {-100.0, 100.0, 2.0};
-    case CorrectionOf::profile_slope: return {-50.0, 50.0, 1.0};
-    case CorrectionOf::lead_crowning: return {0.0, 50.0, 2.0};
-    case CorrectionOf::profile_crowning:
-    case CorrectionOf::tip_relief:
-    case CorrectionOf::root_relief:
-    case CorrectionOf::end_relief: return {0.0, 50.0, 1.0};
-  }
-  return {};
-}
 
 /// True if the correction is possible. A tool setting requires a rack F, a cutter lead requires a
 /// helical gear cut by a rack, and a relief requires a reach on both flanks.
@@ -68,7 +50,8 @@ SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
 /// and a cutter lead, which do not remove material from the flanks.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
-/// The usual bounds for this pair. A tool setting is also limited to a tenth of the module.
+/// The usual lower and upper bound of a correction and its step, in the unit of the correction. A
+/// tool setting is at most a tenth of the module.
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction);
 
 /// The task that computes these corrections, within bounds_of(), for the worst of the `scenarios`.

@@ -52,8 +52,7 @@ TEST(PairContact, asks_for_a_lead_that_can_change) {
 
 TEST(PairContact, derives_by_a_modification_that_is_not_there) {
   ContactOptions options;
-  options.request.influences = {
-      {ErrorKind::center_distance, 1, RemovalField::Parameter::lead_crowning}};
+  options.request.influences = {{ErrorKind::center_distance, 1, Modification::lead_crowning}};
   const auto owned = of_a_pair_that_is_gone({}, options);
   ASSERT_TRUE(owned);
   ASSERT_EQ(owned->sensitivities.size(), 1u);

@@ -95,8 +95,7 @@ Change change_of_error(const ContactPair& pair, const GapJet& j, double z, Error
 
 // The rotation of a flank per unit of a modification, with its derivatives with respect to u and z.
 // [T8.7]
-Jet2 turn_per_amount(const FlankPatch& f, double s, double u, double z,
-                     RemovalField::Parameter parameter) {
+Jet2 turn_per_amount(const FlankPatch& f, double s, double u, double z, Modification parameter) {
   const Removal c = f.removal->derivative(parameter, u, f.removal_z * z, f.piece);
   const TurnPerRemoval k = f.profile.turn_per_removal(s);
   const double sign = -f.profile.side();

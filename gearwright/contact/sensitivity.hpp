@@ -33,7 +33,7 @@ constexpr std::array<ErrorKind, 6> kErrorKinds{ErrorKind::center_distance, Error
 struct Influence {
   ErrorKind error = ErrorKind::center_distance;
   int modified_gear = 0;  ///< 0 selects `error`; 1 or 2 selects `modification` of that gear
-  RemovalField::Parameter modification = RemovalField::Parameter::tip_relief;
+  Modification modification = Modification::tip_relief;
 };
 
 struct Sensitivity {

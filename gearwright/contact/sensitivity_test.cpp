@@ -12,7 +12,7 @@
 namespace gearwright {
 namespace {
 
-using P = RemovalField::Parameter;
+using P = Modification;
 
 std::vector<Sensitivity> by(const testing::SamplePair& p, const std::vector<Influence>& influences,
                             double rotation = 0.05) {

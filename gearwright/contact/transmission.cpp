@@ -61,7 +61,7 @@ class PlaceAhead {
 bool is_convex(const FlankPatch& f) {
   if (!f.removal || f.removal->none()) return true;
   if (f.removal->has_topography() || f.removal->wavy()) return false;
-  using P = RemovalField::Parameter;
+  using P = Modification;
   return f.removal->amount(P::profile_crowning) >= 0.0 &&
          f.removal->amount(P::lead_crowning) >= 0.0;
 }

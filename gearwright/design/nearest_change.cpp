@@ -14,6 +14,7 @@ namespace gearwright {
 
 namespace {
 
+using detail::add_limit;
 using detail::Knob;
 using detail::shown;
 
@@ -193,89 +194,59 @@ class Least {
 };
 
 std::vector<Knob> knobs(const SearchProblem& p) {
-  constexpr auto kLimit = Knob::Kind::limit;
+  using L = SearchLimits;
+  const L& limits = p.limits;
   std::vector<Knob> k;
-  const auto plain = [](double v) { return shown(v); };
-  k.push_back({"limits.contact_ratio", p.limits.contact_ratio,
-               std::min(1.0, p.limits.contact_ratio), 1.0, kLimit,
-               [](SearchProblem& q, double v) { q.limits.contact_ratio = v; }, plain});
-  k.push_back({"limits.tip_thickness", p.limits.tip_thickness, 0.0, 1.0, kLimit,
-               [](SearchProblem& q, double v) { q.limits.tip_thickness = v; }, plain});
-  if (p.center_distance) {
-    const auto band = *p.center_distance;
-    for (const int i : {0, 1}) {
-      k.push_back({"center_distance", band[i], band[i] * (i == 0 ? 0.5 : 2.0), band[i], kLimit,
-                   [i](SearchProblem& q, double v) { (*q.center_distance)[i] = v; },
-                   [band, i](double v) {
-                     auto b = band;
-                     b[i] = v;
-                     return shown(b);
-                   }});
-    }
-  }
-  for (const int i : {0, 1}) {
-    const auto band = p.ratio;
-    const double widen = (i == 0 ? -0.5 : 0.5) * std::abs(band[i]);
-    double far = band[i] + widen;
-    if (!p.internal()) far = std::max(far, 1.0);
-    // An internal gear has more teeth than its pinion, so ratios above −1 are impossible.
-    constexpr double kBeyondOne = 1e-3;
-    if (p.internal() && i == 1) far = std::min(far, -1.0 - kBeyondOne);
-    k.push_back({"ratio", band[i], far, std::abs(band[i]), Knob::Kind::ratio,
-                 [i](SearchProblem& q, double v) { q.ratio[i] = v; },
+  // Adds one end of a band, with the function that sets this end.
+  const auto add_end = [&k](const char* field, const std::array<double, 2>& band, int i, double far,
+                            double scale, Knob::Kind kind, auto set) {
+    k.push_back({field, band[i], far, scale, kind,
+                 [set, i](SearchProblem& q, double v) { set(q, i, v); },
                  [band, i](double v) {
                    auto b = band;
                    b[i] = v;
                    return shown(b);
                  }});
-    const auto teeth = p.pinion_teeth;
-    const double far_teeth = i == 0 ? std::min(5, teeth[0]) : 2.0 * teeth[1] + 10.0;
-    k.push_back(
-        {"pinion_teeth", static_cast<double>(teeth[i]), far_teeth, static_cast<double>(teeth[i]),
-         Knob::Kind::teeth,
-         [i](SearchProblem& q, double v) { q.pinion_teeth[i] = static_cast<int>(v); },
-         [teeth, i](double v) {
-           std::array<double, 2> b{static_cast<double>(teeth[0]), static_cast<double>(teeth[1])};
-           b[i] = v;
-           return shown(b);
-         }});
+  };
+  add_limit(p, k, "limits.contact_ratio", &L::contact_ratio, std::min(1.0, limits.contact_ratio));
+  add_limit(p, k, "limits.tip_thickness", &L::tip_thickness, 0.0);
+  if (const auto& band = p.center_distance) {
+    for (const int i : {0, 1})
+      add_end("center_distance", *band, i, (*band)[i] * (i == 0 ? 0.5 : 2.0), (*band)[i],
+              Knob::Kind::limit,
+              [](SearchProblem& q, int end, double v) { (*q.center_distance)[end] = v; });
   }
-  if (p.limits.min_shift && p.limits.max_shift) {
-    const std::array<double, 2> band{*p.limits.min_shift, *p.limits.max_shift};
-    for (const int i : {0, 1}) {
-      k.push_back({i == 0 ? "limits.min_shift" : "limits.max_shift", band[i],
-                   band[i] + (i == 0 ? -2.0 : 2.0), 1.0, kLimit,
-                   [i](SearchProblem& q, double v) {
-                     (i == 0 ? q.limits.min_shift : q.limits.max_shift) = v;
-                   },
-                   [band, i](double v) {
-                     auto b = band;
-                     b[i] = v;
-                     return shown(b);
-                   }});
-    }
+  for (const int i : {0, 1}) {
+    const double ratio = p.ratio[i];
+    double far = ratio + (i == 0 ? -0.5 : 0.5) * std::abs(ratio);
+    if (!p.internal()) far = std::max(far, 1.0);
+    // An internal gear has more teeth than its pinion, so ratios above −1 are impossible.
+    constexpr double kBeyondOne = 1e-3;
+    if (p.internal() && i == 1) far = std::min(far, -1.0 - kBeyondOne);
+    add_end("ratio", p.ratio, i, far, std::abs(ratio), Knob::Kind::ratio,
+            [](SearchProblem& q, int end, double v) { q.ratio[end] = v; });
+    const std::array<double, 2> teeth{1.0 * p.pinion_teeth[0], 1.0 * p.pinion_teeth[1]};
+    add_end("pinion_teeth", teeth, i, i == 0 ? std::min(5.0, teeth[0]) : 2.0 * teeth[1] + 10.0,
+            teeth[i], Knob::Kind::teeth,
+            [](SearchProblem& q, int end, double v) { q.pinion_teeth[end] = static_cast<int>(v); });
   }
-  if (p.limits.undercut_margin > 0.0) {
-    k.push_back({"limits.undercut_margin", p.limits.undercut_margin, 0.0, 1.0, kLimit,
-                 [](SearchProblem& q, double v) { q.limits.undercut_margin = v; }, plain});
+  if (limits.min_shift && limits.max_shift) {
+    const std::array<double, 2> band{*limits.min_shift, *limits.max_shift};
+    for (const int i : {0, 1})
+      add_end(i == 0 ? "limits.min_shift" : "limits.max_shift", band, i,
+              band[i] + (i == 0 ? -2.0 : 2.0), 1.0, Knob::Kind::limit,
+              [](SearchProblem& q, int end, double v) {
+                (end == 0 ? q.limits.min_shift : q.limits.max_shift) = v;
+              });
   }
-  if (p.limits.overlap_ratio) {
-    k.push_back({"limits.overlap_ratio", *p.limits.overlap_ratio, 0.0, 1.0, kLimit,
-                 [](SearchProblem& q, double v) { q.limits.overlap_ratio = v; }, plain});
-  }
-  if (p.limits.sliding) {
-    k.push_back({"limits.sliding", *p.limits.sliding, *p.limits.sliding + 20.0, 2.0, kLimit,
-                 [](SearchProblem& q, double v) { q.limits.sliding = v; }, plain});
-  }
-  if (p.limits.tip_clearance) {
-    k.push_back({"limits.tip_clearance", *p.limits.tip_clearance,
-                 std::min(0.0, *p.limits.tip_clearance), 1.0, kLimit,
-                 [](SearchProblem& q, double v) { q.limits.tip_clearance = v; }, plain});
-  }
-  if (p.limits.avoid_interference && p.limits.form_clearance > 0.0) {
-    k.push_back({"limits.form_clearance", p.limits.form_clearance, 0.0, 1.0, kLimit,
-                 [](SearchProblem& q, double v) { q.limits.form_clearance = v; }, plain});
-  }
+  if (limits.undercut_margin > 0.0)
+    add_limit(p, k, "limits.undercut_margin", &L::undercut_margin, 0.0);
+  add_limit(p, k, "limits.overlap_ratio", &L::overlap_ratio, 0.0);
+  add_limit(p, k, "limits.sliding", &L::sliding, limits.sliding.value_or(0.0) + 20.0, 2.0);
+  add_limit(p, k, "limits.tip_clearance", &L::tip_clearance,
+            std::min(0.0, limits.tip_clearance.value_or(0.0)));
+  if (limits.avoid_interference && limits.form_clearance > 0.0)
+    add_limit(p, k, "limits.form_clearance", &L::form_clearance, 0.0);
   if (p.rating) detail::add_strength_knobs(p, k);
   return k;
 }

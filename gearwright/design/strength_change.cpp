@@ -30,31 +30,22 @@ Knob wider_face(const char* field, std::optional<std::array<double, 2>> SearchPr
 
 void add_strength_knobs(const SearchProblem& p, std::vector<Knob>& k) {
   GW_EXPECTS(p.rating.has_value());
-  constexpr auto kLimit = Knob::Kind::limit;
   constexpr double kLightest = 1e-3;  // fraction of the load; a change to a smaller load would not
                                       // be useful
-  const auto plain = [](double v) { return shown(v); };
-  for (const auto member : {&SearchLimits::safety_flank, &SearchLimits::safety_root}) {
-    const auto& wanted = p.limits.*member;
-    if (!wanted) continue;
-    k.push_back(
-        {member == &SearchLimits::safety_flank ? "limits.safety_flank" : "limits.safety_root",
-         *wanted, 0.0, 1.0, kLimit, [member](SearchProblem& q, double v) { q.limits.*member = v; },
-         plain});
-  }
+  add_limit(p, k, "limits.safety_flank", &SearchLimits::safety_flank, 0.0);
+  add_limit(p, k, "limits.safety_root", &SearchLimits::safety_root, 0.0);
   const double torque = p.rating->input.torque;
   const auto power = p.rating->power_kW;
   const double load = power.value_or(torque);
-  k.push_back({power ? "rating.power" : "rating.torque", load, kLightest * load, load, kLimit,
-               [=](SearchProblem& q, double v) { q.rating->input.torque = torque * (v / load); },
-               plain});
+  k.push_back({power ? "rating.power" : "rating.torque", load, kLightest * load, load,
+               Knob::Kind::limit,
+               [=](SearchProblem& q, double v) { q.rating->input.torque = torque * (v / load); }});
   constexpr double kWidest = 4.0;
-  if (p.face_width)
-    k.push_back(wider_face("face_width", &SearchProblem::face_width, *p.face_width,
-                           kWidest * (*p.face_width)[1]));
-  if (p.face_diameters)
-    k.push_back(wider_face("face_diameters", &SearchProblem::face_diameters, *p.face_diameters,
-                           kWidest * (*p.face_diameters)[1]));
+  if (const auto& band = p.face_width)
+    k.push_back(wider_face("face_width", &SearchProblem::face_width, *band, kWidest * (*band)[1]));
+  if (const auto& band = p.face_diameters)
+    k.push_back(
+        wider_face("face_diameters", &SearchProblem::face_diameters, *band, kWidest * (*band)[1]));
   if (p.face_modules || (!p.face_width && !p.face_diameters)) {
     const auto band = p.face_modules.value_or(std::array{kFaceModules, kFaceModules});
     k.push_back(wider_face("face_modules", &SearchProblem::face_modules, band,

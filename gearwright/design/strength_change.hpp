@@ -23,8 +23,18 @@ struct Knob {
   double scale;  ///< change that counts as one unit of effort
   Kind kind;
   std::function<void(SearchProblem&, double)> set;
-  std::function<std::string(double)> show;
+  std::function<std::string(double)> show = [](double v) { return shown(v); };
 };
+
+/// Adds a limit that can be changed towards `far`, unless it is absent.
+template <class Limit>
+void add_limit(const SearchProblem& problem, std::vector<Knob>& knobs, const char* field,
+               Limit SearchLimits::*limit, double far, double scale = 1.0) {
+  const std::optional<double> value = problem.limits.*limit;
+  if (!value) return;
+  knobs.push_back({field, *value, far, scale, Knob::Kind::limit,
+                   [limit](SearchProblem& q, double v) { q.limits.*limit = v; }});
+}
 
 /// Adds the numbers on which the safety factors depend.   Domain: designs are rated (contract)
 void add_strength_knobs(const SearchProblem& problem, std::vector<Knob>& knobs);

@@ -166,16 +166,15 @@ std::optional<Error> check(const FlankModifications& m, const FlankExtent& e) {
   if (auto error = check_wave("profile_wave", m.profile_wave)) return error;
   if (auto error = check_wave("helix_wave", m.helix_wave)) return error;
   const double greatest = kMaxAmount * depth;
-  for (const auto& [field, amount] :
-       {std::pair("tip_relief.amount", m.tip_relief.amount),
-        std::pair("root_relief.amount", m.root_relief.amount),
-        std::pair("profile_crowning", m.profile_crowning),
-        std::pair("profile_slope", m.profile_slope), std::pair("lead_crowning", m.lead_crowning),
-        std::pair("lead_slope", m.lead_slope), std::pair("end_relief.amount", m.end_relief.amount),
-        std::pair("profile_wave.height", m.profile_wave.height / 2),
-        std::pair("helix_wave.height", m.helix_wave.height / 2)}) {
-    if (auto error = check_amount(field, amount, greatest)) return error;
+  for (const ModificationMember& one : kModifications) {
+    const std::string name(one.name);
+    if (auto error = check_amount(one.relief ? amount_of(name) : name, one.amount_of(m), greatest))
+      return error;
   }
+  if (auto error = check_amount("profile_wave.height", m.profile_wave.height / 2, greatest))
+    return error;
+  if (auto error = check_amount("helix_wave.height", m.helix_wave.height / 2, greatest))
+    return error;
   return check_topography(m, e, greatest);
 }
 
@@ -232,13 +231,12 @@ RemovalField::Ramp RemovalField::ramp(const Relief& relief, double from, double 
 
 RemovalField::RemovalField(const FlankModifications& m, const FlankExtent& e)
     : extent_(e),
-      amounts_{m.tip_relief.amount, m.root_relief.amount, m.profile_crowning, m.profile_slope,
-               m.lead_crowning,     m.lead_slope,         m.end_relief.amount},
       roll_root_(length(e.rho_root_form, e.r0)),
       roll_tip_(length(e.rho_tip_form, e.r0)),
       roll_mid_((roll_tip_ + roll_root_) / 2),
       waves_{m.profile_wave, m.helix_wave} {
   GW_EXPECTS(!check(m, e));
+  for (const ModificationMember& one : kModifications) amounts_[one.kind] = one.amount_of(m);
   const auto [least, greatest] = std::minmax({roll_root_, roll_tip_});
   const double floor = std::max(least / 2, kMinRoll * greatest);
   y_floor_ = floor * floor;
@@ -281,12 +279,12 @@ void RemovalField::make_cells() {
 }
 
 bool RemovalField::ridge_between(const Piece& a, const Piece& b) const {
-  const auto begins = [&](bool differs, const Ramp& r, Parameter p) {
+  const auto begins = [&](bool differs, const Ramp& r, Modification p) {
     return differs && r.placed && r.shape == ReliefShape::linear && amount(p) != 0.0;
   };
-  return begins(a.tip != b.tip, tip_, Parameter::tip_relief) ||
-         begins(a.root != b.root, root_, Parameter::root_relief) ||
-         begins(a.end_lo != b.end_lo || a.end_hi != b.end_hi, end_, Parameter::end_relief);
+  return begins(a.tip != b.tip, tip_, Modification::tip_relief) ||
+         begins(a.root != b.root, root_, Modification::root_relief) ||
+         begins(a.end_lo != b.end_lo || a.end_hi != b.end_hi, end_, Modification::end_relief);
 }
 
 // L as a function of y = ρ² − r0². Above y0 = y_floor_, L = √y. Below y0, L = √y0 (1 − h) with
@@ -315,27 +313,27 @@ RemovalField::Roll RemovalField::roll(double rho) const {
   return {L, by_y * y_u, by_yy * y_u * y_u + by_y * y_uu};
 }
 
-Removal RemovalField::unit(Parameter parameter, const Roll& L, double z, const Piece& piece) const {
+Removal RemovalField::unit(Modification of, const Roll& L, double z, const Piece& piece) const {
   const auto relief = [&](const Ramp& r) {
     return along_profile(ramp_at(r.shape, r.from, r.to, L.value), L.d1, L.d2);
   };
   const double w1 = 1 / (roll_tip_ - roll_root_);
   const double w = (L.value - roll_mid_) * w1;
   const double b = extent_.face_width;
-  switch (parameter) {
-    case Parameter::tip_relief:
+  switch (of) {
+    case Modification::tip_relief:
       GW_EXPECTS(!piece.tip || tip_.placed);
       return piece.tip ? relief(tip_) : Removal{};
-    case Parameter::root_relief:
+    case Modification::root_relief:
       GW_EXPECTS(!piece.root || root_.placed);
       return piece.root ? relief(root_) : Removal{};
-    case Parameter::profile_crowning:
+    case Modification::profile_crowning:
       return along_profile({4 * w * w, 8 * w * w1, 8 * w1 * w1}, L.d1, L.d2);
-    case Parameter::profile_slope: return along_profile({w, w1, 0.0}, L.d1, L.d2);
-    case Parameter::lead_crowning:
+    case Modification::profile_slope: return along_profile({w, w1, 0.0}, L.d1, L.d2);
+    case Modification::lead_crowning:
       return along_face({4 * z * z / (b * b), 8 * z / (b * b), 8 / (b * b)});
-    case Parameter::lead_slope: return along_face({z / b, 1 / b, 0.0});
-    case Parameter::end_relief: {
+    case Modification::lead_slope: return along_face({z / b, 1 / b, 0.0});
+    case Modification::end_relief: {
       GW_EXPECTS(!(piece.end_lo || piece.end_hi) || end_.placed);
       Removal sum;
       if (piece.end_hi) add(sum, 1.0, along_face(ramp_at(end_.shape, end_.from, end_.to, z)));
@@ -351,9 +349,8 @@ Removal RemovalField::at(double u, double z, const Piece& piece) const {
   const double rho = std::exp(u);
   const Roll L = roll(rho);
   Removal sum;
-  for (const Parameter p : kParameters) {
-    if (amount(p) != 0.0) add(sum, amount(p), unit(p, L, z, piece));
-  }
+  for (const auto& [kind, name, relief, alone] : kModifications)
+    if (amount(kind) != 0.0) add(sum, amount(kind), unit(kind, L, z, piece));
   if (topography_) {
     const double d = 2 * rho;  // ∂d/∂u = ∂²d/∂u² = d
     const auto s = topography_->at(d, z);
@@ -385,9 +382,8 @@ RemovalField RemovalField::smooth() const {
   return field;
 }
 
-Removal RemovalField::derivative(Parameter parameter, double u, double z,
-                                 const Piece& piece) const {
-  return unit(parameter, roll(std::exp(u)), z, piece);
+Removal RemovalField::derivative(Modification of, double u, double z, const Piece& piece) const {
+  return unit(of, roll(std::exp(u)), z, piece);
 }
 
 const RemovalField::Piece& RemovalField::piece_at(double u, double z) const {
@@ -398,8 +394,7 @@ const RemovalField::Piece& RemovalField::piece_at(double u, double z) const {
 }
 
 bool RemovalField::none() const {
-  return !topography_ && !wavy() &&
-         std::all_of(amounts_.begin(), amounts_.end(), [](double amount) { return amount == 0.0; });
+  return !topography_ && !wavy() && amounts_ == ModificationAmounts{};
 }
 
 Result<RemovalField> make_removal_field(const FlankModifications& modifications,

@@ -28,6 +28,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "gearwright/base/result.hpp"
@@ -66,6 +67,57 @@ struct FlankModifications {
   FormWave profile_wave{}, helix_wave{};
 };
 
+/// The modifications that have an amount.
+enum class Modification {
+  tip_relief,
+  root_relief,
+  profile_crowning,
+  profile_slope,
+  lead_crowning,
+  lead_slope,
+  end_relief
+};
+
+/// A modification as a member of FlankModifications. It is either a relief or an amount alone.
+struct ModificationMember {
+  Modification kind;
+  std::string_view name;               ///< of the member, "tip_relief"
+  Relief FlankModifications::*relief;  ///< `relief` or `alone` is set, and the other is null
+  double FlankModifications::*alone;
+
+  double& amount_of(FlankModifications& m) const { return relief ? (m.*relief).amount : m.*alone; }
+  double amount_of(const FlankModifications& m) const {
+    return relief ? (m.*relief).amount : m.*alone;
+  }
+  /// True if the reach of a relief is given. An amount alone needs no reach, because it applies to
+  /// the whole flank, and the result is also true.
+  bool placed(const FlankModifications& m) const { return !relief || (m.*relief).reach; }
+};
+
+/// All modifications in the order of Modification.
+inline constexpr std::array<ModificationMember, 7> kModifications{{
+    {Modification::tip_relief, "tip_relief", &FlankModifications::tip_relief, nullptr},
+    {Modification::root_relief, "root_relief", &FlankModifications::root_relief, nullptr},
+    {Modification::profile_crowning, "profile_crowning", nullptr,
+     &FlankModifications::profile_crowning},
+    {Modification::profile_slope, "profile_slope", nullptr, &FlankModifications::profile_slope},
+    {Modification::lead_crowning, "lead_crowning", nullptr, &FlankModifications::lead_crowning},
+    {Modification::lead_slope, "lead_slope", nullptr, &FlankModifications::lead_slope},
+    {Modification::end_relief, "end_relief", &FlankModifications::end_relief, nullptr},
+}};
+constexpr const ModificationMember& member_of(Modification m) {
+  return kModifications[static_cast<std::size_t>(m)];
+}
+
+/// An amount of each modification, mm.
+struct ModificationAmounts {
+  std::array<double, kModifications.size()> mm{};
+
+  double& operator[](Modification m) { return mm[static_cast<std::size_t>(m)]; }
+  double operator[](Modification m) const { return mm[static_cast<std::size_t>(m)]; }
+  bool operator==(const ModificationAmounts&) const = default;
+};
+
 /// The usable flank to which the modifications apply.
 struct FlankExtent {
   double r0;             ///< mm, base radius of an involute, 0 for other teeth
@@ -89,20 +141,6 @@ struct Removal {
 ///         (3) the derivatives returned are the exact derivatives of c at every point
 class RemovalField {
  public:
-  enum class Parameter {
-    tip_relief,
-    root_relief,
-    profile_crowning,
-    profile_slope,
-    lead_crowning,
-    lead_slope,
-    end_relief
-  };
-  static constexpr std::array<Parameter, 7> kParameters{
-      Parameter::tip_relief,    Parameter::root_relief,   Parameter::profile_crowning,
-      Parameter::profile_slope, Parameter::lead_crowning, Parameter::lead_slope,
-      Parameter::end_relief};
-
   /// The reliefs that apply in a piece of the flank.
   struct Piece {
     bool tip = false, root = false;
@@ -132,9 +170,10 @@ class RemovalField {
 
   /// Derivative of at() with respect to the amount of a modification, in mm removed per mm of the
   /// amount. It is 0 for a relief without a reach, which applies in no piece.
-  Removal derivative(Parameter parameter, double u, double z, const Piece& piece) const;
+  Removal derivative(Modification of, double u, double z, const Piece& piece) const;
 
-  double amount(Parameter parameter) const { return amounts_[index(parameter)]; }  ///< C  mm
+  double amount(Modification of) const { return amounts_[of]; }  ///< C  mm
+  const ModificationAmounts& amounts() const { return amounts_; }
 
   /// The piece that contains (u, z). On a border, it is the piece with the greater u or z. Outside
   /// the flank, it is the nearest piece.
@@ -170,7 +209,6 @@ class RemovalField {
   bool none() const;
 
  private:
-  static std::size_t index(Parameter p) { return static_cast<std::size_t>(p); }
   struct Roll {
     double value, d1, d2;  // L and its derivatives by u
   };
@@ -181,12 +219,12 @@ class RemovalField {
   };
   static Ramp ramp(const Relief& relief, double from, double to);
   Roll roll(double rho) const;
-  Removal unit(Parameter parameter, const Roll& L, double z, const Piece& piece) const;
+  Removal unit(Modification of, const Roll& L, double z, const Piece& piece) const;
   static WaveJet wave(const FormWave& wave, double x, double middle, double width);
   void make_cells();
 
   FlankExtent extent_;
-  std::array<double, 7> amounts_;
+  ModificationAmounts amounts_;
   double y_floor_ = 0.0;  // mm², L² below which L is extrapolated
   double roll_root_ = 0.0, roll_tip_ = 0.0, roll_mid_ = 0.0;
   Ramp tip_, root_, end_;

@@ -15,7 +15,7 @@ namespace {
 
 using Long = long double;
 using Field = RemovalField;
-using P = Field::Parameter;
+using P = Modification;
 
 // 17 teeth, m_n 2.5, α_n 20°: base circle 39.935 mm, usable flank from 41 to 47.5 mm diameter.
 const FlankExtent kGear{19.9676, 20.5, 23.75, 25.0};
@@ -145,7 +145,7 @@ TEST(RemovalField, is_the_sum_of_amounts_times_derivatives) {
       const double u = (cell.u_lo + cell.u_hi) / 2;
       const double z = (cell.z_lo + cell.z_hi) / 2;
       double c = 0.0, c_uu = 0.0, c_zz = 0.0;
-      for (const P p : Field::kParameters) {
+      for (const auto& [p, name, relief, alone] : kModifications) {
         const Removal d = field->derivative(p, u, z, cell.piece);
         c += field->amount(p) * d.c;
         c_uu += field->amount(p) * d.c_uu;

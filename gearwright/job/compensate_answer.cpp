@@ -266,9 +266,9 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   std::vector<double> closed_forms(corrections->size(), 0.0);
   for (std::size_t k = 0; k < closed_forms.size(); ++k) {
     const WorkshopCorrection& c = (*corrections)[k];
-    if (c.what == CorrectionOf::tool_setting && answer.setting)
+    if (c.is(CutterSetting::tool_setting) && answer.setting)
       closed_forms[k] = answer.setting->exact;
-    if (c.what == CorrectionOf::cutter_lead && c.gear == 1 && answer.lead)
+    if (c.is(CutterSetting::cutter_lead) && c.gear == 1 && answer.lead)
       closed_forms[k] = answer.lead->exact[0].value_or(Angle()).rad() / kRadPerDeg;
   }
   task.starts.push_back(std::move(closed_forms));

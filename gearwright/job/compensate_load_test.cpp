@@ -59,8 +59,8 @@ std::vector<LoadedScore> scanned(const std::string& text) {
   for (double slope = -40; slope <= 40; slope += 5) {
     for (double crowning = 0; crowning <= 24; crowning += 4) {
       SetupChange change;
-      change.flank[0].lead_slope = slope * kMmPerUm;
-      change.flank[0].lead_crowning = crowning * kMmPerUm;
+      change.flank[0][Modification::lead_slope] = slope * kMmPerUm;
+      change.flank[0][Modification::lead_crowning] = crowning * kMmPerUm;
       const auto changed = setup->changed(change);
       EXPECT_TRUE(changed);
       all.push_back(load->scores(changed->pair(false), load->positions()).front());

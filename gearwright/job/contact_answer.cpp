@@ -267,7 +267,7 @@ std::vector<NamedInfluence> influences_of(const SolvedJob& job) {
       if (!m.placed(flanks[0]) && !m.placed(flanks[1])) continue;
       list.push_back({fmt::format("gear{}_{}_per_um", which, m.name),
                       kMmPerUm,
-                      {ErrorKind::center_distance, which, m.parameter}});
+                      {ErrorKind::center_distance, which, m.kind}});
     }
   }
   return list;

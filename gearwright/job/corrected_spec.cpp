@@ -12,18 +12,15 @@ namespace gearwright {
 
 namespace {
 
-const char* needs(CorrectionOf what) {
-  switch (what) {
-    case CorrectionOf::tool_setting:
-      return "is a setting of the circular-arc rack F, but this rack cuts neither gear";
-    case CorrectionOf::cutter_lead: return "needs a helical gear cut by a rack";
-    case CorrectionOf::end_relief:
-      return "needs end_relief_length_mm in the modifications of the gear, because this key "
-             "determines the position of the relief; the amount of the relief may be 0";
-    default:
-      return "needs the start of the relief in the modifications of the gear, for example "
-             "tip_relief_start_mm; the amount of the relief may be 0";
-  }
+const char* needs(const WorkshopCorrection& c) {
+  if (c.is(CutterSetting::tool_setting))
+    return "is a setting of the circular-arc rack F, but this rack cuts neither gear";
+  if (c.is(CutterSetting::cutter_lead)) return "needs a helical gear cut by a rack";
+  if (*c.modification() == Modification::end_relief)
+    return "needs end_relief_length_mm in the modifications of the gear, because this key "
+           "determines the position of the relief; the amount of the relief may be 0";
+  return "needs the start of the relief in the modifications of the gear, for example "
+         "tip_relief_start_mm; the amount of the relief may be 0";
 }
 
 }  // namespace
@@ -34,17 +31,17 @@ Result<std::vector<WorkshopCorrection>> corrections_of(const ContactSetup& setup
   if (places.empty()) return usual_corrections(setup);
   std::vector<WorkshopCorrection> list;
   for (const std::size_t place : places) {
-    const WorkshopCorrection& c = kCorrections[place].correction;
-    if (!can_take(setup, c)) return Error{field, std::string(entry_of(c).key), needs(c.what)};
+    const WorkshopCorrection& c = correction_entries()[place].correction;
+    if (!can_take(setup, c)) return Error{field, std::string(entry_of(c).key), needs(c)};
     list.push_back(c);
   }
   return list;
 }
 
 std::string spec_key(const ContactSetup& setup, const WorkshopCorrection& c, bool gear2_drives) {
-  if (c.what == CorrectionOf::tool_setting)
+  if (c.is(CutterSetting::tool_setting))
     return fmt::format("gear{}.rack.center_b", *setup.convex_gear());
-  if (c.what == CorrectionOf::cutter_lead) return fmt::format("errors.{}", entry_of(c).key);
+  if (c.is(CutterSetting::cutter_lead)) return fmt::format("errors.{}", entry_of(c).key);
   const bool left = gear2_drives != (c.gear == 2 && setup.gear(2).internal());
   return fmt::format("gear{}.modifications.{}{}", c.gear,
                      !c.slope() ? ""
@@ -79,13 +76,13 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
   for (std::size_t k = 0; k < which.size(); ++k) {
     const WorkshopCorrection& c = which[k];
     if (v[k] == 0.0) continue;
-    if (c.what == CorrectionOf::tool_setting) {
+    if (c.is(CutterSetting::tool_setting)) {
       const int gear = *setup.convex_gear();
       Json& rack = tree[gear_field(gear)]["rack"];
       const auto& arc = std::get<ArcRack>(setup.gear(gear).spec.rack);
       rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
       rack.erase("pressure_angle_deg");  // otherwise this key would contradict the new setting
-    } else if (c.what == CorrectionOf::cutter_lead) {
+    } else if (c.is(CutterSetting::cutter_lead)) {
       add(tree["errors"], std::string(entry_of(c).key),
           v[k]);  // the correction has the same key in [errors]
     } else {

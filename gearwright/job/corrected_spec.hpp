@@ -11,7 +11,7 @@
 
 namespace gearwright {
 
-/// The corrections with these indices in kCorrections. If no index is given, these are the default
+/// The corrections with these indices in correction_entries. If no index is given, these are the default
 /// corrections of the pair.
 ///
 /// Errors    `field` for a correction that is not possible for these teeth

@@ -95,7 +95,7 @@ class Grades {
     const std::string table = gear_field(which) + ".";
     add_error(which == 1 ? VaryingError::helix_slope1 : VaryingError::helix_slope2, f.helix_slope);
     add(table + "modifications.profile_slope_um", kMmPerUm, f.profile_slope,
-        VaryingModification{which, RemovalField::Parameter::profile_slope});
+        VaryingModification{which, Modification::profile_slope});
     constexpr std::array<int, 2> kWaves{1, 4};
     const Distribution share = Distribution::of({{0.0, 1.0}}).value();
     all_.push_back(
@@ -179,7 +179,7 @@ std::optional<Error> add_gear(const SolvedJob& job, int which, const ScatterGear
                                table, m.name, m.reach)};
     }
     all.push_back({name, kMmPerUm, distribution_of(*gear.modifications[i]),
-                   VaryingModification{which, m.parameter}});
+                   VaryingModification{which, m.kind}});
   }
   return std::nullopt;
 }

@@ -54,7 +54,7 @@ void write_tables(const std::filesystem::path& designs, const std::filesystem::p
 
 std::string csv_text(const SearchProblem& problem, const SearchAnswer& answer, std::size_t most) {
   std::string text = "rank";
-  const TableColumns<DesignView>& columns = design_columns(problem);
+  const TableColumns<DesignView> columns = design_columns(problem);
   for (const ParquetColumn& c : columns.heads()) text += "," + c.name;
   text += ",front\n";
   std::size_t on_front = 0;

@@ -1,7 +1,5 @@
 #include "gearwright/job/search_tables.hpp"
 
-#include <map>
-#include <mutex>
 #include <set>
 
 namespace gearwright {
@@ -25,7 +23,7 @@ void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads) {
   }
 }
 
-const TableColumns<DesignView>& design_columns(const SearchProblem& problem) {
+TableColumns<DesignView> design_columns(const SearchProblem& problem) {
   // Only some searches have these columns. The problem determines which of them exist.
   const std::set<std::string_view> optional{"backlash_mm", "face_width_mm", "S_H", "S_F",
                                             "mass_kg"};
@@ -33,15 +31,9 @@ const TableColumns<DesignView>& design_columns(const SearchProblem& problem) {
   std::vector<std::string_view> without;
   for (const Quantity<DesignView>& q : design_quantities().list())
     if (optional.contains(q.info.key) && !q.exists({&problem, &any})) without.push_back(q.info.key);
-  static std::mutex mutex;
-  static std::map<std::vector<std::string_view>, TableColumns<DesignView>> tables;
-  const std::lock_guard lock(mutex);
-  return tables.try_emplace(without, design_quantities(), without).first->second;
+  return TableColumns<DesignView>(design_quantities(), without);
 }
 
-const TableColumns<ShiftPoint>& point_columns() {
-  static const TableColumns<ShiftPoint> kColumns(point_quantities());
-  return kColumns;
-}
+TableColumns<ShiftPoint> point_columns() { return TableColumns<ShiftPoint>(point_quantities()); }
 
 }  // namespace gearwright

@@ -63,9 +63,9 @@ class TableColumns {
 template <class S>
 class ParquetTable {
  public:
-  ParquetTable(const std::filesystem::path& part, const TableColumns<S>& columns,
+  ParquetTable(const std::filesystem::path& part, TableColumns<S> columns,
                const std::vector<std::pair<std::string, std::string>>& notes)
-      : columns_(columns), writer_(part, columns.heads(), notes) {}
+      : columns_(std::move(columns)), writer_(part, columns_.heads(), notes) {}
 
   void add(const S& row) {
     columns_.row(row, [&](std::size_t i, const Value& v) {
@@ -80,13 +80,13 @@ class ParquetTable {
   void close() { writer_.close(); }
 
  private:
-  const TableColumns<S>& columns_;
+  TableColumns<S> columns_;
   ParquetWriter writer_;
 };
 
 /// The columns of designs. Safeties, masses and face widths are included if the search computes
 /// them.
-const TableColumns<DesignView>& design_columns(const SearchProblem& problem);
-const TableColumns<ShiftPoint>& point_columns();
+TableColumns<DesignView> design_columns(const SearchProblem& problem);
+TableColumns<ShiftPoint> point_columns();
 
 }  // namespace gearwright

@@ -223,7 +223,7 @@ TEST(GapPlaces, TheStartOfAReliefHasOneCurvature) {
 // The slopes with respect to modifications are compared with differences. Positions that move to
 // another patch are left out, because the slope changes at the start of a relief.
 TEST(GapPlaces, SlopesAreThoseOfDifferences) {
-  using P = RemovalField::Parameter;
+  using P = Modification;
   struct Change {
     P parameter;
     double FlankModifications::*amount;

@@ -63,9 +63,9 @@ Teeth teeth(int z1, int z2, double helix_deg) {
 }
 
 const std::vector<WorkshopCorrection> kAll{
-    {CorrectionOf::lead_slope, 1},    {CorrectionOf::lead_crowning, 2},
-    {CorrectionOf::profile_slope, 1}, {CorrectionOf::profile_crowning, 2},
-    {CorrectionOf::tip_relief, 1},    {CorrectionOf::tip_relief, 2}};
+    {Modification::lead_slope, 1},    {Modification::lead_crowning, 2},
+    {Modification::profile_slope, 1}, {Modification::profile_crowning, 2},
+    {Modification::tip_relief, 1},    {Modification::tip_relief, 2}};
 
 NearbyLoad nearby(const Teeth& t, const ContactSetup& setup) {
   std::vector<Influence> influences;

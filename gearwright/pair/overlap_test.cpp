@@ -45,10 +45,10 @@ TEST(Overlap, a_tip_that_bulges_is_said_by_the_gear_and_by_the_pair) {
   EXPECT_TRUE(warns(wheel, WarningCode::tip_bulge));
   const InvolutePair p = mounted(made(spec(20, 2.5)), wheel, 100.0);
   ASSERT_EQ(p.overlap->size(), 1U);
-  const Collision& strike = p.overlap->front();
-  EXPECT_EQ(strike.cause, CollisionCause::tip_bulge);
-  EXPECT_EQ(strike.gear, 2);
-  EXPECT_NEAR(strike.depth, 8.0247e-3, 1e-6);
+  const Collision& collision = p.overlap->front();
+  EXPECT_EQ(collision.cause, CollisionCause::tip_bulge);
+  EXPECT_EQ(collision.gear, 2);
+  EXPECT_NEAR(collision.depth, 8.0247e-3, 1e-6);
   ASSERT_EQ(p.interference.size(), 1U);
   EXPECT_EQ(p.interference[0].code, WarningCode::overlap);
   EXPECT_TRUE(warns(p, WarningCode::overlap));

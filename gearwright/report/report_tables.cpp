@@ -117,7 +117,7 @@ std::vector<TextGroup> gear_groups(UnitSystem units, const std::vector<const Gea
 }
 
 // A sentence about what was checked, for a pair without interference.
-std::string nothing_strikes(const InvolutePair& p) {
+std::string no_collision_text(const InvolutePair& p) {
   if (p.overlap && p.crossed_inside()) {
     return "<p>There is no interference of tips. They keep clear of roots, fillets and flanks. "
            "Whether the flanks overlap beside the line of action depends on the lead "
@@ -147,7 +147,7 @@ struct CollisionRow {
   std::string amount, words;
 };
 
-std::string strike_rows(const std::string& caption, const std::vector<CollisionRow>& rows) {
+std::string collision_rows(const std::string& caption, const std::vector<CollisionRow>& rows) {
   if (rows.empty()) return "";
   std::string text = fmt::format(
       "<div class=\"scroll\"><table>\n<caption>{}</caption>\n<thead><tr><th "
@@ -283,13 +283,13 @@ std::string interference_table(const InvolutePair& p, UnitSystem units) {
   const std::vector<CollisionRow> overlap =
       p.overlap ? rows_of(*p.overlap, units) : std::vector<CollisionRow>{};
   if (overlap.empty() && p.interference.empty() && p.beyond_flank.empty())
-    return nothing_strikes(p);
-  return strike_rows("Overlap of the outlines, with the teeth in the middle of the backlash",
-                     overlap) +
-         strike_rows(p.overlap ? "Causes of the overlap" : "Interference",
-                     rows_of(p.interference, overlap, units)) +
-         strike_rows("Contact beyond the flanks, before the flanks touch",
-                     rows_of(p.beyond_flank, units));
+    return no_collision_text(p);
+  return collision_rows("Overlap of the outlines, with the teeth in the middle of the backlash",
+                        overlap) +
+         collision_rows(p.overlap ? "Causes of the overlap" : "Interference",
+                        rows_of(p.interference, overlap, units)) +
+         collision_rows("Contact beyond the flanks, before the flanks touch",
+                        rows_of(p.beyond_flank, units));
 }
 
 }  // namespace gearwright

@@ -70,9 +70,7 @@ double least_between(const Branches& a, const Branches& b) {
 // True if the field of a member differs from the drawn field. Topographies are not compared,
 // because they are always equal.
 bool changed(const RemovalField& member, const RemovalField& drawn) {
-  if (member.waves() != drawn.waves()) return true;
-  return std::any_of(RemovalField::kParameters.begin(), RemovalField::kParameters.end(),
-                     [&](auto p) { return member.amount(p) != drawn.amount(p); });
+  return member.waves() != drawn.waves() || member.amounts() != drawn.amounts();
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace gearwright {
 namespace {
 
-using P = RemovalField::Parameter;
+using P = Modification;
 
 // Tolerances of the housing, of the bores and of both flanks, all multiplied by `width`.
 std::vector<ScatterTolerance> tolerances_of_all(double width) {

@@ -14,7 +14,6 @@ namespace gearwright {
 namespace {
 
 using Q = ScatterQuantity;
-using Parameter = RemovalField::Parameter;
 
 struct Small {
   ScatterTolerance tolerance;
@@ -32,10 +31,10 @@ std::vector<Small> small_tolerances() {
           range("crossing", 3e-7, VaryingError::crossing, {ErrorKind::crossing}),
           range("intersecting", 5e-7, VaryingError::intersecting, {ErrorKind::intersecting}),
           range("helix slope", 5e-6, VaryingError::helix_slope2, {ErrorKind::helix_slope2}),
-          range("crowning", 2e-6, VaryingModification{1, Parameter::lead_crowning},
-                {ErrorKind::center_distance, 1, Parameter::lead_crowning}),
-          range("profile", 2e-6, VaryingModification{1, Parameter::profile_slope},
-                {ErrorKind::center_distance, 1, Parameter::profile_slope})};
+          range("crowning", 2e-6, VaryingModification{1, Modification::lead_crowning},
+                {ErrorKind::center_distance, 1, Modification::lead_crowning}),
+          range("profile", 2e-6, VaryingModification{1, Modification::profile_slope},
+                {ErrorKind::center_distance, 1, Modification::profile_slope})};
 }
 
 // The derivatives of TE, averaged over the positions.

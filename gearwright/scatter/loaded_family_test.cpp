@@ -95,7 +95,7 @@ TEST(LoadedFamily, MembersAreThoseOfLoadedContact) {
       task_of(setup,
               {testing::intersecting(0.3),
                testing::tolerance("gear1.modifications.lead_crowning_um", 1e-3, -10, 10,
-                                  VaryingModification{1, RemovalField::Parameter::lead_crowning})},
+                                  VaryingModification{1, Modification::lead_crowning})},
               {5e3, 100e3}, true);
   const auto scatter = scatter_of(setup, task);
   ASSERT_TRUE(scatter) << scatter.error().message();

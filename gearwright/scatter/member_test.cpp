@@ -151,7 +151,7 @@ TEST(Member, OfADoubleHelicalPairIsTheContactOfTheWholeGears) {
 TEST(Member, IsThePairWithItsErrorsAndModifications) {
   auto drawn = testing::crowned_helical_pair();
   drawn.errors = {.center_distance = -0.004, .axial = 0.1};
-  using P = RemovalField::Parameter;
+  using P = Modification;
   const std::vector<ScatterTolerance> tolerances{
       testing::distance(0.02), testing::crossing(0.05),
       testing::tolerance("errors.helix_slope2_um", 1e-3, -9, 9, VaryingError::helix_slope2),
@@ -293,7 +293,7 @@ TEST(Tolerance, BoresMoveAndTiltTheAxis) {
 }
 
 TEST(Tolerance, EndsMustBeTeeth) {
-  using P = RemovalField::Parameter;
+  using P = Modification;
   auto drawn = testing::crowned_helical_pair();
   drawn.modifications.tip_relief = {0.005, 2 * 23.5, ReliefShape::linear};
   const ContactSetup setup = drawn.setup();

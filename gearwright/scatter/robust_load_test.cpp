@@ -29,7 +29,7 @@ ScatterTask loaded_housing(double crossing_deg) {
 }
 
 RobustTask crowning_under_load(const ContactSetup& setup, double most) {
-  return {{{CorrectionOf::lead_crowning, 1}},
+  return {{{Modification::lead_crowning, 1}},
           {{0.0, most, 2.0}},
           80.0,
           testing::loaded_family(setup, {kRobustTorque}, kLoadedSamples)};
@@ -41,7 +41,7 @@ double percentile_under_load(const JudgedFamily& f) {
 
 ContactSetup with_crowning(const ContactSetup& setup, double um) {
   SetupChange change;
-  change.flank[0].lead_crowning = um * kMmPerUm;
+  change.flank[0][Modification::lead_crowning] = um * kMmPerUm;
   return setup.changed(change).value();
 }
 
@@ -111,7 +111,7 @@ TEST(RobustLoad, NothingIsWorseThanNothing) {
   const ContactSetup setup = testing::crowned_helical_pair().setup();
   const ScatterTask task = loaded_housing(0.02);
   RobustTask robust = crowning_under_load(setup, 50);
-  robust.corrections.push_back({CorrectionOf::profile_slope, 2});
+  robust.corrections.push_back({Modification::profile_slope, 2});
   robust.bounds.push_back({-20.0, 20.0, 1.0});
   robust.load = testing::loaded_family(setup, {20e3, kRobustTorque}, kLoadedSamples);
   const auto found = robust_corrections(setup, task, robust);
@@ -126,7 +126,7 @@ TEST(RobustLoad, SettingsWithoutInfluenceAreTriedExactly) {
   const ContactSetup setup = testing::plain_helical_pair().setup();
   ScatterTask task = loaded_housing(0.02);
   task.samples = 4;
-  RobustTask robust{{{CorrectionOf::cutter_lead, 1}},
+  RobustTask robust{{{CutterSetting::cutter_lead, 1}},
                     {{-0.02, 0.02, 0.005}},
                     80.0,
                     testing::loaded_family(setup, {kRobustTorque}, 4)};

@@ -27,7 +27,7 @@ ScatterTask housing(int positions, int samples) {
 }
 
 RobustTask crowning(double most) {
-  return {{{CorrectionOf::lead_crowning, 1}}, {{0.0, most, 2.0}}, 95.0};
+  return {{{Modification::lead_crowning, 1}}, {{0.0, most, 2.0}}, 95.0};
 }
 
 double percentile(const JudgedFamily& f) { return f.percentile().estimate.value * kArcsecPerRad; }
@@ -58,7 +58,7 @@ TEST(Robust, NothingIsWorseThanNothing) {
   // The pair has sufficient crowning. More crowning or a slope gains little or nothing.
   const ContactSetup setup = testing::crowned_helical_pair().setup();
   ScatterTask task = housing(12, 64);
-  const RobustTask robust{{{CorrectionOf::lead_crowning, 1}, {CorrectionOf::profile_slope, 2}},
+  const RobustTask robust{{{Modification::lead_crowning, 1}, {Modification::profile_slope, 2}},
                           {{0.0, 50.0, 2.0}, {-20.0, 20.0, 1.0}},
                           90.0};
   const auto found = robust_corrections(setup, task, robust);

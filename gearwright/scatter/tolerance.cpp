@@ -29,19 +29,6 @@ void add_error(Deviation& d, const ContactSetup& setup, VaryingError error, doub
   }
 }
 
-void add_modification(FlankModifications& m, RemovalField::Parameter parameter, double by) {
-  using P = RemovalField::Parameter;
-  switch (parameter) {
-    case P::tip_relief: m.tip_relief.amount += by; break;
-    case P::root_relief: m.root_relief.amount += by; break;
-    case P::profile_crowning: m.profile_crowning += by; break;
-    case P::profile_slope: m.profile_slope += by; break;
-    case P::lead_crowning: m.lead_crowning += by; break;
-    case P::lead_slope: m.lead_slope += by; break;
-    case P::end_relief: m.end_relief.amount += by; break;
-  }
-}
-
 // Adds the effect of one bore, with the other bore in its nominal position. [T14.12]
 void add_bore(ContactErrors& e, const VaryingBore& bore, double x, double y) {
   const double sign = bore.far_end ? 1.0 : -1.0;
@@ -66,7 +53,7 @@ void add(Deviation& d, const ContactSetup& setup, const ScatterTolerance& tolera
             if (by == 0.0) return;
             d.modified = true;
             for (auto& flank : d.modifications[static_cast<std::size_t>(m.gear - 1)])
-              add_modification(flank, m.parameter, by);
+              member_of(m.parameter).amount_of(flank) += by;
           },
           [&](const VaryingBore& b) { add_bore(d.errors, b, by, tolerance.unit * x[1]); },
           [&](const VaryingPitch& p) {

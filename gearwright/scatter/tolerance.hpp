@@ -37,7 +37,7 @@ struct VaryingThickness {
 /// The amount of a modification of both flanks of a gear, mm.
 struct VaryingModification {
   int gear;
-  RemovalField::Parameter parameter;
+  Modification parameter;
 };
 
 /// The position of the bore of axis 1 relative to the bore of axis 2, in the plane at one end of

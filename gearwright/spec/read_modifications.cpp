@@ -57,7 +57,7 @@ void read_flank(TableReader& t, std::size_t flank, FlankModifications& to) {
     const std::string name(m.name);
     const std::string key = key_of(t, flank, name + "_um");
     const auto amount = t.number(key);
-    if (m.amount) to.*(m.amount) = amount.value_or(0.0) / kUmPerMm;
+    if (m.alone) to.*(m.alone) = amount.value_or(0.0) / kUmPerMm;
     if (!m.relief) continue;
     const std::string reach_key = name + std::string(m.reach);
     const auto reach = t.number(key_of(t, flank, reach_key));

@@ -82,11 +82,11 @@ constexpr const char* kNoCutter =
     " The cutter of the internal gear is not given, so its root fillet is not checked.";
 
 std::string running(const InvolutePair& p, const std::string& contact) {
-  const bool nothing_strikes = p.interference.empty() && p.beyond_flank.empty();
+  const bool no_collision = p.interference.empty() && p.beyond_flank.empty();
   return fmt::format(
       "{} {}{}.{}", contact,
       backlash_words(p.mesh.backlash.normal, p.center_distance, p.gears[0].spec.normal_module),
-      !nothing_strikes     ? ""
+      !no_collision        ? ""
       : p.crossed_inside() ? " and no tip interference"
                            : " and no interference",
       uncut_ring(&p.gears[1]) ? kNoCutter : "");

@@ -50,7 +50,7 @@ class Verbs(unittest.TestCase):
         self.assertNotIn("pitch_line_velocity_m_per_s", Run("pair", PAIR, "--json").json["pair"])
         self.assertIn("pair.speed_rpm", Run("pair", PAIR + "[pair]\nspeed_rpm = 0\n").err)
 
-    def test_free_play_is_the_backlash_where_nothing_strikes(self):
+    def test_free_play_is_the_backlash_without_collision(self):
         j = Run("pair", PAIR, "--json").json["pair"]["backlash"]
         for free, play in zip(j["free_rotation_deg"], j["rotation_deg"], strict=True):
             self.assertAlmostEqual(free, play, delta=1e-12 * abs(play))

@@ -83,9 +83,9 @@ double deepest(const Screwed& one, const Screwed& two, bool first_moves, double 
   return least;
 }
 
-TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight) {
+TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_collisions_are_tight) {
   property::Random random(4033);
-  int pairs = 0, strikes = 0;
+  int pairs = 0, collisions = 0;
   for (int i = 0; i < 4000 && pairs < 22; ++i) {
     auto specs = property::random_crossed(random, 10.0, false);
     const double m = specs.first.normal_module;
@@ -116,7 +116,7 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight
     all.insert(all.end(), pair->beyond_flank.begin(), pair->beyond_flank.end());
     for (const Collision& s : all) {
       if (!s.touch || s.cause == CollisionCause::negative_backlash) continue;
-      ++strikes;
+      ++collisions;
       const double turn_1 = -s.touch->rotation_1;
       const double turn_2 = -turn_1 * one.teeth() / two.teeth() + s.touch->turn_2;
       const Vec3 p(s.touch->point.x(), s.touch->point.y(), s.touch->height);
@@ -126,8 +126,8 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight
     if (::testing::Test::HasFailure()) break;
   }
   EXPECT_EQ(pairs, 22);
-  EXPECT_GT(strikes, 8);
-  RecordProperty("strikes", strikes);
+  EXPECT_GT(collisions, 8);
+  RecordProperty("collisions", collisions);
 }
 
 // Internal pairs with a small difference of the numbers of teeth, whose tips collide away from the
@@ -135,8 +135,8 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight
 // is greater than the depth of the saddle of the flanks.
 TEST(CrossedGapOracle, tips_inside_an_internal_gear_collide_where_the_solids_do) {
   property::Random random(4034);
-  int free = 0, strikes = 0;
-  for (int i = 0; i < 4000 && (free < 4 || strikes < 4); ++i) {
+  int free = 0, collisions = 0;
+  for (int i = 0; i < 4000 && (free < 4 || collisions < 4); ++i) {
     const auto specs = property::random_crossed_internal(random, 4, 24);
     const double m = specs.first.normal_module;
     const auto plain = property::mounted(specs, 0.15 * m);
@@ -152,7 +152,7 @@ TEST(CrossedGapOracle, tips_inside_an_internal_gear_collide_where_the_solids_do)
     for (const auto& crowning : pair->needed_crowning)
       shallow = shallow && crowning && 1.5 * *crowning < 0.5 * half_play;
     if (!shallow) continue;
-    if (pair->overlap->empty() ? free >= 4 : strikes >= 4) continue;
+    if (pair->overlap->empty() ? free >= 4 : collisions >= 4) continue;
     SCOPED_TRACE(describe(specs));
     const Screwed one(*pair, 1), two(*pair, 2);
     if (pair->overlap->empty()) {
@@ -162,7 +162,7 @@ TEST(CrossedGapOracle, tips_inside_an_internal_gear_collide_where_the_solids_do)
     }
     for (const Collision& s : *pair->overlap) {
       if (!s.touch) continue;
-      ++strikes;
+      ++collisions;
       const double turn_1 = -s.touch->rotation_1;
       const double turn_2 =
           -turn_1 * pair->gears[0].spec.teeth / pair->gears[1].spec.teeth + s.touch->turn_2;
@@ -174,7 +174,7 @@ TEST(CrossedGapOracle, tips_inside_an_internal_gear_collide_where_the_solids_do)
     if (::testing::Test::HasFailure()) break;
   }
   EXPECT_GE(free, 4);
-  EXPECT_GE(strikes, 4);
+  EXPECT_GE(collisions, 4);
 }
 
 }  // namespace

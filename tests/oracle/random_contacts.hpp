@@ -171,7 +171,7 @@ inline BrutePair brute_screws(const ScrewContact& s) {
   BrutePair b = brute_pair(s.set);
   for (int i : {0, 1}) {
     if (!s.set.removal[i]) continue;
-    const double c = s.set.removal[i]->amount(RemovalField::Parameter::lead_crowning);
+    const double c = s.set.removal[i]->amount(Modification::lead_crowning);
     const double face = s.set.gears[i].spec.face_width;
     (i == 0 ? b.one : b.two).removed = [=](double, double z) {
       return c * 4 * z * z / face / face;

@@ -94,7 +94,6 @@ TEST(ContactSlopes, sensitivities_to_errors) {
 
 // The exact derivatives with respect to the amount of every modification equal central differences.
 TEST(ContactSlopes, sensitivities_to_modifications) {
-  using P = RemovalField::Parameter;
   int compared = 0;
   over_pairs(43, 16, {}, [&compared](const ModifiedPair& p, Random& random) {
     for (int g : {0, 1}) {
@@ -119,8 +118,8 @@ TEST(ContactSlopes, sensitivities_to_modifications) {
       };
       ContactRequest request;
       request.rotations = {Angle::radians(random.uniform(-0.1, 0.1))};
-      for (const P q : RemovalField::kParameters)
-        request.influences.push_back({ErrorKind::center_distance, g + 1, q});
+      for (const ModificationMember& q : kModifications)
+        request.influences.push_back({ErrorKind::center_distance, g + 1, q.kind});
       const auto r = analyse_contact(with(f), request);
       const ContactPoint& here = r.positions[0];
       if (here.kind == TouchKind::none || here.kind == TouchKind::line) continue;
