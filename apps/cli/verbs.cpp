@@ -1,7 +1,6 @@
 #include "apps/cli/verbs.hpp"
 
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -263,17 +262,16 @@ int batch_verb(const Options& o) {
   long long failed = 0;
   long long first_failed = 0;
   long long lines = 0;
-  std::atomic<long long> violations = 0;
+  long long violations = 0;
   in_order([&](std::string& line) { return static_cast<bool>(std::getline(in, line)); },
            [&](const std::string& line) {
-             BatchLine answer = batch_line(verb, line);
-             if (answer.violated) ++violations;
-             return std::move(answer.text);
-           },
-           [&](const std::string& answer) {
-             ++lines;
-             if (answer.starts_with("{\"error\":") && failed++ == 0) first_failed = lines;
-             write_line(answer);
+             return [&, answer = batch_line(verb, line)] {
+               using Outcome = BatchLine::Outcome;
+               ++lines;
+               if (answer.outcome != Outcome::answered && failed++ == 0) first_failed = lines;
+               if (answer.outcome == Outcome::violated) ++violations;
+               write_line(answer.text);
+             };
            },
            o.threads);
   if (in.bad()) throw IoError("cannot read " + path + ": " + std::strerror(errno));
@@ -283,7 +281,7 @@ int batch_verb(const Options& o) {
                  failed, lines, first_failed);
   if (violations > 0)
     std::fprintf(stderr, "gearwright: a defect in Gearwright caused %lld of these failures\n",
-                 violations.load());
+                 violations);
   if (lines == 0)
     std::fprintf(stderr,
                  "gearwright: the input contains no spec; batch reads one JSON spec per line\n");
