@@ -27,7 +27,6 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
-#include "gearwright/spec/toml_text.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::apps {
@@ -69,29 +68,10 @@ int answering_verb(const Verb& verb, const Options& o, const SpecText* text) {
                           ? watched(verb.name, [&](Progress* h) { return verb.run(spec, h); })
                           : verb.run(spec, nullptr);
   if (!answer) return door.fail(answer.error());
-  const auto number = static_cast<std::size_t>(o.take.value_or(0));
-  if (number > answer->specs.size()) {
-    const std::string none =
-        "the spec has no such solution" + (answer->why_none.empty() ? "" : ": " + answer->why_none);
-    return door.fail(
-        {"--take", std::to_string(number),
-         answer->specs.empty() ? none : fmt::format("must be 1 to {}", answer->specs.size())});
-  }
-  if (o.take || o.expand) {
-    const Json& spec = o.expand ? answer->expanded : answer->specs[number - 1];
-    const bool noted = !o.expand && number <= answer->notes.size();
-    const std::vector<std::string> notes =
-        noted ? answer->notes[number - 1] : std::vector<std::string>();
-    o.json ? print_json(spec) : print(toml_comment(notes) + toml_text(spec));
-    for (std::size_t i = 1; o.json && i < notes.size(); ++i)
-      std::fprintf(stderr, "gearwright: %s\n", notes[i].c_str());
-  } else if (o.csv) {
-    print(answer->csv());
-  } else if (o.json) {
-    print_json(answer_json(*answer));
-  } else {
-    print(answer_text(*answer));
-  }
+  if (o.expand)
+    print_spec(answer->expanded, o.json);
+  else if (const auto error = print_answer(*answer, o.json, o.csv, o.take))
+    return door.fail(*error);
   return answer->verdict ? status(o, *answer->verdict) : 0;
 }
 
