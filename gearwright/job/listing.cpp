@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <sstream>
 
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/printable.hpp"
@@ -50,6 +52,57 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
   return text + "\n";
 }
 
+// The member of a record, or of one of its inner records, or null if the record lacks it.
+const Member* member_at(const ValueRecord& record, std::string_view path) {
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  for (const Member& m : record) {
+    if (m.info->key != path.substr(0, dot)) continue;
+    const ValueRecord* const inner = m.value.record();
+    return dot == path.size() ? &m : inner ? member_at(*inner, path.substr(dot + 1)) : nullptr;
+  }
+  return nullptr;
+}
+
+// Breaks words into lines of at most 12 characters, if no word is longer.
+std::vector<std::string> broken(const std::string& words) {
+  constexpr std::size_t kHeadWidth = 12;
+  std::vector<std::string> lines{""};
+  std::istringstream text(words);
+  for (std::string word; text >> word;) {
+    std::string& last = lines.back();
+    if (last.empty()) {
+      last = word;
+    } else if (width(last) + 1 + width(word) <= kHeadWidth) {
+      last += " " + word;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
+}
+
+struct RowColumn {
+  std::vector<std::string> lines;  // the heading, followed by the cells
+  std::size_t head;                // number of lines of the heading
+  bool left;                       // true if the cells are aligned to the left
+};
+
+// The column of a quantity that is described by `info`, or of one of the gears (1 or 2).
+RowColumn row_column(UnitSystem units, const QuantityInfo& info, const std::string& head, int gear,
+                     const std::vector<const Member*>& members) {
+  RowColumn column{
+      broken(gear > 0 ? fmt::format("{}{}{}", head, head == info.symbol ? "" : " ", gear) : head),
+      0, info.type == Type::word || info.type == Type::map};
+  column.lines.emplace_back(unit_text(system_of(info, units), info.unit));
+  column.head = column.lines.size();
+  for (const Member* m : members) {
+    const ValueList* const each = m && gear > 0 ? m->value.list() : nullptr;
+    const Value value = each ? (*each)[static_cast<std::size_t>(gear - 1)] : m ? m->value : Value();
+    column.lines.push_back(text_of(info, value, "-", units));
+  }
+  return column;
+}
+
 // The values that vary within the tolerances. The listing is empty if there are none.
 std::string pair_interval_listing(const SolvedJob& job) {
   if (!job.ends || !job.pair) return {};
@@ -81,6 +134,51 @@ std::string quantity_listing(UnitSystem units, const QuantityTable& table,
     for (const TextRow& row : g.rows)
       text += line(row.info->words, words_width, row.info->symbol, row.texts, row.unit,
                    columns.size(), note ? note(*row.info) : std::string());
+  }
+  return text;
+}
+
+std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
+                        const std::vector<ValueRecord>& records,
+                        std::initializer_list<std::string_view> keys) {
+  std::vector<std::vector<const Member*>> shown;
+  for (const std::string_view key : keys) {
+    std::vector<const Member*> members;
+    for (const ValueRecord& record : records) members.push_back(member_at(record, key));
+    if (std::any_of(members.begin(), members.end(), [](const Member* m) { return m && m->shown; }))
+      shown.push_back(std::move(members));
+  }
+  std::vector<const QuantityInfo*> infos;
+  for (const auto& members : shown)
+    infos.push_back((*std::find_if(members.begin(), members.end(), std::identity()))->info);
+  std::vector<RowColumn> columns{{names, 0, true}};
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    const QuantityInfo& info = *infos[k];
+    const bool clear = !info.symbol.empty() &&
+                       std::count_if(infos.begin(), infos.end(), [&](const QuantityInfo* other) {
+                         return other->symbol == info.symbol;
+                       }) == 1;
+    const std::string& head = clear ? info.symbol : info.words;
+    if (info.two == Two::gears)
+      for (const int gear : {1, 2})
+        columns.push_back(row_column(units, info, head, gear, shown[k]));
+    else
+      columns.push_back(row_column(units, info, head, 0, shown[k]));
+  }
+  std::size_t heads = 0;
+  for (const RowColumn& c : columns) heads = std::max(heads, c.head);
+  std::vector<std::string> lines(heads + records.size());
+  for (RowColumn& c : columns) {
+    c.lines.insert(c.lines.begin(), heads - c.head, "");
+    std::size_t widest = 0;
+    for (const std::string& text : c.lines) widest = std::max(widest, width(text));
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      lines[i] += "  " + (c.left ? pad(c.lines[i], widest) : pad_left(c.lines[i], widest));
+  }
+  std::string text;
+  for (std::string& each : lines) {
+    each.erase(each.find_last_not_of(' ') + 1);
+    if (!each.empty()) text += each + "\n";
   }
   return text;
 }
