@@ -32,7 +32,8 @@ Error no_such_spec(int take, std::size_t specs, const std::string& why_none) {
   return {"--take", std::to_string(take),
           specs > 0          ? fmt::format("must be 1 to {}", specs)
           : why_none.empty() ? "the spec has no such solution"
-                             : "the spec has no such solution: " + why_none};
+                             : "the spec has no such solution: " + why_none,
+          FailureKind::option};
 }
 
 std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
@@ -53,13 +54,13 @@ std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
 }
 
 std::optional<TextPlace> place_of(const Error& error, const SpecText& text) {
-  if (error.field.starts_with("--")) return std::nullopt;
+  if (error.kind == FailureKind::option) return std::nullopt;
   return place_of_key(text, error.field);
 }
 
 Json refusal_json(const Error& error, const SpecText* text) {
   Json json = error_json(error);
-  if (!text || error.field.starts_with("--")) return json;
+  if (!text || error.kind == FailureKind::option) return json;
   if (!text->name.empty()) json["error"]["file"] = text->name;
   if (const auto place = place_of(error, *text)) {
     json["error"]["line"] = place->line;
@@ -71,7 +72,7 @@ Json refusal_json(const Error& error, const SpecText* text) {
 int fail(const Error& error, bool json, const SpecText* text) {
   std::string where;
   // An error that refers to an option has no line in the file.
-  if (text && !error.field.starts_with("--")) {
+  if (text && error.kind != FailureKind::option) {
     where = printable(text->name) + ":";
     const auto place = error.field.empty() ? std::nullopt : place_of(error, *text);
     if (place) where += fmt::format("{}:{}:", place->line, place->column);

@@ -85,7 +85,8 @@ std::string progress_text(const SearchProgress& p, double seconds) {
 int say_unfinished(const SearchCommand& c, const SearchRun& run) {
   const std::string state = fmt::format("{} of {} chunks are done", run.chunks_done, run.chunks);
   if (c.take && !run.stopped) {
-    return fail({"--take", std::to_string(*c.take), "the search is not finished, " + state},
+    return fail({"--take", std::to_string(*c.take), "the search is not finished, " + state,
+                 FailureKind::option},
                 c.json);
   }
   if (c.json) print_json(unfinished_json(run));
