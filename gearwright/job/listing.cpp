@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <sstream>
 
 #include "gearwright/base/overloaded.hpp"
@@ -66,17 +65,13 @@ const Member* member_at(const ValueRecord& record, std::string_view path) {
 // Breaks words into lines of at most 12 characters, if no word is longer.
 std::vector<std::string> broken(const std::string& words) {
   constexpr std::size_t kHeadWidth = 12;
-  std::vector<std::string> lines{""};
+  std::vector<std::string> lines;
   std::istringstream text(words);
   for (std::string word; text >> word;) {
-    std::string& last = lines.back();
-    if (last.empty()) {
-      last = word;
-    } else if (width(last) + 1 + width(word) <= kHeadWidth) {
-      last += " " + word;
-    } else {
+    if (lines.empty() || width(lines.back()) + 1 + width(word) > kHeadWidth)
       lines.push_back(word);
-    }
+    else
+      lines.back() += " " + word;
   }
   return lines;
 }
@@ -141,29 +136,26 @@ std::string quantity_listing(UnitSystem units, const QuantityTable& table,
 std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
                         const std::vector<ValueRecord>& records,
                         std::initializer_list<std::string_view> keys) {
-  std::vector<std::vector<const Member*>> shown;
+  struct Shown {
+    const QuantityInfo* info = nullptr;
+    std::vector<const Member*> members{};
+  };
+  std::vector<Shown> all;
   for (const std::string_view key : keys) {
-    std::vector<const Member*> members;
-    for (const ValueRecord& record : records) members.push_back(member_at(record, key));
-    if (std::any_of(members.begin(), members.end(), [](const Member* m) { return m && m->shown; }))
-      shown.push_back(std::move(members));
+    Shown shown;
+    for (const ValueRecord& record : records) {
+      shown.members.push_back(member_at(record, key));
+      if (const Member* m = shown.members.back(); m && m->shown) shown.info = m->info;
+    }
+    if (shown.info) all.push_back(std::move(shown));
   }
-  std::vector<const QuantityInfo*> infos;
-  for (const auto& members : shown)
-    infos.push_back((*std::find_if(members.begin(), members.end(), std::identity()))->info);
   std::vector<RowColumn> columns{{names, 0, true}};
-  for (std::size_t k = 0; k < shown.size(); ++k) {
-    const QuantityInfo& info = *infos[k];
-    const bool clear = !info.symbol.empty() &&
-                       std::count_if(infos.begin(), infos.end(), [&](const QuantityInfo* other) {
-                         return other->symbol == info.symbol;
-                       }) == 1;
-    const std::string& head = clear ? info.symbol : info.words;
-    if (info.two == Two::gears)
-      for (const int gear : {1, 2})
-        columns.push_back(row_column(units, info, head, gear, shown[k]));
-    else
-      columns.push_back(row_column(units, info, head, 0, shown[k]));
+  for (const Shown& s : all) {
+    const auto same = [&](const Shown& other) { return other.info->symbol == s.info->symbol; };
+    const bool words = s.info->symbol.empty() || std::count_if(all.begin(), all.end(), same) > 1;
+    const std::string& head = words ? s.info->words : s.info->symbol;
+    for (const int gear : s.info->two == Two::gears ? std::vector{1, 2} : std::vector{0})
+      columns.push_back(row_column(units, *s.info, head, gear, s.members));
   }
   std::size_t heads = 0;
   for (const RowColumn& c : columns) heads = std::max(heads, c.head);
