@@ -1,7 +1,6 @@
 #include "apps/cli/verbs.hpp"
 
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -28,7 +27,6 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
-#include "gearwright/spec/toml_text.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::apps {
@@ -70,29 +68,10 @@ int answering_verb(const Verb& verb, const Options& o, const SpecText* text) {
                           ? watched(verb.name, [&](Progress* h) { return verb.run(spec, h); })
                           : verb.run(spec, nullptr);
   if (!answer) return door.fail(answer.error());
-  const auto number = static_cast<std::size_t>(o.take.value_or(0));
-  if (number > answer->specs.size()) {
-    const std::string none =
-        "the spec has no such solution" + (answer->why_none.empty() ? "" : ": " + answer->why_none);
-    return door.fail(
-        {"--take", std::to_string(number),
-         answer->specs.empty() ? none : fmt::format("must be 1 to {}", answer->specs.size())});
-  }
-  if (o.take || o.expand) {
-    const Json& spec = o.expand ? answer->expanded : answer->specs[number - 1];
-    const bool noted = !o.expand && number <= answer->notes.size();
-    const std::vector<std::string> notes =
-        noted ? answer->notes[number - 1] : std::vector<std::string>();
-    o.json ? print_json(spec) : print(toml_comment(notes) + toml_text(spec));
-    for (std::size_t i = 1; o.json && i < notes.size(); ++i)
-      std::fprintf(stderr, "gearwright: %s\n", notes[i].c_str());
-  } else if (o.csv) {
-    print(answer->csv());
-  } else if (o.json) {
-    print_json(answer_json(*answer));
-  } else {
-    print(answer_text(*answer));
-  }
+  if (o.expand)
+    print_spec(answer->expanded, o.json);
+  else if (const auto error = print_answer(*answer, o.json, o.csv, o.take))
+    return door.fail(*error);
   return answer->verdict ? status(o, *answer->verdict) : 0;
 }
 
@@ -263,17 +242,16 @@ int batch_verb(const Options& o) {
   long long failed = 0;
   long long first_failed = 0;
   long long lines = 0;
-  std::atomic<long long> violations = 0;
+  long long violations = 0;
   in_order([&](std::string& line) { return static_cast<bool>(std::getline(in, line)); },
            [&](const std::string& line) {
-             BatchLine answer = batch_line(verb, line);
-             if (answer.violated) ++violations;
-             return std::move(answer.text);
-           },
-           [&](const std::string& answer) {
-             ++lines;
-             if (answer.starts_with("{\"error\":") && failed++ == 0) first_failed = lines;
-             write_line(answer);
+             return [&, answer = batch_line(verb, line)] {
+               using Outcome = BatchLine::Outcome;
+               ++lines;
+               if (answer.outcome != Outcome::answered && failed++ == 0) first_failed = lines;
+               if (answer.outcome == Outcome::violated) ++violations;
+               write_line(answer.text);
+             };
            },
            o.threads);
   if (in.bad()) throw IoError("cannot read " + path + ": " + std::strerror(errno));
@@ -283,7 +261,7 @@ int batch_verb(const Options& o) {
                  failed, lines, first_failed);
   if (violations > 0)
     std::fprintf(stderr, "gearwright: a defect in Gearwright caused %lld of these failures\n",
-                 violations.load());
+                 violations);
   if (lines == 0)
     std::fprintf(stderr,
                  "gearwright: the input contains no spec; batch reads one JSON spec per line\n");

@@ -1,11 +1,16 @@
 // Output of the programs: results on stdout, messages on stderr, and an exit status.
 #pragma once
 
+#include <chrono>
+#include <cstdio>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gearwright/base/result.hpp"
+#include "gearwright/base/system.hpp"
+#include "gearwright/job/verbs.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec_text.hpp"
 
@@ -17,6 +22,16 @@ void print(const std::string& text);
 /// Prints the JSON to stdout. Bytes that are not valid UTF-8, for example in a file name, become
 /// U+FFFD.   Throws  IoError
 void print_json(const Json& j);
+/// Prints a spec that a verb proposes, as JSON or as TOML. The notes precede the TOML. With JSON,
+/// all notes except the first one are written to stderr.
+void print_spec(const Json& spec, bool json, const std::vector<std::string>& notes = {});
+/// Prints an answer as JSON, as CSV or for users. With `take`, only the spec with this number is
+/// printed, and the error is returned if the answer has no such spec.
+std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
+                                  const std::optional<int>& take);
+/// The error of `--take` with a number that is greater than the number of specs. If there are none,
+/// `why_none` is the reason.
+Error no_such_spec(int take, std::size_t specs, const std::string& why_none);
 /// Returns the position in the spec to which the error refers. It is absent if the error refers to
 /// an option, or if the table of the key is not in the text.
 std::optional<TextPlace> place_of(const Error& error, const SpecText& text);
@@ -35,5 +50,22 @@ inline constexpr int kViolated = 5;
 /// Runs `work` and returns its status, or kViolated if it violates a contract. The violation is
 /// reported and, if requested, also printed as JSON.
 int guarded(const std::function<int()>& work, bool json);
+
+/// The line on stderr that shows the progress of a computation, from two seconds after its start. On
+/// a terminal it is overwritten every half second and finally cleared. Elsewhere a new line is printed
+/// every ten seconds.
+class StatusLine {
+ public:
+  ~StatusLine() { clear(); }
+  /// Shows the text if it is time for a new one. `text` takes the seconds since the start.
+  void show(const std::function<std::string(double seconds)>& text);
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+  bool terminal_ = is_terminal(stderr);
+  std::optional<double> shown_;  // s from the start to the last text
+};
 
 }  // namespace gearwright::apps

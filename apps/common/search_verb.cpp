@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <charconv>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 
@@ -14,7 +13,6 @@
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_refusal.hpp"
-#include "gearwright/spec/toml_text.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::apps {
@@ -63,60 +61,32 @@ extern "C" void on_interrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-// Reports the progress of the search on stderr. In a terminal it is a single line that is
-// overwritten. Elsewhere a line is printed after a second and a half and then every ten seconds.
-class ProgressLine {
- public:
-  void operator()(const SearchProgress& p) {
-    const auto now = Clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    const bool searching = p.stage == SearchProgress::Stage::trials;
-    const bool last = searching && p.left == 0;
-    if (seconds < kQuiet || (last && (!shown_ || said_last_))) return;
-    if (!last && shown_ &&
-        now - said_ < (terminal_ ? std::chrono::milliseconds(500) : std::chrono::seconds(10)))
-      return;
-    said_ = now;
-    said_last_ = last;
-    std::fprintf(stderr, "%sgearwright: %s%s", terminal_ ? "\r" : "", text(p, seconds).c_str(),
-                 terminal_ ? "   " : "\n");
-    shown_ = true;
-  }
-  ~ProgressLine() {
-    if (terminal_ && shown_) std::fprintf(stderr, "\n");
-  }
+std::string clock(double seconds) {
+  const auto s = static_cast<long long>(seconds + 0.5);
+  return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
+                   : fmt::format("{}:{:02}", s / 60, s % 60);
+}
 
- private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr double kQuiet = 1.5;  // s from the start to the first line
-  static std::string text(const SearchProgress& p, double seconds) {
-    switch (p.stage) {
-      case SearchProgress::Stage::changes:
-        return fmt::format(
-            "no design is feasible; {} trials done to find the smallest change that helps", p.done);
-      case SearchProgress::Stage::regions:
-        return fmt::format("the regions of {} of {} designs are computed", p.done, p.of);
-      case SearchProgress::Stage::trials: break;
-    }
-    const double rate = static_cast<double>(p.trials) / seconds;
-    const double left = rate > 0.0 ? static_cast<double>(p.left) / rate : 0.0;
-    return fmt::format("{} of {} chunks are done, {:.3g} candidates per second, {} left", p.chunks,
-                       p.of_chunks, rate, clock(left));
+std::string progress_text(const SearchProgress& p, double seconds) {
+  switch (p.stage) {
+    case SearchProgress::Stage::changes:
+      return fmt::format(
+          "no design is feasible; {} trials done to find the smallest change that helps", p.done);
+    case SearchProgress::Stage::regions:
+      return fmt::format("the regions of {} of {} designs are computed", p.done, p.of);
+    case SearchProgress::Stage::trials: break;
   }
-  static std::string clock(double seconds) {
-    const auto s = static_cast<long long>(seconds + 0.5);
-    return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
-                     : fmt::format("{}:{:02}", s / 60, s % 60);
-  }
-  Clock::time_point start_ = Clock::now(), said_ = start_;
-  bool terminal_ = is_terminal(stderr);
-  bool shown_ = false, said_last_ = false;
-};
+  const double rate = static_cast<double>(p.trials) / seconds;
+  const double left = rate > 0.0 ? static_cast<double>(p.left) / rate : 0.0;
+  return fmt::format("{} of {} chunks are done, {:.3g} candidates per second, {} left", p.chunks,
+                     p.of_chunks, rate, clock(left));
+}
 
 int say_unfinished(const SearchCommand& c, const SearchRun& run) {
   const std::string state = fmt::format("{} of {} chunks are done", run.chunks_done, run.chunks);
   if (c.take && !run.stopped) {
-    return fail({"--take", std::to_string(*c.take), "the search is not finished, " + state},
+    return fail({"--take", std::to_string(*c.take), "the search is not finished, " + state,
+                 FailureKind::option},
                 c.json);
   }
   if (c.json) print_json(unfinished_json(run));
@@ -133,22 +103,14 @@ int say_unfinished(const SearchCommand& c, const SearchRun& run) {
 
 int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
              const SearchRun& run) {
-  const auto count = static_cast<int>(run.answer.designs.size());
-  if (*c.take > count) {
-    return fail({"--take", std::to_string(*c.take),
-                 count == 0 ? "no design is feasible; run the search without --take to find a "
-                              "change that would help"
-                            : fmt::format("there are {} designs", count)},
+  const auto& designs = run.answer.designs;
+  const auto at = static_cast<std::size_t>(*c.take - 1);
+  if (at >= designs.size())
+    return fail(no_such_spec(*c.take, designs.size(),
+                             "no design is feasible; run the search without --take to find a "
+                             "change that would help"),
                 c.json);
-  }
-  const Json taken =
-      spec_in(spec.units(),
-              pair_spec(spec, search, run.answer.designs[static_cast<std::size_t>(*c.take - 1)]));
-  if (c.json) {
-    print_json(taken);
-  } else {
-    print(toml_text(taken));
-  }
+  print_spec(spec_in(spec.units(), pair_spec(spec, search, designs[at])), c.json);
   return 0;
 }
 
@@ -163,25 +125,8 @@ int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecTe
                                                 static_cast<std::size_t>(c.take.value_or(1)));
   const auto answer = answer_drive_search(spec, top, c.threads);
   if (!answer) return fail(spelled(answer.error(), spec.given), c.json, &text);
-  if (c.take) {
-    const auto count = static_cast<int>(answer->specs.size());
-    if (*c.take > count)
-      return fail({"--take", std::to_string(*c.take),
-                   count == 0 ? "the search found no drive: " + answer->why_none
-                              : fmt::format("there are {} drives", count)},
-                  c.json);
-    const Json& taken = answer->specs[static_cast<std::size_t>(*c.take - 1)];
-    if (c.json) {
-      print_json(taken);
-    } else {
-      print(toml_text(taken));
-    }
-  } else if (c.json) {
-    print_json(answer_json(*answer));
-  } else {
-    print(answer->listing());
-  }
-  return 0;
+  const auto error = print_answer(*answer, c.json, false, c.take);
+  return error ? fail(*error, c.json) : 0;
 }
 
 }  // namespace
@@ -213,11 +158,15 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.chunk = c.chunk;
   options.threads = threads_of(c, together);
   options.stop = &stop_wanted;
-  ProgressLine progress;
-  if (speaks) options.progress = [&](const SearchProgress& p) { progress(p); };
+  StatusLine line;
+  if (speaks)
+    options.progress = [&](const SearchProgress& p) {
+      line.show([&](double seconds) { return progress_text(p, seconds); });
+    };
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   const auto run = run_search(*spec, search, options);
+  line.clear();
   if (!run) return speaks ? fail(spelled(run.error(), spec->given), c.json, &*text) : 1;
   for (const std::string& note : run->notes) std::fprintf(stderr, "gearwright: %s\n", note.c_str());
   if (!run->finished) return speaks ? say_unfinished(c, *run) : run->stopped ? 3 : 0;

@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "apps/common/output.hpp"
 #include "gearwright/base/progress.hpp"
 
 namespace gearwright::apps {
@@ -22,8 +23,7 @@ struct WatchWords {
 /// While this object exists, Ctrl-C (SIGINT) and SIGTERM end the program within half a second, with
 /// status 3. Nothing is printed or written before the computation is complete, so no partial result
 /// remains. While files are being written, a signal takes effect only after the files are complete.
-/// After two seconds, a line reports the progress. On a terminal this line is overwritten.
-/// Otherwise a new line is printed every ten seconds.
+/// A StatusLine reports the progress.
 class Watch {
  public:
   explicit Watch(std::string verb, WatchWords words = {});
@@ -35,13 +35,12 @@ class Watch {
 
  private:
   void wait();
-  void say(double seconds);
+  std::string text(double seconds) const;
 
   std::string verb_;
   WatchWords words_;
   Progress progress_;
-  bool terminal_, shown_ = false;
-  double said_ = 0.0;  // s from the start to the last line
+  StatusLine line_;
   std::mutex mutex_;
   std::condition_variable ended_;
   bool end_ = false;

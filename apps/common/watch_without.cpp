@@ -5,7 +5,7 @@
 namespace gearwright::apps {
 
 Watch::Watch(std::string verb, WatchWords words)
-    : verb_(std::move(verb)), words_(std::move(words)), terminal_(false) {}
+    : verb_(std::move(verb)), words_(std::move(words)) {}
 
 Watch::~Watch() = default;
 

@@ -75,11 +75,7 @@ Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
   }
   if (pair.distance_deviations) return pair.distance_deviations;
   auto half = js_deviation(*pair.distance_tolerance, nominal.pair->center_distance());
-  if (!half) {
-    Error error = half.error();
-    if (error.field == "tolerance") error.field = "distance_tolerance";
-    return within("pair", error);
-  }
+  if (!half) return within("pair", half.error());
   return std::optional<Ends>({-*half, *half});
 }
 
@@ -192,11 +188,7 @@ std::optional<Error> apply_tip_fits(Arranged& nominal) {
     if (!tolerance.tip_fit) continue;
     const Gear& gear = nominal.gear(which);
     const auto deviations = tip_deviations(*tolerance.tip_fit, gear.tip_diameter, gear.internal());
-    if (!deviations) {
-      Error error = deviations.error();
-      error.field = error.field == "fit" ? "tolerance.tip_fit" : "tip_diameter";
-      return of_gear(which, error);
-    }
+    if (!deviations) return of_gear(which, deviations.error());
     tolerance.tip_deviations = *deviations;
   }
   return std::nullopt;

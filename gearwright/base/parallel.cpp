@@ -33,11 +33,11 @@ void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int 
 }
 
 void in_order(const std::function<bool(std::string&)>& next,
-              const std::function<std::string(const std::string&)>& work,
-              const std::function<void(const std::string&)>& take, int threads) {
+              const std::function<std::function<void()>(const std::string&)>& work, int threads) {
   const auto count = static_cast<std::size_t>(thread_count(threads));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
   using Item = std::shared_ptr<std::string>;
+  using Delivery = std::function<void()>;
   tbb::parallel_pipeline(
       count * kItemsPerThread,
       tbb::make_filter<void, Item>(tbb::filter_mode::serial_in_order,
@@ -46,12 +46,10 @@ void in_order(const std::function<bool(std::string&)>& next,
                                      if (!next(*item)) flow.stop();
                                      return item;
                                    }) &
-          tbb::make_filter<Item, Item>(tbb::filter_mode::parallel,
-                                       [&](const Item& item) -> Item {
-                                         return std::make_shared<std::string>(work(*item));
-                                       }) &
-          tbb::make_filter<Item, void>(tbb::filter_mode::serial_in_order,
-                                       [&](const Item& item) { take(*item); }));
+          tbb::make_filter<Item, Delivery>(tbb::filter_mode::parallel,
+                                           [&](const Item& item) { return work(*item); }) &
+          tbb::make_filter<Delivery, void>(tbb::filter_mode::serial_in_order,
+                                           [](const Delivery& deliver) { deliver(); }));
 }
 
 }  // namespace gearwright

@@ -22,10 +22,10 @@ void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int 
 /// items per thread are in memory at a time.
 ///
 ///   next   writes the next item and returns false if there is none
-///   work   computes the result of an item; it is called from many threads at once
-///   take   receives each result, in order
+///   work   computes the result of an item and returns the function that delivers it; `work` is
+///          called from many threads at once, and the functions that it returns are called in order
 void in_order(const std::function<bool(std::string&)>& next,
-              const std::function<std::string(const std::string&)>& work,
-              const std::function<void(const std::string&)>& take, int threads = 0);
+              const std::function<std::function<void()>(const std::string&)>& work,
+              int threads = 0);
 
 }  // namespace gearwright

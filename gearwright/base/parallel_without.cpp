@@ -10,9 +10,8 @@ void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int)
 }
 
 void in_order(const std::function<bool(std::string&)>& next,
-              const std::function<std::string(const std::string&)>& work,
-              const std::function<void(const std::string&)>& take, int) {
-  for (std::string item; next(item); item.clear()) take(work(item));
+              const std::function<std::function<void()>(const std::string&)>& work, int) {
+  for (std::string item; next(item); item.clear()) work(item)();
 }
 
 }  // namespace gearwright

@@ -112,8 +112,9 @@ void add_motion(Quantities<Drive>& q) {
       [](const Drive& d) { return d.motion.ratio ? Value(d.motion.ratio->value()) : Value(); });
   q.whole("ratio_exact", "exact ratio", "i", "[p, q] in lowest terms",
           [](const Drive& d) { return d.motion.ratio ? exact_fraction(*d.motion.ratio) : Value(); })
-      .list({2})
-      .doors(kJson);
+      .fraction()
+      .doors(kJson | kListing)
+      .shown([](const Drive& d) { return d.motion.ratio && !d.motion.ratio->whole(); });
   q.whole("degrees_of_freedom", "degrees of freedom", "f", "[T13.2]", [](const Drive& d) {
      return d.motion.freedom;
    }).always();
@@ -227,7 +228,7 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
               if (v.drive->graph.inputs.size() != 1) return {};
               return exact_fraction(v.drive->motion.speeds[v.body][0]);
             })
-        .list({2})
+        .fraction()
         .doors(kJson);
     q.number("relative_speed_ratio", "speed ratio relative to the frame", "",
              "speed of the body minus the speed of the carrier in whose frame the body meshes",

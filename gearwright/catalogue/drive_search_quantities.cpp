@@ -58,7 +58,7 @@ void add_found(Quantities<F>& q) {
    }).always();
   q.whole("ratio_exact", "exact ratio", "i", "[p, q] in lowest terms",
           [](const F& f) { return of_drive(f, "ratio_exact"); })
-      .list({2})
+      .fraction()
       .doors(kJson);
   q.number("efficiency", "efficiency", "η", "efficiency with the input driving",
            [](const F& f) { return of_drive(f, "efficiency"); });

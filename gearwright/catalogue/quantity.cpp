@@ -31,13 +31,22 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
   const std::string absent(info.nothing.empty() ? none : std::string_view(info.nothing));
   if (all_nothing(value)) return absent;
   if (const ValueList* list = value.list()) {
+    if (info.two == Two::fraction && list->back().number() == 1.0)
+      return text_of(info, list->front(), none, units);
     std::string text;
     for (const Value& v : *list)
-      text += (text.empty()            ? ""
-               : info.two == Two::ends ? " … "
-                                       : ", ") +
+      text += (text.empty()                ? ""
+               : info.two == Two::ends     ? " … "
+               : info.two == Two::fraction ? "/"
+                                           : ", ") +
               text_of(info, v, none, units);
     return text;
+  }
+  if (const ValueMap* map = value.map()) {
+    std::string text;
+    for (const auto& [name, v] : *map)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, text_of(info, v, none, units));
+    return text.empty() ? absent : text;
   }
   if (const auto* flag = std::get_if<bool>(&value.variant())) return *flag ? "yes" : "no";
   if (const auto* whole = std::get_if<long long>(&value.variant()))

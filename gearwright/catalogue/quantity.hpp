@@ -37,9 +37,10 @@ enum Doors : unsigned {
 
 /// The meaning of two values of a list.
 enum class Two {
-  values,  ///< values without a special meaning
-  gears,   ///< gear 1 and gear 2, each with a column
-  ends     ///< the two ends of a range
+  values,   ///< values without a special meaning
+  gears,    ///< gear 1 and gear 2, each with a column
+  ends,     ///< the two ends of a range
+  fraction  ///< numerator and denominator
 };
 
 struct QuantityTable;
@@ -97,6 +98,7 @@ struct Quantity {
   Quantity& list(std::vector<int> l) { return info.list = std::move(l), *this; }
   Quantity& per_gear() { return info.list = {2}, info.two = Two::gears, *this; }
   Quantity& ends() { return info.list = {2}, info.two = Two::ends, *this; }
+  Quantity& fraction() { return info.list = {2}, info.two = Two::fraction, *this; }
   Quantity& unit(Unit u) { return info.unit = u, *this; }
   Quantity& words(std::string w) { return info.words = std::move(w), *this; }
   Quantity& column(std::string name) { return info.column = std::move(name), *this; }
@@ -336,7 +338,7 @@ int digits_of(const QuantityInfo& info);
 UnitSystem system_of(const QuantityInfo& info, UnitSystem units);
 
 /// A value as text for users without its unit, or `none` if there is no value. A list is written
-/// "x, y, z", and two ends are written "lo … hi".
+/// "x, y, z", two ends are written "lo … hi", a fraction "p/q", and values by name "a x, b y".
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–",
                     UnitSystem units = UnitSystem::mm);
 

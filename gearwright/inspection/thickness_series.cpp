@@ -97,6 +97,12 @@ std::optional<int> whole(std::string_view text) {
 }
 
 // The standard tolerance of a grade for a nominal size, mm; none beyond the table.
+// The number of a grade of ISO 286; 0 if the text is none.
+int grade_of(std::string_view text) {
+  const int grade = whole(text).value_or(0);
+  return grade <= kMaxGrade ? std::max(grade, 0) : 0;
+}
+
 std::optional<double> tolerance_grade(int grade, double size) {
   const std::size_t row = row_of(kSizes, size);
   if (row == kSizes.size()) return std::nullopt;
@@ -129,9 +135,9 @@ Result<std::array<double, 2>> thickness_allowances(std::string_view series,
 
 Result<double> js_deviation(std::string_view tolerance, double center_distance) {
   const bool js = tolerance.starts_with("JS") || tolerance.starts_with("js");
-  const int grade = js ? whole(tolerance.substr(2)).value_or(0) : 0;
-  if (grade < 1 || grade > kMaxGrade)
-    return Error{"tolerance", std::string(tolerance), "must be JS1 to JS12 of ISO 286"};
+  const int grade = js ? grade_of(tolerance.substr(2)) : 0;
+  if (grade == 0)
+    return Error{"distance_tolerance", std::string(tolerance), "must be JS1 to JS12 of ISO 286"};
   const auto it = tolerance_grade(grade, center_distance);
   if (!it)
     return refused("center_distance", center_distance,
@@ -142,9 +148,9 @@ Result<double> js_deviation(std::string_view tolerance, double center_distance) 
 Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size) {
   const std::size_t digits = std::min(fit.find_first_of("0123456789"), fit.size());
   const std::string_view zone = fit.substr(0, digits);
-  const int grade = whole(fit.substr(digits)).value_or(0);
+  const int grade = grade_of(fit.substr(digits));
   const bool keyway = fit == "N9" || fit == "P9";
-  if (!keyway && (grade < 1 || grade > kMaxGrade || (zone != "H" && zone != "JS")))
+  if (!keyway && (grade == 0 || (zone != "H" && zone != "JS")))
     return Error{"fit", std::string(fit), "must be H1 to H12, JS1 to JS12, N9 or P9 of ISO 286"};
   const auto it = tolerance_grade(grade, size);
   const std::size_t row = row_of(kSizes, size);
@@ -158,20 +164,22 @@ Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size)
   return std::array{upper - *it, upper};
 }
 
-Result<std::array<double, 2>> tip_deviations(std::string_view fit, double size, bool internal) {
+Result<std::array<double, 2>> tip_deviations(std::string_view fit, double tip_diameter,
+                                             bool internal) {
   const std::string_view zone =
       fit.substr(0, std::min(fit.find_first_of("0123456789"), fit.size()));
   const bool known = internal ? zone == "H" || zone == "JS" : zone == "h" || zone == "js";
-  const auto hole = hole_deviations(
-      std::string(zone.size() == 1 ? "H" : "JS") + std::string(fit.substr(zone.size())), size);
-  if (!known || (!hole && hole.error().field == "fit"))
-    return Error{"fit", std::string(fit),
+  const std::string_view grade = fit.substr(zone.size());
+  if (!known || grade_of(grade) == 0)
+    return Error{"tolerance.tip_fit", std::string(fit),
                  internal ? "must be H1 to H12 or JS1 to JS12 of ISO 286, because the tip of an "
                             "internal gear is a hole, for example H9"
                           : "must be h1 to h12 or js1 to js12 of ISO 286, because the tip of an "
                             "external gear is a shaft, for example h9"};
-  if (!hole || internal) return hole;
-  return std::array{-(*hole)[1], -(*hole)[0] + 0.0};
+  const auto hole =
+      hole_deviations((zone.size() == 1 ? "H" : "JS") + std::string(grade), tip_diameter);
+  if (!hole) return Error{"tip_diameter", hole.error().value, hole.error().rule};
+  return internal ? *hole : std::array{-(*hole)[1], -(*hole)[0] + 0.0};
 }
 
 double keyway_depth_deviation(double width) {

@@ -23,7 +23,7 @@ Result<std::array<double, 2>> thickness_allowances(std::string_view series,
                                                    double reference_diameter);
 /// The ± deviation of JS, half of the tolerance of its grade, mm. [T10.21]
 ///
-/// Errors    `tolerance` if it is not JS1 to JS12; `center_distance` above 3150 mm
+/// Errors    `distance_tolerance` if it is not JS1 to JS12; `center_distance` above 3150 mm
 Result<double> js_deviation(std::string_view tolerance, double center_distance);
 
 /// Deviations of a hole or a keyway from its nominal size, lower and upper, mm.
@@ -36,9 +36,10 @@ Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size)
 /// Deviations of the tip diameter, lower and upper, mm. The tip of an external gear is a shaft, whose
 /// deviations have the opposite sign of the deviations of a hole. The tip of an internal gear is a hole.
 ///
-/// Errors    `fit` if it is not h1 to h12 or js1 to js12, or for an internal gear not H1 to H12 or JS1 to
-///           JS12; `size` above 3150 mm
-Result<std::array<double, 2>> tip_deviations(std::string_view fit, double size, bool internal);
+/// Errors    `tolerance.tip_fit` if it is not h1 to h12 or js1 to js12, or for an internal gear not H1 to
+///           H12 or JS1 to JS12; `tip_diameter` above 3150 mm
+Result<std::array<double, 2>> tip_deviations(std::string_view fit, double tip_diameter,
+                                             bool internal);
 
 /// Upper deviation of the depth of a keyway in a hub, mm, for a width of the keyway in mm. The lower
 /// deviation is 0.

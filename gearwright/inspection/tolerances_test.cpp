@@ -172,7 +172,7 @@ TEST(Tolerances, HolesAndKeyways) {
   for (const char* fit : {"", "h", "h13", "H9", "JS9", "k6", "9"})
     EXPECT_FALSE(tip_deviations(fit, 50, false)) << fit;
   EXPECT_FALSE(tip_deviations("h9", 50, true));
-  EXPECT_EQ(tip_deviations("h9", 4000, false).error().field, "size");
+  EXPECT_EQ(tip_deviations("h9", 4000, false).error().field, "tip_diameter");
   EXPECT_EQ(keyway_depth_deviation(6), 0.1);
   EXPECT_EQ(keyway_depth_deviation(8), 0.2);
   EXPECT_EQ(keyway_depth_deviation(36), 0.3);

@@ -49,8 +49,7 @@ std::string kinds_of(const ContactResult& result) {
   return text;
 }
 
-// Explains the column headings and the short words for the kinds of contact, except interior
-// contact.
+// Explains the words for contact at an edge. Empty if there is no such contact.
 std::string legend_of(const ContactResult& result) {
   std::vector<TouchKind> explained;
   std::string text;
@@ -59,10 +58,10 @@ std::string legend_of(const ContactResult& result) {
         std::find(explained.begin(), explained.end(), p.kind) != explained.end())
       continue;
     explained.push_back(p.kind);
-    text += fmt::format("{}: {}; ", to_string(p.kind), words_of(p.kind));
+    text +=
+        fmt::format("{}{}: {}", text.empty() ? "\n  " : "; ", to_string(p.kind), words_of(p.kind));
   }
-  return text + (result.rack ? "height 2: above the datum line of the rack; " : "") +
-         "major, minor: semi-axes of the contact ellipse";
+  return text.empty() ? text : text + "\n";
 }
 
 // Lists the transmission error and the movement of the whole gears, and where each half touches.
@@ -110,8 +109,6 @@ Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const ContactResult& r = answer.driving;
   const UnitSystem units = job.spec.units();
-  const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 4); };
-  const std::string_view unit = unit_text(units, Unit::mm);
   // The transmission error of a rack is a displacement along the rack.
   const std::string_view error_unit = r.rack ? unit_text(units, Unit::um) : "arcsec";
   const auto error_text = [&](Angle te, int decimals) {
@@ -144,29 +141,19 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
     row("Harmonics 1 to 5, amplitudes", fmt::format("{} {}", waves, error_unit));
   }
   if (!answer.halves.empty()) return out + halves_listing(answer, units);
-  const RackTravel rack = r.rack;
-  const auto line = [](const auto&... cells) {
-    return fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n",
-                       cells...);
-  };
-  out += "\n" + line("rotation1", "TE", "tooth", "kind", "diam. 1", rack ? "height 2" : "diam. 2",
-                     "z 1", "z 2", "major", "minor");
-  out += line("°", error_unit, "", "", unit, unit, unit, unit, unit, unit);
   // The rows are limited to one page. --json has all positions.
   const std::size_t step = std::max<std::size_t>(1, r.positions.size() / 32);
+  std::vector<std::string> names;
+  records.clear();
   for (std::size_t i = 0; i < r.positions.size(); i += step) {
-    const ContactPoint& p = r.positions[i];
-    if (p.kind == TouchKind::none) {
-      out += fmt::format("  {:>11.4f}{:>15}\n", p.rotation1.deg(), "no contact");
-      continue;
-    }
-    const std::string major = p.ellipse && p.ellipse->semi_major ? mm(*p.ellipse->semi_major) : "-";
-    const std::string minor = p.ellipse ? mm(p.ellipse->semi_minor) : "-";
-    out +=
-        line(fixed_decimals(p.rotation1.deg(), 4), error_text(p.te, 5), p.pair, to_string(p.kind),
-             mm(p.diameter[0]), mm(p.diameter[1]), mm(p.height[0]), mm(p.height[1]), major, minor);
+    names.emplace_back(r.positions[i].kind == TouchKind::none ? "no contact" : "");
+    records.push_back(position_quantities().of(r.positions[i]));
   }
-  return out + "\n  " + legend_of(r) + "\n";
+  out += "\n" + row_listing(units, names, records,
+                            {"rotation1_deg", "transmission_error_arcsec", "transmission_error_um",
+                             "tooth", "kind", "diameter_mm", "rack_height_mm", "height_mm",
+                             "ellipse.semi_major_mm", "ellipse.semi_minor_mm"});
+  return out + legend_of(r);
 }
 
 }  // namespace gearwright

@@ -23,18 +23,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr const char* kAbsent = "-";
-
-std::string number(const std::optional<double>& x, int decimals) {
-  return x && std::isfinite(*x) ? fixed_decimals(*x, decimals) : kAbsent;
-}
-
-std::string fraction(const Rational& r) {
-  const auto p = r.numerator(), q = r.denominator();
-  if (!p || !q) return number(r.value(), 6);
-  return *q == 1 ? fmt::format("{}", *p) : fmt::format("{}/{}", *p, *q);
-}
-
 // The function of a body in the drive, "input", "held" or "output". Otherwise, the number of its
 // copies, if it has several.
 std::string part_of(const Drive& drive, std::size_t body) {
@@ -45,74 +33,52 @@ std::string part_of(const Drive& drive, std::size_t body) {
                                             : "";
 }
 
-std::string body_listing(const Drive& drive) {
-  const bool powered = drive.flow && !drive.flow->self_locking();
-  const auto& torque = drive.graph.torque_Nm;
+// The records of the bodies or of the meshes of a drive.
+template <class View, class List>
+std::vector<ValueRecord> records_of(const Quantities<View>& quantities, const Drive& drive,
+                                    const List& list) {
+  std::vector<ValueRecord> records;
+  for (std::size_t i = 0; i < list.size(); ++i) records.push_back(quantities.of({&drive, i}));
+  return records;
+}
+
+std::string body_listing(const Drive& drive, UnitSystem units) {
+  const auto& bodies = drive.graph.bodies;
+  std::vector<std::string> names;
   bool racks = false;
-  std::string out =
-      fmt::format("\nBodies\n  {:<14}{:<8}{:>16}{:>14}{:>14}{:>12}{:>14}\n", "", "", "speed ratio",
-                  "", "in its frame", "1/min", torque ? "torque N m" : "torque ratio");
-  for (std::size_t b = 0; b < drive.graph.bodies.size(); ++b) {
-    const bool one = drive.graph.inputs.size() == 1;
-    const double t = powered ? drive.flow->torque[b] * torque.value_or(1.0) : 0.0;
-    const bool rack = drive.graph.moves(b);
-    const auto v = drive.linear_speed(b), force = drive.force(b);
-    const std::string speed = !rack ? number(drive.speed_rpm(b), 2)
-                              : v   ? fmt::format("{:.4f} m/s", *v)
-                                    : kAbsent;
-    const std::string load = rack ? force ? fmt::format("{:.2f} N", *force) : kAbsent
-                             : powered && t != 0.0 ? fixed_decimals(t, 4)
-                                                   : kAbsent;
-    out += fmt::format("  {:<14}{:<8}{:>16}{:>14}{:>14}{:>12}{:>14}\n",
-                       printable(drive.graph.bodies[b].name, 13), part_of(drive, b),
-                       number(drive.speed_ratio(b), 6),
-                       one ? fraction(drive.motion.speeds[b][0]) : kAbsent,
-                       number(drive.relative_speed_ratio(b), 6), speed, load);
-    racks = racks || rack;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const std::string part = part_of(drive, b);
+    names.push_back(printable(bodies[b].name, 13) + (part.empty() ? "" : ", " + part));
+    racks = racks || drive.graph.moves(b);
   }
-  if (racks) out += "  The speed ratio of a rack is in pitches per turn of the input.\n";
-  return out;
+  return "\nBodies\n" +
+         row_listing(units, names, records_of(drive_body_quantities(), drive, bodies),
+                     {"speed_ratio", "speed_ratio_exact", "relative_speed_ratio", "speed_rpm",
+                      "speed_m_per_s", "torque_ratio", "torque_Nm", "force_N", "power_kW"}) +
+         (racks ? "  The speed ratio of a rack is in pitches per turn of the input.\n" : "");
 }
 
 std::string mesh_listing(const Drive& drive, UnitSystem units) {
-  const bool powered = drive.flow && !drive.flow->self_locking();
-  const auto head = [&](const char* what) {
-    return fmt::format("{} {}", what, unit_text(units, Unit::mm));
-  };
-  const auto length = [&](const std::optional<double>& mm) {
-    return mm ? text_in(units, Unit::mm, *mm, 4) : std::string(kAbsent);
-  };
-  std::string out =
-      fmt::format("\nMeshes\n  {:<18}{:>14}{:>12}{:>12}{:>12}{:>14}{:>12}{:>10}\n", "",
-                  "teeth/turn", "Hz", "η", "P_m/P_in", head("a"), "ε_γ", head("j_n"));
-  const auto n = drive.speed_rpm(drive.graph.inputs.front());
-  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
-    const auto& pair = drive.geometry.pairs[m];
-    const auto teeth = drive.frequency_ratio(m);
-    const auto& eta = drive.efficiencies[m];
-    const auto& rack = drive.geometry.racks[m];
-    std::optional<double> power, backlash, ratio;
-    if (powered && drive.flow->power_in > 0.0)
-      power = drive.flow->mesh_power[m] / drive.flow->power_in;
-    if (pair && pair->involute()) backlash = pair->normal_backlash();
-    if (rack) backlash = rack->normal_backlash();
-    if (pair) ratio = pair->contact_ratio();
-    if (rack) ratio = rack->transverse_contact_ratio() + rack->overlap_ratio;
-    out += fmt::format("  {:<18}{:>14}{:>12}{:>12}{:>12}{:>14}{:>12}{:>10}\n",
-                       printable(drive.graph.meshes[m].name, 17), number(teeth, 5),
-                       teeth && n ? fixed_decimals(*teeth * std::abs(*n) / 60, 3) : kAbsent,
-                       eta ? fixed_decimals(eta->first_drives, 5) : kAbsent, number(power, 4),
-                       length(drive.geometry.distance[m]), number(ratio, 3), length(backlash));
-  }
-  return out;
+  std::vector<std::string> names;
+  for (const DriveMesh& mesh : drive.graph.meshes) names.push_back(printable(mesh.name, 17));
+  const std::vector<ValueRecord> records =
+      records_of(drive_mesh_quantities(), drive, drive.graph.meshes);
+  std::string out;
+  if (!drive.ratings.empty())
+    out = "\nStrength by ISO 6336\n" +
+          row_listing(units, names, records,
+                      {"rating.torque_Nm", "rating.speed_rpm", "rating.S_H", "rating.S_F"});
+  return out + "\nMeshes\n" +
+         row_listing(units, names, records,
+                     {"frequency_ratio", "frequency_hz", "efficiency", "power_ratio",
+                      "pair.center_distance_mm", "pair.contact_ratio", "pair.backlash.normal_mm",
+                      "rack_pair.center_distance_mm", "rack_pair.contact_ratio",
+                      "rack_pair.backlash.normal_mm"});
 }
 
 std::string shift_listing(const Drive& drive) {
-  std::string list;
-  for (std::size_t g = 0; g < drive.graph.gears.size(); ++g)
-    if (const auto& x = drive.geometry.shift[g])
-      list += fmt::format("{}{} {}", list.empty() ? "" : ", ", drive.graph.gears[g].name,
-                          fixed_decimals(*x, 5));
+  const Member shifts = coaxial_quantities().of(drive).back();
+  const std::string list = text_of(*shifts.info, shifts.value, "");
   return list.empty() ? "" : "\nProfile shifts: " + list + "\n";
 }
 
@@ -159,24 +125,6 @@ std::string load_listing(const Drive& drive, UnitSystem units) {
   return out + load_factor_sentence(drive);
 }
 
-std::string safety_listing(const Drive& drive) {
-  std::string out =
-      fmt::format("\nStrength by ISO 6336\n  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", "",
-                  "T1 N m", "n1 1/min", "S_H1", "S_H2", "S_F1", "S_F2");
-  for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
-    const auto& r = drive.ratings[m];
-    const auto safety = [&](const FactorPair& s, std::size_t i) {
-      return r ? fixed_decimals(s[i].value, 3) : std::string(kAbsent);
-    };
-    if (!r) continue;
-    out += fmt::format(
-        "  {:<18}{:>14}{:>12}{:>10}{:>10}{:>10}{:>10}\n", printable(drive.graph.meshes[m].name, 17),
-        fixed_decimals(r->input.torque, 3), number(r->input.speed, 2), safety(r->rating.S_H, 0),
-        safety(r->rating.S_H, 1), safety(r->rating.S_F, 0), safety(r->rating.S_F, 1));
-  }
-  return out;
-}
-
 Result<Answer> answer_of(const JobSpec& spec, Result<DriveJob> solved,
                          std::string (*listing)(const Drive&, UnitSystem)) {
   if (!solved) return solved.error();
@@ -201,11 +149,8 @@ Result<Answer> answer_of(const JobSpec& spec, Result<DriveJob> solved,
 std::string drive_listing(const Drive& drive, UnitSystem units) {
   std::string out =
       quantity_listing(units, drive_quantities().table(), {drive_quantities().of(drive)}, {});
-  if (drive.motion.ratio && !drive.motion.ratio->whole())
-    out += "  exact ratio " + fraction(*drive.motion.ratio) + "\n";
-  if (!drive.ratings.empty()) out += safety_listing(drive);
-  out += load_listing(drive, units);
-  out += body_listing(drive) + mesh_listing(drive, units) + shift_listing(drive);
+  out += load_listing(drive, units) + body_listing(drive, units) + mesh_listing(drive, units) +
+         shift_listing(drive);
   for (const PlanetSet& set : drive.sets) out += set_listing(set, units);
   return out;
 }
@@ -226,11 +171,10 @@ Result<Answer> answer_drive(const JobSpec& spec, Progress* progress) {
 }
 
 Result<Answer> answer_drive_rating(const JobSpec& spec, Progress* progress) {
-  return answer_of(spec, with_load(solve_rated_drive(spec), progress),
-                   [](const Drive& drive, UnitSystem units) {
-                     return safety_listing(drive) + load_listing(drive, units) +
-                            body_listing(drive) + mesh_listing(drive, units);
-                   });
+  return answer_of(
+      spec, with_load(solve_rated_drive(spec), progress), [](const Drive& drive, UnitSystem units) {
+        return load_listing(drive, units) + body_listing(drive, units) + mesh_listing(drive, units);
+      });
 }
 
 namespace {

@@ -34,6 +34,11 @@ bool is_safe(const Drive& drive, const WantedSafety& wanted) {
   return holds(&Rating::S_H, wanted.flank) && holds(&Rating::S_F, wanted.root);
 }
 
+// True if the designs of the search are rated.
+bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem) {
+  return spec.rating.given || problem.safety_flank || problem.safety_root || problem.face_width;
+}
+
 // A design, the reason why a candidate is left out, or an error of the spec.
 using Outcome = std::variant<FoundDrive, DriveFault, Error>;
 
@@ -207,10 +212,6 @@ std::string teeth_text(const DriveCandidate& c) {
       list.push_back(fmt::format("{} {}", to_string(static_cast<SetMember>(m)), c.teeth[m]));
   for (const auto& [z1, z2] : c.stages) list.push_back(fmt::format("{}:{}", z1, z2));
   return fmt::format("{}", fmt::join(list, ", "));
-}
-
-bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem) {
-  return spec.rating.given || problem.safety_flank || problem.safety_root || problem.face_width;
 }
 
 Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c) {

@@ -9,9 +9,9 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_search_quantities.hpp"
-#include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_designs.hpp"
+#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_search.hpp"
@@ -27,12 +27,7 @@ struct FoundDrives {
   DriveSearchProblem problem;
   DriveSearchResult result;
   DriveDesigns designs;
-  bool rated = false;
 };
-
-std::string drive_number(const std::optional<double>& x, int decimals) {
-  return x && std::isfinite(*x) ? fixed_decimals(*x, decimals) : "-";
-}
 
 // A change that the user may try if no drive is listed.
 std::string advice(const FoundDrives& f) {
@@ -55,60 +50,11 @@ std::string advice(const FoundDrives& f) {
          "another coaxial_teeth. The verb drive shows why a given set has no green verdict.";
 }
 
-// A row of words or numbers. It has a cell for each value that this search computes.
-std::string design_row(const FoundDrives& f, const std::string& rank, const auto& cell) {
-  const bool rated = f.rated;
-  std::string row = fmt::format("{:>4}  {:<42} {:>2}", rank, cell("teeth"), cell("N"));
-  const auto add = [&](const char* name, int width) {
-    row += fmt::format(" {:>{}}", cell(name), width);
-  };
-  if (f.problem.modules.size() > 1) add("m_n mm", 6);
-  if (f.problem.face_width) add("b mm", 5);
-  add("ratio", 10);
-  add("η", 8);
-  add("η back", 8);
-  add("size mm", 9);
-  add("c mm", 8);
-  if (rated) {
-    add("S_H", 6);
-    add("S_F", 6);
-  }
-  if (f.problem.modules.empty()) return row + fmt::format("  {}\n", cell("phases"));
-  return row + fmt::format("  {:<10}  {}\n", cell("phases"), cell("x"));
-}
-
 // The profile shifts in the order of the numbers of teeth.
 std::string shifts_text(const FoundDrive& d) {
   std::vector<std::string> list;
-  for (const auto& x : d.drive.geometry.shift) list.push_back(drive_number(x, 4));
+  for (const auto& x : d.drive.geometry.shift) list.push_back(x ? fixed_decimals(*x, 4) : "-");
   return fmt::format("{}", fmt::join(list, " "));
-}
-
-std::string design_cell(const FoundDrive& d, std::string_view name, UnitSystem units) {
-  const auto length = [&](const std::optional<double>& mm, int decimals) {
-    return mm && std::isfinite(*mm) ? text_in(units, Unit::mm, *mm, decimals) : "-";
-  };
-  const DriveCandidate& c = d.candidate;
-  const auto eta = [](const std::optional<PowerFlow>& flow) {
-    return drive_number(flow ? std::optional(flow->efficiency) : std::nullopt, 5);
-  };
-  if (name == "x") return shifts_text(d);
-  const PlanetSet* set = d.drive.sets.empty() ? nullptr : &d.drive.sets.front();
-  if (name == "teeth") return teeth_text(c);
-  if (name == "N") return fmt::format("{}", c.planets);
-  if (name == "m_n mm") return fmt::format("{:g}", c.module);
-  if (name == "b mm") return length(c.face_width, units == UnitSystem::mm ? 0 : 2);
-  if (name == "ratio") return drive_number(d.drive.motion.ratio->value(), 5);
-  if (name == "η") return eta(d.drive.flow);
-  if (name == "η back") return eta(d.drive.backward);
-  if (name == "size mm") return length(c.size, 2);
-  if (name == "c mm")
-    return length(set && set->neighbours ? std::optional(set->neighbours->clearance) : std::nullopt,
-                  3);
-  if (name == "S_H" || name == "S_F")
-    return drive_number(least_safety(d.drive, name == "S_H" ? &Rating::S_H : &Rating::S_F), 3);
-  constexpr const char* kClasses[] = {"in phase", "sequential", "counter", "mixed"};
-  return set ? kClasses[static_cast<std::size_t>(set->phasing.kind)] : "-";
 }
 
 std::string drives_listing(const FoundDrives& f, UnitSystem units) {
@@ -136,17 +82,19 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
   if (!f.problem.series.empty())
     text += fmt::format("All gears have the thickness allowances of series {} (DIN 3967).\n",
                         f.problem.series);
-  text += "\n" + design_row(f, "rank", [&](std::string name) {
-            if (name.ends_with(" mm") && name != "m_n mm")
-              name.replace(name.size() - 2, 2, unit_text(units, Unit::mm));
-            return name;
-          });
+  std::vector<std::string> names;
+  std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < designs.list.size() && i < kListedDrives; ++i) {
     const bool front =
         std::find(designs.pareto.begin(), designs.pareto.end(), i) != designs.pareto.end();
-    text += design_row(f, fmt::format("{}{}", front ? "*" : "", i + 1),
-                       [&](const char* name) { return design_cell(designs.list[i], name, units); });
+    names.push_back(fmt::format("{:>3}  {}", fmt::format("{}{}", front ? "*" : "", i + 1),
+                                teeth_text(designs.list[i].candidate)));
+    records.push_back(found_drive_quantities().of(designs.list[i]));
   }
+  text += "\n" + row_listing(units, names, records,
+                             {"planets", "normal_module_mm", "face_width_mm", "ratio", "efficiency",
+                              "efficiency_backward", "size_mm", "neighbour_clearance_mm",
+                              "safety_flank", "safety_root", "phasing", "profile_shift"});
   if (!designs.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
   if (designs.list.size() > kListedDrives)
     text += fmt::format(
@@ -196,8 +144,8 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
   }
   auto designs = drive_designs(spec, problem, *result, top, threads);
   if (!designs) return designs.error();
-  const auto found = std::make_shared<FoundDrives>(FoundDrives{
-      problem, std::move(result).take(), std::move(designs).take(), rates_drives(spec, problem)});
+  const auto found = std::make_shared<FoundDrives>(
+      FoundDrives{problem, std::move(result).take(), std::move(designs).take()});
   Answer answer;
   answer.record["search"] =
       to_json(drive_search_quantities().of({&found->problem, &found->result, &found->designs}));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/printable.hpp"
@@ -50,6 +51,53 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
   return text + "\n";
 }
 
+// The member of a record, or of one of its inner records, or null if the record lacks it.
+const Member* member_at(const ValueRecord& record, std::string_view path) {
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  for (const Member& m : record) {
+    if (m.info->key != path.substr(0, dot)) continue;
+    const ValueRecord* const inner = m.value.record();
+    return dot == path.size() ? &m : inner ? member_at(*inner, path.substr(dot + 1)) : nullptr;
+  }
+  return nullptr;
+}
+
+// Breaks words into lines of at most 12 characters, if no word is longer.
+std::vector<std::string> broken(const std::string& words) {
+  constexpr std::size_t kHeadWidth = 12;
+  std::vector<std::string> lines;
+  std::istringstream text(words);
+  for (std::string word; text >> word;) {
+    if (lines.empty() || width(lines.back()) + 1 + width(word) > kHeadWidth)
+      lines.push_back(word);
+    else
+      lines.back() += " " + word;
+  }
+  return lines;
+}
+
+struct RowColumn {
+  std::vector<std::string> lines;  // the heading, followed by the cells
+  std::size_t head;                // number of lines of the heading
+  bool left;                       // true if the cells are aligned to the left
+};
+
+// The column of a quantity that is described by `info`, or of one of the gears (1 or 2).
+RowColumn row_column(UnitSystem units, const QuantityInfo& info, const std::string& head, int gear,
+                     const std::vector<const Member*>& members) {
+  RowColumn column{
+      broken(gear > 0 ? fmt::format("{}{}{}", head, head == info.symbol ? "" : " ", gear) : head),
+      0, info.type == Type::word || info.type == Type::map};
+  column.lines.emplace_back(unit_text(system_of(info, units), info.unit));
+  column.head = column.lines.size();
+  for (const Member* m : members) {
+    const ValueList* const each = m && gear > 0 ? m->value.list() : nullptr;
+    const Value value = each ? (*each)[static_cast<std::size_t>(gear - 1)] : m ? m->value : Value();
+    column.lines.push_back(text_of(info, value, "-", units));
+  }
+  return column;
+}
+
 // The values that vary within the tolerances. The listing is empty if there are none.
 std::string pair_interval_listing(const SolvedJob& job) {
   if (!job.ends || !job.pair) return {};
@@ -81,6 +129,48 @@ std::string quantity_listing(UnitSystem units, const QuantityTable& table,
     for (const TextRow& row : g.rows)
       text += line(row.info->words, words_width, row.info->symbol, row.texts, row.unit,
                    columns.size(), note ? note(*row.info) : std::string());
+  }
+  return text;
+}
+
+std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
+                        const std::vector<ValueRecord>& records,
+                        std::initializer_list<std::string_view> keys) {
+  struct Shown {
+    const QuantityInfo* info = nullptr;
+    std::vector<const Member*> members{};
+  };
+  std::vector<Shown> all;
+  for (const std::string_view key : keys) {
+    Shown shown;
+    for (const ValueRecord& record : records) {
+      shown.members.push_back(member_at(record, key));
+      if (const Member* m = shown.members.back(); m && m->shown) shown.info = m->info;
+    }
+    if (shown.info) all.push_back(std::move(shown));
+  }
+  std::vector<RowColumn> columns{{names, 0, true}};
+  for (const Shown& s : all) {
+    const auto same = [&](const Shown& other) { return other.info->symbol == s.info->symbol; };
+    const bool words = s.info->symbol.empty() || std::count_if(all.begin(), all.end(), same) > 1;
+    const std::string& head = words ? s.info->words : s.info->symbol;
+    for (const int gear : s.info->two == Two::gears ? std::vector{1, 2} : std::vector{0})
+      columns.push_back(row_column(units, *s.info, head, gear, s.members));
+  }
+  std::size_t heads = 0;
+  for (const RowColumn& c : columns) heads = std::max(heads, c.head);
+  std::vector<std::string> lines(heads + records.size());
+  for (RowColumn& c : columns) {
+    c.lines.insert(c.lines.begin(), heads - c.head, "");
+    std::size_t widest = 0;
+    for (const std::string& text : c.lines) widest = std::max(widest, width(text));
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      lines[i] += "  " + (c.left ? pad(c.lines[i], widest) : pad_left(c.lines[i], widest));
+  }
+  std::string text;
+  for (std::string& each : lines) {
+    each.erase(each.find_last_not_of(' ') + 1);
+    if (!each.empty()) text += each + "\n";
   }
   return text;
 }

@@ -45,39 +45,31 @@ LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer) {
 
 namespace {
 
-// One line for each torque with the values that depend on the load.
-std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) {
-  const bool lines = contact.regime == LoadRegime::line;
-  std::string out =
-      fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}\n", "torque", "TE p-p", "stiffness",
-                  "pressure", "root 1", "root 2", lines ? fmt::format("{:>9}", "K_Hβ") : "");
-  out += fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}\n", "N m", "arcsec",
-                     unit_text(lines ? Unit::newton_per_mm_um : Unit::newton_per_um), "N/mm²",
-                     "N/mm²", "N/mm²");
-  for (const LoadedTorque& t : contact.torques)
-    out += fmt::format(
-        "  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}{}\n", format_number(newton_metres(t.torque)),
-        fixed_decimals(t.peak_to_peak.arcsec(), 4), fixed_decimals(t.stiffness.mean, 3),
-        fixed_decimals(t.max_pressure, 1), fixed_decimals(t.max_root_stress[0], 1),
-        fixed_decimals(t.max_root_stress[1], 1),
-        lines ? fmt::format("{:>9}", fixed_decimals(t.face_load_factor, 3)) : "",
-        &t == quiet ? "  quietest" : "");
-  return out;
+// The quantities of a torque that depend on the load, for a line of a table.
+std::string torque_rows(UnitSystem units, const std::vector<std::string>& names,
+                        const std::vector<LoadTorqueView>& torques) {
+  std::vector<ValueRecord> records;
+  for (const LoadTorqueView& t : torques) records.push_back(load_torque_quantities().of(t));
+  return row_listing(units, names, records,
+                     {"torque_Nm", "peak_to_peak_arcsec", "mesh_stiffness_N_per_mm_um.mean",
+                      "contact_stiffness_N_per_um.mean", "max_pressure_MPa", "max_root_stress_MPa",
+                      "face_load_factor"});
 }
 
-// Lists both halves of a double-helical pair under torque number i.
-std::string halves_listing(const LoadAnalysis& answer, std::size_t i) {
-  std::string out = fmt::format("\n  {:<11}{:>14}{:>12}{:>11}{:>11}{:>9}\n", "", "TE p-p",
-                                "pressure", "root 1", "root 2", "K_Hβ");
-  for (std::size_t h = 0; h < 2; ++h) {
-    const LoadedTorque& t = answer.halves[h].contact->torques[i];
-    out +=
-        fmt::format("  {:<11}{:>14}{:>12}{:>11}{:>11}{:>9}\n", h == 0 ? "half z > 0" : "half z < 0",
-                    fixed_decimals(t.peak_to_peak.arcsec(), 4), fixed_decimals(t.max_pressure, 1),
-                    fixed_decimals(t.max_root_stress[0], 1),
-                    fixed_decimals(t.max_root_stress[1], 1), fixed_decimals(t.face_load_factor, 3));
+// Lists some positions of a torque. The rows are limited to one page. --json has all positions.
+std::string position_rows(UnitSystem units, const LoadTorqueView& view) {
+  const auto& positions = view.torque->positions;
+  const std::size_t step = std::max<std::size_t>(1, positions.size() / 32);
+  std::vector<std::string> names;
+  std::vector<ValueRecord> records;
+  for (std::size_t at = 0; at < positions.size(); at += step) {
+    const LoadedPosition& p = positions[at];
+    names.emplace_back(p.solved() ? "" : p.unfinished ? "unfinished" : "no contact");
+    records.push_back(load_position_quantities().of({view.torque, &p, view.all->regime}));
   }
-  return out;
+  return row_listing(units, names, records,
+                     {"rotation1_deg", "transmission_error_arcsec", "approach_um",
+                      "max_pressure_MPa", "root_stress_MPa", "kind", "share"});
 }
 
 }  // namespace
@@ -105,36 +97,22 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
   const LoadView whole = load_view(job, answer);
   const auto views = torque_views(*answer.contact, whole.standard);
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const LoadedTorque& t = *views[i].torque;
     out += quantity_listing(units, load_torque_quantities().table(),
                             {load_torque_quantities().of(views[i])}, {});
-    if (!answer.halves.empty()) out += halves_listing(answer, i);
-    out +=
-        fmt::format("\n  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}  {}\n", "rotation1", "TE", "approach",
-                    "pressure", "root 1", "root 2", whole.halves.empty() ? "shares" : "");
-    out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}\n", "°", "arcsec",
-                       unit_text(units, Unit::um), "N/mm²", "N/mm²", "N/mm²");
-    // The rows are limited to one page. --json has all positions.
-    const std::size_t step = std::max<std::size_t>(1, t.positions.size() / 32);
-    for (std::size_t at = 0; at < t.positions.size(); at += step) {
-      const LoadedPosition& p = t.positions[at];
-      if (!p.solved()) {
-        out += fmt::format("  {:>11}{:>14}\n", fixed_decimals(p.rotation1.deg(), 4),
-                           p.unfinished ? "unfinished" : "no contact");
-        continue;
-      }
-      std::string shares;
-      for (const LoadedPair& k : p.pairs) shares += fmt::format(" {:.3f}", k.share);
-      out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11} {}\n",
-                         fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(p.te.arcsec(), 4),
-                         text_in(units, Unit::um, p.approach * kUmPerMm, 4),
-                         fixed_decimals(p.max_pressure, 1), fixed_decimals(p.root_stress[0], 1),
-                         fixed_decimals(p.root_stress[1], 1), shares);
+    if (!answer.halves.empty()) {
+      std::vector<LoadTorqueView> halves;
+      for (const LoadAnalysis& half : answer.halves)
+        halves.push_back({&half.contact->torques[i], &*half.contact, {}});
+      out += "\n" + torque_rows(units, {"half z > 0", "half z < 0"}, halves);
     }
-    out += "\n";
+    out += "\n" + position_rows(units, views[i]) + "\n";
   }
-  if (const LoadedTorque* quiet = quietest(*answer.contact))
-    out += harris_map(*answer.contact, quiet);
+  if (const LoadedTorque* quiet = quietest(*answer.contact)) {
+    std::vector<std::string> names;
+    for (const LoadTorqueView& view : views)
+      names.emplace_back(view.torque == quiet ? "quietest" : "");
+    out += torque_rows(units, names, views);
+  }
   return out;
 }
 

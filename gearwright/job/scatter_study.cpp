@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Error refused_list(const fs::path& path, std::string rule) {
-  return {"--designs", native_text(path), std::move(rule)};
+  return {"--designs", native_text(path), std::move(rule), FailureKind::option};
 }
 
 // Results of [scatter] that are computed for a single pair and are not part of the rows.

@@ -10,6 +10,7 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/report/search_report.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -82,34 +83,6 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
     lines.emplace_back("No change of a single number would help.");
   }
   return lines;
-}
-
-// The columns of a search that checks drawings: face width and overlap ratio, backlash at both
-// ends, the smaller safety of the two gears, and mass.
-std::string drawing_heads(const SearchProblem& p, UnitSystem units) {
-  const auto head = [&](const char* what) {
-    return fmt::format("{} {}", what, unit_text(units, Unit::mm));
-  };
-  return (p.sizes_faces() ? fmt::format(" {:>6} {:>6}", head("b"), "ε_β") : "") +
-         (p.allowances.thin_teeth() ? fmt::format(" {:>13}", head("j_n")) : "") +
-         (p.rating ? fmt::format(" {:>6} {:>6}", "S_H", "S_F") : "") +
-         (p.weighs() ? fmt::format(" {:>9}", "mass kg") : "");
-}
-std::string drawing_cells(const SearchProblem& problem, const DesignRow& row, UnitSystem units) {
-  const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 3); };
-  const auto lesser = [](const std::array<std::optional<double>, 2>& s) {
-    return s[0] && s[1] ? fmt::format(" {:>6.3f}", std::min(*s[0], *s[1])) : "      -";
-  };
-  std::string cells;
-  if (problem.sizes_faces())
-    cells += fmt::format(" {:>6.4g} {:>6.3f}", value_in(units, Unit::mm, row.face_width),
-                         row.overlap_ratio);
-  if (problem.allowances.thin_teeth()) {
-    const auto& [least, most] = row.backlash_ends;
-    cells += least && most ? fmt::format(" {} … {}", mm(*least), mm(*most)) : "             -";
-  }
-  return cells + (problem.rating ? lesser(row.flank_safety) + lesser(row.root_safety) : "") +
-         (problem.weighs() ? fmt::format(" {:>9.3f}", row.mass) : "");
 }
 
 // The face width in words: "the least sufficient width from 10 to 120 mm", "10 modules".
@@ -312,28 +285,20 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
     }
     return text;
   }
-  const bool helical =
-      std::any_of(p.helix.begin(), p.helix.end(), [](Angle b) { return b != Angle(); });
-  const std::string strength = drawing_heads(p, units);
-  text += fmt::format(
-      "\n{:>4} {:>7} {:>4} {:>5}{} {:>8} {:>10} {:>8} {:>8} {:>7} {:>7} {:>7}{} {:>7}  {}\n",
-      "rank", "module", "z1", "z2", helical ? "   helix" : "", "ratio",
-      fmt::format("a {}", unit_text(units, Unit::mm)), "x1", "x2", "ε_α", "ε eff", "ζ max",
-      strength, "area", "shifts");
+  std::vector<std::string> names;
+  std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < a.designs.size() && i < most; ++i) {
-    const DesignRow& r = a.designs[i];
-    const auto zeta = r.max_sliding();
-    text += fmt::format(
-        "{:>4} {:>7g} {:>4} {:>5}{} {:>8.4f} {:>10} {:>8.4f} {:>8.4f} {:>7.4f} {:>7.4f} {:>7}{} "
-        "{:>7.4f}  {}{}{}\n",
-        i + 1, r.trial.module, r.trial.z1, r.trial.z2,
-        helical ? fmt::format(" {:>7.3f}", tidy_degrees(r.trial.helix[0])) : "", r.ratio,
-        text_in(units, Unit::mm, r.center_distance, 4), r.shift[0], r.shift[1], r.contact_ratio,
-        r.contact_ratio_true, zeta ? fmt::format("{:.3f}", *zeta) : "-", drawing_cells(p, r, units),
-        r.area, r.balanced ? "balanced" : "middle",
-        std::find(a.pareto.begin(), a.pareto.end(), i) != a.pareto.end() ? ", front" : "",
-        r.interference ? ", interference" : "");
+    const bool front = std::find(a.pareto.begin(), a.pareto.end(), i) != a.pareto.end();
+    names.push_back(fmt::format("{:>4}  {}", fmt::format("{}{}", front ? "*" : "", i + 1),
+                                a.designs[i].balanced ? "balanced" : "middle"));
+    records.push_back(design_quantities().of({&p, &a.designs[i]}));
   }
+  text += "\n" + row_listing(units, names, records,
+                             {"module_mm", "teeth", "helix_angle_deg", "ratio",
+                              "center_distance_mm", "profile_shift", "contact_ratio",
+                              "contact_ratio_true", "sliding_max", "face_width_mm", "overlap_ratio",
+                              "backlash_mm", "S_H", "S_F", "mass_kg", "area", "interference"});
+  if (!a.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
   if (a.counts.feasible > static_cast<std::int64_t>(most)) {
     text += fmt::format(
         "  … {} more designs; --out DIR writes all of them, and --take N writes one design as the "

@@ -7,7 +7,8 @@ namespace gearwright {
 std::optional<Error> refuse_folder() {
   return Error{"--out", "",
                "this build has neither SQLite nor Parquet and cannot write the folder of a search; "
-               "leave out --out and use --json, or use the installed program"};
+               "leave out --out and use --json, or use the installed program",
+               FailureKind::option};
 }
 
 std::optional<Error> refuse_other_search(const std::filesystem::path&, const JobSpec&) {

@@ -358,22 +358,24 @@ Result<Json> answer_json(std::string_view name, const JobSpec& spec, Progress* p
 
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
                      const std::string& text, SpecUse use) {
-  const auto failed = [](const Error& error) { return BatchLine{json_text(error_json(error))}; };
+  using enum BatchLine::Outcome;
+  const auto failure = [](const Error& error, BatchLine::Outcome outcome = failed) {
+    return BatchLine{json_text(error_json(error)), outcome};
+  };
   if (text.size() > kMaxSpec) {
-    return failed({"", "",
-                   fmt::format("this line has {} bytes; at most {} are allowed for a spec",
-                               text.size(), kMaxSpec)});
+    return failure({"", "",
+                    fmt::format("this line has {} bytes; at most {} are allowed for a spec",
+                                text.size(), kMaxSpec)});
   }
   try {
     const auto spec = read_spec(text, SpecFormat::json, {}, use);
-    if (!spec) return failed(spec.error());
-    const auto answered = answer(*spec);
-    return answered ? BatchLine{json_text(*answered)}
-                    : failed(spelled(answered.error(), spec->given));
+    if (!spec) return failure(spec.error());
+    const auto json = answer(*spec);
+    return json ? BatchLine{json_text(*json)} : failure(spelled(json.error(), spec->given));
   } catch (const IoError& e) {  // a file named in the spec
-    return failed({"", "", e.what()});
+    return failure({"", "", e.what()});
   } catch (const ContractViolation& e) {
-    return {failed({"", "", e.what()}).text, true};
+    return failure({"", "", e.what()}, violated);
   }
 }
 

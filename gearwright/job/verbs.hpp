@@ -82,8 +82,12 @@ Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Progress* p
 
 /// The output of a batch for one spec.
 struct BatchLine {
-  std::string text;       ///< JSON on one line: the result, or {"error": …}
-  bool violated = false;  ///< true if the error is a defect of Gearwright (base/contract.hpp)
+  std::string text;  ///< JSON on one line: the result, or {"error": …}
+  enum class Outcome {
+    answered,
+    failed,    ///< the text is the error of the spec
+    violated,  ///< the text is the error of a defect of Gearwright (base/contract.hpp)
+  } outcome = Outcome::answered;
 };
 /// Computes a spec in JSON with `answer`. A failure becomes the error of this line, so it does not
 /// affect the other lines of a batch. An input that is missing for `use` is also an error.

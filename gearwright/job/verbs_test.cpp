@@ -30,8 +30,10 @@ TEST(BatchLine, a_violation_is_the_error_of_its_own_line) {
           line = fmt::format(R"({{"gear1": {{"teeth": {}, "normal_module_mm": 2}}}})", next);
           return next++ < 20 + kLines;
         },
-        [](const std::string& line) { return batch_line(answered, line).text; },
-        [&](const std::string& line) { lines.push_back(line); }, threads);
+        [&](const std::string& line) {
+          return [&, answer = batch_line(answered, line)] { lines.push_back(answer.text); };
+        },
+        threads);
     ASSERT_EQ(lines.size(), kLines);
     for (int i = 0; i < kLines; ++i) {
       const Json answer = Json::parse(lines[static_cast<std::size_t>(i)]);
@@ -51,12 +53,13 @@ TEST(BatchLine, a_violation_is_the_error_of_its_own_line) {
 TEST(BatchLine, tells_a_violation_from_an_error_of_the_spec) {
   const auto line = [](int teeth) {
     return batch_line(answered,
-                      fmt::format(R"({{"gear1": {{"teeth": {}, "normal_module_mm": 2}}}})", teeth));
+                      fmt::format(R"({{"gear1": {{"teeth": {}, "normal_module_mm": 2}}}})", teeth))
+        .outcome;
   };
-  EXPECT_FALSE(line(20).violated);
-  EXPECT_TRUE(line(21).violated);
+  EXPECT_EQ(line(20), BatchLine::Outcome::answered);
+  EXPECT_EQ(line(21), BatchLine::Outcome::violated);
   const BatchLine refused = batch_line(answered, "{}");
-  EXPECT_FALSE(refused.violated);
+  EXPECT_EQ(refused.outcome, BatchLine::Outcome::failed);
   EXPECT_TRUE(refused.text.starts_with("{\"error\":")) << refused.text;
 }
 

@@ -192,17 +192,13 @@ std::string mesh_parts(const Drive& drive, UnitSystem units) {
     const ParallelPair* const parallel = pair ? pair->parallel() : nullptr;
     if (!parallel && !rack) continue;
     const DriveMesh& mesh = drive.graph.meshes[m];
-    const std::string heading = fmt::format(
+    const std::string head = fmt::format(
         "<h2>Mesh {}</h2>\n<p>Gear 1 is {}, gear 2 is {}.</p>\n", escaped(mesh.name),
         escaped(drive.graph.gear(mesh, 0).name), escaped(drive.graph.gear(mesh, 1).name));
     const std::array<std::string, 2> shapes{shape_name(mesh.gears[0]), shape_name(mesh.gears[1])};
-    std::string section =
-        rack ? rack_section(*rack, shapes, units) : pair_section(*parallel, shapes, units);
-    const std::string head = rack ? "<h2>Rack and pinion</h2>\n" : "<h2>Pair</h2>\n";
-    const std::size_t at = section.find(head);
-    GW_EXPECTS(at != std::string::npos);
-    section.replace(at, head.size(), heading);
-    text += with_prefix(section, fmt::format("mesh{}-", m + 1));
+    text += with_prefix(rack ? rack_section(*rack, shapes, units, head)
+                             : pair_section(*parallel, shapes, units, head),
+                        fmt::format("mesh{}-", m + 1));
   }
   return text;
 }

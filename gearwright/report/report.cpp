@@ -184,13 +184,13 @@ std::string finding_list(const Verdict& verdict, std::string_view whole) {
 }
 
 std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes,
-                         UnitSystem units) {
+                         UnitSystem units, std::string_view head) {
   const bool meet = pair.flanks_meet();
   const std::string path = meet ? side_by_side(figure_html(path_figure(pair), kWideFigure) +
                                                "<div>" + path_table(pair, units) + "</div>")
                                 : path_table(pair, units);
   return fmt::format(
-      "<section class=\"pair\">\n<h2>Pair</h2>\n{}{}{}{}{}</section>\n",
+      "<section class=\"pair\">\n{}{}{}{}{}{}</section>\n", head,
       mesh_part(pair, shapes, meet ? figure_html(ratio_figure(pair), kBarWidth) : std::string()),
       pair_table(pair, units), interference_table(pair, units), path, centrode_figures(pair));
 }

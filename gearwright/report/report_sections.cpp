@@ -277,9 +277,10 @@ std::string rack_pair_table(const RackPair& pair, UnitSystem units) {
 }  // namespace
 
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
-                         UnitSystem units) {
-  return "<section class=\"pair\">\n<h2>Rack and pinion</h2>\n" + rack_picture(pair, shapes) +
-         rack_pair_table(pair, units) + rack_table(pair, units) + "</section>\n";
+                         UnitSystem units, std::string_view head) {
+  return fmt::format("<section class=\"pair\">\n{}{}{}{}</section>\n", head,
+                     rack_picture(pair, shapes), rack_pair_table(pair, units),
+                     rack_table(pair, units));
 }
 
 }  // namespace gearwright

@@ -32,9 +32,10 @@ std::string hint_of_units(UnitSystem units);
 /// `whole`.
 std::string finding_list(const Verdict& verdict, std::string_view whole);
 
-/// A pair of involute gears: pictures, quantities, interference.
+/// A pair of involute gears: pictures, quantities, interference. `head` is the beginning of the
+/// section, in HTML.
 std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes,
-                         UnitSystem units);
+                         UnitSystem units, std::string_view head = "<h2>Pair</h2>\n");
 std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>& shapes,
                          UnitSystem units);
 
@@ -111,8 +112,9 @@ std::string rating_section(const RatingView& view, UnitSystem units);
 
 /// Returns the section in HTML. `shapes` are the names of the SVG definitions of pinion and rack.
 /// The page must contain the definition of the pinion, and the section contains the definition of
-/// the rack. If the rack has no outline, a paragraph with the reason replaces the picture.
+/// the rack. If the rack has no outline, a paragraph with the reason replaces the picture. `head` is
+/// as in pair_section().
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
-                         UnitSystem units);
+                         UnitSystem units, std::string_view head = "<h2>Rack and pinion</h2>\n");
 
 }  // namespace gearwright

@@ -98,7 +98,7 @@ std::string campaign_differences(const std::string& was, const std::string& is) 
 namespace {
 
 Error refused_folder(const fs::path& folder, const std::string& why) {
-  return {"--out", folder.string(), why};
+  return {"--out", folder.string(), why, FailureKind::option};
 }
 
 // The reason why the folder cannot be opened in the mode `as`, or nothing if it can. `old` is the

@@ -127,7 +127,7 @@ class Refused(Asked):
         self.assertEqual([w["code"] for w in r.json["warnings"]], ["not_read"])
 
     def test_take(self):
-        for text, rank, words in ((spec(), 47, "46 designs"), (spec(contact_ratio_min=1.95), 1, "no design is feasible")):
+        for text, rank, words in ((spec(), 47, "must be 1 to 46"), (spec(contact_ratio_min=1.95), 1, "no design is feasible")):
             r = Run("search", text, "--take", rank, "--json", folder=folder())
             self.assertEqual([r.status, r.json["error"]["key"], r.json["error"]["value"]], [1, "--take", str(rank)])
             self.assertIn(words, r.err)

@@ -27,7 +27,7 @@ class Stopping(unittest.TestCase):
                                        stderr=subprocess.PIPE)
             began = time.monotonic()
             line = process.stderr.readline()
-            self.assertLess(time.monotonic() - began, 4)  # 1.5 s and the delay on a busy machine
+            self.assertLess(time.monotonic() - began, 4)  # 2 s and the delay on a busy machine
             self.assertRegex(line, "|".join(words))
             time.sleep(0.3)
             sent = time.monotonic()

@@ -20,7 +20,7 @@ constexpr std::array<const char*, 7> kKinds{"number", "whole", "boolean", "text"
                                             "word",   "table", "any"};
 constexpr std::array<const char*, 8> kTypes{"number", "whole", "index",  "flag",
                                             "word",   "text",  "record", "map"};
-constexpr std::array<const char*, 3> kTwos{"values", "gears", "ends"};
+constexpr std::array<const char*, 4> kTwos{"values", "gears", "ends", "fraction"};
 
 template <class Names, class E>
 const char* name_of(const Names& names, E value) {
