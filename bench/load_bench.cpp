@@ -5,8 +5,13 @@
 
 #include <utility>
 
+#include "bench/thread_seconds.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/corrections.hpp"
 #include "gearwright/load/loaded_contact.hpp"
+#include "gearwright/load/nearby_load.hpp"
+#include "gearwright/pair/pair.hpp"
 
 namespace {
 
@@ -58,5 +63,42 @@ void a_position_under_load(benchmark::State& state) {
   }
 }
 BENCHMARK(a_position_under_load)->ArgName("helix")->Arg(0)->Arg(15)->Unit(benchmark::kMillisecond);
+
+// Measures a trial of corrections under load near a pair whose contact is known, and compares it with
+// the whole contact of the corrected pair in the same run. The counter `ratio` is the time of the
+// contact divided by the time of the trial.
+void a_trial_of_corrections(benchmark::State& state) {
+  const Loaded l(15, ComplianceAccuracy::full);
+  LoadRequest request = l.request;
+  request.positions = 16;
+  request.root_stress = false;
+  const auto compliance = pair_compliance(l.one, l.two, request).value();
+  ContactErrors errors;
+  errors.crossing = Angle::degrees(0.02);
+  const ContactSetup setup =
+      ContactSetup::of(mount(l.one, l.two, {}).value(), errors, {}, {true, false}).value();
+  const std::vector<WorkshopCorrection> which{{CorrectionOf::lead_slope, 1},
+                                              {CorrectionOf::lead_crowning, 1}};
+  const NearbyLoad near(setup.pair(false), setup.gear(1), setup.gear(2), compliance, request,
+                        *influences_of(which));
+  double own = 0.0, whole = 0.0;
+  int k = 0;
+  for (auto _ : state) {
+    const std::vector<double> um{0.1 * (++k % 97), 0.05 * (k % 41)};
+    const double start = thread_seconds();
+    benchmark::DoNotOptimize(near.span(std::vector{um[0] * kMmPerUm, um[1] * kMmPerUm}, false));
+    const double middle = thread_seconds();
+    const ContactSetup changed = setup.changed(change_of(which, um, false)).value();
+    const ContactPair pair = changed.pair(false);
+    LoadedTurn turn(pair, l.one, l.two, compliance, request);
+    turn.solve(0, turn.positions());
+    benchmark::DoNotOptimize(turn.result());
+    own += middle - start;
+    whole += thread_seconds() - middle;
+  }
+  state.counters["ratio"] = whole / own;
+  state.counters["trial_us"] = 1e6 * own / k;
+}
+BENCHMARK(a_trial_of_corrections)->Iterations(100)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -18,6 +18,10 @@ const Halves& narrower_of(const std::array<std::optional<Halves>, 2>& halves) {
 
 }  // namespace
 
+bool equal_halves(const Halves& halves, const ContactErrors& errors, const LoadInput& input) {
+  return input.deflection_slope == 0.0 && alike_halves(halves.given.stagger_pitches, errors);
+}
+
 LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Gear& gear_1,
                         bool below) {
   LoadInput input = whole;
@@ -58,8 +62,10 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
   if (!made) return made.error();
   add_new(std::exchange(found, {}), warnings);
   const LoadAnalysis first = std::move(made).take();
-  auto image = loaded(arranged, errors, input_of_half(input, narrower, gear_1, true), found,
-                      progress, HalfPlace{true, &*first.compliance});
+  auto image = equal_halves(narrower, errors, input)
+                   ? Result(first)
+                   : loaded(arranged, errors, input_of_half(input, narrower, gear_1, true), found,
+                            progress, HalfPlace{true, &*first.compliance});
   if (!image) return image.error();
   add_new(std::move(found), warnings, kSecondHalf);
   LoadAnalysis second = std::move(image).take();

@@ -21,6 +21,10 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
                                    const ContactErrors& errors, const LoadInput& input,
                                    std::vector<Warning>& warnings, Progress* progress = nullptr);
 
+/// True if both halves have the same load distribution, up to the mirror image in the middle of the
+/// face. Only one of them is then computed.
+bool equal_halves(const Halves& halves, const ContactErrors& errors, const LoadInput& input);
+
 /// Derives the input for one half from the input for the whole gears: half of the torque, and the
 /// deflections over this half. If `below`, the rotations and z are those of the mirror image.
 /// Probes are omitted.

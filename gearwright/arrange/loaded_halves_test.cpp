@@ -82,6 +82,29 @@ TEST(LoadedHalves, AreHelicalPairsUnderHalfOfTheTorque) {
   EXPECT_NEAR(one.tangent.mean, both.tangent.mean, 1e-12 * both.tangent.mean);
 }
 
+// If both halves are equal, one of them is computed. The other one is its mirror image, bit by bit.
+TEST(LoadedHalves, AreComputedOnceIfTheyAreEqual) {
+  const Sample s = sample(0.0, {50.0, 50.0}, 0.01);
+  LoadInput input = torque(300);
+  input.deflection_bow = 4.0;
+  EXPECT_TRUE(equal_halves(*s.halves[0], {.center_distance = 0.02}, input));
+  EXPECT_FALSE(equal_halves(*s.halves[0], {.crossing = Angle::degrees(0.01)}, input));
+  const LoadAnalysis whole = analysed(s, {}, input);
+  std::vector<Warning> warnings;
+  const auto image = loaded(s.half, {}, input_of_half(input, *s.halves[0], s.half.gear(1), true),
+                            warnings, nullptr, HalfPlace{true, &*whole.compliance});
+  ASSERT_TRUE(image);
+  const LoadedTorque& found = whole.halves[1].contact->torques[0];
+  const LoadedTorque& expected = image->contact->torques[0];
+  for (std::size_t i = 0; i < expected.positions.size(); ++i)
+    EXPECT_EQ(found.positions[i].te.rad(), expected.positions[i].te.rad());
+  EXPECT_EQ(found.max_pressure, expected.max_pressure);
+  EXPECT_EQ((found.face_load - expected.face_load.reverse()).norm(), 0.0);
+  EXPECT_EQ((found.root_stress[1] - expected.root_stress[1].rowwise().reverse()).norm(), 0.0);
+  input.deflection_slope = 3.0;
+  EXPECT_FALSE(equal_halves(*s.halves[0], {}, input));
+}
+
 TEST(LoadedHalves, HaveTheDeflectionOfTheWholeFace) {
   const Sample s = sample(0.0);
   LoadInput input = torque(100);

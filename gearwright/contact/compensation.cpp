@@ -5,6 +5,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/contact/center_search.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/math/decompositions.hpp"
 #include "gearwright/math/minimise.hpp"
@@ -31,6 +32,8 @@ constexpr double kOverLimit = 100.0;
 // Evaluates f, or the aim if there is one, with a given number of positions per pitch.
 class Judge {
  public:
+  using Model = std::function<double(const std::vector<double>&)>;
+
   Judge(const CompensationTask& task, int positions) : task_(task), positions_(positions) {
     const std::vector<double> zero(task.corrections.size(), 0.0);
     const ContactScore score = worst(curves(zero));
@@ -42,8 +45,7 @@ class Judge {
   }
 
   std::vector<ContactCurve> curves(const std::vector<double>& v, bool edges = false) {
-    ++evaluations_;
-    count_step(task_.progress);
+    count();
     std::vector<ContactCurve> all;
     for (int s = 0; s < task_.scenarios; ++s) {
       const auto pair = task_.pair_at(v, s);
@@ -53,7 +55,28 @@ class Judge {
     return all;
   }
 
+  bool has_near() const { return task_.aim && task_.aim->near; }
+  // The estimate of the aim around a center, which is exact at the center.
+  Model near(const std::vector<double>& center) {
+    std::vector<CompensationAim::Nearby> all;
+    for (int s = 0; s < task_.scenarios; ++s) {
+      const auto pair = task_.pair_at(center, s);
+      if (!pair) return [](const auto&) { return kInfinity; };
+      all.push_back(task_.aim->near(*pair, positions_));
+    }
+    return [this, center, all = std::move(all)](std::vector<double> v) {
+      count();
+      for (std::size_t k = 0; k < v.size(); ++k) v[k] -= center[k];
+      double worst = 0.0;
+      for (const auto& of : all) worst = std::max(worst, of(v));
+      return worst;
+    };
+  }
+  // Until the next call, value() returns the values of this model; exact values if it is empty.
+  void use(Model model) { model_ = std::move(model); }
+
   double value(const std::vector<double>& v) {
+    if (model_) return model_(v);
     if (task_.aim) return aimed(v);
     const auto all = curves(v);
     if (all.empty()) return kInfinity;
@@ -74,9 +97,13 @@ class Judge {
   int evaluations() const { return evaluations_; }
 
  private:
-  double aimed(const std::vector<double>& v) {
+  void count() {
     ++evaluations_;
     count_step(task_.progress);
+  }
+
+  double aimed(const std::vector<double>& v) {
+    count();
     double worst = 0.0;
     for (int s = 0; s < task_.scenarios; ++s) {
       const auto pair = task_.pair_at(v, s);
@@ -101,6 +128,7 @@ class Judge {
   double limit_ = kInfinity;                      // limit of the peak to peak, rad
   double centering_ = 0.0, place_of_none_ = 0.0;  // rad: w; cost of the pattern at v = 0
   int evaluations_ = 0;
+  Model model_;
 };
 
 // The least-squares corrections for TE linearised at v = 0. The mean of the TE curve of each
@@ -139,7 +167,7 @@ std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
   return v;
 }
 
-std::vector<double> optimise(const CompensationTask& task, Judge& judge, Minimiser how,
+std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, Minimiser how,
                              int evaluations, double step_factor, std::vector<double> v) {
   MinimiserTask search{.evaluations = evaluations,
                        .relative_gain = kLastGain,
@@ -148,7 +176,7 @@ std::vector<double> optimise(const CompensationTask& task, Judge& judge, Minimis
                          const double f = judge.value(x);
                          return std::isfinite(f) ? f : judge.lost();
                        }};
-  for (const Correction& c : task.corrections) {
+  for (const Correction& c : box) {
     search.lo.push_back(c.lo);
     search.hi.push_back(c.hi);
     search.step.push_back(c.step * step_factor);
@@ -172,6 +200,7 @@ struct Best {
   }
 };
 
+// The best corrections by a search of the whole box and descents from several starts.
 std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
   Best best(judge, zero);
@@ -183,17 +212,40 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
   starts.push_back(linearised(task, judge));
-  starts.push_back(optimise(task, judge, Minimiser::whole_box, budget, 1.0, zero));
+  starts.push_back(optimise(task.corrections, judge, Minimiser::whole_box, budget, 1.0, zero));
   for (std::vector<double>& start : starts) {
     for (std::size_t k = 0; k < start.size(); ++k)
       start[k] = std::clamp(start[k], task.corrections[k].lo, task.corrections[k].hi);
     best.take(start);
-    best.take(optimise(task, judge, Minimiser::downhill, budget, 1.0, start));
+    best.take(optimise(task.corrections, judge, Minimiser::downhill, budget, 1.0, start));
   }
   // A crease of f may have stopped a search, so the search is repeated with smaller steps.
   for (const double step : {1.0, 0.1, 0.01})
-    best.take(optimise(task, judge, Minimiser::downhill, budget, step, best.v));
+    best.take(optimise(task.corrections, judge, Minimiser::downhill, budget, step, best.v));
   return best.v;
+}
+
+// As searched(). If the aim has an estimate, all trials use it, and the search is repeated around
+// the best corrections with the estimate that is exact there. Without a result for no corrections,
+// there is no estimate either.
+std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) {
+  const std::vector<double> zero(task.corrections.size(), 0.0);
+  if (!judge.has_near() || !std::isfinite(judge.value(zero))) return searched(task, judge);
+  const auto found = detail::lowest_by_models(
+      zero, judge.same(), [&](const std::vector<double>& at) { return judge.near(at); },
+      [](const Judge::Model& model, const std::vector<double>& v) { return model(v); },
+      [&](const Judge::Model& model, const std::vector<double>& at, double reach) {
+        judge.use(model);
+        if (reach == 1.0) return searched(task, judge);
+        const auto box = detail::around(task.corrections, reach, at);
+        Best best(judge, at);
+        for (const double step : {1.0, 0.1, 0.01})
+          best.take(optimise(box, judge, Minimiser::downhill, task.curves,
+                             step * reach / detail::kNextReach, best.v));
+        return best.v;
+      });
+  judge.use({});
+  return found;
 }
 
 // The final corrections. Here f is evaluated at as many positions as the report uses, because a
@@ -203,12 +255,13 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   const std::vector<double> zero(task.corrections.size(), 0.0);
   Best best(fine, zero);
   const double none = best.least;
+  if (fine.has_near()) fine.use(fine.near(found));
   if (found != zero) {
     best.take(found);
     const int most = 60 * static_cast<int>(found.size());
     const int budget = std::clamp(task.curves / (6 * task.scenarios), 1, most);
     for (const double step : {0.3, 0.03})
-      best.take(optimise(task, fine, Minimiser::downhill, budget, step, best.v));
+      best.take(optimise(task.corrections, fine, Minimiser::downhill, budget, step, best.v));
   }
   const double same = fine.same();
   if (!(best.least < none - same)) return zero;
@@ -225,9 +278,12 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
         drawn.take(as_written(task.corrections, next, parts));
       }
     }
-    if (drawn.least <= best.least + loss && drawn.least < none - same) return drawn.v;
+    if (drawn.least > best.least + loss || !(drawn.least < none - same)) continue;
+    best.v = drawn.v;
+    break;
   }
-  return best.v;
+  fine.use({});
+  return !fine.has_near() || fine.value(best.v) < none - same ? best.v : zero;
 }
 
 }  // namespace
@@ -269,7 +325,7 @@ Compensation compensate(const CompensationTask& task) {
   Judge coarse(task, task.positions);
   Judge fine(task, task.fine_positions);
   Compensation result;
-  result.value = settled(task, fine, searched(task, coarse));
+  result.value = settled(task, fine, searched_nearby(task, coarse));
   result.centering = fine.centering();
   result.evaluations = coarse.evaluations() + fine.evaluations();
   const std::vector<double> zero(task.corrections.size(), 0.0);

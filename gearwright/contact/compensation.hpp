@@ -39,6 +39,10 @@ struct CompensationAim {
   /// Returns the quantity of a pair, in any unit; the second argument is the number of positions
   /// per pitch. Infinity means that the pair is worse than all others.
   std::function<double(const ContactPair&, int)> of;
+  /// Returns a function that estimates the quantity of the pair after a change of its corrections,
+  /// which is exact for the change 0. Empty if there is no estimate.
+  using Nearby = std::function<double(const std::vector<double>& change)>;
+  std::function<Nearby(const ContactPair&, int)> near{};
   double same = 0.0;  ///< smallest improvement worth making, in the unit of the quantity, > 0
 };
 

@@ -39,6 +39,25 @@ std::optional<Influence> influence_of(const WorkshopCorrection& correction) {
   return Influence{ErrorKind::center_distance, correction.gear, *m};
 }
 
+std::optional<std::vector<Influence>> influences_of(
+    const std::vector<WorkshopCorrection>& corrections) {
+  std::vector<Influence> all;
+  for (const WorkshopCorrection& c : corrections) {
+    const auto influence = influence_of(c);
+    if (!influence) return std::nullopt;
+    all.push_back(*influence);
+  }
+  return all;
+}
+
+ContactSetup with_fields_for(const ContactSetup& setup,
+                             const std::vector<WorkshopCorrection>& corrections) {
+  std::array<bool, 2> wanted{};
+  for (const WorkshopCorrection& c : corrections)
+    if (influence_of(c)) wanted[static_cast<std::size_t>(c.gear - 1)] = true;
+  return setup.with_fields(wanted);
+}
+
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction) {
   if (correction.is(CutterSetting::cutter_lead)) return {-0.5, 0.5, 0.005};
   const Modification* m = correction.modification();

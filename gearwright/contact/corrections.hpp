@@ -50,6 +50,14 @@ SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
 /// and a cutter lead, which do not remove material from the flanks.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
+/// The influences of all corrections; none if one of them has no influence.
+std::optional<std::vector<Influence>> influences_of(
+    const std::vector<WorkshopCorrection>& corrections);
+
+/// The setup with fields of removed material on the gears whose corrections have an influence.
+ContactSetup with_fields_for(const ContactSetup& setup,
+                             const std::vector<WorkshopCorrection>& corrections);
+
 /// The usual lower and upper bound of a correction and its step, in the unit of the correction. A
 /// tool setting is at most a tenth of the module.
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction);

@@ -93,7 +93,8 @@ void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
 }
 
 // The mean of the TE of both halves, rad; NaN if a half does not touch. TE of a half is that of the
-// leading branch of the two positions around a rotation.
+// leading branch of the two positions around a rotation. If one branch leads at both positions, it is
+// followed from the nearer one only.
 class MeanError {
  public:
   MeanError(const HalvesMesh& mesh, int positions)
@@ -119,11 +120,19 @@ class MeanError {
 
   double of(Half& half, double x) {
     const ContactPair& pair = half.transmission.pair();
-    PairTouch leads;
-    for (const double near : {std::floor(x), std::ceil(x)}) {
+    const auto touch = [&](double near) -> const PairTouch& {
       const auto i = (static_cast<long>(near) % n_ + n_) % n_;
-      const PairTouch& from = half.touches[static_cast<std::size_t>(i)];
-      if (x == near) return from.found() ? pair.turned() * from.te() : kNone;
+      return half.touches[static_cast<std::size_t>(i)];
+    };
+    const double below = std::floor(x), above = std::ceil(x);
+    const PairTouch &a = touch(below), &b = touch(above);
+    if (below == above) return a.found() ? pair.turned() * a.te() : kNone;
+    const bool one_branch = a.found() && b.found() && a.fields == b.fields &&
+                            std::abs(b.phi - a.phi - pair.to_world(step_)) < 0.5 * step_;
+    PairTouch leads;
+    for (const double near : {below, above}) {
+      if (one_branch && near != std::round(x)) continue;
+      const PairTouch& from = touch(near);
       if (!from.found() || half.transmission.wavy()) continue;
       const double phi = from.phi + pair.to_world((x - near) * step_);
       const PairTouch t = half.transmission.follow(from, phi);

@@ -100,26 +100,34 @@ class DriveCurves {
     return gearwright::transmission_error(both.mesh, kErrorPositions);
   }
 
+  // The transmission error of a mesh, rad. Empty if it cannot be computed.
+  std::vector<double> of_mesh(std::size_t m, const ContactErrors& errors) const {
+    if (m < drive_.contacts.size() && drive_.contacts[m]) {
+      std::vector<double> te;
+      for (const ContactPoint& p : drive_.contacts[m]->driving.positions)
+        te.push_back(p.kind == TouchKind::none ? std::nan("") : p.te.rad());
+      return te;
+    }
+    if (drive_.geometry.racks[m]) {
+      const auto pair = detail::rack_contact(drive_, m, errors, phases_[m]);
+      return pair ? gearwright::transmission_error(*pair, kErrorPositions) : std::vector<double>();
+    }
+    const auto setup = detail::mesh_contact(drive_, m, errors, phases_[m].turned);
+    return setup ? curve_of(*setup, !phases_[m].first_drives, phases_[m].turned)
+                 : std::vector<double>();
+  }
+
   // The transmission error of a mesh in mm along its line of action. It is > 0 if the driven gear is
   // ahead, so its sign changes if gear 2 drives. Empty if it cannot be computed.
   std::vector<double> along_line(std::size_t m, const ContactErrors& errors) const {
-    const bool gear2_drives = !phases_[m].first_drives;
-    std::vector<double> te;
-    double r_b = 0.0;
-    if (const auto& rack = drive_.geometry.racks[m]) {
-      const auto pair = detail::rack_contact(drive_, m, errors, phases_[m]);
-      if (!pair) return {};
-      te = gearwright::transmission_error(*pair, kErrorPositions);
-      r_b = rack->pinion.base_radius();  // the travel is stored as an angle of the pinion
-    } else {
-      const auto setup = detail::mesh_contact(drive_, m, errors, phases_[m].turned);
-      if (!setup) return {};
-      te = curve_of(*setup, gear2_drives, phases_[m].turned);
-      r_b = setup->gear(2).base_radius();
-    }
+    std::vector<double> te = of_mesh(m, errors);
+    // The travel of a rack is stored as an angle of the pinion.
+    const auto& rack = drive_.geometry.racks[m];
+    const double r_b =
+        rack ? rack->pinion.base_radius() : drive_.geometry.pairs[m]->gear(2).base_radius();
     if (std::any_of(te.begin(), te.end(), [](double x) { return std::isnan(x); })) return {};
     if (peak_to_peak(te) < kRounding) return std::vector<double>(te.size(), 0.0);
-    for (double& x : te) x *= gear2_drives ? -r_b : r_b;
+    for (double& x : te) x *= phases_[m].first_drives ? r_b : -r_b;
     return te;
   }
 

@@ -2,7 +2,7 @@
 // flanks have no transmission error; (3) if three planets mesh in sequence, only every third
 // harmonic remains; (4) with one planet, the error is the sum of both curves at the actual
 // positions of the planet, which the test computes itself; (5) the same holds for a pinion between a
-// wheel and a rack; (6) meshes that do not move the output change nothing.
+// wheel and a rack; (6) meshes that do not move the output change nothing; (7) known contacts are used.
 #include "gearwright/drive/drive_error.hpp"
 
 #include <gtest/gtest.h>
@@ -358,6 +358,36 @@ TEST(DriveErrorTest, IdleMeshesDoNotCount) {
   expect_same(errors);
   graph.gears[2].spec = graph.gears[4].spec = std::nullopt;
   expect_same({});
+}
+
+// (7) The curves of the contacts of a drive are used as they are: they give the same error, bit by bit,
+// and curves of twice the height give twice the error.
+TEST(DriveErrorTest, ContactsAreNotComputedAgain) {
+  const MeshErrors errors = [](std::size_t) {
+    ContactErrors e;
+    e.helix_twist[0] = 5e-6;
+    return e;
+  };
+  const auto rack = make_drive({steering(true, false), {}, 5});
+  ASSERT_TRUE(rack);
+  for (Drive drive : {train(false), train(true), *rack}) {
+    const auto alone = transmission_error(drive, 5, errors);
+    drive.contacts = mesh_contacts(drive, errors);
+    const auto found = transmission_error(drive, 5, errors);
+    bool all = true;
+    for (auto& mesh : drive.contacts) {
+      all = all && mesh;
+      if (!mesh) continue;
+      for (ContactPoint& p : mesh->driving.positions) p.te = 2.0 * p.te;
+    }
+    const auto twice = transmission_error(drive, 5, errors);
+    ASSERT_TRUE(alone && found && twice);
+    EXPECT_EQ(found->peak_to_peak, alone->peak_to_peak);
+    if (all) {
+      EXPECT_EQ(twice->peak_to_peak, 2 * alone->peak_to_peak);
+    }
+    EXPECT_GT(twice->peak_to_peak, 1.1 * alone->peak_to_peak);
+  }
 }
 
 }  // namespace

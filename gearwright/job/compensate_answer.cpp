@@ -9,11 +9,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/load/nearby_load.hpp"
 #include "gearwright/math/minimise.hpp"
 #include "gearwright/math/root.hpp"
 #include "gearwright/pair/arc_contact.hpp"
@@ -239,18 +241,20 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   const std::vector<NamedErrors> scenarios = scenarios_of(setup, input);
   std::vector<ContactErrors> errors;
   for (const NamedErrors& s : scenarios) errors.push_back(s.errors);
-  CompensationTask task = compensation_task(setup, *corrections, errors, gear2_drives);
+  const bool with_load = under_load(input.aim);
+  CompensationTask task = compensation_task(
+      with_load ? with_fields_for(setup, *corrections) : setup, *corrections, errors, gear2_drives);
   task.positions = kPositions;
   task.progress = progress;
   task.curves = curves;
   task.fine_positions = job.spec.contact.positions;
   answer.aim = input.aim;
   std::optional<LoadedAim> load;
-  if (under_load(job.spec.compensate.aim)) {
+  if (with_load) {
     auto aimed = LoadedAim::of(job, progress);
     if (!aimed) return aimed.error();
     load = std::move(aimed).take();
-    task.aim = load->aim();
+    task.aim = load->aim(*corrections);
     task.fine_positions = load->positions();
     task.positions = std::min(kLoadPositions, task.fine_positions);
     task.curves = std::min(curves, kLoadCurves);
@@ -353,17 +357,33 @@ std::vector<LoadedScore> LoadedAim::scores(const ContactPair& pair, int position
       loaded_contact(pair, task.setup.gear(1), task.setup.gear(2), held_->compliance, request));
 }
 
-CompensationAim LoadedAim::aim() const {
+CompensationAim LoadedAim::aim(const std::vector<WorkshopCorrection>& corrections) const {
   const bool pressure = held_->aim == CompensateAim::pressure;
-  return {[self = *this, pressure](const ContactPair& pair, int positions) {
-            const auto scores = self.scores(pair, positions);
-            if (scores.empty()) return std::numeric_limits<double>::infinity();
-            double worst = 0.0;
-            for (const LoadedScore& s : scores)
-              worst = std::max(worst, pressure ? s.max_pressure : s.peak_to_peak.rad());
-            return worst;
-          },
-          pressure ? kSamePressure : kSameError.rad()};
+  CompensationAim aim;
+  aim.same = pressure ? kSamePressure : kSameError.rad();
+  aim.of = [self = *this, pressure](const ContactPair& pair, int positions) {
+    const auto scores = self.scores(pair, positions);
+    if (scores.empty()) return kInfinity;
+    double worst = 0.0;
+    for (const LoadedScore& s : scores)
+      worst = std::max(worst, pressure ? s.max_pressure : s.peak_to_peak.rad());
+    return worst;
+  };
+  const auto influences = influences_of(corrections);
+  if (!influences || held_->task.request.regime == LoadRegime::point) return aim;
+  aim.near = [self = *this, pressure, influences](const ContactPair& pair, int positions) {
+    const LoadTask& task = self.held_->task;
+    LoadRequest request = task.request;
+    request.positions = positions;
+    const auto load = std::make_shared<const NearbyLoad>(
+        pair, task.setup.gear(1), task.setup.gear(2), self.held_->compliance, request, *influences);
+    return [load, pressure](std::vector<double> change) {
+      for (double& um : change) um *= kMmPerUm;
+      const NearbyLoad::Span span = load->span(change, false);
+      return std::isnan(span.value) ? kInfinity : pressure ? span.max_pressure : span.value;
+    };
+  };
+  return aim;
 }
 
 }  // namespace gearwright

@@ -38,7 +38,9 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress = 
 // [load].
 //
 // The compliance of the teeth is computed once, because corrections change the flanks by a few µm
-// only. Each trial repeats the contact analysis.
+// only. If all corrections remove material from flanks with line contact, the trials near a pair
+// change only the gaps that were computed for it (NearbyLoad). Other trials repeat the contact
+// analysis.
 //                                            theory: docs/theory/12-loaded-contact.md, [T12.20]
 
 class LoadedAim {
@@ -50,8 +52,8 @@ class LoadedAim {
   static Result<LoadedAim> of(SolvedJob& job, Progress* progress);
 
   /// The peak-to-peak transmission error in rad, or the pressure in MPa, for the worst of the
-  /// torques.
-  CompensationAim aim() const;
+  /// torques. The gears that `corrections` modify must have fields of removed material.
+  CompensationAim aim(const std::vector<WorkshopCorrection>& corrections) const;
   /// The score for each torque with this number of positions per pitch. A score is NaN in the cases
   /// that are described at loaded_scores.
   std::vector<LoadedScore> scores(const ContactPair& pair, int positions) const;

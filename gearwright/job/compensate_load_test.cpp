@@ -96,6 +96,27 @@ TEST(CompensateLoad, FindsWhatADenseScanFinds) {
   }
 }
 
+// The estimate of the aim around a pair equals the aim for the change 0, for both aims and at several
+// corrections. A cutter lead has no estimate.
+TEST(CompensateLoad, EstimatesAreExactAtTheirCenter) {
+  const std::vector<WorkshopCorrection> which{{Modification::lead_slope, 1},
+                                              {Modification::profile_crowning, 2}};
+  for (const std::string aim : {"loaded_transmission_error", "pressure"}) {
+    SolvedJob job = job_of(spec_of("aim = \"" + aim + "\"\n", "[40, 250]"));
+    const auto load = LoadedAim::of(job, nullptr);
+    ASSERT_TRUE(load) << load.error().message();
+    const CompensationAim aimed = load->aim(which);
+    ASSERT_TRUE(aimed.near);
+    const ContactSetup setup = with_fields_for(setup_of(job).value(), which);
+    for (const std::vector<double>& v : {std::vector{0.0, 0.0}, {15.0, 6.0}, {-30.0, 2.0}}) {
+      const ContactSetup changed = setup.changed(change_of(which, v, false)).value();
+      const double exact = aimed.of(changed.pair(false), 12);
+      EXPECT_NEAR(aimed.near(changed.pair(false), 12)({0.0, 0.0}), exact, 1e-9 * exact) << aim;
+    }
+    EXPECT_FALSE(load->aim({{CutterSetting::cutter_lead, 1}}).near);
+  }
+}
+
 // Law: the result is never worse than the spec without corrections, also for few positions and for
 // the worst of several torques.
 TEST(CompensateLoad, IsNeverWorseThanNothing) {

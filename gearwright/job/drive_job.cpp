@@ -114,9 +114,9 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   DriveJob job{spec, std::move(made).take(), {}, {}, {}, {}};
   if (auto error = find_halves(job.drive)) return of_drive_table(*error, spec.tree->tables);
   if (spec.errors.any()) {
-    job.drive.error =
-        transmission_error(job.drive, spec.drive->harmonics, mesh_errors(spec, job.drive));
-    job.drive.contacts = mesh_contacts(job.drive, mesh_errors(spec, job.drive));
+    const MeshErrors errors = mesh_errors(spec, job.drive);
+    job.drive.contacts = mesh_contacts(job.drive, errors);
+    job.drive.error = transmission_error(job.drive, spec.drive->harmonics, errors);
   }
   if (auto places = drive_places(job.drive)) job.places = std::move(places).take();
   if (auto layout = drive_layout(job.drive)) {

@@ -10,9 +10,9 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/contact/halves.hpp"
 #include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/listing.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/load/load_summary.hpp"
 
 namespace gearwright {
@@ -180,8 +180,7 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
     for (const LoadAnalysis& half : pitch->halves)
       part.report->halves.push_back(scene_of(job, *half.contact, standard));
     if (pitch->halves.size() > 1) part.report->halves[1].part = "-2";
-    if (job.halves[0] && input.deflection_slope == 0.0 &&
-        alike_halves(job.halves[0]->given.stagger_pitches, errors_of(job)))
+    if (job.halves[0] && equal_halves(*job.halves[0], errors_of(job), input))
       part.report->halves.resize(1);
   }
   return std::optional(std::move(part));

@@ -1,7 +1,9 @@
 #include "gearwright/load/nearby_load.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "gearwright/load/loaded_position.hpp"
 
@@ -52,8 +54,11 @@ NearbyLoad::Loaded NearbyLoad::loaded(const Position& at, std::size_t torque,
                                             static_cast<Eigen::Index>(change.size()));
   q.gap.array() -= (at.turn * e).array() * q.arm.array();
   const ContactSolution x = solve_contact(q, at.start[torque]);
-  if (!x.found()) return {kNone, {}};
-  Loaded found{at.te - x.approach, {}};
+  if (!x.found()) return {kNone, kNone, {}};
+  // p_Hertz² by [T12.12] and [T12.13]
+  const double square =
+      (x.line_load.array() / q.radius.array()).maxCoeff() * q.reduced_modulus / std::numbers::pi;
+  Loaded found{at.te - x.approach, std::sqrt(square), {}};
   if (slopes) found.slope = at.turn.transpose() * x.approach_per_gap.cwiseProduct(q.arm);
   return found;
 }
@@ -67,6 +72,7 @@ NearbyLoad::Span NearbyLoad::span(std::span<const double> change, bool slopes) c
     for (const Position& at : positions_) {
       Loaded here = loaded(at, k, change, slopes);
       if (std::isnan(here.te)) return {kNone, none};
+      worst.max_pressure = std::max(worst.max_pressure, here.pressure);
       const bool first = &at == &positions_.front();
       if (first || here.te > greatest.te) greatest = here;
       if (first || here.te < least.te) least = std::move(here);

@@ -32,6 +32,7 @@ class NearbyLoad {
   struct Span {
     double value;               ///< rad; NaN if a position has no solution
     std::vector<double> slope;  ///< rad per unit of each influence; empty unless requested
+    double max_pressure = 0.0;  ///< MPa, over the positions and the torques
   };
   /// The greatest peak to peak of the loaded TE over the torques of the request, after the changes
   /// `change`.
@@ -39,7 +40,8 @@ class NearbyLoad {
   /// Domain    one change for each influence (contract)
   /// Accuracy  without a change as loaded_contact(); otherwise a few percent of the effect of the
   ///           change
-  /// Laws      (1) without a change, `value` equals the result of loaded_contact()
+  /// Laws      (1) without a change, `value` and `max_pressure` equal the results of
+  ///               loaded_contact()
   ///           (2) `slope` is the derivative of `value`
   Span span(std::span<const double> change, bool slopes) const;
 
@@ -51,7 +53,8 @@ class NearbyLoad {
     std::vector<Eigen::VectorXd> start;  // loads at e = 0, one vector for each torque
   };
   struct Loaded {
-    double te;  // rad, TE under load; NaN without a solution
+    double te;        // rad, TE under load; NaN without a solution
+    double pressure;  // MPa
     Eigen::VectorXd slope;
   };
   Loaded loaded(const Position& at, std::size_t torque, std::span<const double> change,

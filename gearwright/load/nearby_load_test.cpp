@@ -1,5 +1,5 @@
-// Laws: (1) without a change, `value` equals the result of loaded_contact()   (2) `slope` is the
-// derivative of `value`   (3) for a small change, `value` agrees with loaded_contact() for the
+// Laws: (1) without a change, `value` and `max_pressure` equal the results of loaded_contact()
+// (2) `slope` is the derivative of `value`   (3) for a small change, `value` agrees with loaded_contact() for the
 // changed pair within a few percent of the effect.
 #include "gearwright/load/nearby_load.hpp"
 
@@ -78,16 +78,19 @@ ContactSetup changed(const Teeth& t, const std::vector<double>& um) {
   return t.setup.changed(change_of(kAll, um, false)).value();
 }
 
-// The greatest peak to peak over the torques, rad.
-double exact(const Teeth& t, const std::vector<double>& um) {
+// The greatest peak to peak over the torques, rad, and the greatest pressure, MPa.
+NearbyLoad::Span exact_span(const Teeth& t, const std::vector<double>& um) {
   const ContactSetup setup = changed(t, um);
-  double worst = 0.0;
+  NearbyLoad::Span worst{0.0, {}};
   for (const LoadedTorque& torque :
        loaded_contact(setup.pair(false), setup.gear(1), setup.gear(2), t.compliance, t.request)
-           .torques)
-    worst = std::max(worst, torque.peak_to_peak.rad());
+           .torques) {
+    worst.value = std::max(worst.value, torque.peak_to_peak.rad());
+    worst.max_pressure = std::max(worst.max_pressure, torque.max_pressure);
+  }
   return worst;
 }
+double exact(const Teeth& t, const std::vector<double>& um) { return exact_span(t, um).value; }
 
 class NearbyLoads : public ::testing::Test {
  protected:
@@ -100,8 +103,10 @@ class NearbyLoads : public ::testing::Test {
 
 TEST_F(NearbyLoads, WithoutAChangeItIsLoadedContact) {
   for (const Teeth& t : all()) {
-    const double value = nearby(t, t.setup).span(none_, false).value;
-    EXPECT_NEAR(value, exact(t, none_), 1e-9 * value) << t.name;
+    const NearbyLoad::Span found = nearby(t, t.setup).span(none_, false);
+    const NearbyLoad::Span expected = exact_span(t, none_);
+    EXPECT_NEAR(found.value, expected.value, 1e-9 * found.value) << t.name;
+    EXPECT_NEAR(found.max_pressure, expected.max_pressure, 1e-9 * found.max_pressure) << t.name;
   }
 }
 

@@ -100,10 +100,7 @@ Result<JudgedFamily> judged_rigid(const ContactSetup& setup, const ScatterTask& 
 Result<RobustCorrections> robust_corrections(const ContactSetup& drawn, const ScatterTask& task,
                                              const RobustTask& robust) {
   GW_EXPECTS(!robust.corrections.empty() && robust.bounds.size() == robust.corrections.size());
-  std::array<bool, 2> wanted{};
-  for (const WorkshopCorrection& c : robust.corrections)
-    if (influence_of(c)) wanted[static_cast<std::size_t>(c.gear - 1)] = true;
-  const ContactSetup setup = drawn.with_fields(wanted);
+  const ContactSetup setup = with_fields_for(drawn, robust.corrections);
   ScatterTask judged = task;
   judged.percentiles = {robust.percent};
   judged.indices = judged.worst_case = judged.loosening = false;

@@ -7,6 +7,7 @@
 
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/contact/center_search.hpp"
 #include "gearwright/load/nearby_load.hpp"
 #include "gearwright/scatter/loaded_family.hpp"
 #include "gearwright/scatter/robust_search.hpp"
@@ -19,16 +20,12 @@ namespace {
 
 // Greatest number of samples for the search of the whole box, and for all other steps.
 constexpr int kCoarseLoaded = 16, kFineLoaded = 64;
-constexpr int kPositions = 16;       // per pitch during the search, as in `compensate`
-constexpr int kMostCenters = 6;      // greatest number of centers in a search
-constexpr double kNextReach = 0.25;  // greatest reach around all centers after the first, relative
-                                     // to the bounds; the first search covers the whole box
-constexpr double kLastReach = 1e-3;  // the search ends below this reach
+constexpr int kPositions = 16;              // per pitch during the search, as in `compensate`
 constexpr double kGain = kSameError.rad();  // smallest gain worth another step
 
-bool all_influences(const RobustTask& robust) {
-  return std::all_of(robust.corrections.begin(), robust.corrections.end(),
-                     [](const WorkshopCorrection& c) { return influence_of(c).has_value(); });
+// True if every trial repeats the whole contact computation, so that its result is exact.
+bool exact_trials(const LoadedFamily& load, const RobustTask& robust) {
+  return load.request.regime == LoadRegime::point || !influences_of(robust.corrections);
 }
 
 // The family with corrections near a center. For line contact, if every correction has an
@@ -46,9 +43,8 @@ class LoadedTrials final : public CorrectedFamily {
         places_(std::move(places)),
         center_(std::move(center)),
         near_(places_.size()) {
-    if (exact()) return;
-    std::vector<Influence> influences;
-    for (const WorkshopCorrection& c : robust.corrections) influences.push_back(*influence_of(c));
+    if (exact_trials(load_, robust_)) return;
+    const std::vector<Influence> influences = *influences_of(robust.corrections);
     const auto changed = corrected(center_);
     if (!changed) return;
     parallel_for(
@@ -64,17 +60,12 @@ class LoadedTrials final : public CorrectedFamily {
         task_.threads);
   }
 
-  // True if every trial repeats the whole contact computation, so that its result is exact.
-  bool exact() const {
-    return load_.request.regime == LoadRegime::point || !all_influences(robust_);
-  }
-
   Values at(const std::vector<double>& v, bool slopes) const override {
     Values values{std::vector<double>(places_.size(), kLostSpan), {}};
     if (slopes) values.slope.assign(places_.size(), std::vector<double>(v.size(), 0.0));
     const auto changed = corrected(v);
     if (!changed) return values;
-    if (exact()) {
+    if (exact_trials(load_, robust_)) {
       values.f = loaded_peaks(scores_under_load(*changed, task_, load_, places_), kLostSpan);
       for (std::size_t i = 0; slopes && i < v.size(); ++i)
         add_difference(values, *this, v, i, robust_.bounds[i]);
@@ -113,18 +104,6 @@ class LoadedTrials final : public CorrectedFamily {
   std::vector<std::unique_ptr<NearbyLoad>> near_;
 };
 
-// The part of the bounds within a reach around a center.
-std::vector<Correction> around(const std::vector<Correction>& bounds, double reach,
-                               const std::vector<double>& center) {
-  std::vector<Correction> box = bounds;
-  for (std::size_t i = 0; i < box.size(); ++i) {
-    const double most = reach * (bounds[i].hi - bounds[i].lo);
-    box[i].lo = std::max(bounds[i].lo, center[i] - most);
-    box[i].hi = std::min(bounds[i].hi, center[i] + most);
-  }
-  return box;
-}
-
 class LoadSearch {
  public:
   LoadSearch(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust)
@@ -133,31 +112,22 @@ class LoadSearch {
   }
 
   // The best corrections for these samples. The trials near a center use the contact computed
-  // there. The search moves to another center if the exact percentile is lower there.
+  // there. If they are exact, one center is sufficient.
   std::vector<double> lowest(const std::vector<std::vector<double>>& places,
                              std::vector<double> center) const {
-    auto fine = trials(places, center);
-    double least = fine->percentile(center, p());
-    double reach = 1.0;
-    for (int i = 0; i < kMostCenters && reach >= kLastReach; ++i) {
-      const bool whole = i == 0;
-      const auto coarse = whole ? trials(first(places), center) : nullptr;
-      const std::vector<double> next =
-          lowest_percentile({whole ? *coarse : *fine, *fine, around(robust_.bounds, reach, center),
-                             p(), kGain, whole},
-                            center);
-      if (fine->exact()) return next;
-      const double promised = least - fine->percentile(next, p());
-      if (!(promised > kGain)) break;
-      auto there = trials(places, next);
-      const double gained = least - there->percentile(next, p());
-      reach = std::min(reach, kNextReach) * (gained < 0.25 * promised ? 0.3 : 1.0);
-      if (!(gained > 0.0)) continue;
-      least -= gained;
-      center = next;
-      fine = std::move(there);
-    }
-    return center;
+    using Trials = std::unique_ptr<LoadedTrials>;
+    const auto search = [&](const Trials& fine, const std::vector<double>& at, double reach) {
+      const bool whole = reach == 1.0;
+      const Trials coarse = whole ? trials(first(places), at) : nullptr;
+      return lowest_percentile({whole ? *coarse : *fine, *fine,
+                                detail::around(robust_.bounds, reach, at), p(), kGain, whole},
+                               at);
+    };
+    if (exact_trials(load_, robust_)) return search(trials(places, center), center, 1.0);
+    return detail::lowest_by_models(
+        std::move(center), kGain, [&](const std::vector<double>& at) { return trials(places, at); },
+        [&](const Trials& t, const std::vector<double>& v) { return t->percentile(v, p()); },
+        search);
   }
 
   double percentile(const std::vector<std::vector<double>>& places,

@@ -1,0 +1,62 @@
+// Minimises a function that takes long to compute, by models that are exact at a center and quick to
+// evaluate around it.
+//
+// The model at the first center is searched within the whole box. The search continues around a new
+// center if the function is less there, and otherwise closer to the last one.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "gearwright/contact/compensation.hpp"
+
+namespace gearwright::detail {
+
+inline constexpr int kMostCenters = 6;      // greatest number of centers in a search
+inline constexpr double kNextReach = 0.25;  // greatest reach around all centers after the first,
+                                            // relative to the bounds
+inline constexpr double kLastReach = 1e-3;  // the search ends below this reach
+
+/// The part of the bounds within a reach around a center.
+inline std::vector<Correction> around(const std::vector<Correction>& bounds, double reach,
+                                      const std::vector<double>& center) {
+  std::vector<Correction> box = bounds;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const double most = reach * (bounds[i].hi - bounds[i].lo);
+    box[i].lo = std::max(bounds[i].lo, center[i] - most);
+    box[i].hi = std::min(bounds[i].hi, center[i] + most);
+  }
+  return box;
+}
+
+/// The best of the centers, beginning with `center`. Gains below `gain` are ignored.
+///
+///   model_at(center)               the model that is exact at the center
+///   value(model, v)                its value at v
+///   lowest(model, center, reach)   its least place within around(bounds, reach, center); the reach
+///                                  of the first search is 1
+///
+/// Laws      the function is not greater at the result than at `center`
+template <class ModelAt, class Value, class Lowest>
+std::vector<double> lowest_by_models(std::vector<double> center, double gain, ModelAt model_at,
+                                     Value value, Lowest lowest) {
+  auto model = model_at(center);
+  double least = value(model, center);
+  double reach = 1.0;
+  for (int i = 0; i < kMostCenters && reach >= kLastReach; ++i) {
+    std::vector<double> next = lowest(model, center, reach);
+    const double promised = least - value(model, next);
+    if (!(promised > gain)) break;
+    auto there = model_at(next);
+    const double gained = least - value(there, next);
+    reach = std::min(reach, kNextReach) * (gained < 0.25 * promised ? 0.3 : 1.0);
+    if (!(gained > 0.0)) continue;
+    least -= gained;
+    center = std::move(next);
+    model = std::move(there);
+  }
+  return center;
+}
+
+}  // namespace gearwright::detail
