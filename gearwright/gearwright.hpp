@@ -46,6 +46,10 @@
 #include "gearwright/contact/pattern.hpp"
 #include "gearwright/contact/rack_contact.hpp"
 
+// Tolerances: scatter_of, their effect over many pairs; robust_corrections
+#include "gearwright/scatter/robust.hpp"
+#include "gearwright/scatter/scatter.hpp"
+
 // Elastic teeth: loaded, teeth under torque; probes of one tooth
 #include "gearwright/arrange/loaded_pair.hpp"
 

@@ -76,6 +76,8 @@ std::vector<std::string> broken(const std::string& words) {
   return lines;
 }
 
+constexpr std::string_view kAbsent = "-";  // the cell of a value that a record does not have
+
 struct RowColumn {
   std::vector<std::string> lines;  // the heading, followed by the cells
   std::size_t head;                // number of lines of the heading
@@ -93,7 +95,7 @@ RowColumn row_column(UnitSystem units, const QuantityInfo& info, const std::stri
   for (const Member* m : members) {
     const ValueList* const each = m && gear > 0 ? m->value.list() : nullptr;
     const Value value = each ? (*each)[static_cast<std::size_t>(gear - 1)] : m ? m->value : Value();
-    column.lines.push_back(text_of(info, value, "-", units));
+    column.lines.push_back(text_of(info, value, kAbsent, units));
   }
   return column;
 }
@@ -154,8 +156,12 @@ std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
     const auto same = [&](const Shown& other) { return other.info->symbol == s.info->symbol; };
     const bool words = s.info->symbol.empty() || std::count_if(all.begin(), all.end(), same) > 1;
     const std::string& head = words ? s.info->words : s.info->symbol;
-    for (const int gear : s.info->two == Two::gears ? std::vector{1, 2} : std::vector{0})
-      columns.push_back(row_column(units, *s.info, head, gear, s.members));
+    for (const int gear : s.info->two == Two::gears ? std::vector{1, 2} : std::vector{0}) {
+      RowColumn column = row_column(units, *s.info, head, gear, s.members);
+      const auto cells = static_cast<std::ptrdiff_t>(records.size());
+      if (std::count(column.lines.end() - cells, column.lines.end(), kAbsent) < cells)
+        columns.push_back(std::move(column));
+    }
   }
   std::size_t heads = 0;
   for (const RowColumn& c : columns) heads = std::max(heads, c.head);

@@ -14,7 +14,7 @@ namespace gearwright {
 namespace {
 
 // Odd numbers of teeth simulate a defect of the program in any thread.
-Result<Json> answered(const JobSpec& spec) {
+Result<Json> computed(const JobSpec& spec) {
   const int teeth = spec.gears[0]->cylindrical.teeth;
   parallel_for(8, [&](std::size_t) { GW_EXPECTS(teeth % 2 == 0); });
   return answer_json("gear", spec);
@@ -31,7 +31,7 @@ TEST(BatchLine, a_violation_is_the_error_of_its_own_line) {
           return next++ < 20 + kLines;
         },
         [&](const std::string& line) {
-          return [&, answer = batch_line(answered, line)] { lines.push_back(answer.text); };
+          return [&, answer = batch_line(computed, line)] { lines.push_back(answer.text); };
         },
         threads);
     ASSERT_EQ(lines.size(), kLines);
@@ -52,13 +52,13 @@ TEST(BatchLine, a_violation_is_the_error_of_its_own_line) {
 
 TEST(BatchLine, tells_a_violation_from_an_error_of_the_spec) {
   const auto line = [](int teeth) {
-    return batch_line(answered,
+    return batch_line(computed,
                       fmt::format(R"({{"gear1": {{"teeth": {}, "normal_module_mm": 2}}}})", teeth))
         .outcome;
   };
   EXPECT_EQ(line(20), BatchLine::Outcome::answered);
   EXPECT_EQ(line(21), BatchLine::Outcome::violated);
-  const BatchLine refused = batch_line(answered, "{}");
+  const BatchLine refused = batch_line(computed, "{}");
   EXPECT_EQ(refused.outcome, BatchLine::Outcome::failed);
   EXPECT_TRUE(refused.text.starts_with("{\"error\":")) << refused.text;
 }

@@ -77,7 +77,8 @@ TEST(Report, KeyFiguresHaveTheBacklashAtBothEnds) {
   const auto pair_at = [](double distance) {
     return sample_pair(sample_gear(21, 2, 0, 0), sample_gear(40, 2, 0, 0), distance);
   };
-  ReportInput input = report_input(pair_at(61.1));
+  const ParallelPair drawn = pair_at(61.1);  // the input contains pointers to its gears
+  ReportInput input = report_input(drawn);
   const auto key = [&](const std::string& words) {
     const std::string page = report_html(input);
     const std::size_t at = page.find("<dd>", page.find("<dt>" + words)) + 4;

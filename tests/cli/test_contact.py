@@ -391,7 +391,7 @@ class Contact(unittest.TestCase):
     def test_the_table_for_people(self):
         run = Run("contact", self.spec(HELICAL, "[errors]\ncrossing_deg = 0.02"))
         self.assertEqual(run.status, 0)
-        for word in ("transmission error, peak to peak", "minimum angular backlash", "rotation1", "arcsec"):
+        for word in ("transmission error, peak to peak", "minimum angular backlash", "φ_1", "″"):
             self.assertIn(word, run.out)
         self.assertLess(max(len(line) for line in run.out.splitlines()), 120)
 

@@ -264,7 +264,7 @@ class Answer(Asked):
         for words in ("459 candidates", "46 are feasible", "ruled out by centre distance: 413", "26 more", "o/search.parquet"):
             self.assertIn(words, r.out)
         best = search(spec())["designs"][0]
-        self.assertRegex(r.out, rf"\n +1 +{best['module_mm']:g} +{best['teeth'][0]} +{best['teeth'][1]} ")
+        self.assertRegex(r.out, rf"\n +\*?1 +balanced +{best['module_mm']:.3f} +{best['teeth'][0]} +{best['teeth'][1]} ")
 
 
 class Files(unittest.TestCase):
