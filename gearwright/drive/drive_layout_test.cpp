@@ -190,6 +190,15 @@ TEST(DriveLayout, RacksThatWouldCrossHaveDifferentPlanes) {
   EXPECT_EQ(laid(rack_drive(20, 26, 0.0, {0.0, kTurn / 4})).sections.size(), 2u);
 }
 
+TEST(DriveLayout, ADirectionIsFromTheFirstGearToTheSecond) {
+  Drive drive = rack_drive(20, 26, 0.0, {1.0});
+  drive.graph.inputs = {1};
+  const auto places = drive_places(drive);
+  ASSERT_TRUE(places);
+  const Vec2 way = places->axes[1] - places->axes[0];
+  EXPECT_NEAR(std::atan2(way.y(), way.x()), 1.0, 1e-12);
+}
+
 TEST(DriveLayout, ClockedPlanetsHaveTheirClocking) {
   const Drive drive = laid_drive(sets()[3]);
   const DriveLayout layout = laid(drive);

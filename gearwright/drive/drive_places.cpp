@@ -124,7 +124,8 @@ class Placing {
         const auto [mesh, to] = fresh[k];
         const double away = kTurn * static_cast<double>(k) / ways;
         const auto given = graph_.meshes[mesh].direction;
-        came[to] = given           ? given->rad()
+        const bool backwards = axis_[gear(mesh, 0).body] == to;
+        came[to] = given           ? given->rad() + (backwards ? kTurn / 2 : 0.0)
                    : from == first ? away
                                    : came[from] + kTurn / 2 + away + kTurn / ways;
         at[to] = at[from] + polar(*distances_[mesh], came[to]);
