@@ -77,8 +77,8 @@ void a_trial_of_corrections(benchmark::State& state) {
   errors.crossing = Angle::degrees(0.02);
   const ContactSetup setup =
       ContactSetup::of(mount(l.one, l.two, {}).value(), errors, {}, {true, false}).value();
-  const std::vector<WorkshopCorrection> which{{CorrectionOf::lead_slope, 1},
-                                              {CorrectionOf::lead_crowning, 1}};
+  const std::vector<WorkshopCorrection> which{{Modification::lead_slope, 1},
+                                              {Modification::lead_crowning, 1}};
   const NearbyLoad near(setup.pair(false), setup.gear(1), setup.gear(2), compliance, request,
                         *influences_of(which));
   double own = 0.0, whole = 0.0;

@@ -11,7 +11,7 @@
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/job/drive_answer.hpp"
-#include "gearwright/job/drive_job.hpp"
+#include "gearwright/job/drive_bodies.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -130,9 +130,12 @@ int export_drive(const Options& o, const Door& door, const JobSpec& spec,
   const auto job = solve_drive(spec);
   if (!job) return door.fail(job.error());
   std::vector<JobFile> files;
+  std::optional<Result<std::vector<ToothedBody>>> bodies;
   for (const auto& [kind, path] : wanted) {
     if (path->empty()) continue;
-    auto file = make_drive_file(kind, *job, *path, file_options(o));
+    if (!bodies) bodies = drive_bodies(*job);
+    if (!*bodies) return door.fail(bodies->error());
+    auto file = make_drive_file(kind, *job, **bodies, *path, file_options(o));
     if (!file) return door.fail(file.error());
     files.push_back(std::move(file).take());
   }

@@ -4,19 +4,42 @@
 
 namespace gearwright {
 
-Brep add_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls) {
-  using brep::Side;
-  const Side side = body.ring() ? Side::against : Side::along;
-  const std::vector<Band> bands = body.bands();
-  brep::ShellWriter shell(out);
-  brep::Rims teeth = shell.add_walls(walls.teeth, walls.helices.front(), bands.front(), side);
-  if (bands.size() == 2) {
-    const brep::Rims upper = shell.add_walls(walls.teeth, walls.helices.back(), bands.back(), side,
-                                             body.grooved() ? nullptr : &teeth.top);
-    if (body.grooved()) shell.add_groove(body, teeth.top, upper.bottom);
-    teeth.top = upper.top;
+namespace {
+
+using brep::Rims, brep::ShellWriter, brep::Side;
+
+Rims add_teeth(ShellWriter& shell, const SolidGear& gear, const GearFaces& faces, Side side) {
+  if (faces.fit) return brep::add_modified_teeth(shell, gear, *faces.fit, side);
+  const BodyWalls& walls = faces.walls;
+  const std::vector<Band> bands = gear.bands();
+  Rims teeth = shell.add_walls(walls.teeth, walls.helices.front(), bands.front(), side);
+  if (bands.size() == 1) return teeth;
+  const bool grooved = gear.body->grooved();
+  const Rims upper = shell.add_walls(walls.teeth, walls.helices.back(), bands.back(), side,
+                                     grooved ? nullptr : &teeth.top);
+  if (grooved) {
+    const double half = gear.body->two_helices->gap / 2.0;
+    shell.add_neck(gear.body->two_helices->groove_radius, {teeth.top, gear.height - half},
+                   {upper.bottom, gear.height + half}, side);
   }
-  return shell.close(body, walls, teeth);
+  teeth.top = upper.top;
+  return teeth;
+}
+
+}  // namespace
+
+Brep add_brep(Part21& out, const ToothedBody& body, const std::vector<GearFaces>& faces) {
+  const Side side = body.ring() ? Side::against : Side::along;
+  const std::vector<SolidGear> gears = body.gears();
+  ShellWriter shell(out);
+  Rims teeth = add_teeth(shell, gears.front(), faces.front(), side);
+  for (std::size_t i = 1; i < gears.size(); ++i) {
+    const Rims next = add_teeth(shell, gears[i], faces[i], side);
+    shell.add_neck(gears[i].body->neck, {teeth.top, gears[i - 1].top()},
+                   {next.bottom, gears[i].bottom()}, side);
+    teeth.top = next.top;
+  }
+  return shell.close(body, faces.front().walls, teeth);
 }
 
 }  // namespace gearwright

@@ -16,12 +16,15 @@
 // 0.
 //
 // A double-helical gear has two stacks of walls, one for each hand of helix, either adjacent or
-// separated by a groove.
+// separated by a groove. A solid with several gears has a stack for each, separated by plain
+// cylinders, its necks.
 //
 //   Law   every edge is used twice, once in each direction
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "gearwright/cad/modified_fit.hpp"
 #include "gearwright/cad/modified_teeth.hpp"
@@ -41,12 +44,20 @@ struct Brep {
   std::size_t edge_count;  ///< number of edges; each shared edge counts once
 };
 
-/// Writes the solid of a body in its own frame. The pose is not applied.
+/// The faces of a gear: its walls and, if its flanks are modified, the fit of its teeth.
+struct GearFaces {
+  BodyWalls walls;
+  std::optional<ModifiedFit> fit;
+};
+
+/// Writes the solid of a body in its own frame. The pose is not applied. `gears` has one element
+/// for each of body.gears().
 ///
 /// Units     mm
-/// Domain    walls = make_walls(body); an internal gear has a rim (contract)
+/// Domain    walls = make_walls(gear), fit = fit_modified(*gear.modified, …); an internal gear has
+///           a rim (contract)
 /// Cost      proportional to the number of walls
-Brep add_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls);
+Brep add_brep(Part21& out, const ToothedBody& body, const std::vector<GearFaces>& gears);
 
 // Writes a rack as an advanced B-rep of a STEP file.
 //
@@ -69,24 +80,5 @@ std::size_t rack_face_count(const ToothedBody& body);
 /// Units     mm
 /// Domain    a body that is a rack (contract)
 Brep add_rack_brep(Part21& out, const ToothedBody& body);
-
-// Writes teeth with flank modifications as an advanced B-rep of a STEP file.
-//
-//   level   a plane z = const, or the line of a flank at which an end relief begins
-//   layer   the part of the teeth between two levels
-//   slice   the part of the teeth between two planes; it may contain several layers
-//
-// Flanks and fillets have one B-spline face per arc and layer (cad/modified_fit.hpp). Lands are
-// true cylinders with one face per slice, whose upright sides consist of one edge per layer.
-// An edge on a land deviates from the cylinder by at most kHelixTarget_mm.
-//
-//   Law   every edge is used twice, once in each direction
-
-/// Writes the solid of a body with the given modified teeth, in its own frame.
-///
-/// Units     mm
-/// Domain    walls = make_walls(body), fit = fit_modified(teeth, …) (contract)
-Brep add_modified_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls,
-                       const ModifiedTeeth& teeth, const ModifiedFit& fit);
 
 }  // namespace gearwright

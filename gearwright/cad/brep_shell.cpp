@@ -75,31 +75,31 @@ Rims ShellWriter::add_walls(const WallLoop& loop, const HelixSpline& helix, cons
   return rims;
 }
 
-void ShellWriter::add_groove(const ToothedBody& body, const Rim& below, const Rim& above) {
-  const bool ring = body.ring();
-  const double gap = body.two_helices->gap;
-  const double radius = body.two_helices->groove_radius;
-  const Rims groove = add_walls(circle_loop(radius), fit_helix(0.0, radius), {0.0, gap, 0.0, 0.0},
-                                ring ? Side::against : Side::along);
-  const auto plane = [&](double z, const Rim& teeth, const Rim& round, Side side) {
-    add_cap(z, ring ? round.edges : teeth.edges, ring ? &teeth.edges : &round.edges, side);
+void ShellWriter::add_neck(double radius, const NeckEnd& below, const NeckEnd& above, Side side) {
+  const bool ring = side == Side::against;
+  const Band band{0.0, above.z - below.z, (below.z + above.z) / 2.0, 0.0};
+  const Rims neck = add_walls(circle_loop(radius), fit_helix(0.0, radius), band, side);
+  const auto plane = [&](const NeckEnd& end, const Rim& round, Side to) {
+    const Edges& teeth = end.teeth.edges;
+    add_cap(end.z, ring ? round.edges : teeth, ring ? &teeth : &round.edges, to);
   };
-  plane(-gap / 2.0, below, groove.bottom, Side::along);
-  plane(gap / 2.0, above, groove.top, Side::against);
+  plane(below, neck.bottom, Side::along);
+  plane(above, neck.top, Side::against);
 }
 
 Brep ShellWriter::close(const ToothedBody& body, const BodyWalls& walls, const Rims& teeth) {
   const bool ring = body.ring();
-  const double b = body.face_width;
+  const double low = body.gears().front().bottom(), high = body.gears().back().top();
   std::optional<Rims> bore;
   if (walls.bore)
-    bore = add_walls(*walls.bore, fit_helix(0.0, walls.outer_radius), {0.0, b, 0.0, 0.0},
-                     ring ? Side::along : Side::against);
+    bore =
+        add_walls(*walls.bore, fit_helix(0.0, walls.outer_radius),
+                  {0.0, high - low, (low + high) / 2.0, 0.0}, ring ? Side::along : Side::against);
   GW_EXPECTS(!ring || bore.has_value());
   const Rims& outer = ring ? *bore : teeth;
   const Rims* inner = ring ? &teeth : (bore ? &*bore : nullptr);
-  add_cap(-b / 2.0, outer.bottom.edges, inner ? &inner->bottom.edges : nullptr, Side::against);
-  add_cap(b / 2.0, outer.top.edges, inner ? &inner->top.edges : nullptr, Side::along);
+  add_cap(low, outer.bottom.edges, inner ? &inner->bottom.edges : nullptr, Side::against);
+  add_cap(high, outer.top.edges, inner ? &inner->top.edges : nullptr, Side::along);
   return finish(body.name);
 }
 

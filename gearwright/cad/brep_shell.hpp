@@ -60,13 +60,18 @@ class ShellWriter {
   Rims add_walls(const WallLoop& loop, const HelixSpline& helix, const Band& band, Side side,
                  const Rim* base = nullptr);
 
-  /// Adds the walls of the groove of a double-helical gear, and the two plane faces next to it.
-  void add_groove(const ToothedBody& body, const Rim& below, const Rim& above);
+  /// The rim of teeth in the plane in which a neck begins or ends.
+  struct NeckEnd {
+    const Rim& teeth;
+    double z;  ///< mm
+  };
+  /// Adds a neck, which is a cylinder between teeth below and teeth above it, and the two plane
+  /// faces next to it. `side` is that of the teeth. The neck of an internal gear is its groove.
+  void add_neck(double radius, const NeckEnd& below, const NeckEnd& above, Side side);
 
   /// Adds the bore or the rim and the two end faces, and completes the solid.
   Brep close(const ToothedBody& body, const BodyWalls& walls, const Rims& teeth);
 
- protected:
   Corner corner(const Vec3& at);
   Edge edge(const Corner& from, const Corner& to, Id curve, Ids poles);
   /// The circle of a wall at the height z, turned by `turn`.
@@ -95,8 +100,6 @@ class ShellWriter {
   /// counter-clockwise, seen from the side to which the surface normal points.
   void add_face(const Ids& loops, Id surface, Side side);
 
-  Part21& out_;
-
  private:
   void add_cap(double z, const Edges& outer, const Edges* inner, Side side);
   Brep finish(const std::string& name);
@@ -116,11 +119,30 @@ class ShellWriter {
   Id edge_loop(const Ids& uses);
   Id loop(const Edges& edges);
 
+  Part21& out_;
   Ids faces_;
   std::size_t edge_count_ = 0;
   std::map<double, Id> centres_;  // points on the axis, by height
   std::map<std::array<double, 3>, Id> directions_;
   std::map<std::array<double, 3>, Id> vectors_;
 };
+
+// Teeth with flank modifications.
+//
+//   level   a plane z = const, or the line of a flank at which an end relief begins
+//   layer   the part of the teeth between two levels
+//   slice   the part of the teeth between two planes; it may contain several layers
+//
+// Flanks and fillets have one B-spline face per arc and layer (cad/modified_fit.hpp). Lands are
+// true cylinders with one face per slice, whose upright sides consist of one edge per layer.
+// An edge on a land deviates from the cylinder by at most kHelixTarget_mm.
+//
+//   Law   every edge is used twice, once in each direction
+
+/// Adds the teeth of a gear with flank modifications.
+///
+/// Domain    fit = fit_modified(*gear.body->modified, …) (contract)
+Rims add_modified_teeth(ShellWriter& shell, const SolidGear& gear, const ModifiedFit& fit,
+                        Side side);
 
 }  // namespace gearwright::brep

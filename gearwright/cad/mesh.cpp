@@ -75,14 +75,217 @@ double polygon_reach_min(const std::vector<SectionPoint>& half) {
   return reach;
 }
 
-// The band of a circular wall of an internal gear: the rim or the groove. At both ends, the columns
-// of this wall must have the rotation of the teeth. The wall therefore has the screw motion of the
-// teeth. For a double-helical gear, it turns evenly from one end rotation to the other.
-Band around(const ToothedBody& body, double width) {
-  if (!body.two_helices) return body.bands().front();
-  const double stagger = body.two_helices->stagger;
-  return {-stagger / width, width, 0.0, body.twist * width / 2.0 + stagger / 2.0};
+// The columns of a plain cylinder, with normals away from the axis.
+std::vector<Column> neck_columns(double radius, double chord, double facet_turn) {
+  std::vector<Column> columns = bore_columns({2.0 * radius}, chord, facet_turn);
+  for (Column& column : columns) column.before = column.after = -column.after;
+  return columns;
 }
+
+// One gear of a solid.
+class GearMesh {
+ public:
+  /// `below` and `above` are the radii of the walls that end on its end faces: the reach of the bore
+  /// or the radius of a neck, or 0.
+  ///
+  /// Errors    those of tessellate()
+  static Result<GearMesh> divide(const SolidGear& gear, const MeshOptions& options, double below,
+                                 double above) {
+    GearMesh made(gear, options);
+    if (auto error = made.find_levels(below, above)) return *std::move(error);
+    if (auto error = made.find_section()) return *std::move(error);
+    if (auto error = made.find_caps(below, above)) return *std::move(error);
+    return made;
+  }
+
+  double chord() const { return tolerance_.chord; }
+
+  /// Adds the teeth, and the rim of an internal gear.
+  void add_walls(MeshBuilder& builder) {
+    if (const ModifiedTeeth* modified = body().modified.get()) {
+      WallEdges edges = edges_of(pitch_columns(half_, copies_), copies_, lower_levels());
+      crease_at_reliefs(*modified, *grid_, edges);
+      std::vector<Ring> rings = modified_rings(*modified, *grid_, copies_);
+      const SinCos turn = sincos_of(gear_.turn);
+      for (Ring& ring : rings) {
+        ring.z += gear_.height;
+        for (RingPoint& p : ring.points)
+          p = {turned(p.point, turn), turned_about_axis(p.before, turn),
+               turned_about_axis(p.after, turn)};
+      }
+      lower_ = upper_ = builder.add_wall(rings, edges, copies_, ring_);
+      return;
+    }
+    const std::vector<Column> columns = pitch_columns(half_, copies_);
+    lower_ = upper_ = builder.add_wall(columns, copies_, lower_levels(), ring_);
+    if (bands_.size() == 2)
+      upper_ = builder.add_wall(columns, copies_, upper_levels(), ring_,
+                                body().grooved() ? nullptr : &lower_);
+  }
+
+  /// Adds the end faces and the rim of an internal gear.
+  void close_ring(MeshBuilder& builder) const {
+    const WallEnds rim = builder.add_wall(top_->circle_columns(false), copies_,
+                                          {steps_, around(body().face_width)}, false);
+    bottom_->add(builder, bottom_place(), rim.bottom);
+    top_->add(builder, top_place(), rim.top);
+  }
+
+  /// Adds the lower or the upper end face of an external gear. `columns` belong to the wall that
+  /// ends there, with first vertex `hole`.
+  void add_bottom(MeshBuilder& builder, const std::vector<Column>& columns,
+                  std::uint32_t hole) const {
+    bottom_->add(builder, bottom_place(), columns, hole);
+  }
+  void add_top(MeshBuilder& builder, const std::vector<Column>& columns, std::uint32_t hole) const {
+    top_->add(builder, top_place(), columns, hole);
+  }
+
+  /// Adds the groove of a double-helical gear and the two faces next to it.
+  std::optional<Error> add_groove(MeshBuilder& builder) const {
+    const auto& [gap, radius, stagger] = *body().two_helices;
+    const auto cap = cap_at(radius, 0.0);
+    if (!cap) return not_a_body(body().outline.teeth, "the flanks of a tooth space cross");
+    const double low = gear_.height - gap / 2.0, high = gear_.height + gap / 2.0;
+    const CapPlace under{true, low, bands_.front().angle(low), lower_.top};
+    const CapPlace over{false, high, bands_.back().angle(high), upper_.bottom};
+    if (ring_) {
+      const WallEnds groove =
+          builder.add_wall(cap->circle_columns(true), copies_, {steps_, around(gap)}, true);
+      cap->add(builder, under, groove.bottom);
+      cap->add(builder, over, groove.top);
+    } else {
+      const std::vector<Column> columns = neck_columns(radius, chord(), facet_turn_);
+      const WallEnds groove =
+          builder.add_wall(columns, 1, {1, {0.0, gap, gear_.height, 0.0}}, false);
+      cap->add(builder, under, columns, groove.bottom);
+      cap->add(builder, over, columns, groove.top);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  GearMesh(const SolidGear& gear, const MeshOptions& options)
+      : gear_(gear),
+        options_(options),
+        facet_turn_(options.facet_turn_max.rad()),
+        copies_(std::abs(gear.body->outline.teeth)),
+        ring_(gear.body->ring()),
+        bands_(gear.bands()) {}
+
+  const ToothedBody& body() const { return *gear_.body; }
+  Levels lower_levels() const { return {steps_, bands_.front()}; }
+  Levels upper_levels() const { return {steps_, bands_.back()}; }
+  CapPlace bottom_place() const {
+    const double z = lower_levels().z(0);
+    return {false, z, bands_.front().angle(z), lower_.bottom};
+  }
+  CapPlace top_place() const {
+    const double z = upper_levels().z(steps_);
+    return {true, z, bands_.back().angle(z), upper_.top};
+  }
+
+  Error too_fine() const {
+    return {"chord_tolerance_mm", fmt::format("{}", options_.chord_tolerance_mm),
+            fmt::format("the mesh would have more than {:.0e} vertices, or more than {} on half a "
+                        "tooth; increase the tolerance",
+                        kVerticesMax, kHalfPointsMax)};
+  }
+
+  // Finds the levels along the face and the tolerances.
+  std::optional<Error> find_levels(double below, double above) {
+    GW_EXPECTS(body().face_width > 0.0 && body().outline.teeth != 0);
+    const int teeth = body().outline.teeth;
+    if (body().outline.arcs.empty())
+      return not_a_body(teeth, "its teeth are severed or its root lies beyond the axis");
+    const Vec2 root = body().outline.arcs.front().begin_point;
+    const auto [ray_s, ray_c] = sincos_turn(1, 2LL * copies_);
+    if (!(root.dot(Vec2(ray_c, ray_s)) > 0.0))
+      return not_a_body(teeth, "its root lies beyond the axis");
+    const double limit = body().limit_within(root.norm());
+    if (auto error = hole_error(body().bore, body().hole_limits(root.norm()), kWallMin_mm))
+      return error;
+    const double wall = std::min(std::abs(limit - below), std::abs(limit - above));
+    given_ = std::min(options_.chord_tolerance_mm, kWallShare * wall);
+    if (body().grooved()) given_ = std::min(given_, kWallShare * std::abs(root.norm() - limit));
+    const double chord = body().modified ? kCutShare * given_ : given_;
+    const double radius_max =
+        ring_ ? body().bore->diameter / 2.0 : body().outline.arcs.back().end_point.norm();
+    const double turn_max = std::min(std::sqrt(kLevelShare * chord / radius_max), facet_turn_);
+    const double turn = std::abs(body().twist) * bands_.front().width;
+    const double steps = std::max(1.0, std::ceil(turn / turn_max));
+    if (steps > kVerticesMax) return too_fine();
+    steps_ = static_cast<int>(steps);
+    tolerance_ = {chord, facet_turn_, turn / steps, radius_max};
+    return std::nullopt;
+  }
+
+  // Finds the points of half a tooth.
+  std::optional<Error> find_section() {
+    const ModifiedTeeth* modified = body().modified.get();
+    half_ = section_points(modified ? modified->outline() : body().outline, tolerance_,
+                           kHalfPointsMax + 1);
+    if (half_.size() > kHalfPointsMax + 1) return too_fine();
+    if (modified) {
+      grid_ = modified_grid(*modified, std::move(half_), body().face_width,
+                            body().face_width / steps_, given_);
+      half_ = grid_->half;
+    }
+    const std::size_t n = half_.size() - 1;
+    const double rings = grid_ ? static_cast<double>(grid_->levels.size())
+                               : (steps_ + 1.0) * static_cast<double>(bands_.size());
+    if (n > kHalfPointsMax) return too_fine();
+    if (2.0 * static_cast<double>(n) * copies_ * rings > kVerticesMax) return too_fine();
+    for (std::size_t i = 1; i < n; ++i)
+      if (!(half_[i].point.y() > 0.0))
+        return not_a_body(body().outline.teeth, "the flanks of a tooth cross");
+    return std::nullopt;
+  }
+
+  // The cap at the height z above the middle of the face, around a hole with this radius.
+  std::optional<Cap> cap_at(double radius, double z) const {
+    const int teeth = body().outline.teeth;
+    const Circle circle = ring_ ? rim_circle(radius, copies_, tolerance_)
+                                : hub_circle(radius, polygon_reach_min(half_), copies_);
+    const ModifiedTeeth* modified = body().modified.get();
+    if (!modified) return Cap::divide(points_of(half_), points_of(half_), circle, teeth);
+    return Cap::divide(modified_half(modified->side(false), *grid_, z),
+                       modified_half(modified->side(true), *grid_, z), circle, teeth);
+  }
+
+  std::optional<Error> find_caps(double below, double above) {
+    const double end = Levels{steps_, body().bands().back()}.z(steps_);
+    top_ = cap_at(above, end);
+    bottom_ = body().modified || below != above ? cap_at(below, -end) : top_;
+    if (!top_ || !bottom_)
+      return not_a_body(body().outline.teeth, "the flanks of a tooth space cross");
+    return std::nullopt;
+  }
+
+  // The band of a circular wall of an internal gear: the rim or the groove. At both ends, the
+  // columns of this wall must have the rotation of the teeth. The wall therefore has the screw
+  // motion of the teeth. For a double-helical gear, it turns evenly from one end rotation to the
+  // other.
+  Band around(double width) const {
+    if (!body().two_helices) return bands_.front();
+    const double stagger = body().two_helices->stagger;
+    return {-stagger / width, width, 0.0, body().twist * width / 2.0 + stagger / 2.0};
+  }
+
+  SolidGear gear_;
+  MeshOptions options_;
+  double facet_turn_;
+  int copies_;
+  bool ring_;
+  std::vector<Band> bands_;
+  int steps_ = 1;
+  double given_ = 0.0;  // chord tolerance of the teeth with their modifications, mm
+  SectionTolerance tolerance_{};
+  std::vector<SectionPoint> half_;
+  std::optional<ModifiedGrid> grid_;
+  std::optional<Cap> bottom_, top_;
+  WallEnds lower_{}, upper_{};
+};
 
 }  // namespace
 
@@ -91,131 +294,43 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   GW_EXPECTS(options.chord_tolerance_mm > 0.0);
   const double facet_turn = options.facet_turn_max.rad();
   GW_EXPECTS(facet_turn > 0.0 && facet_turn <= kPi / 4.0);
-  GW_EXPECTS(body.face_width > 0.0 && body.outline.teeth != 0);
-  const int teeth = body.outline.teeth;
-  const int copies = std::abs(teeth);
-  const bool ring = teeth < 0;
-
-  if (body.outline.arcs.empty()) {
-    return not_a_body(teeth, "its teeth are severed or its root lies beyond the axis");
-  }
-  const Vec2 root = body.outline.arcs.front().begin_point;
-  const auto [ray_s, ray_c] = sincos_turn(1, 2LL * copies);
-  if (!(root.dot(Vec2(ray_c, ray_s)) > 0.0)) {
-    return not_a_body(teeth, "its root lies beyond the axis");
-  }
-
-  const double limit = body.limit_within(root.norm());
-  if (auto error = hole_error(body.bore, body.hole_limits(root.norm()), kWallMin_mm))
-    return *std::move(error);
+  const std::vector<SolidGear> gears = body.gears();
   const double reach = body.bore ? bore_reach(*body.bore) : 0.0;
-  double given = std::min(options.chord_tolerance_mm, kWallShare * std::abs(limit - reach));
-  if (body.grooved()) given = std::min(given, kWallShare * std::abs(root.norm() - limit));
-  const ModifiedTeeth* modified = body.modified.get();
-  const Outline& cut = modified ? modified->outline() : body.outline;
-  const double chord = modified ? kCutShare * given : given;
-
-  // The levels along the face.
-  const double radius_max =
-      ring ? body.bore->diameter / 2.0 : body.outline.arcs.back().end_point.norm();
-  const double turn_max = std::min(std::sqrt(kLevelShare * chord / radius_max), facet_turn);
-  const std::vector<Band> bands = body.bands();
-  const double turn = std::abs(body.twist) * bands.front().width;
-  const double steps = std::max(1.0, std::ceil(turn / turn_max));
-  const auto too_fine = [&] {
-    return Error{"chord_tolerance_mm", fmt::format("{}", options.chord_tolerance_mm),
-                 fmt::format("the mesh would have more than {:.0e} vertices, or more than {} on "
-                             "half a tooth; increase the tolerance",
-                             kVerticesMax, kHalfPointsMax)};
-  };
-  if (steps > kVerticesMax) return too_fine();
-  const Levels levels{static_cast<int>(steps), bands.front()};
-  const SectionTolerance tolerance{chord, facet_turn, turn / steps, radius_max};
-
-  // The section points.
-  std::vector<SectionPoint> half = section_points(cut, tolerance, kHalfPointsMax + 1);
-  if (half.size() > kHalfPointsMax + 1) return too_fine();
-  std::optional<ModifiedGrid> grid;
-  if (modified) {
-    grid =
-        modified_grid(*modified, std::move(half), body.face_width, body.face_width / steps, given);
-    half = grid->half;
+  std::vector<GearMesh> parts;
+  double chord = options.chord_tolerance_mm;
+  for (std::size_t i = 0; i < gears.size(); ++i) {
+    const double below = i == 0 ? reach : gears[i].body->neck;
+    const double above = i + 1 == gears.size() ? reach : gears[i + 1].body->neck;
+    auto part = GearMesh::divide(gears[i], options, below, above);
+    if (!part) return part.error();
+    parts.push_back(std::move(part).take());
+    chord = std::min(chord, parts.back().chord());
   }
-  const std::size_t n = half.size() - 1;
-  const double rings = grid ? static_cast<double>(grid->levels.size())
-                            : (steps + 1.0) * static_cast<double>(bands.size());
-  if (n > kHalfPointsMax) return too_fine();
-  if (2.0 * static_cast<double>(n) * copies * rings > kVerticesMax) return too_fine();
-  for (std::size_t i = 1; i < n; ++i) {
-    if (!(half[i].point.y() > 0.0)) return not_a_body(teeth, "the flanks of a tooth cross");
-  }
-  const double room = polygon_reach_min(half);
-  const auto cap_at = [&](double radius, double z) {
-    const Circle circle =
-        ring ? rim_circle(radius, copies, tolerance) : hub_circle(radius, room, copies);
-    if (!modified) return Cap::divide(points_of(half), points_of(half), circle, teeth);
-    return Cap::divide(modified_half(modified->side(false), *grid, z),
-                       modified_half(modified->side(true), *grid, z), circle, teeth);
-  };
-  const Levels above{levels.steps, bands.back()};
-  const double end = above.z(above.steps);
-  const double rim_or_reach = ring ? radius_max : reach;
-  const auto top_cap = cap_at(rim_or_reach, end);
-  const auto bottom_cap = modified ? cap_at(rim_or_reach, -end) : top_cap;
-  if (!top_cap || !bottom_cap) return not_a_body(teeth, "the flanks of a tooth space cross");
-
-  // The walls.
   MeshBuilder builder;
-  WallEnds outline{};
-  if (modified) {
-    WallEdges edges = edges_of(pitch_columns(half, copies), copies, levels);
-    crease_at_reliefs(*modified, *grid, edges);
-    outline = builder.add_wall(modified_rings(*modified, *grid, copies), edges, copies, ring);
-  } else {
-    outline = builder.add_wall(pitch_columns(half, copies), copies, levels, ring);
-  }
-  WallEnds lower = outline, upper = outline;
-  if (bands.size() == 2) {
-    upper = builder.add_wall(pitch_columns(half, copies), copies, above, ring,
-                             body.grooved() ? nullptr : &lower);
-  }
-
-  // The bore or the rim, and the end faces.
-  const CapPlace bottom{false, -end, bands.front().angle(-end), lower.bottom};
-  const CapPlace top{true, end, bands.back().angle(end), upper.top};
-  if (ring) {
-    const WallEnds rim = builder.add_wall(top_cap->circle_columns(false), copies,
-                                          {levels.steps, around(body, body.face_width)}, false);
-    bottom_cap->add(builder, bottom, rim.bottom);
-    top_cap->add(builder, top, rim.top);
+  for (GearMesh& part : parts) part.add_walls(builder);
+  if (body.ring()) {
+    parts.front().close_ring(builder);
   } else {
     WallEnds bore{};
     std::vector<Column> columns;
     if (body.bore) {
+      const double low = gears.front().bottom(), high = gears.back().top();
       columns = bore_columns(*body.bore, chord, facet_turn);
-      bore = builder.add_wall(columns, 1, {1, {0.0, body.face_width, 0.0, 0.0}}, true);
+      bore = builder.add_wall(columns, 1, {1, {0.0, high - low, (low + high) / 2.0, 0.0}}, true);
     }
-    bottom_cap->add(builder, bottom, columns, bore.bottom);
-    top_cap->add(builder, top, columns, bore.top);
+    parts.front().add_bottom(builder, columns, bore.bottom);
+    parts.back().add_top(builder, columns, bore.top);
   }
-  if (body.grooved()) {
-    const auto& [gap, radius, stagger] = *body.two_helices;
-    const auto cap = cap_at(radius, 0.0);
-    if (!cap) return not_a_body(teeth, "the flanks of a tooth space cross");
-    const CapPlace under{true, -gap / 2.0, bands.front().angle(-gap / 2.0), lower.top};
-    const CapPlace over{false, gap / 2.0, bands.back().angle(gap / 2.0), upper.bottom};
-    if (ring) {
-      const WallEnds groove = builder.add_wall(cap->circle_columns(true), copies,
-                                               {levels.steps, around(body, gap)}, true);
-      cap->add(builder, under, groove.bottom);
-      cap->add(builder, over, groove.top);
-    } else {
-      std::vector<Column> columns = bore_columns({2.0 * radius}, chord, facet_turn);
-      for (Column& column : columns) column.before = column.after = -column.after;
-      const WallEnds groove = builder.add_wall(columns, 1, {1, {0.0, gap, 0.0, 0.0}}, false);
-      cap->add(builder, under, columns, groove.bottom);
-      cap->add(builder, over, columns, groove.top);
-    }
+  for (std::size_t i = 0; i < gears.size(); ++i) {
+    if (gears[i].body->grooved())
+      if (auto error = parts[i].add_groove(builder)) return *std::move(error);
+    if (i == 0) continue;
+    const double low = gears[i - 1].top(), high = gears[i].bottom();
+    const std::vector<Column> columns = neck_columns(gears[i].body->neck, chord, facet_turn);
+    const WallEnds neck =
+        builder.add_wall(columns, 1, {1, {0.0, high - low, (low + high) / 2.0, 0.0}}, false);
+    parts[i - 1].add_top(builder, columns, neck.bottom);
+    parts[i].add_bottom(builder, columns, neck.top);
   }
   return std::move(builder).take();
 }

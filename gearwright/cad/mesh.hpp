@@ -65,7 +65,8 @@ struct MeshPart {
       same_as{};  ///< an earlier part with the same mesh; `mesh` is then empty
 };
 
-/// The body as a closed oriented mesh in the gear frame; `body.pose` is not applied.
+/// The body as a closed oriented mesh in the gear frame; `body.pose` is not applied. Gears above it
+/// belong to the same mesh.
 ///
 /// Accuracy  no point of a wall triangle is farther than chord_tolerance_mm from the exact wall;
 ///           the caps are plane. If the distance from the bore (or rim) to the root is less than

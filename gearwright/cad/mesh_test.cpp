@@ -13,63 +13,21 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/testing/generated_bodies.hpp"
+#include "gearwright/cad/testing/mesh_topology.hpp"
 #include "gearwright/cad/testing/odd_outlines.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
+#include "gearwright/cad/testing/stacked_bodies.hpp"
 
 namespace gearwright {
 namespace {
 
+using testing::exact_volume;
 using testing::few_tooth_body;
 using testing::ring_body;
 using testing::sample_body;
+using testing::Topology;
+using testing::topology;
 using testing::undercut_body;
-
-struct Topology {
-  bool closed = true;  // each directed edge occurs exactly once, and so does its opposite
-  int euler = 0;
-  int parts = 0;
-  std::size_t unused = 0;  // vertices that belong to no triangle
-};
-
-Topology topology(const TriangleMesh& mesh) {
-  Topology result;
-  std::vector<std::uint64_t> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  std::vector<std::uint32_t> leader(mesh.vertices.size());
-  for (std::uint32_t i = 0; i < leader.size(); ++i) leader[i] = i;
-  const auto find = [&](std::uint32_t i) {
-    while (leader[i] != i) i = leader[i] = leader[leader[i]];
-    return i;
-  };
-  std::vector<bool> used(mesh.vertices.size(), false);
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-      if (a == b) result.closed = false;
-      edges.push_back((std::uint64_t{a} << 32U) | b);
-      leader[find(a)] = find(b);
-      used[a] = true;
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) result.closed = false;
-  for (const std::uint64_t edge : edges) {
-    const std::uint64_t opposite = (edge << 32U) | (edge >> 32U);
-    if (!std::binary_search(edges.begin(), edges.end(), opposite)) result.closed = false;
-  }
-  int vertices = 0;
-  for (std::uint32_t i = 0; i < used.size(); ++i) {
-    if (!used[i]) {
-      ++result.unused;
-      continue;
-    }
-    ++vertices;
-    if (find(i) == i) ++result.parts;
-  }
-  result.euler =
-      vertices - static_cast<int>(edges.size() / 2) + static_cast<int>(mesh.triangles.size());
-  return result;
-}
 
 struct MeshCase {
   std::string name;
@@ -144,16 +102,6 @@ double perimeter(const Outline& outline) {
 double turn_at(const ToothedBody& body, double z) {
   if (!body.two_helices) return body.twist * z;
   return body.twist * std::abs(z) + (z < 0.0 ? body.two_helices->stagger : 0.0);
-}
-
-// The metal area times the face width. In a groove, the metal area is the ring between groove and
-// bore.
-double exact_volume(const ToothedBody& body) {
-  if (!body.grooved()) return metal_area(body) * body.face_width;
-  const double gap = body.two_helices->gap;
-  const double hole = body.bore ? bore_area(*body.bore) : 0.0;
-  const double groove = kPi * std::pow(body.two_helices->groove_radius, 2);
-  return metal_area(body) * (body.face_width - gap) + std::abs(groove - hole) * gap;
 }
 
 TEST(Mesh, IsAClosedOrientedManifoldOfOnePart) {

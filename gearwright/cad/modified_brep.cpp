@@ -25,15 +25,16 @@ struct ToothWall {
   Wall land;                       // for a land, its circle
 };
 
-class ModifiedShell : public brep::ShellWriter {
+class ModifiedWriter {
  public:
-  ModifiedShell(Part21& out, const ToothedBody& body, const ModifiedTeeth& teeth,
-                const ModifiedFit& fit)
-      : ShellWriter(out),
+  ModifiedWriter(brep::ShellWriter& shell, const SolidGear& gear, const ModifiedFit& fit)
+      : shell_(shell),
         fit_(fit),
-        twist_(body.twist),
-        copies_(std::abs(body.outline.teeth)),
-        walls_(tooth_walls(teeth)) {}
+        band_(gear.bands().front()),
+        height_(gear.height),
+        turn_(sincos_of(gear.turn)),
+        copies_(std::abs(gear.body->outline.teeth)),
+        walls_(tooth_walls(*gear.body->modified)) {}
 
   Rims add_teeth(Side side) {
     const std::size_t n = walls_.size() * static_cast<std::size_t>(copies_);
@@ -53,20 +54,20 @@ class ModifiedShell : public brep::ShellWriter {
         if (!wall(i).arc) continue;
         const Edge& right = uprights[(i + 1) % n];
         const Id around =
-            face_bound({&floor[i], 1}, {&right, 1}, {&ceiling[i], 1}, {&uprights[i], 1});
-        const Id spline =
-            spline_between({floor[i], right, ceiling[i], uprights[i]}, knots_u(i), fit_.along_v[l],
-                           [&](std::size_t a, std::size_t b) { return pole(i, l, a, b); });
-        add_face({around}, spline, side);
+            shell_.face_bound({&floor[i], 1}, {&right, 1}, {&ceiling[i], 1}, {&uprights[i], 1});
+        const Id spline = shell_.spline_between(
+            {floor[i], right, ceiling[i], uprights[i]}, knots_u(i), fit_.along_v[l],
+            [&](std::size_t a, std::size_t b) { return pole(i, l, a, b); });
+        shell_.add_face({around}, spline, side);
       }
       if (!fit_.levels[l + 1].kink) {
-        const double middle = 0.5 * twist_ * (fit_.levels[plane].z + fit_.levels[l + 1].z);
+        const double middle = band_.angle(0.5 * (z_at(plane) + z_at(l + 1)));
         for (std::size_t i = 0; i < n; ++i) {
           if (wall(i).arc) continue;
-          const Id around =
-              face_bound({&plane_floor[i], 1}, chain[(i + 1) % n], {&ceiling[i], 1}, chain[i]);
-          const Id round = cylinder(land(i), middle);
-          add_face({around}, round, side);
+          const Id around = shell_.face_bound({&plane_floor[i], 1}, chain[(i + 1) % n],
+                                              {&ceiling[i], 1}, chain[i]);
+          const Id round = shell_.cylinder(land(i), middle);
+          shell_.add_face({around}, round, side);
         }
         for (Edges& edges : chain) edges.clear();
         plane = l + 1;
@@ -134,8 +135,11 @@ class ModifiedShell : public brep::ShellWriter {
     const auto& rows = poles(i, layer);
     Vec3 p = rows[wall(i).left ? rows.size() - 1 - a : a][b];
     if (!wall(i).left) p.y() = -p.y();
-    return turned_about_axis(p, tooth(i));
+    p = turned_about_axis(turned_about_axis(p, tooth(i)), turn_);
+    return {p.x(), p.y(), p.z() + height_};
   }
+  double z_at(std::size_t level) const { return fit_.levels[level].z + height_; }
+  double angle_at(std::size_t level) const { return band_.angle(z_at(level)); }
   WallKnots knots_u(std::size_t i) const {
     const ToothWall& w = wall(i);
     const WallKnots& knots = fit_.along_u[w.left ? 1 : 0][*w.arc];
@@ -154,7 +158,7 @@ class ModifiedShell : public brep::ShellWriter {
     const std::size_t b = level == 0 ? 0 : poles(0, layer).front().size() - 1;
     Corners all;
     for (std::size_t i = 0; i < walls_.size() * static_cast<std::size_t>(copies_); ++i)
-      all.push_back(corner(upright_pole(i, layer, b)));
+      all.push_back(shell_.corner(upright_pole(i, layer, b)));
     return all;
   }
 
@@ -168,14 +172,14 @@ class ModifiedShell : public brep::ShellWriter {
         if (here.kink) {
           all.push_back({});
         } else {
-          const Id curve = circle(land(i), twist_ * here.z, here.z);
-          all.push_back(edge(from, to, curve, {}));
+          const Id curve = shell_.circle(land(i), angle_at(level), z_at(level));
+          all.push_back(shell_.edge(from, to, curve, {}));
         }
         continue;
       }
       const std::size_t b = level == 0 ? 0 : poles(i, layer).front().size() - 1;
-      all.push_back(spline_edge(from, to, poles_u(i, layer), knots_u(i),
-                                [&](std::size_t a) { return pole(i, layer, a, b); }));
+      all.push_back(shell_.spline_edge(from, to, poles_u(i, layer), knots_u(i),
+                                       [&](std::size_t a) { return pole(i, layer, a, b); }));
     }
     return all;
   }
@@ -183,26 +187,27 @@ class ModifiedShell : public brep::ShellWriter {
   Edges uprights_in(std::size_t layer, const Corners& below, const Corners& above) {
     Edges all;
     for (std::size_t i = 0; i < below.size(); ++i) {
-      all.push_back(spline_edge(below[i], above[i], poles(0, layer).front().size(),
-                                fit_.along_v[layer],
-                                [&](std::size_t b) { return upright_pole(i, layer, b); }));
+      all.push_back(shell_.spline_edge(below[i], above[i], poles(0, layer).front().size(),
+                                       fit_.along_v[layer],
+                                       [&](std::size_t b) { return upright_pole(i, layer, b); }));
     }
     return all;
   }
 
+  brep::ShellWriter& shell_;
   const ModifiedFit& fit_;
-  double twist_;
+  Band band_;  // in the frame of the solid
+  double height_;
+  SinCos turn_;
   int copies_;
   std::vector<ToothWall> walls_;
 };
 
 }  // namespace
 
-Brep add_modified_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls,
-                       const ModifiedTeeth& teeth, const ModifiedFit& fit) {
-  ModifiedShell shell(out, body, teeth, fit);
-  const Rims rims = shell.add_teeth(body.ring() ? Side::against : Side::along);
-  return shell.close(body, walls, rims);
+brep::Rims brep::add_modified_teeth(ShellWriter& shell, const SolidGear& gear,
+                                    const ModifiedFit& fit, Side side) {
+  return ModifiedWriter(shell, gear, fit).add_teeth(side);
 }
 
 }  // namespace gearwright

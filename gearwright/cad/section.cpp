@@ -122,12 +122,27 @@ double metal_area(const ToothedBody& body) {
   return ring ? bore_area(*body.bore) - outline : outline - bore_area(*body.bore);
 }
 
-double metal_volume(const ToothedBody& body) {
-  const double toothed = metal_area(body) * body.face_width;
-  if (!body.grooved()) return toothed;
-  const auto& [gap, radius, stagger] = *body.two_helices;
-  const double removed = section_area(body.outline) - std::numbers::pi * radius * radius;
+namespace {
+
+double gear_volume(const ToothedBody& gear) {
+  const double toothed = metal_area(gear) * gear.face_width;
+  if (!gear.grooved()) return toothed;
+  const auto& [gap, radius, stagger] = *gear.two_helices;
+  const double removed = section_area(gear.outline) - std::numbers::pi * radius * radius;
   return toothed - std::abs(removed) * gap;
+}
+
+}  // namespace
+
+double metal_volume(const ToothedBody& body) {
+  const std::vector<SolidGear> gears = body.gears();
+  double volume = gear_volume(body);
+  for (std::size_t i = 1; i < gears.size(); ++i) {
+    const double neck = gears[i].body->neck;
+    const double metal = std::numbers::pi * neck * neck - (body.bore ? bore_area(*body.bore) : 0.0);
+    volume += gear_volume(*gears[i].body) + metal * (gears[i].bottom() - gears[i - 1].top());
+  }
+  return volume;
 }
 
 }  // namespace gearwright

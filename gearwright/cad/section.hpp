@@ -40,7 +40,8 @@ double bore_area(const Bore& bore);
 double metal_area(const ToothedBody& body);
 
 /// Volume of the body with its teeth as cut: the area of the metal times the face width, minus the
-/// groove of a double-helical gear.
+/// groove of a double-helical gear. The volume of a solid with several gears includes them all and
+/// the cylinders between them.
 ///
 /// Units     mm³
 /// Domain    as for metal_area

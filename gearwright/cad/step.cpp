@@ -93,7 +93,32 @@ std::size_t modified_face_count(const ModifiedTeeth& teeth, const std::vector<To
   return tooth * static_cast<std::size_t>(std::abs(teeth.outline().teeth));
 }
 
-// Writes the solid of a body and adds the faces of half a tooth to the report.
+// Divides a gear of the body with this index into faces, and adds the faces of half a tooth to the
+// report.
+Result<GearFaces> faces_of(const ToothedBody& gear, std::size_t index,
+                           std::vector<StepFace>& faces) {
+  auto walls = make_walls(gear);
+  if (!walls) return walls.error();
+  GearFaces made{std::move(walls).take(), {}};
+  const WallLoop& teeth = made.walls.teeth;
+  if (!gear.modified) {
+    const std::size_t n =
+        teeth.walls.size() * static_cast<std::size_t>(teeth.slices) * made.walls.helices.size();
+    if (n > kMaxStepFaces) return too_many(n, teeth.slices);
+    add_half_tooth(faces, made.walls, index);
+    return made;
+  }
+  const auto levels = tooth_levels(*gear.modified, teeth.slices, gear.face_width);
+  const std::size_t n = modified_face_count(*gear.modified, levels);
+  if (n > kMaxStepFaces) return too_many(n, teeth.slices);
+  auto fit = fit_modified(*gear.modified, levels);
+  if (!fit) return fit.error();
+  made.fit = std::move(fit).take();
+  add_modified_half(faces, *gear.modified, *made.fit, index);
+  return made;
+}
+
+// Writes the solid of a body and adds the faces of half a tooth of each gear to the report.
 Result<Brep> add_solid(Part21& file, const ToothedBody& body, std::size_t index,
                        std::vector<StepFace>& faces) {
   if (body.rack) {
@@ -101,23 +126,13 @@ Result<Brep> add_solid(Part21& file, const ToothedBody& body, std::size_t index,
     for (const Arc& arc : body.outline.arcs) faces.push_back({arc.name, index, 0, 0, 0, 0, 0.0});
     return add_rack_brep(file, body);
   }
-  const auto walls = make_walls(body);
-  if (!walls) return walls.error();
-  const WallLoop& teeth = walls->teeth;
-  if (!body.modified) {
-    const std::size_t n =
-        teeth.walls.size() * static_cast<std::size_t>(teeth.slices) * walls->helices.size();
-    if (n > kMaxStepFaces) return too_many(n, teeth.slices);
-    add_half_tooth(faces, *walls, index);
-    return add_brep(file, body, *walls);
+  std::vector<GearFaces> gears;
+  for (const SolidGear& gear : body.gears()) {
+    auto made = faces_of(*gear.body, index, faces);
+    if (!made) return made.error();
+    gears.push_back(std::move(made).take());
   }
-  const auto levels = tooth_levels(*body.modified, teeth.slices, body.face_width);
-  const std::size_t n = modified_face_count(*body.modified, levels);
-  if (n > kMaxStepFaces) return too_many(n, teeth.slices);
-  const auto fit = fit_modified(*body.modified, levels);
-  if (!fit) return fit.error();
-  add_modified_half(faces, *body.modified, *fit, index);
-  return add_modified_brep(file, body, *walls, *body.modified, *fit);
+  return add_brep(file, body, gears);
 }
 
 }  // namespace
@@ -135,8 +150,9 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const ToothedBody& body = bodies[i];
     volumes.push_back(body.same_as ? volumes[*body.same_as] : metal_volume(body));
-    if (body.modified && !body.same_as)
-      volumes.back() -= body.modified->removed_volume(body.face_width);
+    for (const SolidGear& gear : body.gears())
+      if (gear.body->modified && !body.same_as)
+        volumes.back() -= gear.body->modified->removed_volume(gear.body->face_width);
     report.volume_mm3 += volumes.back();
     if (body.same_as) {
       parts.push_back(

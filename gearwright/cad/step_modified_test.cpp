@@ -23,6 +23,7 @@
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/testing/modified_bodies.hpp"
+#include "gearwright/cad/testing/stacked_bodies.hpp"
 #include "gearwright/cad/testing/step_reader.hpp"
 
 namespace gearwright {
@@ -111,6 +112,24 @@ TEST(StepModified, solids_are_valid_closed_and_of_the_computed_volume) {
     for (std::size_t i = 1; i < uses.size(); ++i)
       EXPECT_EQ(uses[i], (std::array<int, 2>{1, 1})) << g.name << i;
   }
+}
+
+TEST(StepModified, gears_of_one_solid_keep_their_modifications) {
+  const ModifiedGear gear = modified_gears(4.0)[1];
+  const double root = gear.body.outline.arcs.front().begin_point.norm();
+  const ToothedBody solid = testing::stacked(gear.body, gear.body, 5.0, 0.8 * root, 0.7);
+  const auto made = step_document({solid}, "two.step");
+  ASSERT_TRUE(made) << made.error().message();
+  const testing::ReadStep step = testing::read_step(made->text);
+  ASSERT_EQ(step.refusals, 0);
+  ASSERT_EQ(step.solids.size(), 1u);
+  EXPECT_TRUE(BRepCheck_Analyzer(step.solids.front()).IsValid());
+  EXPECT_NEAR(testing::volume(step.solids.front()) / made->report.volume_mm3, 1.0, 1e-6);
+  const double neck = 5.0 * (kPi * 0.64 * root * root - bore_area(*gear.body.bore));
+  const auto alone = step_document({gear.body}, "one.step");
+  ASSERT_TRUE(alone);
+  EXPECT_NEAR(made->report.volume_mm3, 2 * alone->report.volume_mm3 + neck,
+              1e-9 * made->report.volume_mm3);
 }
 
 TEST(StepModified, edges_lie_on_their_faces) {

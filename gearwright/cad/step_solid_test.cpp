@@ -23,6 +23,7 @@
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/testing/generated_bodies.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
+#include "gearwright/cad/testing/stacked_bodies.hpp"
 #include "gearwright/cad/testing/step_reader.hpp"
 
 namespace gearwright {
@@ -33,6 +34,7 @@ using testing::plain_body;
 using testing::read_step;
 using testing::ReadStep;
 using testing::sample_body;
+using testing::stacked;
 using testing::volume;
 
 struct Case {
@@ -50,6 +52,7 @@ ToothedBody with_bore(ToothedBody body, Bore bore) {
 
 std::vector<Case> cases() {
   constexpr double kDeg = kPi / 180.0;
+  const ToothedBody small = sample_body({.teeth = 14, .beta = -0.4, .face_width = 30});
   return {
       {"Spur", sample_body({}), 122},
       {"RightHand", sample_body({.beta = 15 * kDeg}), 122},
@@ -91,6 +94,13 @@ std::vector<Case> cases() {
       {"RingCutByPinion", testing::cut_ring(), 395},
       {"CircularArcs", testing::arc_pinion(), 74},
       {"DoubleCircularArcs", testing::double_arcs(), 138},
+      // 20 and 14 teeth with six walls each, the neck and four planes.
+      {"TwoGears", stacked(sample_body({}), small, 4.0, 9.0, 0.7), 209},
+      {"TwoGearsBore",
+       stacked(with_bore(sample_body({.beta = 0.2}), {10.0, 3.0, 1.4}), small, 4.0, 9.0, 2.0), 213},
+      {"ThreeGears",
+       stacked(stacked(sample_body({}), small, 4.0, 9.0, 0.7), sample_body({}), 3.0, 8.0, 1.1),
+       332},
       // Five teeth with six walls each, one more root land, the back, the ends and the sides.
       {"Rack", testing::rack_bar(5, 0.0), 36},
       // At each end, the teeth extend by 3.64 mm, past the centre line of a tooth, which adds three
@@ -133,14 +143,14 @@ TEST_P(StepSolidOf, IsAValidClosedSolidOfTheExactVolume) {
   ASSERT_EQ(shells.Extent(), 1);
   EXPECT_TRUE(BRep_Tool::IsClosed(shells(1)));
   // Euler: V − E + F, minus one for each loop that is a hole in a cap, equals 2 − 2·genus.
-  const int holes = c.body.bore ? 1 : 0;
-  EXPECT_EQ(count(solid(), TopAbs_VERTEX) - edges + faces - 2 * holes, 2 - 2 * holes);
+  const int holes = c.body.bore ? 1 : 0, necks = static_cast<int>(c.body.above.size());
+  EXPECT_EQ(count(solid(), TopAbs_VERTEX) - edges + faces - 2 * (holes + necks), 2 - 2 * holes);
 
   EXPECT_TRUE(BRepCheck_Analyzer(solid()).IsValid());
-  const double exact = metal_area(c.body) * c.body.face_width;
+  const double exact = testing::exact_volume(c.body);
   // A positive volume means that the faces are oriented outwards.
   EXPECT_NEAR(volume(solid()) / exact, 1.0, 1e-6);
-  EXPECT_EQ(report_.volume_mm3, exact);
+  EXPECT_NEAR(report_.volume_mm3 / exact, 1.0, 1e-14);
   BRepClass3d_SolidClassifier classifier(solid());
   classifier.PerformInfinitePoint(1e-6);
   EXPECT_EQ(classifier.State(), TopAbs_OUT);

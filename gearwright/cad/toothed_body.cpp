@@ -15,6 +15,27 @@ constexpr double kRackBack_mm = 1e-3;
 
 }  // namespace
 
+std::vector<Band> SolidGear::bands() const {
+  std::vector<Band> all = body->bands();
+  for (Band& band : all) {
+    band.middle += height;
+    band.turn += turn - band.twist * height;
+  }
+  return all;
+}
+
+double SolidGear::bottom() const { return height - body->face_width / 2.0; }
+double SolidGear::top() const { return height + body->face_width / 2.0; }
+
+std::vector<SolidGear> ToothedBody::gears() const {
+  std::vector<SolidGear> all{{this}};
+  for (const ToothedBody& gear : above) {
+    const auto& x = gear.pose.linear();
+    all.push_back({&gear, gear.pose.translation().z(), std::atan2(x(1, 0), x(0, 0))});
+  }
+  return all;
+}
+
 std::vector<Band> ToothedBody::bands() const {
   if (!two_helices) return {{twist, face_width, 0.0, 0.0}};
   const double width = (face_width - two_helices->gap) / 2.0;

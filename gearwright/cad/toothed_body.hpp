@@ -11,6 +11,8 @@
 // tooth point to the apex in the middle plane. A gap between the halves is a groove around the
 // axis.
 //
+// Several external gears on one axis are one solid if plain cylinders join them (`above`).
+//
 // Flank modifications move the flanks of this solid along their normals.
 //
 // A rack is a bar with straight teeth, between two ends that are perpendicular to y (`RackBlock`).
@@ -69,6 +71,18 @@ struct Band {
 };
 
 class ModifiedTeeth;
+struct ToothedBody;
+
+/// A gear of a solid, in the frame of the solid.
+struct SolidGear {
+  const ToothedBody* body;
+  double height = 0.0;  ///< mm, z of the middle of the face
+  double turn = 0.0;    ///< rad, rotation about z
+
+  std::vector<Band> bands() const;  ///< its screw motions in the frame of the solid
+  double bottom() const;            ///< z of its lower end face, mm
+  double top() const;               ///< z of its upper end face, mm
+};
 
 struct ToothedBody {
   std::string name;         ///< "gear1", the name in the tree of a CAD system
@@ -87,9 +101,21 @@ struct ToothedBody {
   std::shared_ptr<const ModifiedTeeth> modified{};
   std::string unmodified{};  ///< the reason why modifications are omitted; empty if none is omitted
 
+  /// The other gears of the solid, from bottom to top. The pose of each is a height and a rotation
+  /// about z in the frame of this body.
+  ///
+  /// Domain    external gears with the same bore, without gears above them, and with a distance
+  ///           between the end faces
+  std::vector<ToothedBody> above{};
+  double neck = 0.0;       ///< of a gear in `above`: radius of the cylinder below it  mm
+  std::string separate{};  ///< the reason why the gear is not joined to another gear of its body
+
   /// True for an internal gear.
   bool ring() const { return outline.teeth < 0; }
   bool grooved() const { return two_helices && two_helices->gap > 0.0; }
+
+  /// This body and the gears above it, from bottom to top.
+  std::vector<SolidGear> gears() const;
 
   /// The screw motions of the teeth, from bottom to top: one, or two for a double-helical gear.
   std::vector<Band> bands() const;

@@ -19,6 +19,10 @@ double direction(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 // Difference of a phase from a whole number of periods, −π … π.
 double off_phase(double phase) { return std::remainder(phase, kTurn); }
 
+// The direction y of a rack, along its travel. A pinion that turns counter-clockwise moves the rack
+// in the opposite direction.
+Vec2 travel(const PlacedGear& rack) { return {-std::sin(rack.angle), std::cos(rack.angle)}; }
+
 class Layout {
  public:
   Layout(const Drive& drive, DrivePlaces places) : drive_(drive), graph_(drive.graph) {
@@ -29,14 +33,39 @@ class Layout {
     list_gears();
     if (auto error = find_angles()) return *error;
     find_heights();
-    for (std::size_t i = 0; i < made_.gears.size(); ++i)
-      made_.gears[i].angle = phi_[i] + teeth_of(i).twist() * made_.gears[i].height;
+    for (std::size_t i = 0; i < made_.gears.size(); ++i) {
+      PlacedGear& gear = made_.gears[i];
+      if (graph_.gears[gear.gear].rack) {
+        place_rack(gear, phi_[i]);
+      } else {
+        gear.angle = phi_[i] + drive_.geometry.gears[gear.gear]->twist() * gear.height;
+      }
+    }
     return std::move(made_);
   }
 
  private:
-  const Gear& teeth_of(std::size_t placed) const {
-    return *drive_.geometry.gears[made_.gears[placed].gear];
+  // Turns a rack towards its pinion, and moves it along its datum line by φ/2π pitches. A rack with
+  // an even number of teeth has a space in its middle.
+  void place_rack(PlacedGear& rack, double phi) {
+    const RackGeometry& bar = rack_pair_of(drive_, rack.gear)->rack;
+    const Vec2 up = pinion_axis(rack.gear) - rack.axis;
+    rack.angle = direction(up);
+    const double pitches = phi / kTurn + (bar.teeth % 2 == 0 ? 0.5 : 0.0) +
+                           std::tan(bar.helix_angle.rad()) * rack.height / bar.transverse_pitch;
+    rack.axis += std::remainder(pitches, 1.0) * bar.transverse_pitch * travel(rack);
+  }
+
+  Vec2 pinion_axis(std::size_t rack) const {
+    for (const DriveMesh& mesh : graph_.meshes)
+      if (mesh.gears[1] == rack) return made_.places.axes[graph_.gear(mesh, 0).body];
+    contract_failed("precondition", "a rack meshes with a pinion", __FILE__, __LINE__);
+  }
+
+  // The number of teeth in the equation of a mesh. A rack counts as a gear with one tooth, whose
+  // angle is 2π for each pitch.
+  int teeth_of(std::size_t gear) const {
+    return graph_.gears[gear].rack ? 1 : graph_.gears[gear].teeth;
   }
   std::size_t body_of(std::size_t placed) const {
     return graph_.gears[made_.gears[placed].gear].body;
@@ -71,15 +100,17 @@ class Layout {
   // z_a (θ_a − φ_a) + z_b (θ_b − φ_b) − π, which is 0 when the teeth mesh. [T13.15c]
   double mesh_phase(const std::array<std::size_t, 2>& two) const {
     const PlacedGear &a = made_.gears[two[0]], &b = made_.gears[two[1]];
-    const int z_a = graph_.gears[a.gear].teeth, z_b = graph_.gears[b.gear].teeth;
+    const int z_a = teeth_of(a.gear), z_b = teeth_of(b.gear);
     const double theta_a = direction(z_b < 0 ? a.axis - b.axis : Vec2(b.axis - a.axis));
-    const double theta_b = z_b < 0 ? theta_a : theta_a + kTurn / 2;
+    const double theta_b = graph_.gears[b.gear].rack ? 0.0
+                           : z_b < 0                 ? theta_a
+                                                     : theta_a + kTurn / 2;
     return z_a * (theta_a - phi_[two[0]]) + z_b * (theta_b - phi_[two[1]]) - kTurn / 2;
   }
 
   // Turns one gear of a mesh until its teeth mesh with the other gear.
   void meet(const std::array<std::size_t, 2>& two, std::size_t which) {
-    const int z = graph_.gears[made_.gears[two[which]].gear].teeth;
+    const int z = teeth_of(made_.gears[two[which]].gear);
     phi_[two[which]] += off_phase(mesh_phase(two)) / z;
     known_[two[which]] = 1;
   }
@@ -180,15 +211,20 @@ class Layout {
     const auto& slots = made_.places.slots;
     std::vector<double> from, to;
     double module = 0.0;
+    const auto face_of = [&](std::size_t g) {
+      const auto& gear = drive_.geometry.gears[g];
+      if (gear) return gear->whole_face(gear->spec.face_width);
+      const RackPair* rack = rack_pair_of(drive_, g);
+      return rack ? rack->rack.face_width : 0.0;
+    };
     for (const auto& gear : drive_.geometry.gears)
       if (gear) module = std::max(module, gear->spec.normal_module);
     double at = 0.0;
     for (int slot = 0; slot < made_.places.slot_count; ++slot) {
       double alone = 0.0, any = 0.0;
       for (std::size_t g = 0; g < slots.size(); ++g) {
-        if (!drive_.geometry.gears[g] || slots[g].first > slot || slots[g].last < slot) continue;
-        const Gear& gear = *drive_.geometry.gears[g];
-        const double face = gear.whole_face(gear.spec.face_width);
+        if (slots[g].first > slot || slots[g].last < slot) continue;
+        const double face = face_of(g);
         any = std::max(any, face);
         if (slots[g].first == slots[g].last) alone = std::max(alone, face);
       }
@@ -243,24 +279,17 @@ std::optional<Rational> least_common_turn(const std::vector<Rational>& speeds) {
 
 double DriveLayout::angle_at(const Drive& drive, std::size_t placed, double height) const {
   const PlacedGear& gear = gears[placed];
+  if (drive.graph.gears[gear.gear].rack) return gear.angle;
   return gear.angle + drive.geometry.gears[gear.gear]->twist() * (height - gear.height);
 }
 
 Result<DriveLayout> drive_layout(const Drive& drive) {
   const auto& gears = drive.geometry.gears;
-  const auto& meshes = drive.graph.meshes;
-  for (std::size_t m = 0; m < meshes.size(); ++m)
-    if (drive.graph.gear(meshes[m], 1).rack)
-      return Error{
-          "drive.gear", drive.graph.gear(meshes[m], 1).name,
-          fmt::format("is a rack, and files of drives with racks are not supported; "
-                      "gearwright drive SPEC --take {} prints the mesh {} as a pair, which "
-                      "the verb export writes",
-                      m + 1, meshes[m].name)};
   const auto& faults = drive.geometry.faults;
   std::string why = faults.empty() ? "some gears cannot be mounted" : faults.front().message;
   while (why.ends_with('.')) why.pop_back();
   for (std::size_t g = 0; g < gears.size(); ++g) {
+    if (rack_pair_of(drive, g)) continue;
     if (!gears[g] && !faults.empty()) return Error{"drive.mesh", "", why};
     if (!gears[g])
       return Error{"drive.gear", drive.graph.gears[g].name,
@@ -281,6 +310,10 @@ DriveLayout turned(const Drive& drive, DriveLayout layout, double input_turns) {
   };
   for (PlacedGear& placed : layout.gears) {
     const std::size_t body = drive.graph.gears[placed.gear].body;
+    if (const auto pitch = drive.rack_pitch(body)) {
+      placed.axis += angle(body) / kTurn * *pitch * -travel(placed);
+      continue;
+    }
     placed.angle += angle(body);
     if (const auto carrier = drive.graph.bodies[body].carrier) {
       const Vec2 about = layout.places.axes[*carrier];

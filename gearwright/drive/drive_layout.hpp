@@ -7,6 +7,9 @@
 // A tooth of one gear is opposite a space of the other, in the middle of the backlash:
 //
 //   z_a (θ_a − φ_a) + z_b (θ_b − φ_b) ≡ π  mod 2π,   z < 0 for a ring                [T13.15c]
+//
+// A rack counts as a gear with z_b = 1 and θ_b = 0 that is displaced by φ_b/2π pitches along the y
+// axis of its frame (pair/rack_pair.hpp).
 //                                              theory: docs/theory/13-drives.md
 #pragma once
 
@@ -20,8 +23,8 @@ namespace gearwright {
 struct PlacedGear {
   std::size_t gear;  ///< index in the graph
   int copy;          ///< number of the copy of its body, from 0
-  Vec2 axis;         ///< mm
-  double angle;      ///< φ in the middle of its face  rad
+  Vec2 axis;         ///< mm; for a rack, the middle of its datum line
+  double angle;      ///< φ in the middle of its face  rad; for a rack, the direction to its pinion
   double height;     ///< z of the middle of its face  mm
 };
 

@@ -122,6 +122,83 @@ TEST(DriveLayout, ALayoutThatIsOffByATenthOfAPitchIsSeen) {
   EXPECT_NEAR(worst_mesh(drive, layout), 0.1, 1e-6);
 }
 
+// A pinion, or a train of two gears, that drives racks in the given directions.
+Drive rack_drive(int teeth, int rack_teeth, double beta_deg,
+                 const std::vector<double>& directions) {
+  CylindricalSpec spec;
+  spec.normal_module = 2.0;
+  spec.helix_angle = Angle::degrees(beta_deg);
+  spec.face_width = 20.0;
+  DriveGraph graph;
+  graph.bodies = {{"pinion", {}, 1, {}}};
+  graph.gears = {{"pinion", 0, teeth, {}, spec, 0.2}};
+  for (const double direction : directions) {
+    graph.bodies.push_back({"rack", {}, 1, {}});
+    DriveGear rack{"rack", graph.bodies.size() - 1, 0, RackBar{.teeth = rack_teeth}, {}, {}};
+    graph.gears.push_back(rack);
+    DriveMesh mesh{"mesh", {0, graph.gears.size() - 1}, {}, {}};
+    mesh.direction = Angle::radians(direction);
+    graph.meshes.push_back(mesh);
+  }
+  graph.inputs = {0};
+  graph.output = 1;
+  auto drive = make_drive({graph, {}});
+  EXPECT_TRUE(drive) << drive.error().message();
+  return std::move(drive).take();
+}
+
+// The teeth of a rack are half a pitch from the teeth of its pinion, measured along the rack where
+// the pitch circle of the pinion touches it.
+TEST(DriveLayout, RacksMeshWithTheirPinionsAtAllTimes) {
+  for (const int teeth : {17, 20}) {
+    for (const int rack_teeth : {26, 31}) {
+      for (const double beta : {0.0, 25.0}) {
+        const Drive drive = rack_drive(teeth, rack_teeth, beta, {0.0, kTurn / 2, 1.0});
+        const DriveLayout start = laid(drive);
+        for (const double turns : {0.0, 0.137, -0.81}) {
+          const DriveLayout layout = turned(drive, start, turns);
+          const PlacedGear& pinion = layout.gears.front();
+          for (std::size_t i = 1; i < layout.gears.size(); ++i) {
+            const PlacedGear& placed = layout.gears[i];
+            const RackGeometry& rack = drive.geometry.racks[i - 1]->rack;
+            const Vec2 up(std::cos(placed.angle), std::sin(placed.angle)), along(-up.y(), up.x());
+            const Vec2 apart = placed.axis - pinion.axis;
+            EXPECT_NEAR(-apart.dot(up), drive.geometry.racks[i - 1]->center_distance, 1e-9);
+            // The pinion and the rack are compared at the height of the middle of the rack.
+            const double angle = layout.angle_at(drive, 0, placed.height);
+            const double pitch = rack.transverse_pitch;
+            const double away = std::remainder(std::atan2(-up.y(), -up.x()) - angle, kTurn / teeth);
+            const double tooth_of_pinion = away * teeth / kTurn * pitch;
+            const double tooth_of_rack = apart.dot(along) - (rack_teeth - 1) / 2.0 * pitch;
+            const double off = std::remainder(tooth_of_rack - tooth_of_pinion, pitch);
+            EXPECT_NEAR(std::abs(off), pitch / 2, 1e-6) << teeth << " " << rack_teeth << " " << i;
+          }
+        }
+        // In one turn of the pinion, a rack moves by z pitches. A pinion that turns
+        // counter-clockwise moves the rack at its right upwards.
+        const Vec2 moved = turned(drive, start, 1.0).gears[1].axis - start.gears[1].axis;
+        EXPECT_NEAR(moved.x(), 0.0, 1e-9);
+        EXPECT_NEAR(moved.y(), drive.geometry.racks[0]->travel_per_turn, 1e-9);
+      }
+    }
+  }
+}
+
+// The racks at the left and at the right share a plane with each other, but not with the third one.
+TEST(DriveLayout, RacksThatWouldCrossHaveDifferentPlanes) {
+  EXPECT_EQ(laid(rack_drive(20, 26, 0.0, {0.0, kTurn / 2})).sections.size(), 1u);
+  EXPECT_EQ(laid(rack_drive(20, 26, 0.0, {0.0, kTurn / 4})).sections.size(), 2u);
+}
+
+TEST(DriveLayout, ADirectionIsFromTheFirstGearToTheSecond) {
+  Drive drive = rack_drive(20, 26, 0.0, {1.0});
+  drive.graph.inputs = {1};
+  const auto places = drive_places(drive);
+  ASSERT_TRUE(places);
+  const Vec2 way = places->axes[1] - places->axes[0];
+  EXPECT_NEAR(std::atan2(way.y(), way.x()), 1.0, 1e-12);
+}
+
 TEST(DriveLayout, ClockedPlanetsHaveTheirClocking) {
   const Drive drive = laid_drive(sets()[3]);
   const DriveLayout layout = laid(drive);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 
 namespace gearwright {
 
@@ -21,10 +22,16 @@ class Placing {
   explicit Placing(const Drive& drive) : drive_(drive), graph_(drive.graph) {}
 
   Result<DrivePlaces> places() {
-    for (const DriveGear& gear : graph_.gears)
-      if (gear.rack)
-        return Error{"drive.gear", gear.name,
-                     "is a rack, so the drive cannot be drawn as a section"};
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
+      const auto pinions = std::count_if(graph_.meshes.begin(), graph_.meshes.end(),
+                                         [&](const DriveMesh& m) { return m.gears[1] == g; });
+      if (graph_.gears[g].rack && pinions > 1)
+        return Error{
+            "drive.gear", graph_.gears[g].name,
+            fmt::format("is a rack with {} pinions, whose positions along the rack are not "
+                        "known; files and pictures contain racks with one pinion",
+                        pinions)};
+    }
     measure();
     join_coaxial();
     if (auto error = place_axes()) return *error;
@@ -38,8 +45,9 @@ class Placing {
   // numbers.
   void measure() {
     const DriveGeometry& geometry = drive_.geometry;
-    made_.true_scale =
-        std::all_of(geometry.pairs.begin(), geometry.pairs.end(), [](const auto& p) { return p; });
+    made_.true_scale = true;
+    for (std::size_t m = 0; m < graph_.meshes.size(); ++m)
+      made_.true_scale = made_.true_scale && (geometry.pairs[m] || geometry.racks[m]);
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {
       const int sum =
           graph_.gear(graph_.meshes[m], 0).teeth + graph_.gear(graph_.meshes[m], 1).teeth;
@@ -47,6 +55,11 @@ class Placing {
     }
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
       const int teeth = graph_.gears[g].teeth;
+      if (graph_.gears[g].rack) {
+        const RackPair* pair = rack_pair_of(drive_, g);
+        made_.radii.push_back(made_.true_scale && pair ? pair->rack.addendum : 1.0);
+        continue;
+      }
       made_.radii.push_back(!made_.true_scale ? std::abs(teeth) / 2.0 + 1.0
                             : teeth < 0       ? geometry.gears[g]->root_diameter / 2
                                               : geometry.gears[g]->tip_diameter / 2);
@@ -111,7 +124,8 @@ class Placing {
         const auto [mesh, to] = fresh[k];
         const double away = kTurn * static_cast<double>(k) / ways;
         const auto given = graph_.meshes[mesh].direction;
-        came[to] = given           ? given->rad()
+        const bool backwards = axis_[gear(mesh, 0).body] == to;
+        came[to] = given           ? given->rad() + (backwards ? kTurn / 2 : 0.0)
                    : from == first ? away
                                    : came[from] + kTurn / 2 + away + kTurn / ways;
         at[to] = at[from] + polar(*distances_[mesh], came[to]);
@@ -158,11 +172,30 @@ class Placing {
     });
   }
 
+  // True if a gear would overlap with a rack, which moves along its whole datum line. Two racks
+  // share a plane only if they are on opposite sides of their pinions.
+  bool beside_rack(std::size_t rack, std::size_t other) const {
+    const auto towards_pinion = [&](std::size_t g) {
+      const auto mesh = std::find_if(graph_.meshes.begin(), graph_.meshes.end(),
+                                     [&](const DriveMesh& m) { return m.gears[1] == g; });
+      return Vec2(
+          (made_.axes[graph_.gear(*mesh, 0).body] - made_.axes[graph_.gears[g].body]).normalized());
+    };
+    const DriveGear& gear = graph_.gears[other];
+    const Vec2 up = towards_pinion(rack), at = made_.axes[graph_.gears[rack].body];
+    if (gear.rack && up.dot(towards_pinion(other)) > -1.0 + kCloses) return true;
+    double height = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < graph_.bodies[gear.body].count; ++i)
+      height = std::min(height, (made_.axis_of(drive_, gear.body, i) - at).dot(up));
+    return height < made_.radii[rack] + made_.radii[other];
+  }
+
   // True if two gears would overlap in one plane.
   bool in_the_way(std::size_t g, std::size_t h) const {
     if (g == h || meshed(g, h)) return false;
     const DriveGear &a = graph_.gears[g], &b = graph_.gears[h];
     if (a.body == b.body) return true;
+    if (a.rack || b.rack) return a.rack ? beside_rack(g, h) : beside_rack(h, g);
     const double r_a = made_.radii[g], r_b = made_.radii[h];
     for (int i = 0; i < graph_.bodies[a.body].count; ++i) {
       for (int k = 0; k < graph_.bodies[b.body].count; ++k) {
@@ -240,6 +273,13 @@ Vec2 DrivePlaces::axis_of(const Drive& drive, std::size_t body, int copy) const 
     return axes[*carrier] + polar(r, turned[body] + kTurn * u);
   }
   return axes[body];
+}
+
+const RackPair* rack_pair_of(const Drive& drive, std::size_t gear) {
+  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m)
+    if (drive.geometry.racks[m] && drive.graph.meshes[m].gears[1] == gear)
+      return &*drive.geometry.racks[m];
+  return nullptr;
 }
 
 Result<DrivePlaces> drive_places(const Drive& drive) { return Placing(drive).places(); }

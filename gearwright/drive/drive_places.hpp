@@ -6,7 +6,8 @@
 //
 // The drive determines the axes of its planets and of coaxial bodies. All other positions are
 // chosen for a simple drawing: the shafts of a train lie in one line unless the direction of a mesh
-// is given, and the meshes follow each other along the axes in their order.
+// is given, and the meshes follow each other along the axes in their order. The axis of a rack is the
+// point of its datum line that is nearest to its pinion.
 #pragma once
 
 #include <numbers>
@@ -25,7 +26,7 @@ struct SlotRange {
 struct DrivePlaces {
   std::vector<Vec2> axes;        ///< of each body; for a rider, of its copy 0  mm
   std::vector<double> turned;    ///< direction from the carrier's axis to copy 0 of a rider  rad
-  std::vector<double> radii;     ///< r_a of each gear, r_f of a ring  mm
+  std::vector<double> radii;     ///< r_a of each gear, r_f of a ring, h_a of a rack  mm
   std::vector<int> mesh_slot;    ///< slot of each mesh
   std::vector<SlotRange> slots;  ///< slots of each gear
   int slot_count = 0;
@@ -35,9 +36,14 @@ struct DrivePlaces {
   Vec2 axis_of(const Drive& drive, std::size_t body, int copy) const;
 };
 
+/// The pair of a rack and its pinion; null if the gear is not a rack or has no pair. Of a rack with
+/// several pinions, this is the first pair.
+const RackPair* rack_pair_of(const Drive& drive, std::size_t gear);
+
 /// Computes the axes of all bodies and the slots of all gears.
 ///
-/// Errors    `drive.gear` if a gear is a rack; `drive.mesh` if the axes of a mesh coincide or are
+/// Errors    `drive.gear` if a rack has several pinions, because their positions along the rack are
+///           not known; `drive.mesh` if the axes of a mesh coincide or are
 ///           in a loop of shafts that does not close; `drive.body` if a planet has no possible
 ///           position
 Result<DrivePlaces> drive_places(const Drive& drive);

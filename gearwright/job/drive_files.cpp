@@ -1,8 +1,9 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
-#include "gearwright/job/drive_job.hpp"
+#include "gearwright/job/drive_bodies.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/report/drive_report.hpp"
 #include "gearwright/spec/unit_tree.hpp"
@@ -13,21 +14,28 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// The solids and outlines of a drive. A kind of file that does not exist for the drive is omitted,
+// unless the user has named it; then the reason is an error.
 Result<std::vector<JobFile>> shape_files(const DriveJob& job, const fs::path& folder,
                                          const FileOptions& options) {
   std::vector<JobFile> files;
-  if (!job.layout) return files;
-  const auto bodies = drive_bodies(job);
-  if (!bodies) return files;  // the report states the reason
+  const bool named = !options.only.empty();
+  if (named && options.wants("drawing"))
+    return Error{"drive", "",
+                 "has no drawing; drive SPEC --take N writes mesh N as a pair, whose run writes a "
+                 "drawing of its gears"};
   std::vector<FileKind> kinds{FileKind::step, FileKind::glb, FileKind::threemf};
-  if (job.layout->sections.size() == 1) {
-    kinds.push_back(FileKind::dxf);
-    kinds.push_back(FileKind::svg);
-  }
+  if (named) kinds.push_back(FileKind::stl);
+  if (named || (job.layout && job.layout->sections.size() == 1))
+    kinds.insert(kinds.end(), {FileKind::dxf, FileKind::svg});
+  std::erase_if(kinds, [&](FileKind kind) { return !options.wants(ending(kind).substr(1)); });
+  if (kinds.empty()) return files;
+  const auto bodies = drive_bodies(job);
+  if (!bodies && named) return bodies.error();
+  if (!bodies) return files;  // the report states the reason
   for (const FileKind kind : kinds) {
-    if (!options.wants(ending(kind).substr(1))) continue;
-    auto file = make_file(kind, kind == FileKind::threemf ? laid_out(*bodies) : *bodies,
-                          folder / ("drive" + std::string(ending(kind))), options);
+    auto file = make_drive_file(kind, job, *bodies, folder / ("drive" + std::string(ending(kind))),
+                                options);
     if (!file) return file.error();
     files.push_back(std::move(file).take());
   }
@@ -45,9 +53,16 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
     DriveReportInput report;
     report.title = job.spec.title;
     report.drive = &job.drive;
-    report.places = job.places ? &*job.places : nullptr;
-    report.layout = job.layout ? &*job.layout : nullptr;
-    report.why_no_layout = job.why_no_layout;
+    // The figures contain gears only.
+    const auto& gears = job.drive.graph.gears;
+    const bool drawn =
+        std::none_of(gears.begin(), gears.end(), [](const DriveGear& g) { return g.rack; });
+    report.places = drawn && job.places ? &*job.places : nullptr;
+    report.layout = drawn && job.layout ? &*job.layout : nullptr;
+    report.why_no_layout =
+        drawn ? job.why_no_layout
+              : "Drives with a rack are not drawn in section. The files STEP, GLB and 3MF contain "
+                "the drive with its rack.";
     report.verdict = job.verdict;
     report.files = report_files(files);
     report.spec_text = job.spec.text;

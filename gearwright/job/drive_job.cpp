@@ -8,7 +8,6 @@
 #include "gearwright/arrange/judge_drive.hpp"
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -39,29 +38,6 @@ std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange&
   return "";  // the table of a stage uses other names for its keys
 }
 
-// The body of a placed gear, in its own frame.
-Result<ToothedBody> body_of(const DriveJob& job, const PlacedGear& placed) {
-  const DriveGear& named = job.drive.graph.gears[placed.gear];
-  const Gear& gear = *job.drive.geometry.gears[placed.gear];
-  const int count = job.drive.graph.bodies[named.body].count;
-  const std::string name =
-      count > 1 ? fmt::format("{} {}", named.name, placed.copy + 1) : named.name;
-  std::optional<Halves> halves;
-  if (named.double_helical) {
-    auto both = halves_of(gear, *named.double_helical);
-    if (!both) return within(named.name, both.error());
-    halves = std::move(both).take();
-  }
-  auto made = body_as_made(gear, name, halves, 1, named.modifications);
-  if (!made) return within(named.name, made.error());
-  ToothedBody body = std::move(made).take();
-  body.pose.translate(Vec3(placed.axis.x(), placed.axis.y(), placed.height));
-  // The z axis stays exact, so that the bodies have a common plane section.
-  body.pose.linear().topLeftCorner<2, 2>() = Eigen::Rotation2Dd(placed.angle).toRotationMatrix();
-  body.colour = named.body;
-  return body;
-}
-
 // Checks double-helical gears and adds their warnings.
 std::optional<Error> find_halves(Drive& drive) {
   for (std::size_t g = 0; g < drive.graph.gears.size(); ++g) {
@@ -77,13 +53,6 @@ std::optional<Error> find_halves(Drive& drive) {
     }
   }
   return std::nullopt;
-}
-
-double reach(const ToothedBody& body) {
-  double radius = body.bore ? body.bore->diameter / 2 : 0.0;
-  for (const Arc& arc : body.outline.arcs)
-    radius = std::max({radius, arc.begin_point.norm(), arc.end_point.norm()});
-  return radius;
 }
 
 }  // namespace
@@ -214,66 +183,6 @@ Verdict judge(const DriveJob& job) {
     unknown = unknown || (mesh_backlash(job.drive.geometry, m) && !contacts[m]);
   if (unknown) verdict.not_judged.emplace_back("contact");
   return verdict;
-}
-
-Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job) {
-  if (!job.layout) return Error{"", "", job.why_no_layout};
-  std::vector<ToothedBody> bodies;
-  std::vector<std::optional<std::size_t>> first(job.drive.graph.gears.size());
-  for (const PlacedGear& placed : job.layout->gears) {
-    const Gear& gear = *job.drive.geometry.gears[placed.gear];
-    const std::string& name = job.drive.graph.gears[placed.gear].name;
-    if (!gear.tooth || !gear.exists())
-      return Error{
-          "", "",
-          fmt::format("{} has no outline: {}", name,
-                      gear.tooth ? gear.warnings.back().message
-                                 : std::string("no default cutter can generate the gear"))};
-    auto made = body_of(job, placed);
-    if (!made) return made.error();
-    ToothedBody body = std::move(made).take();
-    if (first[placed.gear]) {
-      body.same_as = first[placed.gear];
-    } else {
-      first[placed.gear] = bodies.size();
-    }
-    bodies.push_back(std::move(body));
-  }
-  return bodies;
-}
-
-std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies) {
-  constexpr double kBetween = 5.0;  // mm
-  double area = 0.0, widest = 0.0;
-  for (const ToothedBody& body : bodies) {
-    const double size = 2 * reach(body) + kBetween;
-    area += size * size;
-    widest = std::max(widest, size);
-  }
-  // The length of the rows, chosen so that the plate is nearly square.
-  const double row = std::max(widest, 1.1 * std::sqrt(area));
-  double x = 0.0, y = 0.0, tall = 0.0;
-  for (ToothedBody& body : bodies) {
-    const double size = 2 * reach(body) + kBetween;
-    if (x > 0.0 && x + size > row) {
-      x = 0.0;
-      y += tall;
-      tall = 0.0;
-    }
-    body.pose = Eigen::Isometry3d::Identity();
-    body.pose.translate(Vec3(x + size / 2, y + size / 2, body.face_width / 2));
-    x += size;
-    tall = std::max(tall, size);
-  }
-  return bodies;
-}
-
-Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
-                                const std::filesystem::path& path, const FileOptions& options) {
-  auto bodies = drive_bodies(job);
-  if (!bodies) return bodies.error();
-  return make_file(kind, kind == FileKind::threemf ? laid_out(std::move(bodies).take()) : *bodies,
-                   path, options);
 }
 
 }  // namespace gearwright

@@ -18,7 +18,7 @@ namespace gearwright {
 struct DriveJob {
   JobSpec spec;
   Drive drive;
-  std::optional<DrivePlaces> places;  ///< none if there is a rack or if an axis cannot be placed
+  std::optional<DrivePlaces> places;  ///< none if an axis cannot be placed
   std::optional<DriveLayout> layout;  ///< none if the drive has no teeth or they cannot mesh
   std::string why_no_layout;          ///< the reason as a sentence; empty if there is a layout
   Verdict verdict;
@@ -71,15 +71,6 @@ WantedSafety wanted_safety(const JobSpec& spec);
 /// The verdict on the drive, including the safeties if the drive is rated.
 Verdict judge(const DriveJob& job);
 
-/// Every copy of every gear in its place, in the common frame of one file. Copies refer to the
-/// first body with the same shape. Gears on one body have the same colour.
-///
-/// Errors    a drive without a layout; a gear without an outline
-Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
-
-/// The same bodies laid out side by side on the plane z = 0 for printing.
-std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies);
-
 /// The files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb and
 /// drive.3mf (laid out for printing). A drive with one section also has its outlines, drive.dxf and
 /// drive.svg.
@@ -89,10 +80,5 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::pa
 /// Writes these files in the same way as write_everything().
 Result<RunFiles> write_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                    const FileOptions& options);
-
-/// One file of the whole drive, made in the same way as by make_file(). In a 3MF file the bodies
-/// are laid out for printing.
-Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
-                                const std::filesystem::path& path, const FileOptions& options);
 
 }  // namespace gearwright

@@ -39,13 +39,16 @@ namespace {
 
 std::string gear_name(int which) { return "gear" + std::to_string(which); }
 
-// The note about flank modifications that the teeth in a file of solids or meshes do not have.
-std::string without_modifications(const std::vector<ToothedBody>& bodies) {
+// The note about omitted flank modifications and about gears of one body that are separate solids.
+std::string deviations(const std::vector<ToothedBody>& bodies) {
   std::string note;
-  for (const ToothedBody& body : bodies)
-    if (!body.same_as && !body.unmodified.empty())
-      note += fmt::format("; {} is without its flank modifications, because {}", body.name,
-                          body.unmodified);
+  for (const ToothedBody& body : bodies) {
+    if (body.same_as) continue;
+    for (const SolidGear& gear : body.gears())
+      if (const auto& [name, why] = std::tie(gear.body->name, gear.body->unmodified); !why.empty())
+        note += fmt::format("; {} is without its flank modifications, because {}", name, why);
+    if (!body.separate.empty()) note += "; " + body.separate;
+  }
   return note;
 }
 
@@ -76,25 +79,24 @@ Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
                       : kind == FileKind::glb ? glb_bytes(parts)
                                               : threemf_bytes(parts);
   return JobFile{path, what, options.mesh_tolerance_mm,
-                 fmt::format("{} triangles", triangles) + without_modifications(bodies),
-                 std::move(bytes)};
+                 fmt::format("{} triangles", triangles) + deviations(bodies), std::move(bytes)};
 }
 
 Result<JobFile> make_solid(const std::vector<ToothedBody>& bodies, const fs::path& path,
                            const FileOptions& options) {
   auto made = step_document(bodies, path.filename().string(), {options.step_schema});
   if (!made) {
-    for (const ToothedBody& body : bodies) {
-      if (const auto walls = make_walls(body); !walls) return of_body(walls.error(), body.name);
-    }
+    for (const ToothedBody& body : bodies)
+      for (const SolidGear& gear : body.gears())
+        if (const auto walls = make_walls(*gear.body); !walls)
+          return of_body(walls.error(), gear.body->name);
     return made.error();
   }
   StepDocument document = std::move(made).take();
-  return JobFile{
-      path, fmt::format("STEP, {}", to_string(options.step_schema)),
-      document.report.max_deviation_mm,
-      fmt::format("{} faces", document.report.face_count) + without_modifications(bodies),
-      std::move(document.text)};
+  return JobFile{path, fmt::format("STEP, {}", to_string(options.step_schema)),
+                 document.report.max_deviation_mm,
+                 fmt::format("{} faces", document.report.face_count) + deviations(bodies),
+                 std::move(document.text)};
 }
 
 Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodies,
@@ -286,16 +288,21 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
                                   : make_mesh(kind, these, path, options);
   };
   auto made = make(bodies);
-  const auto modified = [](const ToothedBody& body) { return body.modified != nullptr; };
-  if (made || std::none_of(bodies.begin(), bodies.end(), modified)) return made;
-  // Modified teeth have more faces, which may be too many for a file. In this case the file has the
-  // teeth as cut.
+  if (made) return made;
+  // Modified teeth may have too many faces for a file, which then has the teeth as cut.
   std::vector<ToothedBody> as_cut = bodies;
+  bool modified = false;
+  const auto cut = [&](ToothedBody& gear) {
+    if (!gear.modified) return;
+    modified = true;
+    gear.modified = nullptr;
+    gear.unmodified = made.error().rule;
+  };
   for (ToothedBody& body : as_cut) {
-    if (!body.modified) continue;
-    body.modified = nullptr;
-    body.unmodified = made.error().rule;
+    cut(body);
+    for (ToothedBody& gear : body.above) cut(gear);
   }
+  if (!modified) return made;
   auto plain = make(as_cut);
   return plain ? std::move(plain) : std::move(made);
 }

@@ -19,6 +19,11 @@ normal_module_mm = 2
 """
 
 
+def scene_of(glb):
+    """The JSON part of a GLB file."""
+    return json.loads(glb[20:20 + int.from_bytes(glb[12:16], "little")])
+
+
 class Examples(unittest.TestCase):
     def test_every_example_is_green_and_whole(self):
         self.assertGreaterEqual(len(EXAMPLES), 6)
@@ -82,9 +87,7 @@ class Files(unittest.TestCase):
         for name in ("sun", "planet 1", "planet 2", "planet 3", "ring"):
             self.assertIn(f"'{name}'", step)
         self.assertEqual(step.count("NEXT_ASSEMBLY_USAGE_OCCURRENCE"), 5)
-        data = self.file("drive.glb").read_bytes()
-        length = int.from_bytes(data[12:16], "little")
-        scene = json.loads(data[20:20 + length])
+        scene = scene_of(self.file("drive.glb").read_bytes())
         self.assertEqual([n["name"] for n in scene["nodes"]], ["sun", "planet 1", "planet 2", "planet 3", "ring"])
         self.assertEqual([n["mesh"] for n in scene["nodes"]], [0, 1, 1, 1, 2])
         self.assertEqual(len(scene["meshes"]), 3)
@@ -261,16 +264,82 @@ class BadInput(unittest.TestCase):
         self.error(stage + "profile_shift = [0.1, 2e4]\n", "stage[1].profile_shift", "between -10000 and 10000")
         self.error(stage + "mesh_efficiency = 0\n", "stage[1].mesh_efficiency = 0", "greater than 0")
 
-    def test_files_of_a_drive_with_a_rack_are_not_supported(self):
-        spec = ('[drive]\ninput = "p"\noutput = "r"\n[[drive.body]]\nname = "p"\n[[drive.body]]\nname = "r"\n'
-                '[[drive.gear]]\nname = "p"\nbody = "p"\nteeth = 20\nnormal_module_mm = 2\n'
-                '[[drive.gear]]\nname = "r"\nbody = "r"\nform = "rack"\nteeth = 30\nheight_mm = 10\n'
-                '[[drive.mesh]]\ngears = ["p", "r"]\n')
-        r = Run("export", spec, "--step", "rack.step")
-        self.assertEqual(r.status, 1)
-        self.assertIn("r is a rack", r.err)
-        pair = Run("drive", spec, "--take", "1")
-        self.assertEqual(Run("export", pair.out, "--step", "rack.step").status, 0)
+
+class Solids(unittest.TestCase):
+    RACK = ('[drive]\ninput = "p"\noutput = "r"\n[[drive.body]]\nname = "p"\n[[drive.body]]\nname = "r"\n'
+            '[[drive.gear]]\nname = "p"\nbody = "p"\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 20\n'
+            '[[drive.gear]]\nname = "r"\nbody = "r"\nform = "rack"\nteeth = 30\nheight_mm = 10\n'
+            '[[drive.mesh]]\ngears = ["p", "r"]\n')
+
+    def test_the_files_of_a_drive_contain_its_rack_in_place(self):
+        """The rack has the position and the volume that it has in the files of its pair."""
+        run = Run("run", self.RACK, "--out", "o", "--json")
+        self.assertEqual(run.status, 0, run.err)
+        self.assertLessEqual({"drive.step", "drive.glb", "drive.3mf", "drive.dxf"},
+                             {f["file"].rsplit("/", 1)[-1] for f in run.json["files"]})
+        nodes = scene_of((run.folder / "o/drive.glb").read_bytes())["nodes"]
+        self.assertEqual([n["name"] for n in nodes], ["p", "r"])
+        at = nodes[1]["matrix"]
+        distance = run.json["drive"]["meshes"]["p_r"]["rack_pair"]["center_distance_mm"]
+        self.assertAlmostEqual(1000 * at[12], distance, places=9)
+        # Tooth 0 of the pinion, on the x axis, is in the space in the middle of a rack of 30 teeth.
+        self.assertAlmostEqual(at[13], 0, places=9)
+        self.assertEqual([at[0], at[5]], [-1, -1])
+        pair = Run("drive", self.RACK, "--take", "1")
+        made = Run("export", pair.out, "--step", "rack.step")
+        self.assertEqual(made.status, 0, made.err)
+        faces = [re.search(r"(\d+) faces", f["note"]).group(1) for f in run.json["files"] if f["file"].endswith(".step")]
+        self.assertIn(faces[0] + " faces", made.out)
+
+    def test_a_rack_with_two_pinions_has_no_files(self):
+        two = self.RACK + ('[[drive.body]]\nname = "q"\n[[drive.gear]]\nname = "q"\nbody = "q"\nteeth = 18\n'
+                           'normal_module_mm = 2\nface_width_mm = 20\n[[drive.mesh]]\ngears = ["q", "r"]\n')
+        made = Run("export", two, "--step", "rack.step")
+        self.assertEqual(made.status, 1)
+        self.assertIn("r is a rack with 2 pinions", made.err)
+
+    def test_gears_of_one_body_are_one_solid(self):
+        joint = (SOURCE / "examples/drives/robot_joint.toml").read_text()
+        made = Run("export", joint, "--step", "j.step", "--glb", "j.glb", "--stl", "j.stl", "--3mf", "j.3mf")
+        self.assertEqual(made.status, 0, made.err)
+        self.assertEqual((made.folder / "j.step").read_text().count("MANIFOLD_SOLID_BREP"), 4)
+        scene = scene_of((made.folder / "j.glb").read_bytes())
+        self.assertEqual([n["name"] for n in scene["nodes"]],
+                         ["sun", "planet 1", "planet 2", "planet 3", "ring", "ring2"])
+        self.assertEqual(len(scene["meshes"]), 4)
+        with zipfile.ZipFile(made.folder / "j.3mf") as z:
+            self.assertEqual(z.read("3D/3dmodel.model").decode().count("<item "), 6)
+        gearbox = (SOURCE / "examples/drives/two_stage_gearbox.toml").read_text()
+        made = Run("export", gearbox, "--step", "g.step")
+        self.assertEqual((made.folder / "g.step").read_text().count("MANIFOLD_SOLID_BREP"), 3)
+
+    def test_clocked_planets_are_different_solids(self):
+        # 17·13 + 60·30 is not a multiple of 3, so planets at equal pitch must be clocked.
+        clocked = ("[planetary]\nsun = 17\nplanet = 30\nplanet2 = 13\nring2 = 60\nplanets = 3\nfixed = \"ring2\"\n"
+                   "normal_module_mm = 2\nspacing = \"equal_clocked\"\nface_width_mm = 10\n")
+        made = Run("export", clocked, "--step", "c.step")
+        self.assertEqual(made.status, 0, made.err)
+        self.assertEqual((made.folder / "c.step").read_text().count("MANIFOLD_SOLID_BREP"), 5)
+
+    def test_gears_with_different_bores_are_separate_solids(self):
+        joint = (SOURCE / "examples/drives/robot_joint.toml").read_text()
+        for bore, solids, note in (("bore_mm = { planet = 8 }", 5, "planet2 is not joined to planet, because their bores differ"),
+                                   ("bore_mm = { planet = 8, planet2 = 8 }", 4, "")):
+            made = Run("export", joint + bore + "\n", "--step", "j.step")
+            self.assertEqual(made.status, 0, made.err)
+            self.assertEqual((made.folder / "j.step").read_text().count("MANIFOLD_SOLID_BREP"), solids)
+            self.assertIn(note, " ".join(made.out.split()))
+
+    def test_files_that_cannot_exist_give_their_reason(self):
+        joint = (SOURCE / "examples/drives/robot_joint.toml").read_text()
+        for arguments, words in ((("export", joint, "--svg", "j.svg"), "gears in 2 planes"),
+                                 (("run", joint, "--only", "dxf", "--out", "o"), "gears in 2 planes"),
+                                 (("run", joint, "--only", "drawing", "--out", "o"), "has no drawing"),
+                                 (("run", joint.replace("normal_module_mm = 1\n", ""), "--only", "step", "--out", "o"),
+                                  "give the module")):
+            made = Run(*arguments)
+            self.assertEqual(made.status, 1)
+            self.assertIn(words, made.err)
 
 
 if __name__ == "__main__":

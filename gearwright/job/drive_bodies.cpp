@@ -1,0 +1,276 @@
+#include "gearwright/job/drive_bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/arrange/two_halves.hpp"
+#include "gearwright/base/numbers.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Depth of a neck below the roots of its gears, in modules. Grooves of double-helical gears have
+// the same depth.
+constexpr double kNeckDepth = 0.25;
+// Least wall of a neck around the bore, and least distance between a neck and another gear, in
+// modules.
+constexpr double kNeckWall = 0.5, kNeckClearance = 0.25;
+// Least length of a neck, mm. The surfaces of a shorter one would be slivers.
+constexpr double kNeckLength_mm = 1e-3;
+
+// The solid of a gear or a rack in its own frame.
+Result<ToothedBody> shape_of(const DriveJob& job, std::size_t g) {
+  const DriveGear& named = job.drive.graph.gears[g];
+  if (named.rack) {
+    auto made = rack_body(rack_pair_of(job.drive, g)->rack, named.name);
+    if (!made) return within(named.name, made.error());
+    return made;
+  }
+  const Gear& gear = *job.drive.geometry.gears[g];
+  if (!gear.tooth || !gear.exists())
+    return Error{"", "",
+                 fmt::format("{} has no outline: {}", named.name,
+                             gear.tooth ? gear.warnings.back().message
+                                        : std::string("no default cutter can generate the gear"))};
+  std::optional<Halves> halves;
+  if (named.double_helical) {
+    auto both = halves_of(gear, *named.double_helical);
+    if (!both) return within(named.name, both.error());
+    halves = std::move(both).take();
+  }
+  auto made = body_as_made(gear, named.name, halves, 1, named.modifications);
+  if (!made) return within(named.name, made.error());
+  return made;
+}
+
+// The greatest distance of a solid from its axis or, for a rack, from its middle, mm.
+double reach(const ToothedBody& body) {
+  if (body.rack) return std::max(body.rack->height, body.outline.teeth * body.rack->pitch / 2.0);
+  double radius = body.bore ? body.bore->diameter / 2 : 0.0;
+  for (const Arc& arc : body.outline.arcs)
+    radius = std::max({radius, arc.begin_point.norm(), arc.end_point.norm()});
+  return radius;
+}
+
+class Workpieces {
+ public:
+  Workpieces(const DriveJob& job, std::vector<ToothedBody> shapes)
+      : job_(job), graph_(job.drive.graph), shapes_(std::move(shapes)) {}
+
+  std::vector<ToothedBody> all() {
+    std::vector<Chain> chains;
+    for (std::size_t b = 0; b < graph_.bodies.size(); ++b)
+      for (Chain& chain : chains_on(b)) chains.push_back(std::move(chain));
+    // The solids have the order of the gears in the spec.
+    const auto first = [](const Chain& chain) {
+      return *std::min_element(chain.gears.begin(), chain.gears.end());
+    };
+    std::sort(chains.begin(), chains.end(),
+              [&](const Chain& a, const Chain& b) { return first(a) < first(b); });
+    for (const Chain& chain : chains) add(chain);
+    return std::move(made_);
+  }
+
+ private:
+  // Gears of one solid from bottom to top, with the radii of the necks between them.
+  struct Chain {
+    std::vector<std::size_t> gears;
+    std::vector<double> necks;
+    std::string separate;
+  };
+
+  const PlacedGear& placed(std::size_t gear, int copy) const {
+    return *std::find_if(job_.layout->gears.begin(), job_.layout->gears.end(),
+                         [&](const PlacedGear& p) { return p.gear == gear && p.copy == copy; });
+  }
+  double module_of(std::size_t gear) const { return graph_.gears[gear].spec->normal_module; }
+  double end(std::size_t gear, double side) const {
+    return placed(gear, 0).height + side * shapes_[gear].face_width / 2.0;
+  }
+
+  std::vector<Chain> chains_on(std::size_t body) const {
+    std::vector<std::size_t> gears;
+    for (std::size_t g = 0; g < graph_.gears.size(); ++g)
+      if (graph_.gears[g].body == body) gears.push_back(g);
+    std::stable_sort(gears.begin(), gears.end(), [&](std::size_t a, std::size_t b) {
+      return placed(a, 0).height < placed(b, 0).height;
+    });
+    std::vector<Chain> chains;
+    for (const std::size_t g : gears) {
+      std::string why;
+      if (!chains.empty()) {
+        const std::size_t below = chains.back().gears.back();
+        const Result<double> neck = neck_radius(below, g);
+        if (neck) {
+          chains.back().gears.push_back(g);
+          chains.back().necks.push_back(*neck);
+          continue;
+        }
+        why = fmt::format("{} is not joined to {}, because {}", graph_.gears[g].name,
+                          graph_.gears[below].name, neck.error().rule);
+      }
+      chains.push_back({{g}, {}, why});
+    }
+    return chains;
+  }
+
+  // Radius of the cylinder between two gears of a body. It is below their roots, and it clears all
+  // other gears beside it. All copies have the same radius. The error is the reason why the gears
+  // are separate solids.
+  Result<double> neck_radius(std::size_t below, std::size_t above) const {
+    const ToothedBody &a = shapes_[below], &b = shapes_[above];
+    const auto separate = [](const char* why) { return Error{"", "", why}; };
+    if (a.rack || b.rack || a.ring() || b.ring()) return separate("only external gears are joined");
+    const auto bore = [](const ToothedBody& body) { return body.bore.value_or(Bore{0.0}); };
+    if (bore(a).diameter != bore(b).diameter || bore(a).keyway_width != bore(b).keyway_width ||
+        bore(a).keyway_depth != bore(b).keyway_depth)
+      return separate("their bores differ");
+    const double low = end(below, 1.0), high = end(above, -1.0);
+    if (high - low < kNeckLength_mm) return separate("their faces overlap");
+    const std::size_t body = graph_.gears[below].body;
+    double radius = reach(a);
+    for (const std::size_t g : {below, above}) {
+      const double root = shapes_[g].outline.arcs.front().begin_point.norm();
+      radius = std::min({radius, shapes_[g].limit_within(root), root - kNeckDepth * module_of(g)});
+    }
+    for (const PlacedGear& other : job_.layout->gears) {
+      if (end(other.gear, 1.0) <= low || end(other.gear, -1.0) >= high) continue;
+      const ToothedBody& shape = shapes_[other.gear];
+      for (int copy = 0; copy < graph_.bodies[body].count; ++copy) {
+        if (graph_.gears[other.gear].body == body && other.copy == copy) continue;
+        radius = std::min(radius, room(shape, other, placed(below, copy).axis) -
+                                      kNeckClearance * module_of(below));
+      }
+    }
+    const double hole = a.bore ? bore_reach(*a.bore) : 0.0;
+    if (radius < hole + kNeckWall * std::min(module_of(below), module_of(above)))
+      return separate("there is no room for a shaft between them");
+    return radius;
+  }
+
+  // Distance of an axis from another gear, mm. A hollow gear on the same axis leaves its bore.
+  double room(const ToothedBody& shape, const PlacedGear& other, const Vec2& axis) const {
+    constexpr double kSameAxis_mm = 1e-6;
+    const Vec2 away = axis - other.axis;
+    if (shape.rack) {
+      const Vec2 normal(std::cos(other.angle), std::sin(other.angle));
+      return std::abs(away.dot(normal)) - shape.outline.arcs.back().end_point.x();
+    }
+    const double tip = shape.outline.arcs.back().end_point.norm();
+    if (shape.ring()) return tip - away.norm();
+    if (away.norm() < kSameAxis_mm) return shape.bore ? shape.bore->diameter / 2.0 : 0.0;
+    return away.norm() - tip;
+  }
+
+  // True if the copies of a planet are clocked, so that their gears have different relative angles.
+  bool clocked(std::size_t body) const {
+    return std::any_of(job_.drive.sets.begin(), job_.drive.sets.end(), [&](const PlanetSet& set) {
+      const auto& riders = set.group.riders;
+      return !set.assembly.clocking.empty() &&
+             std::find(riders.begin(), riders.end(), body) != riders.end();
+    });
+  }
+
+  ToothedBody in_place(std::size_t gear, int copy) const {
+    ToothedBody body = shapes_[gear];
+    const PlacedGear& at = placed(gear, copy);
+    body.pose.translate(Vec3(at.axis.x(), at.axis.y(), at.height));
+    // The z axis stays exact, so that the bodies have a common plane section.
+    body.pose.linear().topLeftCorner<2, 2>() = Eigen::Rotation2Dd(at.angle).toRotationMatrix();
+    return body;
+  }
+
+  void add(const Chain& chain) {
+    const std::size_t first = made_.size(), body = graph_.gears[chain.gears.front()].body;
+    const DriveBody& named = graph_.bodies[body];
+    const auto whole = std::count_if(graph_.gears.begin(), graph_.gears.end(),
+                                     [&](const DriveGear& g) { return g.body == body; });
+    const bool joined = chain.gears.size() > 1;
+    const bool all = joined && chain.gears.size() == static_cast<std::size_t>(whole);
+    const std::string& name = all ? named.name : graph_.gears[chain.gears.front()].name;
+    for (int copy = 0; copy < named.count; ++copy) {
+      ToothedBody solid = in_place(chain.gears.front(), copy);
+      solid.name = named.count > 1 ? fmt::format("{} {}", name, copy + 1) : name;
+      solid.colour = body;
+      solid.separate = chain.separate;
+      for (std::size_t i = 1; i < chain.gears.size(); ++i) {
+        ToothedBody gear = in_place(chain.gears[i], copy);
+        gear.pose = solid.pose.inverse() * gear.pose;
+        gear.neck = chain.necks[i - 1];
+        solid.above.push_back(std::move(gear));
+      }
+      if (copy > 0 && !(joined && clocked(body))) solid.same_as = first;
+      made_.push_back(std::move(solid));
+    }
+  }
+
+  const DriveJob& job_;
+  const DriveGraph& graph_;
+  std::vector<ToothedBody> shapes_;  // of each gear
+  std::vector<ToothedBody> made_;
+};
+
+}  // namespace
+
+Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job) {
+  if (!job.layout) return Error{"", "", job.why_no_layout};
+  std::vector<ToothedBody> shapes;
+  for (std::size_t g = 0; g < job.drive.graph.gears.size(); ++g) {
+    auto made = shape_of(job, g);
+    if (!made) return made.error();
+    shapes.push_back(std::move(made).take());
+  }
+  return Workpieces(job, std::move(shapes)).all();
+}
+
+std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies) {
+  constexpr double kBetween = 5.0;  // mm
+  const auto size_of = [](const ToothedBody& body) {
+    double radius = 0.0;
+    for (const SolidGear& gear : body.gears()) radius = std::max(radius, reach(*gear.body));
+    return 2 * radius + kBetween;
+  };
+  double area = 0.0, widest = 0.0;
+  for (const ToothedBody& body : bodies) {
+    const double size = size_of(body);
+    area += size * size;
+    widest = std::max(widest, size);
+  }
+  // The length of the rows, chosen so that the plate is nearly square.
+  const double row = std::max(widest, 1.1 * std::sqrt(area));
+  double x = 0.0, y = 0.0, tall = 0.0;
+  for (ToothedBody& body : bodies) {
+    const double size = size_of(body);
+    if (x > 0.0 && x + size > row) {
+      x = 0.0;
+      y += tall;
+      tall = 0.0;
+    }
+    const std::vector<SolidGear> gears = body.gears();
+    const bool over = reach(*gears.back().body) > reach(*gears.front().body);
+    body.pose = Eigen::Isometry3d::Identity();
+    body.pose.translate(
+        Vec3(x + size / 2, y + size / 2, over ? gears.back().top() : -gears.front().bottom()));
+    if (over) body.pose.linear().diagonal() << 1.0, -1.0, -1.0;
+    x += size;
+    tall = std::max(tall, size);
+  }
+  return bodies;
+}
+
+Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
+                                const std::vector<ToothedBody>& bodies,
+                                const std::filesystem::path& path, const FileOptions& options) {
+  const std::size_t planes = job.layout->sections.size();
+  if (planes > 1 && (kind == FileKind::dxf || kind == FileKind::svg))
+    return Error{"drive", "",
+                 fmt::format("has gears in {} planes across its axes, so no {} can contain their "
+                             "outlines; STEP, GLB and 3MF files contain the whole drive",
+                             planes, kind == FileKind::dxf ? "DXF file" : "SVG file")};
+  return make_file(kind, kind == FileKind::threemf ? laid_out(bodies) : bodies, path, options);
+}
+
+}  // namespace gearwright
