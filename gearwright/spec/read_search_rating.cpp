@@ -196,8 +196,9 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   if (toleranced && !p.limits.avoid_interference)
     t.fail(tolerance,
            "needs interference = \"exclude\", because a drawing is made only for designs that run");
-  const bool wanted = toleranced || no_allowances || p.sizes_faces();
-  const bool drawn = wanted && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
+  // The key mounting alone gives the designs of the theory, with nominal teeth.
+  const bool nominal = t.given("mounting") && !toleranced && !no_allowances && !p.sizes_faces();
+  const bool drawn = !nominal && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
   if (drawn && !t.given("mounting")) p.mounting = Mounting::tight;
   if (p.shorten_tips && (p.mounting != Mounting::tight || p.crossed())) {
     t.fail("shorten_tips",
