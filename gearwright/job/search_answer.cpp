@@ -355,6 +355,16 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
     g["teeth"] = teeth[i];
     if (tree["search"].contains("diametral_pitches_per_in"))
       g["normal_diametral_pitch_per_in"] = without_rounding(kMmPerInch / row.trial.module);
+void add_grade(Json& gear, const RatingInput& rating, std::size_t which) {
+  const bool own = gear.contains("tolerance") && gear["tolerance"].contains("quality");
+  const FlankTolerances edition = tolerance_edition(rating.edition);
+  if (!rating.quality || !has_class(edition, (*rating.quality)[which]) || own ||
+      gear.contains("quality"))
+    return;
+  gear["tolerance"]["quality"] = (*rating.quality)[which];
+  if (edition == FlankTolerances::iso_1995) gear["tolerance"]["edition"] = "ISO 1328:1995";
+}
+
     else
       g["normal_module_mm"] = row.trial.module;
     g["normal_pressure_angle_deg"] = tidy_degrees(p.normal_pressure_angle);
@@ -373,6 +383,7 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
   Json pair;
   pair["center_distance_mm"] = row.center_distance;
   if (p.crossed()) pair["shaft_angle_deg"] = tidy_degrees(*p.shaft_angle);
+    if (p.rating) add_grade(g, p.rating->input, static_cast<std::size_t>(i));
   pair["mounting"] = p.mounting == Mounting::tight ? "tight" : "extended";
   if (p.shorten_tips) pair["shorten_tips"] = true;
   if (const auto& ends = p.allowances.backlash) {

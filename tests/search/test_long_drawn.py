@@ -152,6 +152,12 @@ class Listed(Drawn):
         for rank in (1, 2, len(found["designs"])):
             self.is_as_listed(text, found, rank)
 
+    def test_the_grade_is_in_both_gears(self):
+        for standard, edition in (("ISO 6336:2006", "ISO 1328:1995"), ("ISO 6336:2019", None)):
+            made, _, _ = self.made(drawn(STEEL + LOAD.replace("quality = 6", f'quality = [6, 7]\nstandard = "{standard}"')), 1)
+            self.assertEqual([made[gear]["tolerance"]["quality"] for gear in ("gear1", "gear2")], [6, 7])
+            self.assertEqual(made["gear1"]["tolerance"].get("edition"), edition)
+
     def test_files(self):
         run = Run("search", drawn(helix_step_deg=6), "--out", "found", "--chunk", 5000, folder=folder())
         self.assertEqual(run.status, 0, run.err)
