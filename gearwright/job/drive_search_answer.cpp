@@ -28,6 +28,7 @@ struct FoundDrives {
   DriveSearchResult result;
   DriveDesigns designs;
   bool rated = false;
+  std::optional<double> default_face_load{};
 };
 
 std::string drive_number(const std::optional<double>& x, int decimals) {
@@ -136,6 +137,10 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
   if (!f.problem.series.empty())
     text += fmt::format("All gears have the thickness allowances of series {} (DIN 3967).\n",
                         f.problem.series);
+  if (f.default_face_load)
+    text += fmt::format(
+        "All meshes are rated with K_Hβ = {:g} (a default; give face_load_factor in [rating]).\n",
+        *f.default_face_load);
   text += "\n" + design_row(f, "rank", [&](std::string name) {
             if (name.ends_with(" mm") && name != "m_n mm")
               name.replace(name.size() - 2, 2, unit_text(units, Unit::mm));
@@ -196,11 +201,14 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
   }
   auto designs = drive_designs(spec, problem, *result, top, threads);
   if (!designs) return designs.error();
-  const auto found = std::make_shared<FoundDrives>(FoundDrives{
-      problem, std::move(result).take(), std::move(designs).take(), rates_drives(spec, problem)});
+  const bool rated = rates_drives(spec, problem);
+  const auto face_load =
+      rated && has_default_face_load(spec) ? spec.rating.input.face_load_factor : std::nullopt;
+  const auto found = std::make_shared<FoundDrives>(
+      FoundDrives{problem, std::move(result).take(), std::move(designs).take(), rated, face_load});
   Answer answer;
-  answer.record["search"] =
-      to_json(drive_search_quantities().of({&found->problem, &found->result, &found->designs}));
+  answer.record["search"] = to_json(
+      drive_search_quantities().of({&found->problem, &found->result, &found->designs, face_load}));
   for (const FoundDrive& d : found->designs.list)
     answer.specs.push_back(drive_spec(spec, problem, d.candidate));
   answer.why_none = "no drive satisfies all limits";
