@@ -247,7 +247,9 @@ TEST(WorkshopDrawing, names_the_standard_of_arcs_and_of_its_data) {
       "face_width_mm = 60\nrack = ";
   EXPECT_TRUE(contains(gear(arcs + "\"GBT12759\""), "GB/T 12759-1991"));
   EXPECT_FALSE(contains(gear(arcs + "\"GBT12759\""), "DIN 3966"));
-  EXPECT_TRUE(contains(gear(arcs + "{ kind = \"double_circular_arc\" }"), "with circular arcs"));
+  EXPECT_TRUE(contains(gear(arcs + "{ kind = \"double_circular_arc\", concave_radius = 1.42, "
+                                   "concave_height = 0.0325, space_width = 1.1773 }"),
+                       "with circular arcs"));
   EXPECT_TRUE(contains(kFull, "Gear data by DIN 3966-1"));
 }
 
