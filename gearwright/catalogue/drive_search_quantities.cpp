@@ -139,6 +139,10 @@ void add_search(Quantities<DriveSearchView>& q) {
         [](const S& s) { return counts(kDriveFaultNames, s.designs->left_out); })
       .always()
       .doors(kJson);
+  q.number("face_load_factor", "face load factor", "K_Hβ",
+           "default of rated searches; only if `[rating]` has no `face_load_factor`",
+           [](const S& s) { return Value(s.default_face_load); })
+      .when([](const S& s) { return s.default_face_load.has_value(); });
   q.add(Type::index, "pareto", "Pareto front", "",
         "positions of the Pareto-optimal designs in `designs`; only with several objectives",
         [](const S& s) {

@@ -35,6 +35,7 @@ struct DriveSearchView {
   const DriveSearchProblem* problem;
   const DriveSearchResult* result;
   const DriveDesigns* designs;
+  std::optional<double> default_face_load{};  ///< K_Hβ of a rated search whose spec has none
 };
 const Quantities<DriveSearchView>& drive_search_quantities();
 

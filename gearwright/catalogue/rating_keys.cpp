@@ -191,7 +191,7 @@ const KeyTable& rating_keys() {
                    "Z_NT and Y_NT at 10¹⁰ cycles; a value greater than 0.85 requires optimum "
                    "manufacture and lubrication"),
        factor("face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
-              "from `[rating.mounting]` or the shafts of the gears",
+              "from `[rating.mounting]` or the shafts of the gears; 1.4 in a search without them",
               "face load factor of the flank, which replaces the computed value"),
        Key::not_negative(
            "misalignment_um", "f_ma", {&R::input, &RatingInput::misalignment}, "√(f_Hβ1² + f_Hβ2²)",

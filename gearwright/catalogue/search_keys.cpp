@@ -140,7 +140,8 @@ std::vector<Key> trial_keys() {
 std::vector<Key> limit_keys() {
   return {
       Key::number("profile_shift", "x", {}, KeyPlace::by<P, std::array<double, 2>>(set_shifts),
-                  "only undercut and tip thickness limit the profile shifts",
+                  "[-1, 1] for drawn designs; otherwise only undercut and tip thickness limit the "
+                  "profile shifts",
                   "lower and upper limit of x1 and x2, in addition to undercut and tip thickness")
           .with_list({.most = 2,
                       .order = kBandOrder,
@@ -162,10 +163,12 @@ std::vector<Key> limit_keys() {
             "usable flanks; for crossed axes, least AE/p_bn"),
       limit("overlap_ratio_min", "ε_β", Range::between(0, 1000), &SearchLimits::overlap_ratio,
             "none", "least overlap ratio"),
-      limit("sliding_max", "|ζ|", Range::between(0, 1000), &SearchLimits::sliding, "none",
+      limit("sliding_max", "|ζ|", Range::between(0, 1000), &SearchLimits::sliding,
+            "3 for drawn designs, otherwise no limit",
             "greatest specific sliding at A and E; only for parallel axes"),
       limit("tip_clearance_min", "c", Range::between(-1, 1), &SearchLimits::tip_clearance,
-            "0.02, but no limit with `interference = \"flag\"`", "least tip clearance, in modules"),
+            "0.1 for drawn designs, otherwise 0.02; no limit with `interference = \"flag\"`",
+            "least tip clearance, in modules"),
       limit("form_clearance_min", "c_F", Range::between(0, 1), &SearchLimits::form_clearance,
             "0.02, but 0 with `interference = \"flag\"`",
             "least distance of a tip from the start of the mating flank along the line of action, "
@@ -197,10 +200,10 @@ std::vector<Key> design_keys() {
   return {
       Key::word(
           "mounting", {"extended", "tight"}, {},
-          "\"tight\" for internal pairs and for designs whose drawing is checked, otherwise "
-          "\"extended\"",
+          "\"tight\" for internal pairs and for drawn designs, otherwise \"extended\"",
           "kind of the centre distance; `\"extended\"` is a = a_d + m_n Σx, and `\"tight\"` is "
-          "free of backlash"),
+          "free of backlash; if it is given without tolerances and without a band of face widths, "
+          "designs have nominal teeth and are not drawn"),
       Key::flag("shorten_tips", &P::shorten_tips, "false",
                 "if true, tips are shortened by the amount by which a backlash-free centre "
                 "distance reduces the tip clearance"),
@@ -225,8 +228,7 @@ std::vector<Key> design_keys() {
                     "step of the face width; face widths within a band are multiples of this step")
           .with_fields({"face_step"}),
       Key::text("thickness_series", {&P::allowances, &SearchAllowances::series},
-                "\"cd25\" for designs whose drawing is checked and whose mounting is `mounting = "
-                "\"tight\"`",
+                "\"cd25\" for drawn designs with `mounting = \"tight\"`",
                 "thickness allowances of both gears by DIN 3967, for example `\"cd25\"`; "
                 "`\"none\"` gives nominal teeth")
           .with_fields({"allowances.series"}),

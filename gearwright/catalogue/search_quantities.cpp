@@ -122,6 +122,12 @@ void add_search(Quantities<SearchView>& q) {
   q.record<margin_quantities>(
        "margins", "limits that every design satisfies; clearances in modules", &S::problem)
       .always();
+  q.number("face_load_factor", "face load factor", "K_Hβ",
+           "default of rated searches; only if `[rating]` has neither `face_load_factor` nor "
+           "`[rating.mounting]`. For a taken pair, `[rating.mounting]`, `[gear1.shaft]` and "
+           "`[gear2.shaft]` are ways to compute the factor",
+           [](const S& s) { return Value(s.default_face_load); })
+      .when([](const S& s) { return s.default_face_load.has_value(); });
   count("points_tested", "number of points on the grid of `shift_step`",
         &SearchCounts::points_tested)
       .when(grid);

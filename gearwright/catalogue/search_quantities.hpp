@@ -27,7 +27,8 @@ struct SearchView {
   const SearchProblem* problem;
   const SearchAnswer* answer;
   const std::vector<NearestChange>* changes;
-  const DesignRow* safest = nullptr;  ///< NearestChanges::safest
+  const DesignRow* safest = nullptr;          ///< NearestChanges::safest
+  std::optional<double> default_face_load{};  ///< K_Hβ of a rated search whose spec has none
 };
 const Quantities<SearchView>& search_quantities();
 

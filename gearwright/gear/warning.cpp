@@ -106,7 +106,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::edge_carries, "edge_carries", kCaution,
      "verbs load and compensate: an edge of a tooth carries load, and the pressure there is a "
      "lower bound",
-     "an edge carries load"},
+     "an edge carries load",
+     "Give tip relief and lead crowning; on parallel axes the verb propose computes them and shows "
+     "their effect."},
     {C::edge_contact, "edge_contact", kCaution,
      "an edge is in contact; the message gives the share of the rotation", "an edge touches"},
     {C::no_tip_clearance, "no_tip_clearance", kCaution,

@@ -16,6 +16,7 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/search_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
 
@@ -270,6 +271,8 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
       const RatedLoad rated{mesh_load(drive, mesh, *load),
                             {flank_use(drive, mesh, 0), flank_use(drive, mesh, 1)}};
       spec["rating"] = rating_table(expanded["rating"], rated);
+      add_grade(spec["gear1"], rated.input, 0);
+      add_grade(spec["gear2"], rated.input, 1);
       if (rated.use[0].engagements != rated.use[1].engagements ||
           rated.use[0].both != rated.use[1].both)
         notes.push_back(

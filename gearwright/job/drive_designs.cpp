@@ -34,11 +34,6 @@ bool is_safe(const Drive& drive, const WantedSafety& wanted) {
   return holds(&Rating::S_H, wanted.flank) && holds(&Rating::S_F, wanted.root);
 }
 
-// True if the designs of the search are rated.
-bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem) {
-  return spec.rating.given || problem.safety_flank || problem.safety_root || problem.face_width;
-}
-
 // A design, the reason why a candidate is left out, or an error of the spec.
 using Outcome = std::variant<FoundDrive, DriveFault, Error>;
 
@@ -204,6 +199,10 @@ class Candidates {
 };
 
 }  // namespace
+
+bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem) {
+  return spec.rating.given || problem.safety_flank || problem.safety_root || problem.face_width;
+}
 
 std::string teeth_text(const DriveCandidate& c) {
   std::vector<std::string> list;

@@ -18,6 +18,9 @@ std::string teeth_text(const DriveCandidate& c);
 /// numbers of the candidate.
 Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c);
 
+/// True if the designs of the search are rated.
+bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem);
+
 /// The candidates that the result lists: the `top` best by the first objective and, if there are
 /// several objectives, up to `top` more from the Pareto front. A candidate without a green verdict
 /// is replaced by the next, until kMostComputedDrives have been computed.

@@ -27,6 +27,7 @@ struct FoundDrives {
   DriveSearchProblem problem;
   DriveSearchResult result;
   DriveDesigns designs;
+  std::optional<double> default_face_load{};
 };
 
 // A change that the user may try if no drive is listed.
@@ -82,6 +83,10 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
   if (!f.problem.series.empty())
     text += fmt::format("All gears have the thickness allowances of series {} (DIN 3967).\n",
                         f.problem.series);
+  if (f.default_face_load)
+    text += fmt::format(
+        "All meshes are rated with K_Hβ = {:g} (a default; give face_load_factor in [rating]).\n",
+        *f.default_face_load);
   std::vector<std::string> names;
   std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < designs.list.size() && i < kListedDrives; ++i) {
@@ -144,11 +149,14 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
   }
   auto designs = drive_designs(spec, problem, *result, top, threads);
   if (!designs) return designs.error();
+  const auto face_load = rates_drives(spec, problem) && has_default_face_load(spec)
+                             ? spec.rating.input.face_load_factor
+                             : std::nullopt;
   const auto found = std::make_shared<FoundDrives>(
-      FoundDrives{problem, std::move(result).take(), std::move(designs).take()});
+      FoundDrives{problem, std::move(result).take(), std::move(designs).take(), face_load});
   Answer answer;
-  answer.record["search"] =
-      to_json(drive_search_quantities().of({&found->problem, &found->result, &found->designs}));
+  answer.record["search"] = to_json(
+      drive_search_quantities().of({&found->problem, &found->result, &found->designs, face_load}));
   for (const FoundDrive& d : found->designs.list)
     answer.specs.push_back(drive_spec(spec, problem, d.candidate));
   answer.why_none = "no drive satisfies all limits";

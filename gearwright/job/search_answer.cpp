@@ -64,12 +64,22 @@ std::string safest_line(const DesignRow& row) {
       row.trial.z2);
 }
 
+// Example: "K_Hβ = 1.4 is a default. …"; empty if the spec determines the factor.
+std::string face_load_line(const SearchRun& run) {
+  if (!run.default_face_load) return {};
+  return fmt::format(
+      "K_Hβ = {:g} is a default. Give face_load_factor or [rating.mounting] in [rating]; for a "
+      "taken pair, [gear1.shaft] and [gear2.shaft] are another way to compute it.",
+      *run.default_face_load);
+}
+
 // Sentences that the page shows beside the counts.
 std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run,
                                     UnitSystem units) {
   std::vector<std::string> lines;
   if (problem.rating)
     lines.push_back(sentence_in(units, "Designs are " + rating_line(problem) + "."));
+  if (run.default_face_load) lines.push_back(face_load_line(run));
   if (problem.rating_unused) lines.emplace_back(kRatingUnused);
   if (problem.draw)
     lines.push_back(sentence_in(units, "Designs are " + drawing_line(problem) + "."));
@@ -163,8 +173,9 @@ Json design_row_json(const Search& search, const DesignRow& row, bool with_edges
 
 std::string search_json_text(const Search& search, const SearchRun& run, UnitSystem units) {
   const SearchAnswer& a = run.answer;
-  Json head = to_json(search_quantities().of(
-      {&search.problem(), &a, &run.changes, run.safest ? &*run.safest : nullptr}));
+  Json head =
+      to_json(search_quantities().of({&search.problem(), &a, &run.changes,
+                                      run.safest ? &*run.safest : nullptr, run.default_face_load}));
   head.erase("designs");  // the designs are written one by one
 
   std::string text = "{\n  \"search\": " + json_text(head);
@@ -266,6 +277,7 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
   for (const std::string& line : rejected_lines(a.counts)) text += "  ruled out by " + line + "\n";
   text += margin_line(p.limits) + "\n";
   if (p.rating) text += sentence_in(units, rating_line(p)) + "\n";
+  if (run.default_face_load) text += face_load_line(run) + "\n";
   if (p.rating_unused) text += std::string(kRatingUnused) + "\n";
   if (p.draw) text += sentence_in(units, drawing_line(p)) + "\n";
   if (p.shift_step) {
@@ -308,6 +320,16 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
   return text;
 }
 
+void add_grade(Json& gear, const RatingInput& rating, std::size_t which) {
+  const bool own = gear.contains("tolerance") && gear["tolerance"].contains("quality");
+  const FlankTolerances edition = tolerance_edition(rating.edition);
+  if (!rating.quality || !has_class(edition, (*rating.quality)[which]) || own ||
+      gear.contains("quality"))
+    return;
+  gear["tolerance"]["quality"] = (*rating.quality)[which];
+  if (edition == FlankTolerances::iso_1995) gear["tolerance"]["edition"] = "ISO 1328:1995";
+}
+
 Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) {
   const SearchProblem& p = search.problem();
   const Json& tree = spec.tree->tables;
@@ -326,6 +348,7 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
     g["helix_angle_deg"] = tidy_degrees(row.trial.helix[i]);
     g["profile_shift"] = row.shift[i];
     g["face_width_mm"] = row.face_width;
+    if (p.rating) add_grade(g, p.rating->input, static_cast<std::size_t>(i));
     if (!p.allowances.series.empty()) g["tolerance"]["thickness_series"] = p.allowances.series;
     if (const Json rack = rack_of(tree, row.trial.rack, i); !rack.is_null()) g["rack"] = rack;
     if (const Json material = of_gear(tree, i, "material"); p.rating && !material.is_null())

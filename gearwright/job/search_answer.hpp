@@ -41,6 +41,10 @@ std::vector<std::string> change_lines(const SearchRun& run, UnitSystem units);
 /// The search as an HTML page.
 std::string search_page(const JobSpec& spec, const Search& search, const SearchRun& run);
 
+/// Adds the accuracy grade of a rating, if it has one, to the table of gear 1 or 2 (index 0 or 1),
+/// unless the table has a grade. The drawing of the gear then has tolerances.
+void add_grade(Json& gear, const RatingInput& rating, std::size_t which);
+
 /// A design as a spec for the other verbs.
 Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row);
 

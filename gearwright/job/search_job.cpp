@@ -16,6 +16,7 @@
 #include "gearwright/job/search_workers.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/read_search.hpp"
 
 namespace gearwright {
 
@@ -91,6 +92,8 @@ SearchRun begun(const JobSpec& spec, const Search& search) {
   SearchRun run;
   run.pair_not_read = spec.tree->tables.contains("pair");
   run.rating_not_read = spec.rating.given && !search.problem().rating;
+  if (search.problem().rating && has_default_face_load(spec))
+    run.default_face_load = spec.rating.input.face_load_factor;
   return run;
 }
 

@@ -66,6 +66,7 @@ struct SearchRun {
   std::vector<std::string> notes;      ///< repairs that were made in the folder
   bool pair_not_read = false;          ///< the spec has a [pair], which a search does not use
   bool rating_not_read = false;        ///< the spec has a [rating], which this search does not use
+  std::optional<double> default_face_load;  ///< K_Hβ of a rated search whose spec has none
   std::vector<std::filesystem::path> files;
 };
 

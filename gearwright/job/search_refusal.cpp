@@ -132,8 +132,11 @@ std::optional<Error> refuse_large(const Search& search, const SearchOptions& opt
       "--yes-large", fmt::format("{:.3g}", size),
       fmt::format("{:.3g} candidates would take about {} on this machine, at {:.3g} candidates per "
                   "second on {} thread{}. Narrow the bands, or add --yes-large. With --out DIR the "
-                  "search can be stopped and resumed, and --shard i/N divides it among machines",
-                  size, duration_text(size / rate), rate, threads, threads == 1 ? "" : "s")};
+                  "search can be stopped and resumed, and --shard i/N divides it among machines{}",
+                  size, duration_text(size / rate), rate, threads, threads == 1 ? "" : "s",
+                  search.problem().draw
+                      ? ". With `mounting` in [search] designs are not drawn, which is faster"
+                      : "")};
 }
 
 }  // namespace gearwright

@@ -99,9 +99,22 @@ class Group {
   DataGroup group_;
 };
 
-void add_rack(Group& group, const Gear& gear) {
+// The rows of a pinion cutter. `mate` is the number of the gear of the pair that cuts, or 0.
+void add_cutter(Group& group, const PinionCutting& cutter, int mate, const Records& r) {
+  const std::string origin = cutter.by_default ? ", default cutter"
+                             : mate > 0        ? fmt::format(", gear {}", mate)
+                                               : "";
+  group.row("Pinion cutter, teeth", "z_0", fmt::format("{}{}", cutter.cutter_teeth, origin));
+  group.row(r, "generating_center_distance_mm");
+  group.row("Pinion cutter, tip corner", "ρ_a0",
+            short_decimals(value_in(r.units, Unit::mm, cutter.tip_rounding), 4));
+}
+
+void add_rack(Group& group, const Gear& gear, int mate, const Records& r) {
+  if (const auto* rack = std::get_if<DoubleArcRack>(&gear.spec.rack); rack && rack->named)
+    return group.row("Basic rack", "", "GB/T 12759-1991");
   if (!gear.involute()) return group.row("Basic rack", "", "with circular arcs");
-  if (gear.cut_by) return;
+  if (gear.cut_by) return add_cutter(group, *gear.cut_by, mate, r);
   const StraightRack& rack = gear.spec.straight_rack();
   for (const char* name : {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}) {
     const StraightRack iso = *iso53_rack(name);
@@ -114,8 +127,9 @@ void add_rack(Group& group, const Gear& gear) {
   group.row("Root fillet, basic rack", "ρ_fP*", fmt::format("{:.10g}", rack.root_fillet_radius));
 }
 
-Group teeth(const Gear& gear, const std::optional<Halves>& halves, const Records& r) {
-  Group group("Gear data, symbols of ISO 21771");
+Group teeth(const Gear& gear, const std::optional<Halves>& halves, int mate, const Records& r) {
+  Group group(gear.involute() ? "Gear data by DIN 3966-1, symbols of ISO 21771"
+                              : "Gear data, symbols of ISO 21771");
   group.row(r, "teeth");
   if (r.units == UnitSystem::inch)
     group.row("Normal diametral pitch", "P_nd",
@@ -136,7 +150,7 @@ Group teeth(const Gear& gear, const std::optional<Halves>& halves, const Records
       group.row(two, key);
   }
   group.row(r, "lead_mm", Sign::dropped);
-  add_rack(group, gear);
+  add_rack(group, gear, mate, r);
   group.row(r, "profile_shift");
   return group;
 }
@@ -240,8 +254,13 @@ Group modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem 
   return group;
 }
 
+// Without a class, its row is blank, so that the workshop notices that it is missing.
 Group tolerances(const ToleranceInput& asked, const Records& measure) {
-  if (!asked.quality) return Group("");
+  if (!asked.quality) {
+    Group blank("Tolerances, ISO 1328-1");
+    blank.row("Flank tolerance class", "", "");
+    return blank;
+  }
   Group group(
       fmt::format("Tolerances in {}, ISO 1328-1:{}, class {}", unit_text(measure.units, Unit::um),
                   asked.edition == FlankTolerances::iso_2013 ? 2013 : 1995, *asked.quality));
@@ -280,12 +299,13 @@ std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
     measure.ends = measure_end_records(job)[i];
   }
   std::vector<DataGroup> groups;
-  teeth(job.gears[i], job.halves[i], gear).add_to(groups);
+  const int cutter = input.cut_by ? input.cut_by->gear : 0;
+  teeth(job.gears[i], job.halves[i], cutter, gear).add_to(groups);
   diameters(gear).add_to(groups);
   thickness(job.gears[i].internal(), gear, measure).add_to(groups);
   bore_group(job.gears[i], job.spec.drawing, units).add_to(groups);
   modifications(input.modifications, units).add_to(groups);
-  tolerances(input.tolerance, measure).add_to(groups);
+  if (job.gears[i].involute()) tolerances(input.tolerance, measure).add_to(groups);
   mate(job, which).add_to(groups);
   return groups;
 }

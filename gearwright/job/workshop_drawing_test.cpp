@@ -156,6 +156,9 @@ TEST(WorkshopDrawing, words_keep_off_lines_and_each_other) {
   expect_clear(gear("teeth = 22\nnormal_module_mm = 2\nhelix_angle_deg = 30\nface_width_mm = 30\n"
                     "double_helical = { gap_mm = 6 }\n[gear1.bore]\ndiameter_mm = 20"),
                "double helical");
+  expect_clear(gear("teeth = 30\nnormal_module_mm = 4\nhelix_angle_deg = 20\nface_width_mm = 60\n"
+                    "rack = \"GBT12759\""),
+               "arcs");
   expect_clear(gear("teeth = -200\nnormal_module_mm = 0.5\nface_width_mm = 300"), "long ring");
 }
 
@@ -224,6 +227,37 @@ TEST(WorkshopDrawing, has_the_material_of_the_gear) {
       "teeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 20\nmaterial = { name = \"16MnCr5\" }");
   EXPECT_TRUE(named(pinion));
   EXPECT_FALSE(named("[drawing]\nmaterial = \"C45\"\n" + pinion));
+}
+
+// The default cutter of a ring has half of its teeth (gear/pinion_cut.hpp).
+TEST(WorkshopDrawing, has_the_cutter_by_its_name) {
+  const std::string ring = gear("teeth = -60\nnormal_module_mm = 2\nface_width_mm = 20");
+  for (const char* words : {"Pinion cutter, teeth", "30, default cutter", "ρ"})
+    EXPECT_TRUE(contains(ring, words)) << words;
+  const std::string pair =
+      "[gear1]\nteeth = 60\ncut_by = \"gear2\"\nprofile_shift_pair = 0\nface_width_mm = 20\n"
+      "[gear2]\nteeth = 24\nnormal_module_mm = 2\nface_width_mm = 20\n";
+  EXPECT_TRUE(contains(pair, "24, gear 2"));
+  EXPECT_FALSE(contains(pair, "ISO 53"));
+}
+
+TEST(WorkshopDrawing, names_the_standard_of_arcs_and_of_its_data) {
+  const std::string arcs =
+      "teeth = 30\nnormal_module_mm = 4\nhelix_angle_deg = 20\n"
+      "face_width_mm = 60\nrack = ";
+  EXPECT_TRUE(contains(gear(arcs + "\"GBT12759\""), "GB/T 12759-1991"));
+  EXPECT_FALSE(contains(gear(arcs + "\"GBT12759\""), "DIN 3966"));
+  EXPECT_TRUE(contains(gear(arcs + "{ kind = \"double_circular_arc\", concave_radius = 1.42, "
+                                   "concave_height = 0.0325, space_width = 1.1773 }"),
+                       "with circular arcs"));
+  EXPECT_TRUE(contains(kFull, "Gear data by DIN 3966-1"));
+}
+
+TEST(WorkshopDrawing, has_a_blank_row_without_a_class) {
+  const std::string pinion = gear("teeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 20\n");
+  EXPECT_TRUE(contains(pinion, "Flank tolerance class"));
+  EXPECT_FALSE(contains(kFull, "Flank tolerance class"));
+  EXPECT_TRUE(contains(kFull, "class 6"));
 }
 
 TEST(WorkshopDrawing, of_every_example) {

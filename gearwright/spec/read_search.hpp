@@ -24,6 +24,16 @@ const std::vector<double>& iso54_modules(int series);
 // inputs of the rating are read from [rating] and the materials. If the search checks its designs
 // as drawings, tolerances are read and default limits exclude impractical designs.
 
+/// The face load factor of searches that do not give one. A search has no shafts from which it could
+/// follow. Median by ISO 6336-1 for designs of searches: docs/decisions.md.
+inline constexpr double kSearchFaceLoad = 1.4;
+
+/// Adds `face_load_factor` to the table [rating] of a search that has none and no [rating.mounting].
+void lend_face_load(Json& tree);
+
+/// True if the face load factor of a rated search is kSearchFaceLoad because the spec has none.
+bool has_default_face_load(const JobSpec& spec);
+
 /// True if the search needs a rating, either for a safety or, if [rating] is given, for the mass.
 bool wants_rating(const SearchProblem& problem, const RatingTable& rating);
 

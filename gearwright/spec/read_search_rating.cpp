@@ -45,8 +45,7 @@ std::string rating_key(const Json& search) {
 
 constexpr const char* kNeedsRating =
     "needs the tables [rating] and [gear1.material]; for example, [rating] with torque_Nm = 50 (or "
-    "power_kW), speed_rpm = 1500, quality = 6 and face_load_factor = 1.2 (or [rating.mounting]), "
-    "and [gear1.material] with name = \"16MnCr5\"";
+    "power_kW), speed_rpm = 1500 and quality = 6, and [gear1.material] with name = \"16MnCr5\"";
 
 constexpr const char* kNoAllowances = "none";
 
@@ -92,6 +91,20 @@ void check_faces(const TableReader& t, const SearchProblem& p) {
 }
 
 }  // namespace
+
+void lend_face_load(Json& tree) {
+  if (!tree.contains("search") || !tree.contains("rating") || !tree["rating"].is_object()) return;
+  // The rating of a complete pair in the same spec has no default factor.
+  if (tree.contains("gear1") && tree["gear1"].contains("teeth")) return;
+  Json& rating = tree["rating"];
+  const bool plastic = rating.value("standard", Json()) == "VDI 2736:2014";
+  if (!plastic && !rating.contains("face_load_factor") && !rating.contains("mounting"))
+    rating["face_load_factor"] = kSearchFaceLoad;
+}
+
+bool has_default_face_load(const JobSpec& spec) {
+  return spec.rating.input.face_load_factor && !spec.given.contains("rating.face_load_factor");
+}
 
 bool wants_rating(const SearchProblem& problem, const RatingTable& rating) {
   return problem.limits.safety_flank || problem.limits.safety_root ||
@@ -196,8 +209,9 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   if (toleranced && !p.limits.avoid_interference)
     t.fail(tolerance,
            "needs interference = \"exclude\", because a drawing is made only for designs that run");
-  const bool wanted = toleranced || no_allowances || p.sizes_faces();
-  const bool drawn = wanted && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
+  // The key mounting alone gives the designs of the theory, with nominal teeth.
+  const bool nominal = t.given("mounting") && !toleranced && !no_allowances && !p.sizes_faces();
+  const bool drawn = !nominal && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
   if (drawn && !t.given("mounting")) p.mounting = Mounting::tight;
   if (p.shorten_tips && (p.mounting != Mounting::tight || p.crossed())) {
     t.fail("shorten_tips",

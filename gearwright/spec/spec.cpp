@@ -198,6 +198,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   Inherited made = inherit(with_named_materials(spec_in_mm));
   if (is_drive(made.tree) || is_drive_search(made.tree.value("search", Json())))
     lend_speed(made.tree);
+  lend_face_load(made.tree);
   const Json& tree = made.tree;
   TableReader t(spec_keys(), tree, "");
   t.refuse_unknown();

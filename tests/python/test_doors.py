@@ -87,7 +87,7 @@ def test_a_search_of_pairs_that_hold():
 def test_search_tells_how_far_it_is():
     told = []
     gw.search({"search": {"ratio": [1, 6], "modules_mm": [1 + 0.01 * i for i in range(60)],
-                          "pinion_teeth": [9, 80]}}, progress=lambda *args: told.append(args), top=1)
+                          "pinion_teeth": [9, 80], "mounting": "extended"}}, progress=lambda *args: told.append(args), top=1)
     assert all(stage and done <= max(of, done) for stage, done, of in told)
 
 

@@ -14,7 +14,7 @@ import random
 import tomllib
 import unittest
 
-from searching import Asked, Run, folder, search, spec
+from searching import SOURCE, Asked, Run, folder, search, spec
 
 HOUSING = {"ratio": [3.087, 3.213], "center_distance_mm": 125, "modules_mm": "ISO54-I", "pinion_teeth": [15, 40],
            "helix_angle_deg": [8, 20], "helix_step_deg": 4, "face_width_mm": [10, 120], "safety_flank_min": 1.3,
@@ -135,20 +135,34 @@ class Listed(Drawn):
             self.is_as_listed(text, found, rank)
 
     def test_without_a_rating(self):
-        text = spec({"ratio": [2.9, 3.1], "center_distance_mm": 80, "modules_mm": [2, 2.5], "pinion_teeth": [15, 30],
-                     "thickness_series": "cd25"})
+        plain = {"ratio": [2.9, 3.1], "center_distance_mm": 80, "modules_mm": [2, 2.5], "pinion_teeth": [15, 30]}
+        for text in (spec(plain), spec(plain, face_width_mm=30), (SOURCE / "examples/gearbox_search.toml").read_text()):
+            found = search(text)
+            self.assertGreater(len(found["designs"]), 0)
+            for rank in range(1, len(found["designs"]) + 1):
+                take = Run("search", text, "--take", rank, folder=folder())
+                pair = Run("pair", take.out, "--json", "--strict", folder=take.folder, name="pair.toml")
+                self.assertEqual(pair.status, 0, f"rank {rank}: {pair.out}")
+                self.assertNotIn("no_backlash", [f["code"] for f in pair.json["verdict"]["findings"]])
+
+    def test_a_single_width_with_safeties(self):
+        text = drawn(face_width_mm=40)
         found = search(text)
-        self.assertGreater(len(found["designs"]), 0)
-        for rank in range(1, len(found["designs"]) + 1):
-            take = Run("search", text, "--take", rank, folder=folder())
-            pair = Run("pair", take.out, "--json", "--strict", folder=take.folder, name="pair.toml")
-            self.assertEqual(pair.status, 0, f"rank {rank}: {pair.out}")
+        self.assertGreater(len(found["designs"]), 3)
+        for rank in (1, 2, len(found["designs"])):
+            self.is_as_listed(text, found, rank)
+
+    def test_the_grade_is_in_both_gears(self):
+        for standard, edition in (("ISO 6336:2006", "ISO 1328:1995"), ("ISO 6336:2019", None)):
+            made, _, _ = self.made(drawn(STEEL + LOAD.replace("quality = 6", f'quality = [6, 7]\nstandard = "{standard}"')), 1)
+            self.assertEqual([made[gear]["tolerance"]["quality"] for gear in ("gear1", "gear2")], [6, 7])
+            self.assertEqual(made["gear1"]["tolerance"].get("edition"), edition)
 
     def test_files(self):
         run = Run("search", drawn(helix_step_deg=6), "--out", "found", "--chunk", 5000, folder=folder())
         self.assertEqual(run.status, 0, run.err)
         for words in ("drawn and checked as by the verb run: mounting tight, thickness series cd25, -1 <= x <= 1, |ζ| <= 3",
-                      "face width the least sufficient width from 10 to 120 mm", "j_n mm"):
+                      "face width the least sufficient width from 10 mm to 120 mm", "j_n mm"):
             self.assertIn(words, run.out)
         head = (run.folder / "found/best.csv").read_text().splitlines()[0].split(",")
         self.assertLessEqual({"backlash_min_mm", "backlash_max_mm", "face_width_mm", "overlap_ratio"}, set(head))
@@ -164,13 +178,25 @@ class Defaults(Drawn):
                          {"mounting": "tight", "thickness_series": "cd25", "backlash_mm": None, "profile_shift": [-1, 1],
                           "sliding_max": 3, "tip_clearance_min": 0.1})
 
+    def test_plain_searches_have_them_too(self):
+        plain = {"ratio": 3, "modules_mm": 2, "pinion_teeth": [17, 19]}
+        for text in (spec(plain), spec(plain, face_width_mm=20), drawn(face_width_mm=40),
+                     drawn(face_width_mm=40, safety_flank_min=None, safety_root_min=None, objective="ratio")):
+            margins = search(text)["margins"]
+            self.assertEqual([margins[key] for key in ("mounting", "thickness_series", "profile_shift", "sliding_max")],
+                             ["tight", "cd25", [-1, 1], 3])
+
     def test_how_to_leave_them(self):
         margins = search(drawn(mounting="extended", sliding_max=5, profile_shift=[-0.5, 1.5], tip_clearance_min=0.15))["margins"]
         self.assertEqual([margins[key] for key in ("mounting", "thickness_series", "profile_shift", "sliding_max", "tip_clearance_min")],
                          ["extended", None, [-0.5, 1.5], 5, 0.15])
         self.assertIsNone(search(drawn(thickness_series="none"))["margins"]["thickness_series"])
         self.assertNotIn("mounting", search(drawn(face_width_mm=40, interference="flag"))["margins"])
-        self.assertNotIn("mounting", search(spec({"ratio": 3, "modules_mm": 2, "pinion_teeth": [17, 19]}))["margins"])
+        # The key mounting alone gives the nominal teeth of the theory.
+        plain = {"ratio": 3, "modules_mm": 2, "pinion_teeth": [17, 19]}
+        for mounting in ("tight", "extended"):
+            for keys in ({}, {"face_width_mm": 20}):
+                self.assertNotIn("mounting", search(spec(plain | keys, mounting=mounting))["margins"])
 
 
 class Refused(Asked):

@@ -120,6 +120,17 @@ class Listed(unittest.TestCase):
         self.assertIn("mass_kg", light["designs"][0])
         self.assertNotIn("S_H", light["designs"][0])
 
+    def test_default_face_load_factor(self):
+        bare = LOAD.replace("face_load_factor = 1.2\n", "")
+        found = search(rated(STEEL + bare, safety_flank_min=0.7))
+        self.assertEqual(found.pop("face_load_factor"), 1.4)
+        self.assertEqual(found, search(rated(STEEL + bare + "face_load_factor = 1.4\n", safety_flank_min=0.7)))
+        run = Run("search", rated(STEEL + bare, safety_flank_min=0.7), folder=folder())
+        self.assertIn("K_Hβ = 1.4 is a default. Give face_load_factor or [rating.mounting]", run.out)
+        take = Run("search", rated(STEEL + bare, safety_flank_min=0.7), "--take", 1, folder=folder())
+        self.assertIn("face_load_factor = 1.4", take.out)
+        self.assertEqual(Run("rate", take.out, folder=take.folder, name="pair.toml").status, 0)
+
     def test_safeties_of_the_rating_count(self):
         here = search(rated(STEEL + LOAD + "safety_flank_min = 1.1\n", safety_flank_min=None))
         self.assertEqual(here["margins"]["safety_flank_min"], 1.1)
@@ -238,11 +249,10 @@ class Refused(Asked):
         self.no(rated(STEEL.replace("18CrNiMo7-6", "18CrNiMo7-5") + LOAD), "gear1.material.name", "did you mean")
         self.no(rated(STEEL + '[gear2.material]\nkind = "plastic"\nsigma_Hlim_MPa = 40\nsigma_Flim_MPa = 20\n' + LOAD),
                 "gear2.material.kind", "VDI 2736")
-        for line, key in (("quality = 6\n", "rating.quality"), ("face_load_factor = 1.2\n", "rating.face_load_factor"),
-                          ("power_kW = 20\n", "rating.torque_Nm")):
+        for line, key in (("quality = 6\n", "rating.quality"), ("power_kW = 20\n", "rating.torque_Nm")):
             self.no(rated(STEEL + LOAD.replace(line, "")), key, "is missing")
         # All values are missing. Gear 2 has the material of gear 1, so the message lists only that of gear 1.
-        self.no(rated("[rating]\n"), "rating.torque_Nm", "gear1.material (", "rating.quality (", "rating.speed_rpm (", "rating.face_load_factor (")
+        self.no(rated("[rating]\n"), "rating.torque_Nm", "gear1.material (", "rating.quality (", "rating.speed_rpm (")
         self.no(rated(STEEL + LOAD, safety_flank_min=0), "search.safety_flank_min", "0")
         self.no(rated(STEEL + LOAD, safety_flank_min="high"), "search.safety_flank_min")
         self.no(rated(STEEL + LOAD, shift_step=0.05), "search.safety_flank_min", "shift_step")

@@ -12,7 +12,7 @@ class Regions(unittest.TestCase):
     def test_the_region_of_an_internal_pair_holds_the_pairs_that_run(self):
         """The verb pair judges pairs with random shifts. The pairs that run are those inside the boundary
         of the region, and their share gives the area."""
-        found = search('[search]\nratio = [-3.01, -3]\nmodules_mm = [2]\npinion_teeth = [22, 22]\n')["designs"][0]
+        found = search('[search]\nratio = [-3.01, -3]\nmodules_mm = [2]\npinion_teeth = [22, 22]\nmounting = "tight"\n')["designs"][0]
         region, m = found["region"], 2.0
         sides = [side for e in region["edges"] for side in zip(e["points"], e["points"][1:])]
         box = ((-0.3, 1.05), (-2.5, 1.2))

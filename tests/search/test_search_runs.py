@@ -7,10 +7,11 @@ from searching import Asked, Run, folder, search, spec, taken
 
 class WhatRuns(Asked):
     """With the default limits, every listed design runs according to the verb pair."""
-    WISH = {"ratio": [1.95, 2.05], "center_distance_mm": [99, 101], "modules_mm": "ISO54-I", "pinion_teeth": [14, 40]}
+    DRAWN = {"ratio": [1.95, 2.05], "center_distance_mm": [99, 101], "modules_mm": "ISO54-I", "pinion_teeth": [14, 40]}
+    WISH = DRAWN | {"mounting": "extended"}
     TIGHT = {"ratio": [1.9, 2.1], "center_distance_mm": [99, 101], "modules_mm": [1.25, 2, 3, 3.5, 4, 4.5, 5, 6],
              "pinion_teeth": [10, 60], "mounting": "tight"}
-    FREE = {"ratio": [1, 6], "center_distance_mm": 100, "modules_mm": [2, 3, 5], "pinion_teeth": [10, 40]}
+    FREE = {"ratio": [1, 6], "center_distance_mm": 100, "modules_mm": [2, 3, 5], "pinion_teeth": [10, 40], "mounting": "extended"}
 
     def runs(self, text, ranks):
         for rank in ranks:
@@ -23,6 +24,9 @@ class WhatRuns(Asked):
         found = search(text)
         self.assertEqual(found["margins"], {"interference": "exclude", "tip_clearance_min": 0.02, "form_clearance_min": 0.02})
         self.runs(text, range(1, len(found["designs"]) + 1))
+        drawn = search(spec(self.DRAWN))
+        self.assertEqual([drawn["margins"][key] for key in ("tip_clearance_min", "mounting")], [0.1, "tight"])
+        self.runs(spec(self.DRAWN), range(1, len(drawn["designs"]) + 1))
         flagged = search(spec(self.WISH, interference="flag"))
         self.assertEqual(flagged["margins"], {"interference": "flag", "tip_clearance_min": None, "form_clearance_min": 0})
         self.assertTrue(any(row["interference"] for row in flagged["designs"]))
