@@ -276,7 +276,7 @@ class PowerDiagram {
                           bottom + scale_ * loss / 2 - 0.16 * (1 - std::cos(t)));
       }
       ribbon(line, scale_ * loss, "flow-loss", "loss " + share(loss));
-      f_.text({x + kBar + 0.12, bottom - 0.16}, escaped("−" + share(loss)), Anchor::middle,
+      f_.text({x + kBar + 0.12, bottom - 0.16}, escaped("-" + share(loss)), Anchor::middle,
               "tick halo", {0.0, 14.0});
     }
     f_.bar({x - kBar, bottom}, {x + kBar, top},

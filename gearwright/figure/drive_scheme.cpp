@@ -294,13 +294,11 @@ class Scheme {
     bottom_ = std::min(bottom_, at.y() - 1.2);
   }
 
-  // Writes a text with true minus signs and with the subscripts of n_in and T_in.
+  // Writes a text with the subscripts of n_in and T_in.
   static std::string symbol_text(const std::string& text) {
     std::string out;
     for (std::size_t i = 0; i < text.size(); ++i) {
-      if (text[i] == '-')
-        out += "−";
-      else if (text.compare(i, 3, "_in") == 0) {
+      if (text.compare(i, 3, "_in") == 0) {
         out += "<tspan class=\"s\" dy=\"3\">in</tspan>";
         i += 2;
       } else

@@ -13,6 +13,7 @@
 #include "gearwright/cad/sheet_files.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/figure/markup.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/job/measures.hpp"
@@ -32,10 +33,6 @@ const Member* find(const ValueRecord& record, std::string_view path) {
     return inner ? find(*inner, path.substr(dot + 1)) : nullptr;
   }
   return nullptr;
-}
-
-std::string with_minus(std::string number) {
-  return number.starts_with('-') ? "−" + number.substr(1) : number;
 }
 
 // A value with the unit of the sheet. Lengths in inch have four decimals, also if the last is zero.
