@@ -94,9 +94,12 @@ const char* pair_style(int k) {
 }
 
 std::string shown_arcsec(double arcsec) {
+  return std::abs(arcsec) < 5e-7 ? "0" : fixed(arcsec, arcsec_decimals(arcsec));
+}
+
+int arcsec_decimals(double arcsec) {
   const double size = std::abs(arcsec);
-  if (size < 5e-7) return "0";
-  return fixed(arcsec, size >= 100 ? 1 : size >= 10 ? 2 : size >= 0.1 ? 3 : 6);
+  return size >= 100 ? 1 : size >= 10 ? 2 : size >= 0.1 ? 3 : 6;
 }
 
 TeUnit te_unit(const RackTravel& rack) {
