@@ -11,6 +11,7 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/compensate_keys.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/job/answer_text.hpp"
@@ -239,7 +240,9 @@ py::object scatter(const py::object& given, const py::kwargs& kwargs) {
   const py::object record = by_name(Value(scatter_quantities().of(view)));
   const py::object set = record.attr("_attributes").attr("__setitem__");
   set("members", members_of(*found));
-  set("figures", py::cast(scatter_figures(view)));
+  std::vector<Figure> figures = scatter_figures(view);
+  for (Figure& f : figures) f = in_units(job.spec.units(), std::move(f));
+  set("figures", py::cast(figures));
   set("to_parquet",
       py::cpp_function([found, spec](const py::object& path) { write_members(*found, spec, path); },
                        py::arg("path")));

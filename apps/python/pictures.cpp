@@ -8,6 +8,7 @@
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/base/version.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/figure/figure_data.hpp"
 #include "gearwright/figure/figure_svg.hpp"
@@ -48,32 +49,42 @@ std::string definitions(const std::vector<const Gear*>& gears) {
                               "</defs></svg>\n";
 }
 
-std::string verdict_line(const Verdict& v) {
+std::string verdict_line(const Verdict& v, UnitSystem units) {
   return fmt::format("<p class=\"verdict {}\"><b>{}</b> {}</p>\n", to_string(v.level),
-                     to_string(v.level), escaped(v.headline));
+                     to_string(v.level), escaped(sentence_in(units, v.headline)));
 }
 
 std::string gear_html(const GearValue& g) {
   const Gear& gear = g.gear();
+  const UnitSystem units = g.model->job.spec.units();
   return framed(fmt::format("Gear with {} teeth", gear.spec.teeth),
                 definitions({&gear}) + "<div class=\"columns\"><div>" +
-                    gear_table({&gear}, {g.halves()}) + "</div><div>" +
-                    tooth_part(gear, kShapes[0], "Gear") + "</div></div>\n");
+                    gear_table({&gear}, {g.halves()}, units) + "</div><div>" +
+                    tooth_part(gear, kShapes[0], "Gear", units) + "</div></div>\n");
 }
 
 std::string pair_html(const PairValue& p) {
+  const UnitSystem units = p.model->job.spec.units();
   if (p.rack()) {
     const Gear& pinion = p.rack()->pinion;
     return framed(fmt::format("Rack and pinion with {} teeth", pinion.spec.teeth),
-                  definitions({&pinion}) + verdict_line(p.verdict()) +
-                      rack_section(*p.rack(), kShapes, p.model->job.spec.units()));
+                  definitions({&pinion}) + verdict_line(p.verdict(), units) +
+                      rack_section(*p.rack(), kShapes, units));
   }
   const Pair& pair = p.pair();
   const ParallelPair* parallel = pair.parallel();
   const bool picture = parallel && has_outline(pair.gear(1)) && has_outline(pair.gear(2));
   return framed(fmt::format("Gear pair {} / {}", pair.gear(1).spec.teeth, pair.gear(2).spec.teeth),
-                definitions({&pair.gear(1), &pair.gear(2)}) + verdict_line(judge(p.model->job)) +
-                    (picture ? mesh_part(*parallel, kShapes) : std::string()) + pair_table(pair));
+                definitions({&pair.gear(1), &pair.gear(2)}) +
+                    verdict_line(judge(p.model->job), units) +
+                    (picture ? mesh_part(*parallel, kShapes, units) : std::string()) +
+                    pair_table(pair, units));
+}
+
+// The figures in the units of the spec.
+std::vector<Figure> in_units_of(const Model& model, std::vector<Figure> figures) {
+  for (Figure& f : figures) f = in_units(model.job.spec.units(), std::move(f));
+  return figures;
 }
 
 std::vector<Figure> gear_figures(const GearValue& g) {
@@ -81,7 +92,7 @@ std::vector<Figure> gear_figures(const GearValue& g) {
   if (!has_outline(gear)) return {};
   Figure tooth = tooth_figure(gear, kShapes[0], "Gear");
   tooth.definitions = gear_definition(gear, kShapes[0]);
-  return {std::move(tooth)};
+  return in_units_of(*g.model, {std::move(tooth)});
 }
 
 // The figures of the report on a pair, which depend on the kind of the pair.
@@ -110,12 +121,12 @@ struct PairFigures {
 };
 
 std::vector<Figure> pair_figures(const PairValue& p) {
-  if (!p.rack()) return p.pair().visit(PairFigures());
+  if (!p.rack()) return in_units_of(*p.model, p.pair().visit(PairFigures()));
   auto made = rack_figure(*p.rack(), kShapes);
   if (!made) raise(made.error(), *p.model);
   Figure mesh = std::move(made).take();
   mesh.definitions = gear_definition(p.rack()->pinion, kShapes[0]) + mesh.definitions;
-  return {std::move(mesh)};
+  return in_units_of(*p.model, {std::move(mesh)});
 }
 
 // Makes a part of the report. Ctrl-C interrupts this computation.
@@ -140,7 +151,7 @@ std::vector<Figure> contact_figures(const ContactValue& c) {
   };
   if (r.halves.empty()) add_flanks(r);
   for (const ContactReport& half : r.halves) add_flanks(half);
-  return figures;
+  return in_units_of(*c.model, std::move(figures));
 }
 
 std::string contact_html(const ContactValue& c) {

@@ -86,7 +86,7 @@ std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint
   return points;
 }
 
-std::string pair_words(int k) { return k == 0 ? "0" : fmt::format("{:+d}", k); }
+std::string pair_words(int k) { return k == 0 ? "0" : with_minus(fmt::format("{:+d}", k)); }
 
 const char* pair_style(int k) {
   constexpr std::array kStyles{"tp0", "tp1", "tp2"};
@@ -94,9 +94,12 @@ const char* pair_style(int k) {
 }
 
 std::string shown_arcsec(double arcsec) {
+  return std::abs(arcsec) < 5e-7 ? "0" : fixed(arcsec, arcsec_decimals(arcsec));
+}
+
+int arcsec_decimals(double arcsec) {
   const double size = std::abs(arcsec);
-  if (size < 5e-7) return "0";
-  return fixed(arcsec, size >= 100 ? 1 : size >= 10 ? 2 : size >= 0.1 ? 3 : 6);
+  return size >= 100 ? 1 : size >= 10 ? 2 : size >= 0.1 ? 3 : 6;
 }
 
 TeUnit te_unit(const RackTravel& rack) {
@@ -105,8 +108,8 @@ TeUnit te_unit(const RackTravel& rack) {
 }
 
 std::string words_of(const NamedAmount& amount) {
-  return fmt::format("{}{:.6g}{}{}", amount.value < 0.0 ? "−" : "+", std::abs(amount.value),
-                     amount.unit == "°" ? "" : " ", amount.unit);
+  return with_minus(
+      fmt::format("{:+.6g}{}{}", amount.value, amount.unit == "°" ? "" : " ", amount.unit));
 }
 
 }  // namespace gearwright

@@ -56,6 +56,7 @@ const char* pair_style(int k);
 
 /// A value in arc seconds, with a number of decimals that suits its size.
 std::string shown_arcsec(double arcsec);
+int arcsec_decimals(double arcsec);
 
 /// The unit of a transmission error: seconds of arc, or µm along a rack.
 struct TeUnit {

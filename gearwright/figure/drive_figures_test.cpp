@@ -66,9 +66,8 @@ TEST(DriveFigures, SchemesNameAllGearsAndGroundWhatIsHeld) {
     for (const DriveGear& gear : drive.graph.gears) {
       int named = 0;
       for (const FigureMark& mark : figure.marks)
-        named += mark.kind == FigureMark::Kind::text &&
-                 mark.words.find(gear.name + " " + std::to_string(std::abs(gear.teeth))) !=
-                     std::string::npos;
+        named += mark.text().find(gear.name + " " + std::to_string(std::abs(gear.teeth))) !=
+                 std::string::npos;
       EXPECT_EQ(named, 1) << gear.name;
     }
   }

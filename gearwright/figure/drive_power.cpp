@@ -7,6 +7,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/figure/drive_figures.hpp"
+#include "gearwright/figure/free_labels.hpp"
 #include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
@@ -17,6 +18,8 @@ constexpr double kBar = 0.05;  // half the width of a node, relative to the dist
 constexpr double kAir = 0.62;  // gap between nodes in a column, over the distance between columns
 constexpr double kShown = 0.006;  // least width of a drawn band, over the height of the diagram
 constexpr int kPieces = 24;
+// px, width of the picture for which names are spaced, and the distance by which a name is lifted
+constexpr double kWidth = 616.0, kLift = 18.0;
 
 // A body or a mesh. Powers are shares of the input power.
 struct Node {
@@ -250,9 +253,12 @@ class PowerDiagram {
       ribbon(line, w, "flow " + body_style(body),
              fmt::format("{} → {}: {}", name_of(a), name_of(b), share(band.power)));
     }
-    for (const Node& n : nodes_) draw_node(n);
     f_.x = {"", "", -0.75 - reach_, last_ + 0.75 + reach_};
-    f_.y = {"", "", std::min(low, low_ - 0.5), high_ + 0.35};
+    top_ = high_ + 0.35;
+    std::stable_sort(nodes_.begin(), nodes_.end(),
+                     [](const Node& a, const Node& b) { return a.column < b.column; });
+    for (const Node& n : nodes_) draw_node(n);
+    f_.y = {"", "", std::min(low, low_ - 0.5), top_};
     f_.tall = (f_.y.hi - f_.y.lo) / (f_.x.hi - f_.x.lo);
   }
 
@@ -276,7 +282,7 @@ class PowerDiagram {
                           bottom + scale_ * loss / 2 - 0.16 * (1 - std::cos(t)));
       }
       ribbon(line, scale_ * loss, "flow-loss", "loss " + share(loss));
-      f_.text({x + kBar + 0.12, bottom - 0.16}, escaped("−" + share(loss)), Anchor::middle,
+      f_.text({x + kBar + 0.12, bottom - 0.16}, escaped("-" + share(loss)), Anchor::middle,
               "tick halo", {0.0, 14.0});
     }
     f_.bar({x - kBar, bottom}, {x + kBar, top},
@@ -289,9 +295,28 @@ class PowerDiagram {
     std::string under = share(value);
     if (n.mesh)
       under = "rolling " + share(drive_.flow->mesh_power[n.index] / drive_.flow->power_in);
-    f_.text({x, top}, escaped(name_of(n)), Anchor::middle, end ? "panel halo" : "halo",
-            {0.0, -20.0});
-    f_.text({x, top}, escaped(under), Anchor::middle, "tick halo", {0.0, -6.0});
+    write_name({x, top}, name_of(n), under, end);
+  }
+
+  // Writes a name and the words under it above a node. If they would overlap those of another node,
+  // they are lifted, and a line leads to the node.
+  void write_name(const Vec2& at, const std::string& name, const std::string& under, bool end) {
+    const double px = kWidth / (f_.x.hi - f_.x.lo);
+    const std::string& longest = name.size() > under.size() ? name : under;
+    double lift = 0.0;
+    const auto box = [&] {
+      return label_box({{px * at.x(), -px * at.y()}, {0.0, -18.0 - lift}, Anchor::middle}, longest);
+    };
+    const auto taken = [&](const PixelBox& other) { return meet(box(), other); };
+    while (std::any_of(names_.begin(), names_.end(), taken)) lift += kLift;
+    PixelBox own = box();
+    own.top -= kLift / 2;
+    own.bottom += kLift / 2;
+    names_.push_back(own);
+    if (lift > 0.0) f_.line({at, {at.x(), at.y() + lift / px}}, "leader");
+    f_.text(at, escaped(name), Anchor::middle, end ? "panel halo" : "halo", {0.0, -20.0 - lift});
+    f_.text(at, escaped(under), Anchor::middle, "tick halo", {0.0, -6.0 - lift});
+    top_ = std::max(top_, at.y() + (lift + 2 * kLift) / px);
   }
 
   const Drive& drive_;
@@ -299,7 +324,8 @@ class PowerDiagram {
   std::vector<Node> nodes_;
   std::vector<Band> bands_;
   int last_ = 0;
-  double scale_ = 1.0, low_ = 0.0, high_ = 0.0, reach_ = 0.0;
+  std::vector<PixelBox> names_;
+  double scale_ = 1.0, low_ = 0.0, high_ = 0.0, reach_ = 0.0, top_ = 0.0;
 };
 
 }  // namespace

@@ -20,6 +20,7 @@ constexpr double kBell = 0.85;    // from the middle of a slot to the bell of a 
 constexpr double kLevel = 0.2;    // distance between coaxial shafts
 constexpr double kApart = 0.05;   // half the gap between the bars of a mesh
 constexpr double kEnd = 1.5;      // from the last web to the end of the outer shaft
+constexpr double kLine = 15.0;    // px between lines of words
 constexpr double kFurther = 2.5;  // additional length of each shaft inside the outer one
 
 // A vertical line from the shaft of a body to a gear, a carrier or the bell of a ring. The bell
@@ -134,8 +135,9 @@ class Scheme {
       } else {
         rises_[gear.body].push_back({x, y + r});
       }
-      f_.text({to, rides(gear.body) ? y + r * 0.6 : y + r * 0.55}, name, Anchor::start, "halo",
-              {5.0, 4.0});
+      // The writer places the name where it overlaps no line and no other name.
+      f_.point({to, y + r * 0.55}, 0.0, "", name, {5.0, 0.0});
+      f_.marks.back().label_style = "halo";
       top_ = std::max(top_, y + r + 0.35);
       bottom_ = std::min(bottom_, whole ? y - r - 0.35 : y - 0.9);
       right_ = std::max(right_, to + 0.3);
@@ -258,19 +260,18 @@ class Scheme {
       if (s.to > s.from) f_.line({{s.from, at}, {s.to, at}}, "shaft " + body_style(s.body));
       for (const Rise& rise : rises_[s.body])
         f_.line({{rise.x, at}, {rise.x, rise.to}}, stick(s.body));
-      if (s.left || s.right) end_of(s.body, {s.left ? s.from : s.to, at}, s.left);
+      if (s.left || s.right) end_of(s.body, {s.left ? s.from : s.to, at}, s.left, s.level > 0);
     }
     bottom_ = std::min(bottom_, y - 1.0);
     top_ = std::max(top_, y + 0.8);
   }
 
-  // Writes the name of a body above the end of its shaft, and its speed and torque below.
-  void end_of(std::size_t body, const Vec2& at, bool left) {
+  // Writes the name of a body above the end of its shaft, and its speed and torque below. If
+  // another shaft is inside this one and goes on below, all words are above.
+  void end_of(std::size_t body, const Vec2& at, bool left, bool hollow) {
     if (graph_.is_fixed(body)) ground(at, false);
     const char* part = graph_.is_input(body) ? "in" : graph_.output == body ? "out" : "held";
     const Anchor anchor = left ? Anchor::start : Anchor::end;
-    f_.text(at, fmt::format("{} {}", escaped(graph_.bodies[body].name), part), anchor, "panel halo",
-            {0.0, -7.0});
     std::vector<std::string> lines;
     const bool rack = graph_.moves(body);
     if (const auto v = drive_.linear_speed(body); v && !graph_.is_fixed(body))
@@ -288,19 +289,23 @@ class Scheme {
       lines.push_back(given ? fmt::format("{:.5g} N m", t * *given)
                             : fmt::format("T {:.4g} T_in", t));
     }
+    const double lift = hollow ? -kLine * static_cast<double>(lines.size()) : 0.0;
+    f_.text(at, fmt::format("{} {}", escaped(graph_.bodies[body].name), part), anchor, "panel halo",
+            {0.0, lift - 7.0});
     for (std::size_t i = 0; i < lines.size(); ++i)
       f_.text(at, symbol_text(lines[i]), anchor, "tick halo",
-              {0.0, 17.0 + 15.0 * static_cast<double>(i)});
-    bottom_ = std::min(bottom_, at.y() - 1.2);
+              {0.0, (hollow ? lift + 8.0 : 17.0) + kLine * static_cast<double>(i)});
+    if (hollow)
+      top_ = std::max(top_, at.y() + 1.3);
+    else
+      bottom_ = std::min(bottom_, at.y() - 1.2);
   }
 
-  // Writes a text with true minus signs and with the subscripts of n_in and T_in.
+  // Writes a text with the subscripts of n_in and T_in.
   static std::string symbol_text(const std::string& text) {
     std::string out;
     for (std::size_t i = 0; i < text.size(); ++i) {
-      if (text[i] == '-')
-        out += "−";
-      else if (text.compare(i, 3, "_in") == 0) {
+      if (text.compare(i, 3, "_in") == 0) {
         out += "<tspan class=\"s\" dy=\"3\">in</tspan>";
         i += 2;
       } else

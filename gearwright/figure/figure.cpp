@@ -3,12 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/figure/ticks.hpp"
 
 namespace gearwright {
 
 using Kind = FigureMark::Kind;
+
+std::string FigureLength::text() const {
+  return zeros ? fixed_decimals(value, decimals) : short_decimals(value, decimals);
+}
+
+std::string FigureMark::text() const {
+  return (kind == Kind::text ? words : label) + (length ? length->text() : "");
+}
+
+std::string FigureLeader::text() const { return markup + (length ? length->text() : ""); }
 
 void Figure::line(std::vector<Vec2> points, std::string style, std::string words, int frame) {
   marks.push_back({Kind::line, std::move(style), std::move(points), std::move(words)});

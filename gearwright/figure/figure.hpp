@@ -37,6 +37,16 @@ struct FigureAxis {
   std::vector<AxisName> names = {};  ///< shown instead of round numbers
 };
 
+/// A length at the end of a text of a figure, so that it can be converted to another unit.
+struct FigureLength {
+  double value;
+  int decimals;
+  std::string unit = "mm";
+  bool zeros = true;  ///< false: without trailing zeros
+
+  std::string text() const;
+};
+
 struct FigureMark {
   enum class Kind {
     line,  ///< through the points
@@ -70,6 +80,10 @@ struct FigureMark {
   int gear = -1;           ///< 0, 1: gear of the mark; for a circle also the side of its label
   bool head = false;       ///< true for a line with an arrowhead at its end
   int group = -1;          ///< index of the group with which the mark turns; −1: none
+  std::optional<FigureLength> length = {};  ///< at the end of a text or of a label
+
+  /// The words of a text or the label of another mark, with its length; markup.
+  std::string text() const;
 };
 
 /// Dots of one style, spaced by a pitch, that slide along a line with the rotation of gear 1. At t
@@ -83,9 +97,12 @@ struct FigureSlide {
 /// A point of a plane figure whose name is in a column beside the plot, joined to it by a line.
 struct FigureLeader {
   Vec2 at;
-  std::string markup;             ///< SVG markup
-  std::string style = {};         ///< style of the words
-  Anchor anchor = Anchor::start;  ///< start: right column; end: left column
+  std::string markup;                       ///< SVG markup
+  std::string style = {};                   ///< style of the words
+  Anchor anchor = Anchor::start;            ///< start: right column; end: left column
+  std::optional<FigureLength> length = {};  ///< after the markup
+
+  std::string text() const;  ///< the markup with its length
 };
 
 /// Marks of a plane figure that turn together.

@@ -21,8 +21,8 @@ nlohmann::ordered_json figure_data(const Figure& figure) {
                          {"name", m.words},
                          {"center", point(m.points[0])},
                          {"radius", m.radius}});
-    if (m.kind == FigureMark::Kind::dot && !(m.label.empty() && m.words.empty()))
-      points.push_back({{"name", m.label.empty() ? m.words : without_tags(m.label)},
+    if (m.kind == FigureMark::Kind::dot && !(m.text().empty() && m.words.empty()))
+      points.push_back({{"name", m.text().empty() ? m.words : without_tags(m.text())},
                         {"at", point(m.points[0])}});
     if (m.words.empty()) continue;
     if (m.kind == FigureMark::Kind::bar)

@@ -36,6 +36,8 @@ std::pair<Vec2, Vec2> at_share(const std::vector<Vec2>& line, double share) {
   return {line.front(), {1.0, 0.0}};
 }
 
+bool labelled(const FigureMark& m) { return m.kind != Kind::text && !m.text().empty(); }
+
 bool inside(const std::vector<Vec2>& polygon, const Vec2& p) {
   bool is = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -59,19 +61,19 @@ class Labels {
   void write() {
     keep_off_marks();
     for (const FigureMark& m : f_.marks) {
-      if (!m.label.empty() && (m.kind == Kind::dot || m.kind == Kind::cross))
+      if (labelled(m) && (m.kind == Kind::dot || m.kind == Kind::cross))
         write(m, "letter halo", about_dot(m), FreeLabels::If::always);
     }
     // Borders are labelled before other lines.
     for (const bool border : {true, false}) {
       for (const FigureMark& m : f_.marks) {
-        if (m.label.empty() || m.kind != Kind::line || m.border != border) continue;
+        if (!labelled(m) || m.kind != Kind::line || m.border != border) continue;
         write(m, "halo", border ? beside_border(m) : beside_line(m),
               border ? FreeLabels::If::over_two_lines : FreeLabels::If::free);
       }
     }
     for (const FigureMark& m : f_.marks) {
-      if (!m.label.empty() && m.kind == Kind::circle)
+      if (labelled(m) && m.kind == Kind::circle)
         write(m, std::string("halo circle-name ") + kInk[static_cast<std::size_t>(m.gear)],
               on_circle(m), FreeLabels::If::free);
     }
@@ -80,8 +82,8 @@ class Labels {
  private:
   void write(const FigureMark& m, const std::string& style, const Places& places,
              FreeLabels::If when) {
-    free_.draw(svg_, without_tags(m.label), m.label, m.label_style.empty() ? style : m.label_style,
-               places, when);
+    free_.draw(svg_, without_tags(m.text()), m.text(),
+               m.label_style.empty() ? style : m.label_style, places, when);
   }
 
   std::vector<Vec2> px(const std::vector<Vec2>& points) const {
@@ -96,7 +98,7 @@ class Labels {
       if (m.kind == Kind::line) free_.keep_off(px(m.points));
       if (m.kind == Kind::text)
         free_.keep_off(label_box({at_.px(m.points[0]), m.offset - Vec2(0.0, kMiddle), m.anchor},
-                                 without_tags(m.words)));
+                                 without_tags(m.text())));
       if (m.kind == Kind::dot || m.kind == Kind::cross) {
         const Vec2 p = at_.px(m.points[0]);
         free_.keep_off(PixelBox{p.x() - kDot, p.y() - kDot, p.x() + kDot, p.y() + kDot});
@@ -116,7 +118,7 @@ class Labels {
     const Vec2 p = at_.px(m.points[0]);
     const auto beside = [&](const Vec2& offset) {
       // Words start at the offset, and single symbols are centred on it.
-      const bool letter = without_tags(m.label).size() < 4;
+      const bool letter = without_tags(m.text()).size() < 4;
       return LabelPlace{p, offset,
                         letter             ? Anchor::middle
                         : offset.x() > 0.0 ? Anchor::start
@@ -201,8 +203,7 @@ class Labels {
 }  // namespace
 
 void write_labels(Svg& svg, const Figure& figure, const FigurePlace& place) {
-  const bool any = std::any_of(figure.marks.begin(), figure.marks.end(),
-                               [](const FigureMark& m) { return !m.label.empty(); });
+  const bool any = std::any_of(figure.marks.begin(), figure.marks.end(), labelled);
   if (any) Labels(svg, figure, place).write();
 }
 

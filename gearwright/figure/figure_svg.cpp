@@ -92,7 +92,7 @@ struct Layout {
   static double column(const Figure& f, Anchor side) {
     double wide = 0.0;
     for (const FigureLeader& l : f.leaders)
-      if (l.anchor == side) wide = std::max(wide, kColumn + kLetter * letters(l.markup));
+      if (l.anchor == side) wide = std::max(wide, kColumn + kLetter * letters(l.text()));
     return wide;
   }
 
@@ -116,7 +116,7 @@ struct Layout {
     for (const FigureMark& m : f.marks) {
       if (m.kind != Kind::text || m.anchor != Anchor::start) continue;
       if (std::isinf(m.points[0].x()) && m.points[0].x() > 0 && m.offset.x() > 0)
-        beside = std::max(beside, m.offset.x() + kLetter * letters(m.words));
+        beside = std::max(beside, m.offset.x() + kLetter * letters(m.text()));
     }
     if (f.shades)
       beside = std::max(beside, 22 + kShade + kLetter * std::max(6.0, letters(f.shades->most)));
@@ -219,7 +219,7 @@ class Writer {
     for (std::size_t i = 0; i < ones.size(); ++i) {
       const Vec2 from = px(ones[i]->at);
       svg_.polyline({from, {x - 8 * out, placed[i]}, {x, placed[i]}}, "leader");
-      svg_.text({x, placed[i]}, ones[i]->markup, side, ones[i]->style, {3 * out, 4.0});
+      svg_.text({x, placed[i]}, ones[i]->text(), side, ones[i]->style, {3 * out, 4.0});
     }
   }
 
@@ -283,7 +283,7 @@ class Writer {
         break;
       }
       case Kind::dot: svg_.dot(px(m.points[0]), m.radius, m.style, m.words); break;
-      case Kind::text: svg_.text(px(m.points[0]), m.words, m.anchor, m.style, m.offset); break;
+      case Kind::text: svg_.text(px(m.points[0]), m.text(), m.anchor, m.style, m.offset); break;
       case Kind::circle: svg_.circle(px(m.points[0]), m.radius * per_unit(), m.style); break;
       case Kind::cross: svg_.cross(px(m.points[0]), 5.0, m.style); break;
       case Kind::shape: {
@@ -375,6 +375,10 @@ std::string figure_svg(const Figure& figure, double width) {
 std::string figure_html(const Figure& figure, double width, std::string_view attributes,
                         std::string_view control) {
   std::string caption = fmt::format("<strong>{}</strong>{}", escaped(figure.title), figure.caption);
+  if (const auto it = std::find_if(figure.leaders.begin(), figure.leaders.end(),
+                                   [](const FigureLeader& l) { return l.length.has_value(); });
+      it != figure.leaders.end())
+    caption += fmt::format(" Lengths have the unit {}.", it->length->unit);
   for (const FigureKey& key : figure.keys)
     caption += " " + caption_key(key.style, escaped(key.words));
   return captioned(figure_svg(figure, width) + std::string(control), caption, attributes);

@@ -128,7 +128,8 @@ void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch
     }
     if (!best) continue;
     taken.push_back(share(*best));
-    f.text(*best, fmt::format("{:g}", band->first), Anchor::middle, "inzone halo", {0.0, 4.0});
+    f.text(*best, "", Anchor::middle, "inzone halo", {0.0, 4.0});
+    f.marks.back().length = {band->first, 0, "µm"};
   }
 }
 
@@ -222,7 +223,8 @@ Figure flank_frame(std::string id, std::string title, const FlankRaster& extent,
        {std::tuple(internal ? d0 : d1, "d_Fa" + n, "tip", true),
         std::tuple(internal ? d1 : d0, "d_Ff" + n, "root", false)}) {
     f.text({kInfinity, d}, symbol_svg(symbol), Anchor::start, "", {10.0, up ? 4.0 : 0.0});
-    f.text({kInfinity, d}, fixed(d, 2), Anchor::start, "tick", {10.0, up ? 23.0 : -19.0});
+    f.text({kInfinity, d}, "", Anchor::start, "tick", {10.0, up ? 23.0 : -19.0});
+    f.marks.back().length = {d, 2};
     f.text({z0, d}, word, Anchor::start, "inzone", {6.0, up ? -4.0 : 13.0});
   }
   return f;

@@ -34,6 +34,21 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+std::string with_minus(std::string_view markup) {
+  std::string text;
+  bool tag = false;
+  for (std::size_t i = 0; i < markup.size(); ++i) {
+    const char c = markup[i];
+    tag = c == '<' || (tag && c != '>');
+    const bool digit = i + 1 < markup.size() && markup[i + 1] >= '0' && markup[i + 1] <= '9';
+    if (c != '-' || tag || !digit || (i > 0 && is_letter_or_digit(markup[i - 1])))
+      text += c;
+    else
+      text += "−";
+  }
+  return text;
+}
+
 std::string fixed(const std::optional<double>& value, int decimals) {
   return value && std::isfinite(*value) ? fixed_decimals(*value, decimals) : std::string(kNoValue);
 }
@@ -115,7 +130,7 @@ std::string without_tags(std::string_view markup) {
 std::string captioned(std::string_view picture, std::string_view caption,
                       std::string_view attributes) {
   return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", attributes, picture,
-                     caption);
+                     with_minus(caption));
 }
 
 std::string caption_key(std::string_view swatch, std::string_view words) {

@@ -18,6 +18,10 @@ constexpr std::string_view kNoValue = "–";
 /// become U+FFFD.
 std::string escaped(std::string_view text);
 
+/// The text with a true minus sign in front of each negative number. Tags and hyphens of words are
+/// unchanged.
+std::string with_minus(std::string_view markup);
+
 /// The value with a fixed number of decimals, never "-0.000". kNoValue if it is absent or not
 /// finite.
 std::string fixed(const std::optional<double>& value, int decimals);

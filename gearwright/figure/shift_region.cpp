@@ -121,7 +121,8 @@ void add_distances(Figure& f, const ShiftGraph& graph, const Bounds& window, boo
     if (line.empty()) continue;
     f.line(std::move(line), "distance-line");
     if (!named) continue;
-    f.marks.back().label = symbol_svg("a") + fmt::format(" = {:.10g}", (*band)[i]);
+    f.marks.back().label = symbol_svg("a") + " = ";
+    f.marks.back().length = {(*band)[i], 4, "mm", false};
     f.marks.back().label_style = "halo edge-c";
   }
 }

@@ -36,7 +36,7 @@ Svg::Svg(std::string_view id, double width, double height, std::string_view titl
       "<svg class=\"zoom\" id=\"{0}\" viewBox=\"0 0 {1} {2}\" width=\"{1}\" height=\"{2}\" "
       "role=\"img\" tabindex=\"0\" aria-labelledby=\"{0}-t {0}-d\">\n"
       "<title id=\"{0}-t\">{3}</title><desc id=\"{0}-d\">{4}</desc>\n",
-      id_, pixel(width), pixel(height), escaped(title), escaped(description));
+      id_, pixel(width), pixel(height), escaped(title), with_minus(escaped(description)));
 }
 
 void Svg::define_clip(std::string_view id, double x, double y, double width, double height) {
@@ -84,7 +84,7 @@ void Svg::rect(double x, double y, double width, double height, std::string_view
                std::string_view title) {
   body_ += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"", style,
                        pixel(x), pixel(y), pixel(width), pixel(height));
-  body_ += title.empty() ? "/>\n" : fmt::format("><title>{}</title></rect>\n", title);
+  body_ += title.empty() ? "/>\n" : fmt::format("><title>{}</title></rect>\n", with_minus(title));
 }
 
 void Svg::path(std::string_view d, std::string_view style, std::string_view attributes) {
@@ -121,12 +121,12 @@ void Svg::text(const Vec2& at, std::string_view markup, Anchor anchor, std::stri
   if (offset.x() != 0.0) attributes += fmt::format(" x=\"{}\"", pixel(offset.x()));
   if (offset.y() != 0.0) attributes += fmt::format(" y=\"{}\"", pixel(offset.y()));
   body_ += fmt::format("<g class=\"lb\" transform=\"translate({})\"><text{}>{}</text></g>\n",
-                       point(at), attributes, markup);
+                       point(at), attributes, with_minus(markup));
 }
 
 void Svg::dot(const Vec2& at, double radius, std::string_view style, std::string_view title) {
   const std::string words =
-      title.empty() ? std::string() : fmt::format("<title>{}</title>", escaped(title));
+      title.empty() ? std::string() : fmt::format("<title>{}</title>", with_minus(escaped(title)));
   body_ += fmt::format(
       "<g class=\"lb\" transform=\"translate({})\">{}<circle class=\"{}\" r=\"{}\"/></g>\n",
       point(at), words, style, pixel(radius));

@@ -50,8 +50,7 @@ std::string tick_text(double value, int decimals) {
     return value < 1000 ? fmt::format("{:g}", value)
                         : counted(static_cast<std::int64_t>(std::llround(value)));
   }
-  const std::string text = fixed(value, decimals);
-  return text.front() == '-' ? "−" + text.substr(1) : text;
+  return with_minus(fixed(value, decimals));
 }
 
 std::vector<double> levels_between(double lo, double hi, int most) {

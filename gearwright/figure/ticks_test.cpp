@@ -64,5 +64,12 @@ TEST(Ticks, TextHasATrueMinusAndGroups) {
   EXPECT_EQ(tick_text(20000, -1), counted(20000));
 }
 
+TEST(TrueMinus, OnlySignsOfNumbersOutsideTags) {
+  EXPECT_EQ(with_minus("-3.5 to -0.2 mm, x=-1"), "−3.5 to −0.2 mm, x=−1");
+  EXPECT_EQ(with_minus("<tspan dy=\"-3\">-3</tspan>"), "<tspan dy=\"-3\">−3</tspan>");
+  for (const char* same : {"ISO 6336-5", "gear-1", "double-helical", "1e-05", "A–E", "-"})
+    EXPECT_EQ(with_minus(same), same);
+}
+
 }  // namespace
 }  // namespace gearwright

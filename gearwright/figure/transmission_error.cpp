@@ -238,8 +238,9 @@ std::optional<Figure> spectrum_figure(const ContactResult& result) {
     const bool peak = amplitude(h - 1) < a && amplitude(h + 1) < a;
     if (near || !peak || named.size() >= 3 || a < 0.02 * f.y.hi) continue;
     named.push_back(h);
-    f.text({h == 1 ? h - 0.35 : h, a}, shown_arcsec(a), h == 1 ? Anchor::start : Anchor::middle,
-           "halo", {0.0, -6.0});
+    f.text({h == 1 ? h - 0.35 : h, a}, "", h == 1 ? Anchor::start : Anchor::middle, "halo",
+           {0.0, -6.0});
+    f.marks.back().length = {a, arcsec_decimals(a), unit.words};
   }
   return f;
 }

@@ -14,6 +14,7 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/figure/markup.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/solved_job.hpp"
@@ -32,10 +33,6 @@ const Member* find(const ValueRecord& record, std::string_view path) {
     return inner ? find(*inner, path.substr(dot + 1)) : nullptr;
   }
   return nullptr;
-}
-
-std::string with_minus(std::string number) {
-  return number.starts_with('-') ? "−" + number.substr(1) : number;
 }
 
 // A value with the unit of the sheet. Lengths in inch have four decimals, also if the last is zero.
@@ -195,12 +192,6 @@ Group bore_group(const Gear& gear, const DrawingInput& words, UnitSystem units) 
   return group;
 }
 
-// The mass as text, or empty if the density is unknown.
-std::string mass_of(const SolvedJob& job, int which, const ToothedBody& body) {
-  const auto density = density_of(job.spec.gear(which).material);
-  return density ? fmt::format("{:.3g} kg", metal_volume(body) * *density) : "";
-}
-
 Group diameters(const Records& r) {
   Group group("Diameters");
   for (const char* key : {"reference_diameter_mm", "base_diameter_mm", "tip_diameter_mm",
@@ -327,6 +318,11 @@ const char* kind_of(SheetFormat format) {
 
 }  // namespace
 
+std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody& body) {
+  const auto density = density_of(job.spec.gear(which).material);
+  return density ? std::optional(metal_volume(body) * *density) : std::nullopt;
+}
+
 std::optional<SheetFormat> sheet_format(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   for (char& c : ending) {
@@ -346,12 +342,13 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
     const int which = gears[i];
     const auto body = make_body(job, which, false);
     if (!body) return body.error();
+    const auto mass = mass_of(job, which, *body);
     GearSheetInput input{*body,
                          job.gear(which).reference_diameter,
                          drawing_data(job, which),
                          words,
                          job.spec.gear(which).tolerance.tip_fit.value_or(""),
-                         mass_of(job, which, *body),
+                         mass ? fmt::format("{:.3g} kg", *mass) : "",
                          fmt::format("{}/{}", i + 1, gears.size()),
                          job.spec.units()};
     if (job.gears.size() > 1) input.words.title += fmt::format(", gear {}", which);

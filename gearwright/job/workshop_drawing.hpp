@@ -23,6 +23,9 @@ struct WorkshopSheets {
   double deviation_mm;  ///< greatest deviation of the drawn outlines from the exact ones
 };
 
+/// The mass of a body of the job, kg. None if its material has no density.
+std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody& body);
+
 /// One sheet for each of these gears, 1 or 2. `tolerance_mm` applies to the outlines.
 ///
 /// Errors    the errors of make_body and make_file

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/mesh.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -17,7 +18,7 @@ constexpr double kWidth = 520.0;
 constexpr double kAspect = 520.0 / 440.0;
 
 std::string contact_figure(const ArcPair& pair, std::size_t which,
-                           const std::array<std::string, 2>& shapes) {
+                           const std::array<std::string, 2>& shapes, UnitSystem units) {
   const ArcPairContact& contact = pair.contacts[which];
   const Vec3& at = contact.at.point;
   const double m = pair.gears[0].spec.normal_module;
@@ -50,7 +51,7 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
       "circles dash-dotted and root circles dashed. The contact point moves along the face, "
       "parallel to the axes.",
       fixed(at.z(), kLengthDigits), caption_of_gears(), caption_key("action", "common normal"));
-  return figure_html(f, kWidth);
+  return figure_html(in_units(units, std::move(f)), kWidth);
 }
 
 }  // namespace
@@ -68,7 +69,8 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
 std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes,
                              UnitSystem units) {
   std::string figures;
-  for (std::size_t i = 0; i < pair.contacts.size(); ++i) figures += contact_figure(pair, i, shapes);
+  for (std::size_t i = 0; i < pair.contacts.size(); ++i)
+    figures += contact_figure(pair, i, shapes, units);
   return fmt::format(
       "<section class=\"pair\">\n<h2>Pair</h2>\n<div class=\"figures\">{}</div>\n{}</section>\n",
       figures, pair_table(pair, units));

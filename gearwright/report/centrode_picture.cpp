@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/pair_figures.hpp"
@@ -102,7 +103,7 @@ bool centrodes_are_worth_a_picture(const InvolutePair& pair) {
   return reason && shift >= kMinShift * pair.gears[0].spec.normal_module;
 }
 
-std::string centrode_figures(const InvolutePair& pair) {
+std::string centrode_figures(const InvolutePair& pair, UnitSystem units) {
   if (!centrodes_are_worth_a_picture(pair)) return {};
   const Centrodes c = centrodes_of(pair);
   const double half = half_height(pair, c);
@@ -117,8 +118,8 @@ std::string centrode_figures(const InvolutePair& pair) {
       symbol_html("x_1"), symbol_html("x_2"), fixed(sum, kRatioDigits), symbol_html("a"),
       fixed(c.a, kLengthDigits), (c.a - c.a_d) * c.side_1 > 0.0 ? "are apart" : "overlap",
       fixed(std::abs(c.a - c.a_d), kLengthDigits));
-  return "<h3>Centrodes</h3>\n" +
-         side_by_side(figure_html(before, kWidth) + figure_html(after, kWidth));
+  return "<h3>Centrodes</h3>\n" + side_by_side(figure_html(in_units(units, before), kWidth) +
+                                               figure_html(in_units(units, after), kWidth));
 }
 
 }  // namespace gearwright

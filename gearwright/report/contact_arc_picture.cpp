@@ -101,9 +101,9 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
   return best;
 }
 
-// "■ gear 1, convex: ρ = …, a = …, b = … mm"
+// "■ gear 1, convex: ρ = … mm, a = … mm, b = … mm"
 std::string arc_key(std::size_t gear, const char* shape, const WorkingArc& arc) {
-  return fmt::format("{} {} = {}, {} = {}, {} = {} mm",
+  return fmt::format("{} {} = {} mm, {} = {} mm, {} = {} mm",
                      caption_key(kInk[gear], fmt::format("gear {}, {}:", gear + 1, shape)),
                      symbol_html("ρ"), fixed(arc.radius, 4), symbol_html("a"), fixed(arc.a, 4),
                      symbol_html("b"), fixed(arc.b, 4));

@@ -5,6 +5,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/contact_report.hpp"
@@ -39,16 +40,18 @@ std::string assumed(const ContactReport& report) {
                       : "<ul class=\"assumed\">\n" + text + "</ul>\n";
 }
 
-std::string facts(const ContactReport& report) {
+std::string facts(const ContactReport& report, UnitSystem units) {
   const ContactResult& a = report.driving;
   const ContactResult& b = report.other;
   TableBuilder t("Tooth contact", {"Driving flanks", "Non-working flanks"});
   const TeUnit unit = te_unit(a.rack);
-  const char* const symbol = a.rack ? "µm" : "″";
+  const Unit te = a.rack ? Unit::um : Unit::arcsec;
+  const std::string_view symbol = unit_text(units, te);
+  const auto shown = [&](Angle x) { return shown_arcsec(value_in(units, te, unit.of(x))); };
   t.row("Transmission error, peak to peak", "", symbol,
-        {shown_arcsec(unit.of(a.peak_to_peak)), shown_arcsec(unit.of(b.peak_to_peak))});
+        {shown(a.peak_to_peak), shown(b.peak_to_peak)});
   const auto wave = [&](const ContactResult& r) {
-    return r.harmonics.empty() ? std::string(kNoValue) : shown_arcsec(unit.of(r.harmonics[0]));
+    return r.harmonics.empty() ? std::string(kNoValue) : shown(r.harmonics[0]);
   };
   t.row("Amplitude at the mesh frequency", "", symbol, {wave(a), wave(b)});
   t.row("Rotation with contact inside the flanks", "", "%",
@@ -62,12 +65,14 @@ std::string facts(const ContactReport& report) {
     t.row("Rotation without contact", "", "%",
           {percent(share(a, nowhere)), percent(share(b, nowhere))});
   if (report.min_play && a.rack) {
-    t.common("Minimum backlash along the rack", "", "mm", fixed(a.rack.of(*report.min_play), 4));
+    t.common("Minimum backlash along the rack", "", unit_text(units, Unit::mm),
+             text_in(units, Unit::mm, a.rack.of(*report.min_play), kLengthDigits));
   } else if (report.min_play) {
     t.common("Minimum angular backlash of gear 2 between both flanks", "", "°",
              fixed(kDegPerRad * report.min_play->rad(), kAngleDigits));
   }
-  t.common("Thickness of the marking compound", "δ", "mm", fmt::format("{:g}", report.marking));
+  t.common("Thickness of the marking compound", "δ", unit_text(units, Unit::mm),
+           fmt::format("{:g}", value_in(units, Unit::mm, report.marking)));
   return t.str();
 }
 
@@ -76,8 +81,8 @@ std::string beside(const std::string& figure, const char* words) {
   return in_columns(figure, fmt::format("\n<p>{}</p>\n", words));
 }
 
-std::string te_part(const ContactReport& report) {
-  const std::string spectrum = html_of(spectrum_figure(report.driving));
+std::string te_part(const ContactReport& report, UnitSystem units) {
+  const std::string spectrum = html_of(in_units(units, spectrum_figure(report.driving)));
   const std::string curves =
       std::string(
           "<h3>Transmission error, the cause of gear noise</h3>\n<p>If gear 1 turns evenly, a "
@@ -91,8 +96,8 @@ std::string te_part(const ContactReport& report) {
       "that repeats with every tooth excites the shafts at the tooth frequency and causes gear "
       "whine. A low and smooth curve means a quiet pair. A sharp corner causes an impact. The "
       "teeth are rigid here and carry no load.</p>\n" +
-      side_by_side(html_of(transmission_error_figure(report, report.driving)) +
-                   html_of(transmission_error_figure(report, report.other)));
+      side_by_side(html_of(in_units(units, transmission_error_figure(report, report.driving))) +
+                   html_of(in_units(units, transmission_error_figure(report, report.other))));
   if (spectrum.empty())
     return curves +
            fmt::format("<p class=\"nopicture\">{}</p>\n",
@@ -108,7 +113,7 @@ std::string te_part(const ContactReport& report) {
                          "bar near a resonance of the housing should be lowered.");
 }
 
-std::string pattern_part(const ContactReport& report) {
+std::string pattern_part(const ContactReport& report, UnitSystem units) {
   // If the flanks are conjugate, all tooth pairs in mesh touch at the same time.
   const char* several = report.driving.peak_to_peak.arcsec() < kConjugate
                             ? " Here all tooth pairs in mesh touch at the same time. The path "
@@ -127,17 +132,20 @@ std::string pattern_part(const ContactReport& report) {
              "contact. The sharp edge then carries the load instead of the flank, scrapes off the "
              "oil and wears or pits the mating gear.{}</p>\n",
              fixed(kUmPerMm * report.marking, 2), several) +
-         side_by_side(figure_html(flank_figure(report, 0, {.pattern = &report.patterns[0]})) +
-                      (report.driving.rack ? std::string()
-                                           : figure_html(flank_figure(
-                                                 report, 1, {.pattern = &report.patterns[1]}))));
+         side_by_side(
+             figure_html(
+                 in_units(units, flank_figure(report, 0, {.pattern = &report.patterns[0]}))) +
+             (report.driving.rack
+                  ? std::string()
+                  : figure_html(in_units(
+                        units, flank_figure(report, 1, {.pattern = &report.patterns[1]})))));
 }
 
-std::string gap_part(const ContactReport& report) {
+std::string gap_part(const ContactReport& report, UnitSystem units) {
   if (!report.middle) return {};
   const FlankLayers gap{.gap = &report.middle_gap, .now = &*report.middle, .way = false};
   return "<h3>Gap between the flanks</h3>\n" +
-         beside(figure_html(flank_figure(report, 0, gap)),
+         beside(figure_html(in_units(units, flank_figure(report, 0, gap))),
                 "The contour lines show the gap between two teeth at one position. The gap is zero "
                 "at the contact point. Where the lines are far apart, the flanks are close over a "
                 "wide area and share the load. Where the lines are close together, a small spot is "
@@ -145,7 +153,7 @@ std::string gap_part(const ContactReport& report) {
                 "end of the face.");
 }
 
-std::string multiples_part(const ContactReport& report) {
+std::string multiples_part(const ContactReport& report, UnitSystem units) {
   if (report.under.empty()) return {};
   std::string pictures;
   for (const PatternUnder& u : report.under) {
@@ -154,7 +162,7 @@ std::string multiples_part(const ContactReport& report) {
                              report.marking);
     f.caption =
         std::isnan(peak) ? "<br>no teeth touch" : "<br>peak to peak " + shown_arcsec(peak) + "″";
-    pictures += figure_html(f, 240.0, u.as_specified ? " class=\"own\"" : "");
+    pictures += figure_html(in_units(units, f), 240.0, u.as_specified ? " class=\"own\"" : "");
   }
   return "<h3>Which error moves the pattern</h3>\n<p>The pictures show the pattern on gear 1 under "
          "each error alone, in both directions, and under all errors together. The picture that "
@@ -163,10 +171,10 @@ std::string multiples_part(const ContactReport& report) {
          pictures + "</div>\n";
 }
 
-std::string map_part(const ContactReport& report) {
+std::string map_part(const ContactReport& report, UnitSystem units) {
   if (!report.map) return {};
   return "<h3>Permissible misalignment</h3>\n" +
-         beside(figure_html(error_map_figure(*report.map)),
+         beside(figure_html(in_units(units, error_map_figure(*report.map))),
                 "Each point of the map stands for the pair with these two errors, and the shade of "
                 "the point shows the transmission error. If the area of low values is wide, the "
                 "pair tolerates errors of housings and bearings. If it is narrow, the pair "
@@ -174,11 +182,11 @@ std::string map_part(const ContactReport& report) {
                 "compensated by the other.");
 }
 
-std::string arc_part(const ContactReport& report) {
+std::string arc_part(const ContactReport& report, UnitSystem units) {
   if (!report.arc_pair) return {};
   std::string figures;
   for (const Figure& figure : arc_contact_figures(*report.arc_pair))
-    figures += figure_html(figure, kArcFigure);
+    figures += figure_html(in_units(units, figure), kArcFigure);
   if (figures.empty()) return {};
   return "<h3>Contact of the arcs</h3>\n<p>A convex arc lies in a slightly wider concave arc and "
          "touches it at a point. Both centres lie on the common normal through this point. Across "
@@ -189,10 +197,10 @@ std::string arc_part(const ContactReport& report) {
 }
 
 // The contact of each half of a double-helical pair.
-std::string halves_of(const ContactReport& report) {
+std::string halves_of(const ContactReport& report, UnitSystem units) {
   std::vector<std::string> pictures;
   for (const ContactReport& half : report.halves)
-    pictures.push_back(pattern_part(half) + gap_part(half));
+    pictures.push_back(pattern_part(half, units) + gap_part(half, units));
   return halves_part(
       "both halves transmit the same torque, and the transmission error is the mean of both",
       "The halves are mirror images of each other, so they touch at mirrored places.", pictures);
@@ -200,7 +208,7 @@ std::string halves_of(const ContactReport& report) {
 
 }  // namespace
 
-std::string contact_section(const ContactReport& report) {
+std::string contact_section(const ContactReport& report, UnitSystem units) {
   GW_EXPECTS(report.gears[0] && (report.gears[1] || report.driving.rack) && report.positions >= 2);
   GW_EXPECTS(report.driving.positions.size() == static_cast<std::size_t>(report.positions));
   GW_EXPECTS(report.other.positions.size() == report.driving.positions.size());
@@ -212,9 +220,11 @@ std::string contact_section(const ContactReport& report) {
       "position.</p>\n<p><strong>{}</strong></p>\n{}",
       contact_words(report.driving), assumed(report));
   return "<section class=\"contact\">\n<h2>Tooth contact</h2>\n" +
-         in_columns(what, "\n" + facts(report)) + te_part(report) +
-         (report.halves.empty() ? pattern_part(report) + gap_part(report) : halves_of(report)) +
-         multiples_part(report) + map_part(report) + arc_part(report) + "</section>\n";
+         in_columns(what, "\n" + facts(report, units)) + te_part(report, units) +
+         (report.halves.empty() ? pattern_part(report, units) + gap_part(report, units)
+                                : halves_of(report, units)) +
+         multiples_part(report, units) + map_part(report, units) + arc_part(report, units) +
+         "</section>\n";
 }
 
 }  // namespace gearwright

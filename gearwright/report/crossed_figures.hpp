@@ -22,6 +22,7 @@
 #include <string>
 
 #include "gearwright/base/vector.hpp"
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/figure/figure.hpp"
 #include "gearwright/pair/pair.hpp"
 
@@ -37,7 +38,7 @@ std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, do
 std::array<Figure, 2> plan_figures(const InvolutePair& pair);
 
 /// HTML with both figures of plan_figures().
-std::string plan_part(const InvolutePair& pair);
+std::string plan_part(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
 /// The point of the section, mm: (h, x), onto which a point of the housing is projected.
 ///
@@ -61,7 +62,7 @@ Figure section_figure(const InvolutePair& pair);
 /// Centre distance, shaft angle and contact ratio of the pair without backlash, as functions of the
 /// pressure angle α_wn of the common rack, with one panel for each. Marks show the least centre
 /// distance, its approximations, and the mounted pair.
-std::string range_figure(const CrossedPair& pair);
+std::string range_figure(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 /// The required face widths f and f′ as functions of α_wn, with the actual face widths.
 Figure face_width_figure(const CrossedPair& pair);
@@ -80,20 +81,20 @@ Figure speed_figure(const CrossedPair& pair);
 /// A table of the speeds of the contact over each flank at the points of the path of contact.
 ///
 /// Domain    the flanks meet (contract)
-std::string speed_table(const CrossedPair& pair);
+std::string speed_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 /// The exact least centre distance, and approximations for manual calculation. The solutions of
 /// pair/series.hpp are marked on the curve a(α_wn), which is magnified. Empty if there is nothing
 /// to compare: no least centre distance, gears with different racks, or a difference below 1e-6 µm.
-std::string min_distance_figure(const CrossedPair& pair);
+std::string min_distance_figure(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 /// A table of the exact least centre distance and its approximations. Each row has the exact values
 /// at the α_wn of one of them. Δ is the difference from the exact solution. If all of them agree
 /// (the sum of shifts is 0), a sentence replaces the table. Empty if there are no approximations.
-std::string min_distance_table(const CrossedPair& pair);
+std::string min_distance_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 /// The table and the figure of the least centre distance, in a folded section for users who check a
 /// manual calculation.
-std::string min_distance_part(const CrossedPair& pair);
+std::string min_distance_part(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 }  // namespace gearwright

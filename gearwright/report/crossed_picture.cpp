@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -203,10 +204,10 @@ std::array<Figure, 2> plan_figures(const InvolutePair& pair) {
   return {plan_figure(pair), whole_figure(pair)};
 }
 
-std::string plan_part(const InvolutePair& pair) {
+std::string plan_part(const InvolutePair& pair, UnitSystem units) {
   const auto [plan, whole] = plan_figures(pair);
-  return "<div class=\"figures mesh\">\n" + figure_html(plan, kPlanWidth) +
-         figure_html(whole, kWholeWidth) + "</div>\n";
+  return "<div class=\"figures mesh\">\n" + figure_html(in_units(units, plan), kPlanWidth) +
+         figure_html(in_units(units, whole), kWholeWidth) + "</div>\n";
 }
 
 }  // namespace gearwright

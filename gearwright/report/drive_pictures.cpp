@@ -8,6 +8,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/drive_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
@@ -30,8 +31,8 @@ double turn_of(double ratio, double input_turns) { return -360.0 * ratio * input
 
 class Pictures {
  public:
-  Pictures(const Drive& drive, const DriveLayout& layout)
-      : drive_(drive), graph_(drive.graph), layout_(layout) {
+  Pictures(const Drive& drive, const DriveLayout& layout, UnitSystem units)
+      : drive_(drive), graph_(drive.graph), layout_(layout), units_(units) {
     const auto alike = turns_until_alike(drive);
     turns_ = alike ? alike->value() : 1.0;
     Bounds all;
@@ -114,7 +115,7 @@ class Pictures {
     for (std::size_t b = 0; b < graph_.bodies.size(); ++b)
       if (!graph_.bodies[b].carrier) f.cross(layout_.places.axes[b]);
     add_keys(f, section, carriers);
-    return figure_html(f, kSectionWidth, "", k == 0 ? control() : "");
+    return figure_html(in_units(units_, std::move(f)), kSectionWidth, "", k == 0 ? control() : "");
   }
 
   // Adds the planets in a group that turns with the carrier, and a line from the axis of the
@@ -259,6 +260,7 @@ class Pictures {
   const Drive& drive_;
   const DriveGraph& graph_;
   const DriveLayout& layout_;
+  UnitSystem units_;
   double turns_ = 1.0;
   Bounds window_;
 };
@@ -276,8 +278,8 @@ std::string drive_definitions(const Drive& drive) {
          "</defs></svg>\n";
 }
 
-std::string drive_section_figures(const Drive& drive, const DriveLayout& layout) {
-  return Pictures(drive, layout).all();
+std::string drive_section_figures(const Drive& drive, const DriveLayout& layout, UnitSystem units) {
+  return Pictures(drive, layout, units).all();
 }
 
 }  // namespace gearwright

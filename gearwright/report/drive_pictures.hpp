@@ -7,6 +7,7 @@
 
 #include <string>
 
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/drive/drive_layout.hpp"
 
 namespace gearwright {
@@ -19,6 +20,6 @@ std::string drive_definitions(const Drive& drive);
 
 /// A figure for each axial section, true to scale, followed by the phases of the planets. The first
 /// figure has the control that turns the gears.
-std::string drive_section_figures(const Drive& drive, const DriveLayout& layout);
+std::string drive_section_figures(const Drive& drive, const DriveLayout& layout, UnitSystem units);
 
 }  // namespace gearwright

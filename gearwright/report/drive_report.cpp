@@ -7,6 +7,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/figure/drive_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
@@ -74,7 +75,7 @@ std::string section_part(const DriveReportInput& input) {
   if (!input.layout)
     return head +
            fmt::format("<p class=\"nopicture\">{}</p>\n</section>\n", escaped(input.why_no_layout));
-  return head + drive_section_figures(*input.drive, *input.layout) + "</section>\n";
+  return head + drive_section_figures(*input.drive, *input.layout, input.units) + "</section>\n";
 }
 
 std::string power_part(const Drive& drive, UnitSystem units) {
@@ -121,7 +122,8 @@ std::string load_part(const Drive& drive, UnitSystem units) {
   std::string figures;
   for (std::size_t s = 0; s < loaded.sets.size(); ++s) {
     if (loaded.sets[s].share.size() < 2) continue;
-    figures += html_of(planet_share_figure(drive, s)) + html_of(displacement_figure(drive, s));
+    figures += html_of(planet_share_figure(drive, s)) +
+               html_of(in_units(units, displacement_figure(drive, s)));
   }
   for (std::size_t c = 0; c < loaded.curves.size(); ++c)
     figures += html_of(loaded_output_figure(drive, c));
@@ -203,11 +205,11 @@ std::string mesh_parts(const Drive& drive, UnitSystem units) {
   return text;
 }
 
-std::string gears_part(const Drive& drive) {
+std::string gears_part(const Drive& drive, UnitSystem units) {
   std::string pictures;
   for (std::size_t g = 0; g < drive.geometry.gears.size(); ++g)
     if (const auto& gear = drive.geometry.gears[g])
-      pictures += tooth_part(*gear, shape_name(g), drive.graph.gears[g].name);
+      pictures += tooth_part(*gear, shape_name(g), drive.graph.gears[g].name, units);
   if (pictures.empty()) return {};
   return "<section>\n<h2>Gears</h2>\n" + side_by_side(pictures) + "</section>\n";
 }
@@ -215,12 +217,12 @@ std::string gears_part(const Drive& drive) {
 std::string drive_foot(const DriveReportInput& input) {
   return fmt::format(
       "<footer>\n<p>Gearwright{}. Speeds and ratios are exact fractions. The teeth are as cut by "
-      "the given racks and pinion cutters. {} and angles in degrees; “{}” means "
+      "the given racks and pinion cutters. Lengths are in {} and angles in degrees; “{}” means "
       "that there is no such value. Speeds and torques are positive counter-clockwise, and powers "
       "are positive where power enters the drive. Of the power losses, only those of the teeth are "
       "considered.</p>\n</footer>\n",
-      input.version.empty() ? std::string() : " " + escaped(input.version),
-      lengths_of_report(input.units), kNoValue);
+      input.version.empty() ? std::string() : " " + escaped(input.version), to_string(input.units),
+      kNoValue);
 }
 
 }  // namespace
@@ -237,14 +239,13 @@ std::string drive_report_html(const DriveReportInput& input) {
       to_string(input.verdict.level), escaped(sentence_in(input.units, input.verdict.headline)),
       key_boxes(drive_quantities().table(), {drive_quantities().of(drive)}, kKeyFigures,
                 input.units),
-      sentence_in(input.units, finding_list(input.verdict, "")),
-      picture_hint() + hint_of_units(input.units));
+      sentence_in(input.units, finding_list(input.verdict, "")), picture_hint());
   const std::string sections =
       sentence_in(input.units,
                   drive_overview(input) + section_part(input) + power_part(drive, input.units) +
                       strength_part(drive, input.units) + load_part(drive, input.units) +
                       planets_part(drive, input.units) + mesh_parts(drive, input.units) +
-                      gears_part(drive) + file_section(input.files)) +
+                      gears_part(drive, input.units) + file_section(input.files)) +
       spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + drive_foot(input);
   return page + page_end(turn_script());

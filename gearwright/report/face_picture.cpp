@@ -116,8 +116,9 @@ Figure face_width_figure(const CrossedPair& pair) {
     const double width = pair.input.face_width[i];
     const std::string ink = equal ? "" : std::string(" ") + kInk[i];
     f.line({{f.x.hi, width}, {f.x.lo, width}}, "face-line" + ink);
-    f.marks.back().label = symbol_svg(i == 0 ? "b_1" : "b_2") +
-                           (equal ? " = " + symbol_svg("b_2") : "") + " = " + fixed(width, 2);
+    f.marks.back().label =
+        symbol_svg(i == 0 ? "b_1" : "b_2") + (equal ? " = " + symbol_svg("b_2") : "") + " = ";
+    f.marks.back().length = {width, 2};
     f.marks.back().label_style = "halo" + ink;
     f.marks.back().border = true;
   }
@@ -170,9 +171,9 @@ Figure speed_figure(const CrossedPair& pair) {
            "Sliding of the flanks",
            "Sliding speeds across the teeth, along the teeth and in total, over the line of action "
            "from A to E.",
-           " of gear 1 over gear 2.",
+           " of gear 1 over gear 2, per radian of gear 1.",
            {"distance from the pitch point C along the line of action", "mm"},
-           {"sliding", "mm per radian of gear 1"}};
+           {"sliding", "mm/rad"}};
   std::array<std::vector<Vec2>, 3> curves;
   for (int k = 0; k <= kSpeedSteps; ++k) {
     const double rho1 = m.rho1_A + k * m.path_length / kSpeedSteps;
@@ -196,7 +197,7 @@ Figure speed_figure(const CrossedPair& pair) {
   return f;
 }
 
-std::string speed_table(const CrossedPair& pair) {
+std::string speed_table(const CrossedPair& pair, UnitSystem units) {
   const Mesh<double>& m = pair.mesh;
   std::vector<std::vector<std::string>> rows;
   for (const auto& [letter, rho1] :
@@ -204,9 +205,10 @@ std::string speed_table(const CrossedPair& pair) {
     const FlankSpeeds<double> w = flank_speeds(pair.input, m, rho1);
     rows.push_back({fmt::format("<strong>{}</strong>", letter)});
     for (const double v : {w.across[0], w.across[1], w.along[0], w.along[1], sliding_of(w).whole()})
-      rows.back().push_back(fixed(v, kRatioDigits));
+      rows.back().push_back(text_in(units, Unit::mm_per_rad, v, kRatioDigits));
   }
-  return value_table("Speeds of the contact over the flanks, mm per radian of gear 1",
+  return value_table(fmt::format("Speeds of the contact over the flanks per radian of gear 1, {}",
+                                 unit_text(units, Unit::mm_per_rad)),
                      {"Point", "across 1", "across 2", "along 1", "along 2", "sliding"}, rows);
 }
 

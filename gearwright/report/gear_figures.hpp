@@ -15,8 +15,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/figure/figure.hpp"
 #include "gearwright/gear/gear.hpp"
 
@@ -39,7 +41,7 @@ void add_upright_arcs(Figure& figure, const Gear& gear,
 
 /// Writes the name of a circle about the axis of the upright gear into the column at the right, at
 /// the height at which the circle leaves the plot. Does nothing if this height is outside the plot.
-void lead_circle(Figure& figure, double radius, std::string markup);
+void lead_circle(Figure& figure, double radius, std::string_view symbol, int decimals);
 
 /// The tooth, pointing up, with its arcs in colours, the circles of the drawing and a legend.
 ///
@@ -47,7 +49,8 @@ void lead_circle(Figure& figure, double radius, std::string markup);
 Figure tooth_figure(const Gear& gear, const std::string& shape, const std::string& name);
 
 /// HTML with the figure of the tooth. If there is no outline, a paragraph gives the reason.
-std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name);
+std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name,
+                       UnitSystem units = UnitSystem::mm);
 
 /// True if the picture of the root is useful. The gear must be an external involute gear with an
 /// outline, cut by a rack. It must also have a circular root fillet, undercut, or at most 12 teeth.
@@ -63,7 +66,8 @@ std::optional<Gear> by_rack_alone(const Gear& gear);
 Vec2 undercut_limit_point(const Gear& gear);
 
 /// The picture of the root; empty if root_is_worth_a_picture() is false.
-std::string root_figure(const Gear& gear, const std::string& shape, const std::string& name);
+std::string root_figure(const Gear& gear, const std::string& shape, const std::string& name,
+                        UnitSystem units = UnitSystem::mm);
 
 /// The tooth at one profile shift.
 struct ShiftedTooth {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/ticks.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -56,12 +57,13 @@ Figure trace_figure(const std::string& id, const std::string& title, const Flank
 
 }  // namespace
 
-std::string k_figures(const std::vector<KDiagram>& diagrams) {
+std::string k_figures(const std::vector<KDiagram>& diagrams, UnitSystem units) {
   std::string text;
   for (std::size_t i = 0; i < diagrams.size(); ++i) {
     const auto figure = [&](const char* kind, const FlankTrace& trace, const char* across) {
-      text += figure_html(trace_figure(fmt::format("k{}-{}", i + 1, kind),
-                                       diagrams[i].name + ", " + kind, trace, across));
+      text +=
+          figure_html(in_units(units, trace_figure(fmt::format("k{}-{}", i + 1, kind),
+                                                   diagrams[i].name + ", " + kind, trace, across)));
     };
     figure("profile", diagrams[i].profile, "roll length");
     figure("helix", diagrams[i].helix, "height from the middle of the face");

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/curve/curve.hpp"
 
 namespace gearwright {
@@ -28,6 +29,6 @@ struct KDiagram {
 };
 
 /// The figures with their captions, side by side. Empty if there are no diagrams.
-std::string k_figures(const std::vector<KDiagram>& diagrams);
+std::string k_figures(const std::vector<KDiagram>& diagrams, UnitSystem units = UnitSystem::mm);
 
 }  // namespace gearwright

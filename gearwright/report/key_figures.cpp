@@ -64,6 +64,11 @@ std::string key_figures(const ReportInput& input) {
   if (input.rack)
     text += key_boxes(rack_pair_quantities().table(), {rack_pair_quantities().of(*input.rack)},
                       kOfRack, units);
+  if (input.masses.size() == input.gears.size()) {
+    std::vector<std::string> texts;
+    for (const double mass : input.masses) texts.push_back(fmt::format("{:.3g}", mass));
+    text += box("Mass", "m", fmt::format("{} kg", fmt::join(texts, " / ")));
+  }
   if (input.rating)
     text += key_boxes(rating_quantities().table(), {rating_quantities().of(*input.rating)},
                       kOfRating, units);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/load_figures.hpp"
@@ -83,18 +84,18 @@ std::string share_part(const LoadScene& report) {
                       html_of(stiffness_figure(report)));
 }
 
-std::string ellipse_part(const LoadScene& report) {
+std::string ellipse_part(const LoadScene& report, UnitSystem units) {
   return "<h3>Pressure on the flanks</h3>\n<p>These teeth touch at points. Under load, a point "
          "grows into a contact ellipse, whose long axis points in the direction in which the "
          "flanks fit most closely. The bending of the teeth makes the ellipse still longer. The "
          "pressure is highest in the middle of the ellipse. If an ellipse extends beyond an end of "
          "the flank, or if an edge touches, the pressure is higher than drawn.</p>\n" +
-         side_by_side(figure_html(ellipse_figure(report, 0)) +
-                      figure_html(ellipse_figure(report, 1)) +
+         side_by_side(figure_html(in_units(units, ellipse_figure(report, 0))) +
+                      figure_html(in_units(units, ellipse_figure(report, 1))) +
                       html_of(point_pressure_figure(report)));
 }
 
-std::string pressure_part(const LoadScene& report) {
+std::string pressure_part(const LoadScene& report, UnitSystem units) {
   return fmt::format(
              "<h3>Pressure on the flanks</h3>\n<p>The picture shows the Hertz pressure of the "
              "teeth that carry load. It should be greatest in the middle of the face and decrease "
@@ -103,13 +104,15 @@ std::string pressure_part(const LoadScene& report) {
              shown_torque(report).edge_carries
                  ? "; an edge carries load here, and the true pressure is higher than drawn"
                  : "") +
-         side_by_side(
-             figure_html(pressure_figure(report, 0), kFigureWidth, "", turn_control(*report.pair)) +
-             figure_html(pressure_figure(report, 1)) + figure_html(pressure_along_figure(report)));
+         side_by_side(figure_html(in_units(units, pressure_figure(report, 0)), kFigureWidth, "",
+                                  turn_control(*report.pair)) +
+                      figure_html(in_units(units, pressure_figure(report, 1))) +
+                      figure_html(in_units(units, pressure_along_figure(report))));
 }
 
-std::string root_part(const LoadScene& report, const std::array<std::string, 2>& shapes) {
-  const std::string figures = root_stress_figures(report, shapes);
+std::string root_part(const LoadScene& report, const std::array<std::string, 2>& shapes,
+                      UnitSystem units) {
+  const std::string figures = root_stress_figures(report, shapes, units);
   if (figures.empty()) return {};
   return "<h3>Stress at the roots</h3>\n<p>Each tooth bends at its root. The fillet on the loaded "
          "side is in tension, and a crack would begin there. The stress is computed for the exact "
@@ -118,15 +121,18 @@ std::string root_part(const LoadScene& report, const std::array<std::string, 2>&
          figures;
 }
 
-std::string pictures_of(const LoadScene& report, const std::array<std::string, 2>& shapes) {
-  return share_part(report) + (at_points(report) ? ellipse_part(report) : pressure_part(report)) +
-         root_part(report, shapes);
+std::string pictures_of(const LoadScene& report, const std::array<std::string, 2>& shapes,
+                        UnitSystem units) {
+  return share_part(report) +
+         (at_points(report) ? ellipse_part(report, units) : pressure_part(report, units)) +
+         root_part(report, shapes, units);
 }
 
 // The pictures of each half of a double-helical pair, under half of the torque.
-std::string halves_of(const LoadScene& report, const std::array<std::string, 2>& shapes) {
+std::string halves_of(const LoadScene& report, const std::array<std::string, 2>& shapes,
+                      UnitSystem units) {
   std::vector<std::string> pictures;
-  for (const LoadScene& half : report.halves) pictures.push_back(pictures_of(half, shapes));
+  for (const LoadScene& half : report.halves) pictures.push_back(pictures_of(half, shapes, units));
   return halves_part(
       "each half carries half of the torque",
       "The halves are mirror images of each other, and the pictures show one of them.", pictures);
@@ -144,7 +150,8 @@ std::string load_section(const LoadScene& report, const std::array<std::string, 
       "positions of a pitch the load is shared so that no flanks overlap and no force is "
       "tensile.</p>\n<p><strong>{}</strong></p>\n{}{}{}</section>\n",
       torques.front().positions.size(), finding(report), facts(report, units), te_part(report),
-      report.halves.empty() ? pictures_of(report, shapes) : halves_of(report, shapes));
+      report.halves.empty() ? pictures_of(report, shapes, units)
+                            : halves_of(report, shapes, units));
 }
 
 }  // namespace gearwright

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/load_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
@@ -44,7 +45,8 @@ Fillet fillet_of(const LoadScene& report, std::size_t which) {
   return f;
 }
 
-std::string fillet_figure(const LoadScene& report, std::size_t which, const std::string& shape) {
+std::string fillet_figure(const LoadScene& report, std::size_t which, const std::string& shape,
+                          UnitSystem units) {
   const Gear& gear = *report.gears[which];
   const Fillet f = fillet_of(report, which);
   const double module = gear.spec.normal_module;
@@ -80,21 +82,21 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   figure.line(ends, "curve c-root-fillet");
   figure.dot(upright(worst), 3.0, "mark");
   figure.text(ends[f.worst], fixed(most, 0) + " N/mm²", Anchor::end, "halo", {-6.0, 4.0});
-  return figure_html(figure, kWidth);
+  return figure_html(in_units(units, figure), kWidth);
 }
 
 }  // namespace
 
-std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes) {
+std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes,
+                                UnitSystem units) {
   std::string figures;
   for (std::size_t g = 0; g < 2; ++g)
     if (shown_torque(report).root_stress[g].size() > 0 &&
         shown_torque(report).root_stress[g].maxCoeff() > 0.0)
-      figures += fillet_figure(report, g, shapes[g]);
+      figures += fillet_figure(report, g, shapes[g], units);
   if (figures.empty()) return {};
-  if (const auto face = root_face_figure(report)) figures += figure_html(*face);
-  if (const auto turn = root_turn_figure(report)) figures += figure_html(*turn);
-  return side_by_side(figures);
+  figures += html_of(in_units(units, root_face_figure(report)));
+  return side_by_side(figures + html_of(root_turn_figure(report)));
 }
 
 }  // namespace gearwright

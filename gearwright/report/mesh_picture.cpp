@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/mesh.hpp"
@@ -52,10 +53,11 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
 }
 
 std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
-                      const std::string& below) {
+                      UnitSystem units, const std::string& below) {
   const auto [mesh, whole] = mesh_figures(pair, shapes);
-  return "<div class=\"figures mesh\">\n" + figure_html(mesh, kMeshWidth, "", turn_control(pair)) +
-         "<div>" + figure_html(whole, kWholeWidth) + below + "</div>\n</div>\n";
+  return "<div class=\"figures mesh\">\n" +
+         figure_html(in_units(units, mesh), kMeshWidth, "", turn_control(pair)) + "<div>" +
+         figure_html(in_units(units, whole), kWholeWidth) + below + "</div>\n</div>\n";
 }
 
 }  // namespace gearwright

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/curve/curve.hpp"
 #include "gearwright/figure/figure.hpp"
 #include "gearwright/gear/gear.hpp"
@@ -27,7 +28,7 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
 /// HTML with both figures. `below` contains further figures, which are placed below the picture of
 /// the whole pair.
 std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
-                      const std::string& below = {});
+                      UnitSystem units = UnitSystem::mm, const std::string& below = {});
 
 /// The mesh of a rack and its pinion, with the definition of the rack's shape. `shapes` as for
 /// mesh_figures(), with the name of the rack second.
@@ -48,7 +49,7 @@ bool centrodes_are_worth_a_picture(const InvolutePair& pair);
 
 /// Two figures: the reference circles at the reference centre distance, and the working pitch
 /// circles at the centre distance of the pair. Empty if centrodes_are_worth_a_picture() is false.
-std::string centrode_figures(const InvolutePair& pair);
+std::string centrode_figures(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
 // Draws circular-arc teeth at their contact point.
 //

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/designs.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/markup.hpp"
@@ -93,13 +94,18 @@ std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bo
   return corners;
 }
 
-std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer) {
+std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer,
+                          UnitSystem units) {
   const bool plane = problem.objectives.size() > 1;
   const Quantity objective = quantity_of(problem.objectives[0]);
-  const Quantity across = plane ? objective : across_one_objective(problem);
-  const std::vector<Dot> dots = dots_of(problem, answer, across.along);
+  Quantity across = plane ? objective : across_one_objective(problem);
+  std::vector<Dot> dots = dots_of(problem, answer, across.along);
   if (dots.empty()) return {};
-  const Quantity upright = plane ? quantity_of(problem.objectives[1]) : objective;
+  Quantity upright = plane ? quantity_of(problem.objectives[1]) : objective;
+  const TextUnit x(units, across.axis.unit), y(units, upright.axis.unit);
+  for (Dot& d : dots) d.value = {x(d.value.x()), y(d.value.y())};
+  across.axis.unit = x.text();
+  upright.axis.unit = y.text();
 
   std::vector<Vec2> best;
   bool unranked = false;

@@ -7,6 +7,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/ticks.hpp"
 #include "gearwright/report/crossed_figures.hpp"
@@ -88,8 +89,8 @@ Figure range_panel(const CrossedPair& pair, const std::vector<CrossedSample>& sa
   if (pair.min_distance)
     mark(pair.min_distance->normal_pressure_angle, 3.4, "mark", "least centre distance");
   const Angle mounted = Angle::radians(pair.mesh.rack.normal_pressure_angle);
-  f.point({mounted.deg(), q.mounted}, 3.4, "mark action-dot", fixed(q.mounted, q.digits),
-          {9.0, -9.0});
+  f.point({mounted.deg(), q.mounted}, 3.4, "mark action-dot", "", {9.0, -9.0});
+  f.marks.back().length = {q.mounted, q.digits, q.axis.unit};
   f.marks.back().label_style = "halo here";
   return f;
 }
@@ -145,7 +146,8 @@ std::optional<Figure> zoom_figure(const CrossedPair& pair, const std::vector<App
   return f;
 }
 
-std::vector<std::string> table_row(const CrossedPair& pair, const std::string& name, Angle angle) {
+std::vector<std::string> table_row(const CrossedPair& pair, const std::string& name, Angle angle,
+                                   UnitSystem units) {
   const auto s = crossed_sample(pair, angle);
   GW_EXPECTS(s.has_value());  // all given angles have a rack
   const double off = s->place.center_distance - pair.min_distance->center_distance;
@@ -154,18 +156,18 @@ std::vector<std::string> table_row(const CrossedPair& pair, const std::string& n
           fixed(angle.deg(), kAngleDigits),
           fixed(seconds, 1),
           fixed(s->place.shaft_angle.deg(), kAngleDigits),
-          fixed(s->place.center_distance, kLengthDigits),
-          fixed(kUmPerMm * off, 4)};
+          text_in(units, Unit::mm, s->place.center_distance, kLengthDigits),
+          text_in(units, Unit::um, kUmPerMm * off, 4)};
 }
 
 }  // namespace
 
-std::string range_figure(const CrossedPair& pair) {
+std::string range_figure(const CrossedPair& pair, UnitSystem units) {
   const bool by_hand = !approximations(pair).empty();
   const std::vector<CrossedSample> samples = crossed_samples(pair);
   std::string panels;
   for (const Quantity& q : quantities(pair))
-    panels += figure_svg(range_panel(pair, samples, q), 640.0);
+    panels += figure_svg(in_units(units, range_panel(pair, samples, q)), 640.0);
   return captioned(
       panels,
       fmt::format(
@@ -177,13 +179,13 @@ std::string range_figure(const CrossedPair& pair) {
           by_hand ? " Hollow dots are approximate solutions for the least centre distance." : ""));
 }
 
-std::string min_distance_figure(const CrossedPair& pair) {
+std::string min_distance_figure(const CrossedPair& pair, UnitSystem units) {
   const std::vector<Approximation> all = approximations(pair);
   const auto figure = all.empty() ? std::nullopt : zoom_figure(pair, all);
-  return figure ? figure_html(*figure, 640.0) : std::string();
+  return figure ? figure_html(in_units(units, *figure), 640.0) : std::string();
 }
 
-std::string min_distance_table(const CrossedPair& pair) {
+std::string min_distance_table(const CrossedPair& pair, UnitSystem units) {
   const std::vector<Approximation> all = approximations(pair);
   if (all.empty()) return {};
   const Angle exact = pair.min_distance->normal_pressure_angle;
@@ -194,19 +196,20 @@ std::string min_distance_table(const CrossedPair& pair) {
     return "<p>The profile shifts of the teeth as cut add up to zero, so the least centre distance "
            "is that of the reference cylinders, and every approximation gives this value.</p>\n";
   }
-  std::vector<std::vector<std::string>> rows{table_row(pair, "Exact", exact)};
+  std::vector<std::vector<std::string>> rows{table_row(pair, "Exact", exact, units)};
   for (const Approximation& a : all)
-    rows.push_back(table_row(pair, a.name, a.normal_pressure_angle));
+    rows.push_back(table_row(pair, a.name, a.normal_pressure_angle, units));
   const std::string alpha = symbol_html("α_wn"), a = symbol_html("a");
   return value_table("Least centre distance, exact and approximate",
                      {"Solution", alpha + ", °", "Δ" + alpha + ", ″", symbol_html("Σ") + ", °",
-                      a + ", mm", "Δ" + a + ", µm"},
+                      fmt::format("{}, {}", a, unit_text(units, Unit::mm)),
+                      fmt::format("Δ{}, {}", a, unit_text(units, Unit::um))},
                      rows);
 }
 
-std::string min_distance_part(const CrossedPair& pair) {
-  const std::string table = min_distance_table(pair);
-  const std::string figure = min_distance_figure(pair);
+std::string min_distance_part(const CrossedPair& pair, UnitSystem units) {
+  const std::string table = min_distance_table(pair, units);
+  const std::string figure = min_distance_figure(pair, units);
   if (figure.empty()) return table;
   return "<details><summary>Approximations of the least centre distance</summary>\n" +
          in_columns(table, figure) + "</details>\n";

@@ -7,6 +7,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/overloaded.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/crossed_figures.hpp"
@@ -83,7 +84,7 @@ std::string few_teeth_section(const ReportInput& input) {
   int pictures = 0;
   for (std::size_t i = 0; i < input.gears.size(); ++i) {
     const std::string name = fmt::format("Gear {}", i + 1);
-    roots += root_figure(*input.gears[i], kShapes[i], name);
+    roots += root_figure(*input.gears[i], kShapes[i], name, input.units);
     if (root_is_worth_a_picture(*input.gears[i])) ++pictures;
     shifts += shift_figures(*input.gears[i], kShapes[i], name);
   }
@@ -100,7 +101,7 @@ std::string few_teeth_section(const ReportInput& input) {
 std::string gear_section(const ReportInput& input) {
   std::string pictures;
   for (std::size_t i = 0; i < input.gears.size(); ++i) {
-    pictures += tooth_part(*input.gears[i], kShapes[i], fmt::format("Gear {}", i + 1));
+    pictures += tooth_part(*input.gears[i], kShapes[i], fmt::format("Gear {}", i + 1), input.units);
   }
   const std::string table = gear_table(input.gears, input.halves, input.units);
   if (input.gears.size() == 1) {
@@ -137,14 +138,13 @@ std::string foot(const ReportInput& input) {
                                      [](const Gear* gear) { return gear->cut_by.has_value(); });
   return fmt::format(
       "<footer>\n<p>Gearwright{}. The geometry is the nominal geometry of the teeth as cut by the "
-      "given {}. Symbols and terms are those of ISO 21771. {} and angles in "
+      "given {}. Symbols and terms are those of ISO 21771. Lengths are in {} and angles in "
       "degrees; “{}” means that there is no such value.{}</p>\n<p>Numbers are computed in double "
       "precision, by closed formulas, or by iteration until only rounding errors remain. They are "
       "shown with {} decimals of {} and {} of a degree. Outlines of teeth follow the "
       "exact curves within {:g} normal modules. Manufacturing deviations and temperature are not "
       "considered.{}{}</p>\n</footer>\n",
-      version, by_pinion ? "racks and pinion cutters" : "racks", lengths_of_report(input.units),
-      kNoValue,
+      version, by_pinion ? "racks and pinion cutters" : "racks", to_string(input.units), kNoValue,
       crossed ? " On crossed axes, teeth touch at points. The contact ratio is the mean number of "
                 "these points on the line of action."
               : "",
@@ -157,18 +157,6 @@ std::string foot(const ReportInput& input) {
 }
 
 }  // namespace
-
-std::string_view lengths_of_report(UnitSystem units) {
-  return units == UnitSystem::mm
-             ? "Lengths are in mm"
-             : "Lengths are in inch, except where mm is shown, as on the axes of pictures,";
-}
-
-std::string hint_of_units(UnitSystem units) {
-  if (units == UnitSystem::mm) return {};
-  return "<p class=\"kind\">Lengths are in inch, except where mm is shown, as on the axes of "
-         "pictures.</p>\n";
-}
 
 std::string finding_list(const Verdict& verdict, std::string_view whole) {
   std::string text;
@@ -186,27 +174,32 @@ std::string finding_list(const Verdict& verdict, std::string_view whole) {
 std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes,
                          UnitSystem units, std::string_view head) {
   const bool meet = pair.flanks_meet();
-  const std::string path = meet ? side_by_side(figure_html(path_figure(pair), kWideFigure) +
-                                               "<div>" + path_table(pair, units) + "</div>")
-                                : path_table(pair, units);
-  return fmt::format(
-      "<section class=\"pair\">\n{}{}{}{}{}{}</section>\n", head,
-      mesh_part(pair, shapes, meet ? figure_html(ratio_figure(pair), kBarWidth) : std::string()),
-      pair_table(pair, units), interference_table(pair, units), path, centrode_figures(pair));
+  const std::string path =
+      meet ? side_by_side(figure_html(in_units(units, path_figure(pair)), kWideFigure) + "<div>" +
+                          path_table(pair, units) + "</div>")
+           : path_table(pair, units);
+  return fmt::format("<section class=\"pair\">\n{}{}{}{}{}{}</section>\n", head,
+                     mesh_part(pair, shapes, units,
+                               meet ? figure_html(ratio_figure(pair), kBarWidth) : std::string()),
+                     pair_table(pair, units), interference_table(pair, units), path,
+                     centrode_figures(pair, units));
 }
 
 std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>&,
                          UnitSystem units) {
-  const auto wide = [](const Figure& figure) { return figure_html(figure, kWideFigure); };
-  const std::string flanks = pair.flanks_meet() ? wide(face_use_figure(pair)) +
-                                                      wide(speed_figure(pair)) + speed_table(pair)
-                                                : std::string();
-  return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_part(pair) +
+  const auto wide = [&](Figure figure) {
+    return figure_html(in_units(units, std::move(figure)), kWideFigure);
+  };
+  const std::string flanks =
+      pair.flanks_meet()
+          ? wide(face_use_figure(pair)) + wide(speed_figure(pair)) + speed_table(pair, units)
+          : std::string();
+  return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_part(pair, units) +
          in_columns(pair_table(pair, units) + interference_table(pair, units),
                     wide(section_figure(pair)) + flanks + path_table(pair, units)) +
          "<h3>Other positions of these gears</h3>\n" +
-         in_columns(range_figure(pair), wide(face_width_figure(pair))) + min_distance_part(pair) +
-         "</section>\n";
+         in_columns(range_figure(pair, units), wide(face_width_figure(pair))) +
+         min_distance_part(pair, units) + "</section>\n";
 }
 
 std::string file_section(const std::vector<ReportFile>& files) {
@@ -241,7 +234,7 @@ std::string report_html(const ReportInput& input) {
       sentence_in(units, finding_list(input.verdict, input.pair   ? "Pair"
                                                      : input.rack ? "Rack and pinion"
                                                                   : "")),
-      picture_hint() + hint_of_units(units));
+      picture_hint());
   // The most important sections come first, and the data sheets of the gears later.
   std::string sections;
   if (input.pair) {
@@ -250,11 +243,11 @@ std::string report_html(const ReportInput& input) {
                    [&](const auto& pair) { return pair_section(pair, kShapes, units); }});
   }
   if (input.rack) sections += rack_section(*input.rack, kShapes, units);
-  if (input.contact) sections += contact_section(*input.contact);
+  if (input.contact) sections += contact_section(*input.contact, units);
   if (input.load) sections += load_section(*input.load, kShapes, units);
   if (input.propose) sections += propose_section(*input.propose);
   if (input.compensate) sections += compensate_section(*input.compensate, units);
-  if (input.scatter) sections += scatter_section(*input.scatter);
+  if (input.scatter) sections += scatter_section(*input.scatter, units);
   if (input.rating) sections += rating_section(*input.rating, units);
   sections += gear_section(input) + few_teeth_section(input) +
               measure_section(input.measures, input.measure_ends, input.k_diagrams, units);

@@ -45,6 +45,7 @@ struct ReportInput {
                                    ///< pinion
   /// Quantities of the pair at both ends of the tolerances, least backlash first; may be empty.
   std::vector<ValueRecord> pair_ends;
+  std::vector<double> masses;                          ///< kg, of the gears whose mass is known
   std::vector<ValueRecord> measures;                   ///< one for each gear; may be empty
   std::vector<std::vector<ValueRecord>> measure_ends;  ///< values at the ends of the tolerances;
                                                        ///< may be empty

@@ -8,6 +8,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/figure/figure_svg.hpp"
@@ -196,7 +197,7 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
     interval.groups(differing);
     text += interval.str();
   }
-  return "<section>\n<h2>Inspection</h2>\n" + text + k_figures(diagrams) + "</section>\n";
+  return "<section>\n<h2>Inspection</h2>\n" + text + k_figures(diagrams, units) + "</section>\n";
 }
 
 std::string compensate_section(const CompensateView& view, UnitSystem units) {
@@ -253,9 +254,10 @@ Result<Figure> rack_figure(const RackPair& pair, const std::array<std::string, 2
 
 namespace {
 
-std::string rack_picture(const RackPair& pair, const std::array<std::string, 2>& shapes) {
+std::string rack_picture(const RackPair& pair, const std::array<std::string, 2>& shapes,
+                         UnitSystem units) {
   const auto figure = rack_figure(pair, shapes);
-  return figure ? figure_html(*figure, kRackWidth)
+  return figure ? figure_html(in_units(units, *figure), kRackWidth)
                 : fmt::format("<p><strong>The rack has no outline</strong>: {}</p>\n",
                               escaped(figure.error().message()));
 }
@@ -279,7 +281,7 @@ std::string rack_pair_table(const RackPair& pair, UnitSystem units) {
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
                          UnitSystem units, std::string_view head) {
   return fmt::format("<section class=\"pair\">\n{}{}{}{}</section>\n", head,
-                     rack_picture(pair, shapes), rack_pair_table(pair, units),
+                     rack_picture(pair, shapes, units), rack_pair_table(pair, units),
                      rack_table(pair, units));
 }
 

@@ -23,11 +23,6 @@
 
 namespace gearwright {
 
-/// "Lengths are in mm", as part of a sentence.
-std::string_view lengths_of_report(UnitSystem units);
-/// A line for the head of a report whose tables and pictures have different units; otherwise empty.
-std::string hint_of_units(UnitSystem units);
-
 /// The findings, worst first. If a finding does not belong to a single gear, its subject is
 /// `whole`.
 std::string finding_list(const Verdict& verdict, std::string_view whole);
@@ -68,7 +63,7 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
 /// Domain    two gears with teeth, or a pinion and its rack; `driving` and `other` have the same
 ///           positions over one pitch, and `driving` has contact at some position; rasters of at
 ///           least 2 × 2 nodes (contract)
-std::string contact_section(const ContactReport& report);
+std::string contact_section(const ContactReport& report, UnitSystem units = UnitSystem::mm);
 
 /// Teeth under load. Each subject has one paragraph and its pictures.
 ///
@@ -79,7 +74,8 @@ std::string load_section(const LoadScene& report, const std::array<std::string, 
 
 /// Two kinds of figures of the root stress: along the fillet of each gear, and over the face. Empty
 /// if root stresses were not computed.
-std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes);
+std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes,
+                                UnitSystem units = UnitSystem::mm);
 
 /// Proposed flank modifications and their effects.
 ///
@@ -95,7 +91,7 @@ std::string compensate_section(const CompensateView& view, UnitSystem units = Un
 /// influence of each tolerance.
 ///
 /// Domain    a scatter with samples (contract)
-std::string scatter_section(const ScatterView& view);
+std::string scatter_section(const ScatterView& view, UnitSystem units = UnitSystem::mm);
 /// The samples of a quantity with its percentiles. None if the quantity is the same in all samples.
 /// `id` is the id of the figures.
 std::optional<DistributionScene> distribution_scene(const ScatterView& view,

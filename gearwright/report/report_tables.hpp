@@ -42,7 +42,7 @@ std::string interference_table(const InvolutePair& pair, UnitSystem units = Unit
 // The most important quantities of a pair, at the top of the report.
 
 /// A box for each available key figure: ratio, centre distance, contact ratio, backlash (at both
-/// ends of the tolerances), safeties, contact pressure, transmission error. Words, symbols and
+/// ends of the tolerances), mass, safeties, contact pressure, transmission error. Words, symbols and
 /// units are defined in the catalogue. Empty if there are none.
 std::string key_figures(const ReportInput& input);
 

@@ -94,6 +94,11 @@ TEST(Report, KeyFiguresHaveTheBacklashAtBothEnds) {
   }
   EXPECT_EQ(key("Backlash in the normal section"), both + " mm");
   EXPECT_EQ(key("Centre distance"), "61.1000 mm");
+  EXPECT_EQ(report_html(input).find("<dt>Mass"), std::string::npos);
+  input.masses = {0.4136};  // the mass of gear 2 is unknown
+  EXPECT_EQ(report_html(input).find("<dt>Mass"), std::string::npos);
+  input.masses = {0.4136, 1.77};
+  EXPECT_EQ(key("Mass"), "0.414 / 1.77 kg");
 }
 
 TEST(Report, IsWellFormedAndReachesForNothing) {

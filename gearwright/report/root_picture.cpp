@@ -5,6 +5,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/report/gear_figures.hpp"
@@ -102,25 +103,29 @@ void add_fillet(Figure& f, const FilletArc& arc, const Vec2& center, const Vec2&
     f.text((center + touch) / 2, symbol_svg(symbol), Anchor::middle, "halo", {0.0, -6.0});
 }
 
-std::string with_l(const char* letter, double l) {
-  return fmt::format("<tspan class=\"letter\">{}</tspan> ", letter) + symbol_svg("l") + " " +
-         fixed(l, kLengthDigits);
+FigureLeader led(const Vec2& at, std::string markup, double length) {
+  FigureLeader leader{at, std::move(markup) + " "};
+  leader.length = {length, kLengthDigits};
+  return leader;
+}
+
+FigureLeader with_l(const Vec2& at, const char* letter, double l) {
+  return led(at, fmt::format("<tspan class=\"letter\">{}</tspan> ", letter) + symbol_svg("l"), l);
 }
 
 std::vector<FigureLeader> marks_of(const Gear& gear) {
   const InvoluteTeeth& teeth = *gear.involute();
   std::vector<FigureLeader> marks;
   if (gear.tooth->tip_fillet && teeth.point_j_l)
-    marks.push_back({upright(flank_of(gear).end_point), with_l("J", *teeth.point_j_l)});
+    marks.push_back(with_l(upright(flank_of(gear).end_point), "J", *teeth.point_j_l));
   if (gear.tooth->root_fillet && teeth.point_c_l) {
-    marks.push_back({upright(flank_of(gear).begin_point), with_l("C", *teeth.point_c_l)});
+    marks.push_back(with_l(upright(flank_of(gear).begin_point), "C", *teeth.point_c_l));
   } else if (has_flank(gear)) {
-    marks.push_back(
-        {upright(flank_of(gear).begin_point),
-         symbol_svg("d_Ff") + " " + fixed(2 * flank_of(gear).begin_point.norm(), kLengthDigits)});
+    const Vec2 start = flank_of(gear).begin_point;
+    marks.push_back(led(upright(start), symbol_svg("d_Ff"), 2 * start.norm()));
   }
   if (shows_limit(gear) && teeth.undercut_l)
-    marks.push_back({upright(undercut_limit_point(gear)), with_l("F", *teeth.undercut_l)});
+    marks.push_back(with_l(upright(undercut_limit_point(gear)), "F", *teeth.undercut_l));
   return marks;
 }
 
@@ -146,8 +151,7 @@ Figure root_of(const Gear& gear, const std::optional<Gear>& rack, const std::str
                upright(flank_of(gear).end_point), "r_t");
   f.leaders = marks_of(gear);
   for (const FigureLeader& mark : f.leaders) f.dot(mark.at, 2.6, "mark");
-  lead_circle(f, gear.base_radius(),
-              symbol_svg("d_b") + " " + fixed(2 * gear.base_radius(), kLengthDigits));
+  lead_circle(f, gear.base_radius(), "d_b", kLengthDigits);
   return f;
 }
 
@@ -185,7 +189,8 @@ Vec2 undercut_limit_point(const Gear& gear) {
   return gear.base_radius() * Vec2(std::cos(psi), std::sin(psi));
 }
 
-std::string root_figure(const Gear& gear, const std::string& shape, const std::string& name) {
+std::string root_figure(const Gear& gear, const std::string& shape, const std::string& name,
+                        UnitSystem units) {
   if (!root_is_worth_a_picture(gear)) return {};
   const std::optional<Gear> rack = by_rack_alone(gear);
   std::string words = behind_words(gear, rack);
@@ -203,7 +208,7 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
   }
   Figure f = root_of(gear, rack, shape, name);
   f.caption = ". " + words;
-  return figure_html(f, kWidth);
+  return figure_html(in_units(units, f), kWidth);
 }
 
 }  // namespace gearwright

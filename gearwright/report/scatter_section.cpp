@@ -4,6 +4,7 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/distribution_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -170,10 +171,11 @@ std::vector<Figure> scatter_figures(const ScatterView& view) {
   return figures;
 }
 
-std::string scatter_section(const ScatterView& view) {
+std::string scatter_section(const ScatterView& view, UnitSystem units) {
   const Scatter& s = *view.scatter;
   std::string figures;
-  for (const Figure& figure : scatter_figures(view)) figures += figure_html(figure);
+  for (const Figure& figure : scatter_figures(view))
+    figures += figure_html(in_units(units, figure));
   return fmt::format(
              "<section class=\"scatter\">\n<h2>Scatter</h2>\n<p>The table shows the effect of the "
              "tolerances on {} random pairs. {}, {}, and {}.</p>\n",

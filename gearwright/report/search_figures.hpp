@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/design/search.hpp"
 #include "gearwright/design/shift_region.hpp"
 
@@ -31,7 +32,8 @@ std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bo
 /// axis is the centre distance, or the ratio if the centre distance is given. The figure shows the
 /// first kMaxDots designs and the whole front. Pointing at a dot shows its design. Empty if there
 /// are no designs.
-std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer);
+std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer,
+                          UnitSystem units = UnitSystem::mm);
 
 /// The s1–s2 graph of one pair of tooth numbers: all limits with their names, and the profile
 /// shifts within the limits. If the region fills a large part of the rectangle of shift limits, the
@@ -39,7 +41,8 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
 /// rectangle in a corner.
 ///
 /// Domain    the region of the design exists (contract), here and below
-std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row);
+std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row,
+                                UnitSystem units = UnitSystem::mm);
 
 /// A small figure of the same region. Its caption links to `row_link` ("#design-3").
 std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row,

@@ -112,9 +112,8 @@ std::string picture_section(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
   const DesignRow& best = report.answer.designs.front();
   return "<section>\n<h2>The best design and the other designs</h2>\n" + picture_hint() +
-         hint_of_units(report.units) +
-         side_by_side(shift_region_figure(report.search.graph(best.trial), best) +
-                      pareto_figure(problem, report.answer)) +
+         side_by_side(shift_region_figure(report.search.graph(best.trial), best, report.units) +
+                      pareto_figure(problem, report.answer, report.units)) +
          "</section>\n";
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/figure/shift_region.hpp"
@@ -31,7 +32,7 @@ std::string description(const ShiftRegion& region, const DesignRow& row) {
       fixed(region.hi.y(), 4), fixed(row.shift[0], 4), fixed(row.shift[1], 4));
 }
 
-std::string caption(const ShiftGraph& graph, const ShiftRegion& region) {
+std::string caption(const ShiftGraph& graph, const ShiftRegion& region, UnitSystem units) {
   const SearchProblem& problem = graph.problem();
   const std::string area =
       region.area >= 0.01 ? "the area " + fixed(region.area, 4)
@@ -48,23 +49,26 @@ std::string caption(const ShiftGraph& graph, const ShiftRegion& region) {
       "profile shifts. {}The dashed line is {}; its feasible part is thick. The dots mark "
       "the middle of the region on its lines of least and greatest {}. The ring marks the design. "
       "Edges of the region:",
-      area, problem.center_distance ? "The thin lines are centre distances in mm. " : "", line,
-      symbol_html("Σx"));
+      area,
+      problem.center_distance
+          ? fmt::format("The thin lines are centre distances in {}. ", unit_text(units, Unit::mm))
+          : "",
+      line, symbol_html("Σx"));
 }
 
 }  // namespace
 
-std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row) {
+std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row, UnitSystem units) {
   const ShiftChart chart = shift_chart(graph, design_of(row));
   Figure f = shift_region_figure(
       chart, region_window(limits_box(graph), chart.around, kAspect, kFairPart));
   f.title = fmt::format("Where {} is feasible", design_name(row.trial));
   f.description = description(chart.region, row);
-  f.caption = caption(graph, chart.region);
+  f.caption = caption(graph, chart.region, units);
   f.dot(design_of(row), 7.0, "design-ring");
   f.point(design_of(row), 2.5, "design-dot", "design", {13.0, 0.0});
   f.marks.back().label_style = "halo letter";
-  return figure_html(f, kWidth);
+  return figure_html(in_units(units, f), kWidth);
 }
 
 std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row,

@@ -63,13 +63,14 @@ TEST(ShiftRegionPicture, NumbersAreThoseOfTheRegion) {
   const std::string figure = figure_of(sample, row);
   EXPECT_NE(figure.find("Where " + design_name(row.trial) + " is feasible"), figure.npos);
   EXPECT_NE(figure.find("area " + fixed(row.area, 4)), figure.npos);
-  EXPECT_NE(figure.find("from (" + fixed(row.lo.x(), 4) + ", " + fixed(row.lo.y(), 4) +
-                        ") at the least sum of the profile shifts to (" + fixed(row.hi.x(), 4) +
-                        ", " + fixed(row.hi.y(), 4) + ") at the greatest"),
+  const auto at = [](double x1, double x2) {
+    return with_minus("(" + fixed(x1, 4) + ", " + fixed(x2, 4) + ")");
+  };
+  EXPECT_NE(figure.find("from " + at(row.lo.x(), row.lo.y()) +
+                        " at the least sum of the profile shifts to " + at(row.hi.x(), row.hi.y()) +
+                        " at the greatest"),
             figure.npos);
-  EXPECT_NE(figure.find("The design is at (" + fixed(row.shift[0], 4) + ", " +
-                        fixed(row.shift[1], 4) + ")"),
-            figure.npos);
+  EXPECT_NE(figure.find("The design is at " + at(row.shift[0], row.shift[1])), figure.npos);
   for (const char* name : {">min ", ">max ", ">design<", ">balanced<"})
     EXPECT_EQ(count_of(figure, name), 1u) << name;
   EXPECT_NE(figure.find(" = 101<"), figure.npos);
@@ -154,7 +155,7 @@ TEST(ShiftRegionPicture, ThumbnailsHaveNoLabelsAndLeadToTheirRow) {
           shift_region_thumbnail(sample.search->graph(row.trial), row, "small", "#design-7");
       expect_sound_figure(figure, "design-");
       EXPECT_EQ(figure.find("<text"), figure.npos);
-      EXPECT_NE(figure.find("<a href=\"#design-7\">" + design_name(row.trial) + "</a>"),
+      EXPECT_NE(figure.find(with_minus("<a href=\"#design-7\">" + design_name(row.trial) + "</a>")),
                 figure.npos);
       EXPECT_NE(figure.find("region"), figure.npos);
     }

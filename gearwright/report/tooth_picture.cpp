@@ -8,6 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/mesh.hpp"
@@ -50,11 +51,11 @@ Bounds window(const Gear& gear) {
   return {Vec2(0.0, middle) - half, Vec2(0.0, middle) + half};
 }
 
-// The number of digits is limited so that the text fits next to the plot on a narrow screen. The
-// table shows all digits.
-std::string shown_diameter(double d) {
+// The number of decimals of a diameter. It is limited so that the text fits next to the plot on a
+// narrow screen. The table shows all digits.
+int decimals_of(double d) {
   const int before = d < 1000.0 ? 3 : static_cast<int>(std::log10(d)) + 1;
-  return fixed(d, std::max(0, std::min(kLengthDigits, 7 - before)));
+  return std::max(0, std::min(kLengthDigits, 7 - before));
 }
 
 const char* words_of(const Gear& gear, ArcName name) {
@@ -195,15 +196,19 @@ void add_upright_arcs(Figure& f, const Gear& gear,
   }
 }
 
-void lead_circle(Figure& f, double radius, std::string markup) {
+void lead_circle(Figure& f, double radius, std::string_view symbol, int decimals) {
   constexpr double kSteepest = 0.94;  // x over the radius, at which a small circle gets its name
   const double x = std::min(f.x.hi, kSteepest * radius);
   const double y = std::sqrt(std::max(0.0, (radius - x) * (radius + x)));
-  if (y > f.y.lo && y < f.y.hi) f.leaders.push_back({{x, y}, std::move(markup)});
+  if (!(y > f.y.lo && y < f.y.hi)) return;
+  f.leaders.push_back({{x, y}, symbol_svg(symbol) + " "});
+  f.leaders.back().length = {2 * radius, decimals};
 }
 
-std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name) {
-  if (has_outline(gear)) return figure_html(tooth_figure(gear, shape, name), kWidth);
+std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name,
+                       UnitSystem units) {
+  if (has_outline(gear))
+    return figure_html(in_units(units, tooth_figure(gear, shape, name)), kWidth);
   return fmt::format("<p class=\"nopicture\"><strong>{}: there is no picture.</strong> {}</p>\n",
                      name, escaped(why_no_outline(gear)));
 }
@@ -217,12 +222,12 @@ Figure tooth_figure(const Gear& gear, const std::string& shape, const std::strin
           "reference, {}tip, root and form circles.",
           gear.spec.teeth, gear.involute() ? "base, " : ""),
       window(gear));
-  f.caption = ", transverse section, mm. ";
+  f.caption = ", transverse section.";
   add_upright_gear(f, gear, shape, "neighbour");
   f.line({{0.0, f.y.lo}, {0.0, f.y.hi}}, "thin dashdot");
   for (const NamedCircle& c : circles_of(gear)) {
     f.circle(Vec2::Zero(), c.radius, std::string("thin") + c.style, -1, "", c.symbol);
-    lead_circle(f, c.radius, symbol_svg(c.symbol) + " " + shown_diameter(2 * c.radius));
+    lead_circle(f, c.radius, c.symbol, decimals_of(2 * c.radius));
   }
   add_upright_arcs(f, gear, arc_style);
   std::vector<ArcName> shown;

@@ -219,6 +219,49 @@ class Words(unittest.TestCase):
         self.assertIn("diametral_pitches_per_in", run.err)
 
 
+class Pictures(unittest.TestCase):
+    """Reports in inch. Texts of figures and tables have no lengths in mm, except modules, and the axes of each
+    figure are those of the report in mm, divided by the size of the unit."""
+    RATIOS = (1.0, 25.4, 0.0254, 25.4 ** 2)
+
+    def report(self, spec):
+        run = Run("run", json.dumps(spec), "--only", "report", "--out", "out", name="case.json")
+        self.assertEqual(run.status, 0, run.err)
+        return (run.folder / "out/report.html").read_text()
+
+    def axes(self, page):
+        """Returns {id of a figure: the ends of its axes}."""
+        found = {}
+        for name, picture in re.findall(r'<svg class="zoom" id="([^"]*)"(.*?)</svg>', page, re.S):
+            for axis in re.findall(r'data-[xy]="(\S+) (\S+) ', picture):
+                found.setdefault(name, []).append([float(end) for end in axis])
+        return found
+
+    def test_no_picture_and_no_table_mixes_units(self):
+        compared = 0
+        for path in sorted(SOURCE.glob("examples/**/*.toml")):
+            spec = tomllib.loads(path.read_text())
+            if "gear1" not in spec and not any(key in spec for key in ("planetary", "drive", "stage")):
+                continue
+            if Run("run", json.dumps(spec), "--only", "result", "--out", "out", name="case.json").status != 0:
+                continue
+            mm, other = self.report(spec), self.report({"units": "inch"} | inch.spec_in_inch(spec))
+            body = re.sub(r"<(style|script|pre)\b.*?</\1>", "", other, flags=re.S)
+            texts = re.findall(r">([^<>]+)<", body) + re.findall(r'data-(?:name|value)="([^"]*)"', body)
+            for text in texts:
+                if re.search(r"(?<!\u00a0)\b(mm|µm)\b(?!²)", text) and not re.search("N/|module|kg/mm|per mm", text):
+                    before = body[:body.find(">" + text + "<")][-300:]
+                    self.assertIn("module", before, f"{path.name}: {text}")
+            left, right = self.axes(mm), self.axes(other)
+            self.assertEqual(left.keys(), right.keys(), path.name)
+            for name, axes in left.items():
+                for old, new in zip(axes, right[name], strict=True):
+                    size = max(old, key=abs) / max(new, key=abs)
+                    self.assertTrue(any(abs(size / r - 1) < 1e-6 for r in self.RATIOS), f"{path.name} {name} {old} {new}")
+                    compared += size != 1.0
+        self.assertGreater(compared, 100)
+
+
 class Printed(unittest.TestCase):
     def test_a_printed_spec_keeps_its_units_and_its_numbers(self):
         spec = "units = \"inch\"\n" + (SOURCE / "examples/crossed_fit.toml").read_text()

@@ -33,6 +33,8 @@ def test_a_spec_in_inch_has_answers_in_inch():
     inch = gw.solve(spec, "pair")
     assert inch["pair"]["backlash"]["normal_in"] == pytest.approx(mm["pair"]["backlash"]["normal_mm"] / 25.4, rel=1e-12)
     assert inch["gears"][0]["normal_module_mm"] == 2.54
+    path = gw.load(spec).figures[2]
+    assert path.data["x"]["unit"] == "in" and path.plot().get_xlabel().endswith("in")
     with pytest.raises(gw.SpecError, match=r"face_width_in = -1: must be greater than 0"):
         gw.solve(spec | {"gear1": spec["gear1"] | {"face_width_in": -1}}, "pair")
 
