@@ -85,11 +85,18 @@ const KeyTable& scatter_keys() {
                  "which is the share of samples in which the marking compound of [contact] shows "
                  "contact at a point of the flank; it is computed from the first 256 / "
                  "`replicates` samples of each replicate [T14.27]"),
-       Key::flag("loaded", &S::loaded, "false",
-                 "if true, loaded transmission error, pressure and face load factor are computed "
-                 "for the first 256 / `replicates` samples of each replicate, under the torques of "
-                 "[load] and at the positions of [load], or at 16 positions; pitch deviations have "
-                 "no effect on these quantities [T14.24]"),
+       Key::flag(
+           "loaded", &S::loaded, "false",
+           "if true, loaded transmission error, pressure and face load factor are computed "
+           "for the first samples of each replicate, under the torques of [load] and at the "
+           "positions of [load], or at 16 positions; pitch deviations have no effect on these "
+           "quantities [T14.24]"),
+       Key::number(
+           "loaded_samples", "", KeyRange::between(1, kMaxScatterSamples), &S::loaded_samples,
+           "256",
+           "greatest number of samples of all replicates under load. Each replicate has the "
+           "greatest power of two of samples that this limit and `samples` allow, but at "
+           "least one"),
        Key::number(
            "quality", "A", KeyRange::between(0, 12), &S::quality, "`[gearN.tolerance] quality`",
            "grade of ISO 1328 for both gears, or two grades. The grade determines all tolerances "

@@ -21,8 +21,8 @@ namespace gearwright {
 
 namespace {
 
-// Greatest number of samples in all replicates together, for loaded teeth and for patterns.
-constexpr int kFewSamples = 256;
+// Greatest number of samples in all replicates together, for patterns.
+constexpr int kPatternSamples = 256;
 // Number of positions per pitch for loaded teeth, if [load] does not give it.
 constexpr int kLoadedPositions = 16;
 // Greatest number of positions per pitch for patterns. A parabola interpolates the gap between
@@ -296,7 +296,7 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   if (auto error = judge_load(load, load.contact(*compliance), job.warnings)) return *error;
   request.progress = nullptr;
   return LoadedFamily{std::move(compliance).take(), request,
-                      few_samples(task, kFewSamples)};
+                      few_samples(task, job.spec.scatter.loaded_samples)};
 }
 
 }  // namespace
@@ -314,7 +314,7 @@ DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, in
   DensityRequest request;
   request.marking = job.spec.contact.marking;
   request.positions = std::min(task.member.positions, kDensityPositions);
-  request.samples = few_samples(task, most > 0 ? most : kFewSamples);
+  request.samples = few_samples(task, most > 0 ? most : kPatternSamples);
   return request;
 }
 

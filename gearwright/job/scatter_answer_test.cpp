@@ -285,6 +285,13 @@ TEST(ScatterAnswer, TolerancesOfTheDrawingVary) {
             "scatter.errors.center_distance_mm");
 }
 
+TEST(ScatterAnswer, UnderLoadTheNumberOfSamplesIsLimited) {
+  Json spec = loaded_spec(80);
+  spec["scatter"]["samples"] = 4;
+  spec["scatter"]["loaded_samples"] = 3;
+  EXPECT_EQ(scatter_answered(spec)["scatter"]["loaded"][0]["unsolved"]["of"], 2);
+}
+
 TEST(ScatterAnswer, TablesHaveARowForEachSample) {
   const Json tree = spec_with(R"({"samples": 4, "replicates": 2, "seed": 7,
     "bearings": {"span_mm": 100, "radius_mm": 0.02}})");
