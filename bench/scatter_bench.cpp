@@ -28,16 +28,23 @@ CylindricalSpec gear(int teeth, double helix_deg, double shift, double allowance
   return s;
 }
 
-// 17 : 43 helical teeth, with or without crowning.
-ContactSetup setup(bool crowned) {
+enum Flanks { kPlain, kCrowned, kRelieved };
+
+// 17 : 43 helical teeth, with or without crowning, or with linear tip and root relief.
+ContactSetup setup(std::int64_t flanks) {
   const auto pair =
       mount(make_gear(gear(17, 15, 0.3, -0.05)).value(),
             make_gear(gear(43, -15, 0.1, -0.07)).value(), {.center_distance = 78.6056});
-  FlankModifications m;
-  if (crowned) m.lead_crowning = 0.010;
-  if (crowned) m.profile_crowning = 0.005;
   PairModifications all{};
-  all[0] = {m, m};
+  for (const int which : {1, 2}) {
+    FlankModifications m;
+    if (flanks != kPlain && which == 1) m.lead_crowning = 0.010;
+    if (flanks == kCrowned && which == 1) m.profile_crowning = 0.005;
+    const Gear& g = pair.value().gear(which);
+    if (flanks == kRelieved) m.tip_relief = {0.015, 2 * g.tip_form_radius() - 1.5};
+    if (flanks == kRelieved) m.root_relief = {0.005, 2 * *g.root_form_radius() + 1.0};
+    all[static_cast<std::size_t>(which - 1)] = {m, m};
+  }
   return ContactSetup::of(pair.value(), {}, all).value();
 }
 
@@ -49,7 +56,7 @@ std::vector<ScatterTolerance> housing() {
 }
 
 void members(benchmark::State& state) {
-  const ContactSetup pair = setup(state.range(1) != 0);
+  const ContactSetup pair = setup(state.range(1));
   const std::vector<ScatterTolerance> tolerances = housing();
   const int positions = static_cast<int>(state.range(0));
   double own = 0.0, loop = 0.0;
@@ -71,13 +78,15 @@ void members(benchmark::State& state) {
   state.counters["ratio"] = loop / own;
   state.counters["member_us"] = 1e6 * own / static_cast<double>(k);
 }
-BENCHMARK(members)->ArgsProduct({{32, 128}, {0, 1}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(members)
+    ->ArgsProduct({{32, 128}, {kPlain, kCrowned, kRelieved}})
+    ->Unit(benchmark::kMicrosecond);
 
 // Measures the members of a family of grade 6 with waves of profile and helix, and without them, in
 // the same run. The counter `ratio` is the time per member with waves divided by the time per
 // member without waves.
 void wavy_members(benchmark::State& state) {
-  const ContactSetup pair = setup(state.range(0) != 0);
+  const ContactSetup pair = setup(state.range(0));
   std::vector<ScatterTolerance> smooth = housing();
   std::vector<ScatterTolerance> waves;
   const Distribution share = Distribution::of({{0.0, 1.0}}).value();
@@ -111,6 +120,6 @@ void wavy_members(benchmark::State& state) {
   state.counters["smooth_us"] = 1e6 * without / k;
   state.counters["wavy_us"] = 1e6 * with / k;
 }
-BENCHMARK(wavy_members)->Arg(0)->Arg(1)->Iterations(300)->Unit(benchmark::kMicrosecond);
+BENCHMARK(wavy_members)->Arg(kPlain)->Arg(kCrowned)->Iterations(300)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

@@ -53,7 +53,8 @@ const KeyTable& scatter_keys() {
   static const KeyTable table{
       "scatter",
       "Effect of tolerances on the pair; the values of every range are added to the value in the "
-      "spec",
+      "spec. The tooth thickness and the centre distance vary within the tolerances of [gearN] and "
+      "[pair], unless [scatter] gives a range",
       {Key::number("samples", "n", KeyRange::between(1, kMaxScatterSamples), &S::samples, "1024",
                    "number of samples of each replicate, a power of two"),
        Key::number("replicates", "R", KeyRange::between(1, 1024), &S::replicates, "8",
@@ -84,17 +85,23 @@ const KeyTable& scatter_keys() {
                  "which is the share of samples in which the marking compound of [contact] shows "
                  "contact at a point of the flank; it is computed from the first 256 / "
                  "`replicates` samples of each replicate [T14.27]"),
-       Key::flag("loaded", &S::loaded, "false",
-                 "if true, loaded transmission error, pressure and face load factor are computed "
-                 "for the first 256 / `replicates` samples of each replicate, under the torques of "
-                 "[load] and at the positions of [load], or at 16 positions; pitch deviations have "
-                 "no effect on these quantities [T14.24]"),
+       Key::flag(
+           "loaded", &S::loaded, "false",
+           "if true, loaded transmission error, pressure and face load factor are computed "
+           "for the first samples of each replicate, under the torques of [load] and at the "
+           "positions of [load], or at 16 positions; pitch deviations have no effect on these "
+           "quantities [T14.24]"),
+       Key::number(
+           "loaded_samples", "", KeyRange::between(1, kMaxScatterSamples), &S::loaded_samples,
+           "256",
+           "greatest number of samples of all replicates under load. Each replicate has the "
+           "greatest power of two of samples that this limit and `samples` allow, but at "
+           "least one"),
        Key::number(
            "quality", "A", KeyRange::between(0, 12), &S::quality, "`[gearN.tolerance] quality`",
            "grade of ISO 1328 for both gears, or two grades. The grade determines all tolerances "
            "that are not given in the tables of [scatter]: f_Hα, f_Hβ, the waves of f_fα and f_fβ "
-           "and the pitches of each gear, the axes by ISO/TR 10064-3, and the centre distance by "
-           "`[pair] center_distance_tolerance` [T14.23]")
+           "and the pitches of each gear, and the axes by ISO/TR 10064-3 [T14.23]")
            .with_list(KeyList{.least = 1, .most = 2, .single = true}),
        Key::part("errors", scatter_error_keys, {}, "ranges of the keys of [errors]"),
        Key::part("bearings", scatter_bearing_keys, {},

@@ -56,6 +56,7 @@ struct ScatterInput {
   bool pattern = false;                       ///< true if the density of patterns is also computed
   bool loaded = false;                        ///< true if contact under [load] is also computed
   std::optional<std::array<int, 2>> quality;  ///< A for both gears; by default their own grades
+  int loaded_samples = 256;                   ///< limit of the samples of all replicates under load
   /// A distribution for each of error_entries(), in the unit of its key.
   std::array<std::optional<DistributionSpec>, kErrorCount> errors;
   std::optional<ScatterBearings> bearings;

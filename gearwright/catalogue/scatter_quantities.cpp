@@ -220,6 +220,14 @@ void add_all(Quantities<V>& q) {
          })
       .list({0})
       .always();
+  q.text("ranges_from", "keys of the spec that give the ranges of the inputs, in order",
+         [](const V& v) {
+           ValueList keys;
+           for (const ScatterTolerance& t : v.task->tolerances) keys.emplace_back(t.source);
+           return Value(keys);
+         })
+      .list({0})
+      .always();
   q.whole("samples", "samples of each replicate", "n", "", [](const V& v) {
      return v.task->samples;
    }).always();

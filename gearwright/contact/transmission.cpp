@@ -1,7 +1,6 @@
 #include "gearwright/contact/transmission.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "gearwright/base/numbers.hpp"
@@ -11,59 +10,28 @@ namespace gearwright {
 
 namespace {
 
-// A tooth pair is followed until its T decreases and is less than T of another pair by more than
-// this limit, rad. T of a whole convex flank has only one maximum, so the limit is kBelow. With
-// patches or concave flanks, another maximum may follow, so the limit is kFarBelow.
-constexpr double kBelow = 1e-5;
-constexpr double kFarBelow = 2e-3;
-
-// If T of several pairs is equal within rounding, the pair nearest to the centre line is used.
-constexpr double kTogether = 1e-13;  // rad
-
-bool wins(const Touch& t, double phi, const PairTouch& best) {
-  if (!best.found()) return true;
-  const double ahead = t.te - best.touch.te;
-  if (std::abs(ahead) > kTogether) return ahead > 0.0;
-  return std::abs(phi) < std::abs(best.phi);
+// True if the patches are the parts of one flank, between the kinks of its modifications, and no
+// part of the flank is concave. A relief removes material beyond its kink, so that the flank is
+// convex at the kink, too.
+bool is_convex(const std::vector<FlankPatch>& flank) {
+  const RemovalField* removal = flank.front().removal;
+  if (flank.size() != (removal ? removal->pieces().size() : 1)) return false;
+  if (!removal || removal->none()) return true;
+  if (removal->has_topography() || removal->wavy()) return false;
+  using P = Modification;
+  return removal->amount(P::profile_crowning) >= 0.0 && removal->amount(P::lead_crowning) >= 0.0;
 }
 
-// Predicts the point of the next touch by the polynomial through the last four touches at equal
-// steps. If the active bounds change, the path of the touches has a kink. Then only the touches
-// after the change and one before it are used. Each additional order of the polynomial saves a step
-// of the search.
-class PlaceAhead {
- public:
-  explicit PlaceAhead(const Touch& t) { add(t); }
-
-  void add(const Touch& t) {
-    if (!(t.active == active_)) count_ = std::min<std::size_t>(count_, 1);
-    active_ = t.active;
-    std::rotate(past_.begin(), past_.end() - 1, past_.end());
-    past_[0] = {t.s, t.z};
-    count_ = std::min(count_ + 1, past_.size());
-  }
-  std::array<double, 2> place() const {
-    constexpr std::array<std::array<double, 4>, 4> kNext{
-        {{1, 0, 0, 0}, {2, -1, 0, 0}, {3, -3, 1, 0}, {4, -6, 4, -1}}};
-    std::array<double, 2> next{};
-    for (std::size_t k = 0; k < count_; ++k)
-      for (const std::size_t i : {0, 1}) next[i] += kNext[count_ - 1][k] * past_[k][i];
-    return next;
-  }
-
- private:
-  std::array<std::array<double, 2>, 4> past_{};  // (s, z), the latest first
-  std::size_t count_ = 0;
-  detail::ActiveSet active_;
-};
-
-// True if no part of the flank is concave.
-bool is_convex(const FlankPatch& f) {
-  if (!f.removal || f.removal->none()) return true;
-  if (f.removal->has_topography() || f.removal->wavy()) return false;
-  using P = Modification;
-  return f.removal->amount(P::profile_crowning) >= 0.0 &&
-         f.removal->amount(P::lead_crowning) >= 0.0;
+// The number of the patch beyond an end of patch p, or −1. The ends are the lower and upper end in
+// s, or in u if `of_u`, and then in z.
+int patch_across(const std::vector<FlankPatch>& flank, const FlankPatch& p, int end, bool of_u) {
+  const bool lower = (end % 2 == 0) == (end >= 2 || of_u || p.profile.grows());
+  const auto is_next = [&](const FlankPatch& o) {
+    if (end >= 2) return o.u_lo == p.u_lo && (lower ? o.z_hi == p.z_lo : o.z_lo == p.z_hi);
+    return o.z_lo == p.z_lo && (lower ? o.u_hi == p.u_lo : o.u_lo == p.u_hi);
+  };
+  const auto next = std::find_if(flank.begin(), flank.end(), is_next);
+  return next == flank.end() ? -1 : static_cast<int>(next - flank.begin());
 }
 
 // Greatest angle from the mesh azimuth, rad, at which points of patch `one` can lie in the annulus
@@ -91,6 +59,13 @@ double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch
 
 }  // namespace
 
+bool detail::wins(const Touch& t, double phi, const PairTouch& best) {
+  if (!best.found()) return true;
+  const double ahead = t.te - best.touch.te;
+  if (std::abs(ahead) > kTogether) return ahead > 0.0;
+  return std::abs(phi) < std::abs(best.phi);
+}
+
 Transmission::Transmission(const ContactPair& pair, Progress* progress)
     : pair_(pair), progress_(progress) {
   double widest = 0.0;
@@ -109,6 +84,19 @@ Transmission::Transmission(const ContactPair& pair, Progress* progress)
     }
   }
   if (crests_.size() < fields_.size()) crests_.clear();
+  const auto &ones = pair.patches(1), &twos = pair.patches(2);
+  convex_ = is_convex(ones) && is_convex(twos);
+  const int n_2 = static_cast<int>(twos.size());
+  for (int f = 0; convex_ && f < static_cast<int>(fields_.size()); ++f) {
+    auto& across = across_.emplace_back();
+    const int i = f / n_2, j = f % n_2;
+    for (int end = 0; end < 4; ++end) {
+      const int one = patch_across(ones, ones[static_cast<std::size_t>(i)], end, false);
+      const int two = patch_across(twos, twos[static_cast<std::size_t>(j)], end, true);
+      across[static_cast<std::size_t>(end)] = one < 0 ? -1 : one * n_2 + j;
+      across[static_cast<std::size_t>(end) + 4] = two < 0 ? -1 : i * n_2 + two;
+    }
+  }
   farthest_pair_ = static_cast<int>(std::ceil((pair.reach() + widest) / pair.pitch())) + 2;
 }
 
@@ -155,7 +143,7 @@ PairTouch Transmission::at(double phi) {
       for (int k = -farthest_pair_; k <= farthest_pair_; ++k) {
         const double own = phi - k * pair_.pitch();
         const Touch t = of_crests ? highest_crest(f, own) : cold(f, own);
-        if (t.found() && wins(t, own, best)) best = {t, f, own, k};
+        if (t.found() && detail::wins(t, own, best)) best = {t, f, own, k};
       }
     }
   }
@@ -167,7 +155,7 @@ PairTouch Transmission::of_pair_0(double phi) {
   PairTouch best;
   for (int f = 0; f < static_cast<int>(fields_.size()); ++f) {
     const Touch t = wavy() ? highest_crest(f, phi) : cold(f, phi);
-    if (t.found() && wins(t, phi, best)) best = {t, f, phi, 0};
+    if (t.found() && detail::wins(t, phi, best)) best = {t, f, phi, 0};
   }
   return best;
 }
@@ -188,118 +176,6 @@ std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
       if (t.found()) all.push_back({t, static_cast<int>(f), phi, 0});
   }
   return all;
-}
-
-// Follows the touch of one pair of patches through the positions of tooth pair 0. For each position
-// of a pitch, it records the touch with the greatest T in `best`.
-class Transmission::Track {
- public:
-  Track(Transmission& all, int fields, double first, int n, double below,
-        std::vector<PairTouch>& best)
-      : all_(all), fields_(fields), first_(first), n_(n), below_(below), best_(best) {}
-
-  double own(int m) const { return first_ + m * (all_.pair_.pitch() / n_); }
-
-  // Records a touch. Returns false if its T is well below T of another pair.
-  bool offer(int m, const Touch& t) {
-    // Position m of pair 0 is position i of pair k = (i − m)/n.
-    const int i = ((m % n_) + n_) % n_;
-    count_step(all_.progress_);
-    PairTouch& b = best_[static_cast<std::size_t>(i)];
-    if (wins(t, own(m), b)) b = {t, fields_, own(m), (i - m) / n_};
-    return t.te >= b.touch.te - below_;
-  }
-
-  // Follows a touch from position m in one direction. The track ends if D is empty, if T decreases
-  // and is well below T of another pair, or if `known` returns true because another track has
-  // passed this touch.
-  template <class Known>
-  void walk(int m, const Touch& from, int direction, int most, bool cold_again, Known known) {
-    GapField& field = *all_.fields_[static_cast<std::size_t>(fields_)];
-    const TouchSearch& search = all_.search(fields_);
-    const FlankPatch& a = field.one();
-    Touch last = from;
-    PlaceAhead ahead(from);
-    while (std::abs(m) <= most) {
-      m += direction;
-      const auto [s, z] = ahead.place();
-      field.set_rotation(own(m));
-      Touch t = search.from(std::clamp(s, a.s_lo, a.s_hi), std::clamp(z, a.z_lo, a.z_hi), last.s2,
-                            last.active);
-      const bool lost = !t.found();
-      if (lost && cold_again) t = all_.cold(fields_, own(m));
-      if (!t.found() || known(m, t)) return;
-      const bool near = offer(m, t);
-      if (!near && t.te < last.te) return;
-      if (lost) ahead = PlaceAhead(t);
-      if (!lost) ahead.add(t);
-      last = t;
-    }
-  }
-
- private:
-  Transmission& all_;
-  int fields_;
-  double first_;
-  int n_;
-  double below_;
-  std::vector<PairTouch>& best_;
-};
-
-// Follows the maximum of T on whole convex flanks, for which T has only one maximum and one
-// interval of rotation.
-void Transmission::follow_one(int fields, double first, int n, std::vector<PairTouch>& best) {
-  Track track(*this, fields, first, n, kBelow, best);
-  const int most = farthest_pair_ * n;
-  const int stride = std::max(1, n / 4);
-  for (int away = 0; away <= most; away += stride) {
-    for (const int m : {away, -away}) {
-      fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m));
-      const Touch t = searches_[static_cast<std::size_t>(fields)]->from_middle();
-      if (!t.found()) continue;
-      track.offer(m, t);
-      const auto never = [](int, const Touch&) { return false; };
-      // The direction in which T rises is followed first. The search in the other direction then
-      // ends early if T is well below the values in the first direction.
-      fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m + 1));
-      const Touch ahead =
-          searches_[static_cast<std::size_t>(fields)]->from(t.s, t.z, t.s2, t.active);
-      const int uphill = ahead.found() && ahead.te < t.te ? -1 : 1;
-      for (const int direction : {uphill, -uphill}) track.walk(m, t, direction, most, true, never);
-      return;
-    }
-  }
-}
-
-// Follows the maxima of T on flanks with several maxima and separate intervals of rotation. Cold
-// starts at regular positions find the maxima. Each maximum is followed until it meets another
-// track. On uneven flanks every position has a cold start, because a crest may touch only for a
-// small part of a pitch.
-void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
-  Track track(*this, fields, first, n, kFarBelow, best);
-  const int most = farthest_pair_ * n;
-  const int stride = search(fields).uneven() ? 1 : std::max(1, n / 8);
-  std::vector<std::vector<Touch>> passed(static_cast<std::size_t>(2 * (most + 1) + 1));
-  const FlankPatch& a = fields_[static_cast<std::size_t>(fields)]->one();
-  const auto known = [&](int m, const Touch& t) {
-    constexpr double kSamePlace = 1e-5;  // greatest distance of equal touches, of the patch
-    auto& here = passed[static_cast<std::size_t>(m + most + 1)];
-    for (const Touch& p : here) {
-      if (std::abs(p.s - t.s) <= kSamePlace * (a.s_hi - a.s_lo) &&
-          std::abs(p.z - t.z) <= kSamePlace * (a.z_hi - a.z_lo))
-        return true;
-    }
-    here.push_back(t);
-    return false;
-  };
-  for (int m = -most; m <= most; m += stride) {
-    fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m));
-    for (const Touch& t : searches_[static_cast<std::size_t>(fields)]->every_maximum()) {
-      if (known(m, t)) continue;
-      track.offer(m, t);
-      for (const int direction : {1, -1}) track.walk(m, t, direction, most, false, known);
-    }
-  }
 }
 
 // Searches every position from the crests that may be the highest. The lines of contact of all
@@ -338,7 +214,7 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
       const double own = first + s.m * (pair_.pitch() / n);
       fields_[f]->set_rotation(own);
       const Touch t = from_crest(s.fields, s.crest.s, s.crest.z);
-      if (t.found() && wins(t, own, best[i]))
+      if (t.found() && detail::wins(t, own, best[i]))
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
     // Far beyond the path of contact, T is less than WaveCrests estimates. Crests that were left
@@ -352,11 +228,12 @@ std::vector<PairTouch> Transmission::over_a_pitch(double first, int n) {
   const double whole = std::round(first / pair_.pitch());
   first -= whole * pair_.pitch();
   std::vector<PairTouch> best(n);
-  if (!crests_.empty()) over_crests(first, n, best);
-  const bool one =
-      fields_.size() == 1 && is_convex(fields_[0]->one()) && is_convex(fields_[0]->two());
-  for (int f = 0; f < static_cast<int>(fields_.size()) && crests_.empty(); ++f)
-    one ? follow_one(f, first, n, best) : follow_all(f, first, n, best);
+  if (!crests_.empty())
+    over_crests(first, n, best);
+  else if (convex_)
+    follow_one(first, n, best);
+  else
+    for (int f = 0; f < static_cast<int>(fields_.size()); ++f) follow_all(f, first, n, best);
   for (PairTouch& t : best) t.pair += static_cast<int>(whole);
   return best;
 }

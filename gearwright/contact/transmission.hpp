@@ -6,10 +6,12 @@
 //   TE(φ1) = max over pairs k of T(φ1 − k·2π/z1)                 [T8.2], docs/theory/08-contact.md
 //
 // Only one tooth pair is followed through its whole range, because the others repeat its motion
-// with a delay of whole pitches. Every pair of patches is followed separately, and the greatest T
-// is used.
+// with a delay of whole pitches. On convex flanks, the greatest T is followed across the borders of
+// patches. On other flanks, every pair of patches is followed separately, and the greatest T is
+// used.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,6 +36,16 @@ struct PairTouch {
   bool found() const { return fields >= 0; }
   double te() const { return touch.te; }
 };
+
+namespace detail {
+
+// If T of several pairs is equal within rounding, the pair nearest to the centre line is used.
+constexpr double kTogether = 1e-13;  // rad
+
+/// True if a touch of pair 0 at φ replaces `best`.
+bool wins(const Touch& t, double phi, const PairTouch& best);
+
+}  // namespace detail
 
 class Transmission {
  public:
@@ -68,7 +80,9 @@ class Transmission {
 
  private:
   class Track;
-  void follow_one(int fields, double first, int n, std::vector<PairTouch>& best);
+  PairTouch climb(const PairTouch& from, double phi);
+  PairTouch first_touch(double phi);
+  void follow_one(double first, int n, std::vector<PairTouch>& best);
   void follow_all(int fields, double first, int n, std::vector<PairTouch>& best);
   void over_crests(double first, int n, std::vector<PairTouch>& best);
   Touch cold(int fields, double phi);
@@ -81,6 +95,9 @@ class Transmission {
   std::vector<std::unique_ptr<TouchSearch>> searches_;
   // The crests of each field. Empty if the crests of one of the fields cannot be computed.
   std::vector<std::shared_ptr<const detail::WaveCrests>> crests_;
+  bool convex_;
+  // For each pair of patches on convex flanks, the pair of patches beyond each bound, or −1.
+  std::vector<std::array<int, detail::kBounds>> across_;
   int farthest_pair_;
   long too_long_ = 0;
 };

@@ -9,7 +9,6 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear.hpp"
-#include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/solved_job.hpp"
@@ -22,13 +21,18 @@ namespace gearwright {
 
 namespace {
 
-// Greatest number of samples in all replicates together, for loaded teeth and for patterns.
-constexpr int kFewSamples = 256;
+// Greatest number of samples in all replicates together, for patterns.
+constexpr int kPatternSamples = 256;
 // Number of positions per pitch for loaded teeth, if [load] does not give it.
 constexpr int kLoadedPositions = 16;
 // Greatest number of positions per pitch for patterns. A parabola interpolates the gap between
 // positions.
 constexpr int kDensityPositions = 16;
+
+bool is_given(const std::vector<ScatterTolerance>& all, const std::string& name) {
+  return std::any_of(all.begin(), all.end(),
+                     [&](const ScatterTolerance& t) { return t.name == name; });
+}
 
 // Adds the tolerances of an accuracy grade that the spec does not give individually.
 class Grades {
@@ -56,10 +60,13 @@ class Grades {
                      "is allowed only for involute teeth with a usable flank; give the ranges in "
                      "[scatter.errors]",
                      FailureKind::no_flank};
+      source_ = field;
       add_flank(which, *flank);
+      if (flank->helix_total > helix_total_) worse_ = field;
       helix_total_ = std::max(helix_total_, flank->helix_total);
     }
-    if (helix_total_ > 0.0) return add_housing();
+    source_ = worse_;
+    if (helix_total_ > 0.0) add_axes();
     return std::nullopt;
   }
 
@@ -76,14 +83,11 @@ class Grades {
                  "needs a grade, for example quality = 6 in [scatter]"};
   }
 
-  bool given(const std::string& name) const {
-    return std::any_of(all_.begin(), all_.end(),
-                       [&](const ScatterTolerance& t) { return t.name == name; });
-  }
   template <class Of>
   void add(const std::string& name, double unit, double half, const Of& of) {
-    if (given(name)) return;
-    all_.push_back({name, unit, Distribution::of({{-half / unit, half / unit}}).value(), of});
+    if (!is_given(all_, name))
+      all_.push_back(
+          {name, unit, Distribution::of({{-half / unit, half / unit}}).value(), of, source_});
   }
   void add_error(VaryingError error, double half) {
     const ErrorEntry& e = error_entries()[static_cast<std::size_t>(error)];
@@ -98,42 +102,31 @@ class Grades {
         VaryingModification{which, Modification::profile_slope});
     constexpr std::array<int, 2> kWaves{1, 4};
     const Distribution share = Distribution::of({{0.0, 1.0}}).value();
-    all_.push_back(
-        {table + "profile_waves", 1.0, share,
-         VaryingWave{which, false, gear.profile_waves.value_or(kWaves), f.profile_form}});
+    all_.push_back({table + "profile_waves", 1.0, share,
+                    VaryingWave{which, false, gear.profile_waves.value_or(kWaves), f.profile_form},
+                    source_});
     all_.push_back({table + "helix_waves", 1.0, share,
-                    VaryingWave{which, true, gear.helix_waves.value_or(kWaves), f.helix_form}});
+                    VaryingWave{which, true, gear.helix_waves.value_or(kWaves), f.helix_form},
+                    source_});
     // The long period, which alone depends on pitches, is computed for single-helical pairs only.
     if (!job_.halves[0])
-      all_.push_back(
-          {table + "pitch", 1.0, share, VaryingPitch{which, f.total_pitch, f.single_pitch}});
+      all_.push_back({table + "pitch", 1.0, share,
+                      VaryingPitch{which, f.total_pitch, f.single_pitch}, source_});
   }
 
-  std::optional<Error> add_housing() {
-    const PairInput& pair = job_.completed.pair;
-    std::optional<std::array<double, 2>> distance = pair.distance_deviations;
-    if (!distance && pair.distance_tolerance) {
-      const auto half = js_deviation(*pair.distance_tolerance, job_.pair->center_distance());
-      if (!half) return half.error();
-      distance = {-*half, *half};
-    }
-    if (job_.spec.scatter.bearings) return std::nullopt;
-    const ErrorEntry& e = error_entries()[0];
-    const std::string name = "errors." + std::string(e.key);
-    if (distance && !given(name))
-      all_.push_back(
-          {name, e.si(), Distribution::of({*distance}).value(), VaryingError::center_distance});
-    if (job_.pair->crossed()) return std::nullopt;
+  void add_axes() {
+    if (job_.spec.scatter.bearings || job_.pair->crossed()) return;
     const double face =
         std::min(job_.pair->gear(1).spec.face_width, job_.pair->gear(2).spec.face_width);
     const GradedAxes axes = graded_axes(helix_total_, face);
     add_error(VaryingError::crossing, axes.crossing);
     add_error(VaryingError::intersecting, axes.intersecting);
-    return std::nullopt;
   }
 
   const SolvedJob& job_;
   std::vector<ScatterTolerance>& all_;
+  std::string source_;        // key of the grade
+  std::string worse_;         // key of the grade with the greatest F_β
   double helix_total_ = 0.0;  // F_β of the worse gear  mm
 };
 
@@ -151,8 +144,8 @@ Distribution distribution_of(const DistributionSpec& spec) {
 void add_bearings(const ScatterBearings& b, std::vector<ScatterTolerance>& all) {
   for (const bool far_end : {false, true}) {
     all.push_back({far_end ? "bearings.bore_b" : "bearings.bore_a", 1.0,
-                   distribution_of({{-b.radius, b.radius}}),
-                   VaryingBore{b.span, b.offset, far_end}});
+                   distribution_of({{-b.radius, b.radius}}), VaryingBore{b.span, b.offset, far_end},
+                   "scatter.bearings"});
   }
 }
 
@@ -165,7 +158,7 @@ std::optional<Error> add_gear(const SolvedJob& job, int which, const ScatterGear
                    "is allowed only for involute teeth, because the thickness of circular-arc "
                    "teeth also changes the position of their contact"};
     all.push_back({table + "thickness_allowance_mm", 1.0, distribution_of(*gear.thickness),
-                   VaryingThickness{which}});
+                   VaryingThickness{which}, "scatter." + table + "thickness_allowance_mm"});
   }
   for (std::size_t i = 0; i < modification_entries().size(); ++i) {
     if (!gear.modifications[i]) continue;
@@ -179,7 +172,7 @@ std::optional<Error> add_gear(const SolvedJob& job, int which, const ScatterGear
                                table, m.name, m.reach)};
     }
     all.push_back({name, kMmPerUm, distribution_of(*gear.modifications[i]),
-                   VaryingModification{which, m.kind}});
+                   VaryingModification{which, m.kind}, "scatter." + name});
   }
   return std::nullopt;
 }
@@ -191,7 +184,7 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
     if (!input.errors[i]) continue;
     const ErrorEntry& e = error_entries()[i];
     all.push_back({"errors." + std::string(e.key), e.si(), distribution_of(*input.errors[i]),
-                   static_cast<VaryingError>(i)});
+                   static_cast<VaryingError>(i), "scatter.errors." + std::string(e.key)});
   }
   if (input.bearings) {
     if (job.pair->crossed())
@@ -204,6 +197,8 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
     const ScatterGear& gear = input.gears[static_cast<std::size_t>(which - 1)];
     if (auto error = add_gear(job, which, gear, all)) return *error;
   }
+  for (ScatterTolerance& t : drawn_tolerances(job))
+    if (!is_given(all, t.name)) all.push_back(std::move(t));
   if (auto error = Grades(job, all).add()) return *error;
   return all;
 }
@@ -300,7 +295,8 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   // A sample that loses contact may have no results, but the teeth as drawn must have results.
   if (auto error = judge_load(load, load.contact(*compliance), job.warnings)) return *error;
   request.progress = nullptr;
-  return LoadedFamily{std::move(compliance).take(), request, few_samples(task, kFewSamples)};
+  return LoadedFamily{std::move(compliance).take(), request,
+                      few_samples(task, job.spec.scatter.loaded_samples)};
 }
 
 }  // namespace
@@ -318,7 +314,7 @@ DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, in
   DensityRequest request;
   request.marking = job.spec.contact.marking;
   request.positions = std::min(task.member.positions, kDensityPositions);
-  request.samples = few_samples(task, most > 0 ? most : kFewSamples);
+  request.samples = few_samples(task, most > 0 ? most : kPatternSamples);
   return request;
 }
 

@@ -24,6 +24,10 @@ struct ScatterAnswer {
   std::optional<RobustAnswer> robust;
 };
 
+/// The tooth thickness of each involute gear and the centre distance, within the tolerances of the
+/// drawing, about the values with which the pair is computed.
+std::vector<ScatterTolerance> drawn_tolerances(const SolvedJob& job);
+
 /// The setup and the task of [scatter], before the load, the scatter and the corrections are
 /// computed.
 ///

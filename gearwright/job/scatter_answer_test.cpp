@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
@@ -228,12 +229,12 @@ TEST(ScatterAnswer, AGradeGivesWhatIsNotGiven) {
   Json tree = spec_with(R"({"samples": 2, "replicates": 2, "quality": 6,
     "errors": {"helix_slope1_um": [-1, 1]}, "gear2": {"profile_waves": [2, 3]}})");
   tree["pair"]["center_distance_tolerance"] = "JS7";
-  const Json all =
-      Json::array({"errors.helix_slope1_um", "gear1.modifications.profile_slope_um",
-                   "gear1.profile_waves", "gear1.helix_waves", "gear1.pitch",
-                   "errors.helix_slope2_um", "gear2.modifications.profile_slope_um",
-                   "gear2.profile_waves", "gear2.helix_waves", "gear2.pitch",
-                   "errors.center_distance_mm", "errors.crossing_deg", "errors.intersecting_deg"});
+  const Json all = Json::array({"errors.helix_slope1_um", "errors.center_distance_mm",
+                                "gear1.modifications.profile_slope_um", "gear1.profile_waves",
+                                "gear1.helix_waves", "gear1.pitch", "errors.helix_slope2_um",
+                                "gear2.modifications.profile_slope_um", "gear2.profile_waves",
+                                "gear2.helix_waves", "gear2.pitch", "errors.crossing_deg",
+                                "errors.intersecting_deg"});
   const Json scatter = scatter_answered(tree)["scatter"];
   EXPECT_EQ(scatter["inputs"], all) << scatter.dump();
   EXPECT_GT(scatter["long_period_arcsec"]["mean"], scatter["peak_to_peak_arcsec"]["mean"]);
@@ -241,13 +242,54 @@ TEST(ScatterAnswer, AGradeGivesWhatIsNotGiven) {
   Json by_gear = tree;
   by_gear["scatter"].erase("quality");
   by_gear["gear1"]["tolerance"]["quality"] = by_gear["gear2"]["tolerance"]["quality"] = 6;
-  EXPECT_EQ(scatter_answered(by_gear)["scatter"], scatter);
+  Json same = scatter_answered(by_gear)["scatter"];
+  EXPECT_EQ(same["ranges_from"][2], "gear1.tolerance.quality");
+  same["ranges_from"] = scatter["ranges_from"];
+  EXPECT_EQ(same, scatter);
   expect_refused(R"({"gear1": {"pitch": "F_p"}})", "scatter.gear1.pitch", "needs a grade");
   expect_refused(R"({"quality": 12})", "scatter.quality", "1 to 11");
   by_gear["gear2"]["tolerance"]["quality"] = 12;
   expect_spec_refused(by_gear, "gear2.tolerance.quality", "1 to 11");
   expect_refused(R"({"quality": 6, "gear1": {"helix_waves": [4, 1]}})", "scatter.gear1.helix_waves",
                  "in rising order");
+}
+
+// A series of DIN 3967 and JS7 on the drawing have the effect of the same ranges in [scatter].
+TEST(ScatterAnswer, TolerancesOfTheDrawingVary) {
+  const Json task = {{"samples", 64}, {"replicates", 2}};
+  Json drawn = spec_with(""), given = spec_with("");
+  drawn["scatter"] = given["scatter"] = task;
+  drawn["pair"]["center_distance_tolerance"] = "JS7";
+  const double js = js_deviation("JS7", 60.4).value();
+  given["scatter"]["errors"]["center_distance_mm"] = {-js, js};
+  for (const auto& [gear, diameter] : {std::pair("gear1", 40.0), std::pair("gear2", 80.0)}) {
+    drawn[gear].erase("thickness_allowance_mm");
+    drawn[gear]["tolerance"]["thickness_series"] = "cd25";
+    const auto [lower, upper] = thickness_allowances("cd25", diameter).value();
+    given[gear]["thickness_allowance_mm"] = (lower + upper) / 2;
+    given["scatter"][gear]["thickness_allowance_mm"] = {-(upper - lower) / 2, (upper - lower) / 2};
+  }
+  const Json answer = scatter_answered(drawn)["scatter"];
+  const Json same = scatter_answered(given)["scatter"];
+  EXPECT_EQ(answer["inputs"], same["inputs"]);
+  EXPECT_EQ(answer["ranges_from"],
+            Json({"pair.center_distance_tolerance", "gear1.tolerance.thickness_series",
+                  "gear2.tolerance.thickness_series"}));
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(answer["least_play_deg"]["percentiles"][i].get<double>(),
+                same["least_play_deg"]["percentiles"][i].get<double>(), 1e-12);
+  EXPECT_GT(answer["least_play_deg"]["standard_deviation"], 0.001);
+  // A range in [scatter] replaces that of the drawing.
+  drawn["scatter"]["errors"]["center_distance_mm"] = {-0.05, 0.05};
+  EXPECT_EQ(scatter_answered(drawn)["scatter"]["ranges_from"][0],
+            "scatter.errors.center_distance_mm");
+}
+
+TEST(ScatterAnswer, UnderLoadTheNumberOfSamplesIsLimited) {
+  Json spec = loaded_spec(80);
+  spec["scatter"]["samples"] = 4;
+  spec["scatter"]["loaded_samples"] = 3;
+  EXPECT_EQ(scatter_answered(spec)["scatter"]["loaded"][0]["unsolved"]["of"], 2);
 }
 
 TEST(ScatterAnswer, TablesHaveARowForEachSample) {

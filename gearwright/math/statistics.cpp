@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <boost/math/special_functions/beta.hpp>
@@ -21,10 +22,10 @@ double at_least(std::int64_t k, std::int64_t n, double p) {
   return beta_cdf(p, static_cast<double>(k), static_cast<double>(n - k + 1));
 }
 
-double sum_of_squares(std::span<const double> f, std::span<const double> g) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < f.size(); ++i) sum += (f[i] - g[i]) * (f[i] - g[i]);
-  return sum;
+// Combines two estimates of a share between 0 and 1. The first is exact if the share is 0, and the
+// second if it is 1.
+double combined(double exact_at_0, double exact_at_1, double weight_of_second) {
+  return exact_at_0 + std::clamp(weight_of_second, 0.0, 1.0) * (exact_at_1 - exact_at_0);
 }
 
 }  // namespace
@@ -98,17 +99,31 @@ std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<c
                                           std::span<const std::vector<double>> mixed,
                                           double least_variance) {
   GW_EXPECTS(!a.empty() && a.size() == b.size());
-  std::vector<double> both(a.begin(), a.end());
-  both.insert(both.end(), b.begin(), b.end());
-  const double variance = moments(both).variance;
+  std::vector<double> both;
+  for (const std::span<const double> half : {a, b})
+    std::copy_if(half.begin(), half.end(), std::back_inserter(both),
+                 [](double x) { return !std::isnan(x); });
+  if (both.empty()) return std::nullopt;
+  const auto [mean, variance] = moments(both);
   if (!(variance > least_variance)) return std::nullopt;
-  const double scale = 1.0 / (2.0 * static_cast<double>(a.size()) * variance);
   SobolIndices indices;
-  for (const std::vector<double>& f : mixed) {
-    GW_EXPECTS(f.size() == a.size());
-    indices.first.push_back(1.0 - scale * sum_of_squares(b, f));
-    indices.total.push_back(scale * sum_of_squares(a, f));
-    if (!std::isfinite(indices.total.back() + indices.first.back())) return std::nullopt;
+  for (const std::vector<double>& m : mixed) {
+    GW_EXPECTS(m.size() == a.size());
+    // nV times S, 1 − S, S_T and 1 − S_T
+    double first = 0.0, others = 0.0, total = 0.0, others_alone = 0.0, rows = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (std::isnan(a[i] + b[i] + m[i])) continue;
+      first += (b[i] - mean) * (m[i] - a[i]);
+      others += 0.5 * (b[i] - m[i]) * (b[i] - m[i]);
+      total += 0.5 * (a[i] - m[i]) * (a[i] - m[i]);
+      others_alone += (a[i] - mean) * (m[i] - b[i]);
+      ++rows;
+    }
+    if (rows == 0.0) return std::nullopt;
+    const double scale = 1.0 / (rows * variance);
+    const double s = scale * first, s_t = scale * total;
+    indices.first.push_back(combined(s, 1.0 - scale * others, s));
+    indices.total.push_back(combined(s_t, 1.0 - scale * others_alone, s_t * s_t));
   }
   return indices;
 }

@@ -73,13 +73,15 @@ struct SobolIndices {
   std::vector<double> first, total;  ///< one index for each group
 };
 
-/// Jansen's estimates for a function f of the inputs. A and B are two independent sets of n points;
-/// `a` and `b` contain the values of f at their points. For each group, `mixed` contains the values
-/// of f at the points of A with the inputs of the group taken from B. None if the variance of f is
-/// at most `least_variance`, or if a value is NaN.
+/// Estimates for a function f of the inputs. A and B are two independent sets of n points; `a` and
+/// `b` contain the values of f at their points. For each group, `mixed` contains the values of f at
+/// the points of A with the inputs of the group taken from B. The indices of a group use the points
+/// at which none of its three values is NaN. None if a group has no such point, or if the variance
+/// of f is at most `least_variance`.
 ///
 /// Formula   [T14.10]
 /// Domain    n ≥ 1, and all spans have n values (contract)
+/// Laws      both indices are exactly 0 for a group without influence
 std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<const double> b,
                                           std::span<const std::vector<double>> mixed,
                                           double least_variance);

@@ -75,6 +75,7 @@ struct ScatterTolerance {
   std::variant<VaryingError, VaryingThickness, VaryingModification, VaryingBore, VaryingPitch,
                VaryingWave>
       of;
+  std::string source{};  ///< key or table of the spec that gives the range
 
   bool bore() const { return std::holds_alternative<VaryingBore>(of); }
   /// Number of coordinates of x: 2 for a bore or a wave, 3 for a pitch, else 1.

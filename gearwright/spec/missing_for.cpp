@@ -44,6 +44,13 @@ bool any_tolerance(const JobSpec& spec) {
   const ScatterInput& s = spec.scatter;
   const auto graded = [](const auto& gear) { return gear && gear->tolerance.quality; };
   if (s.quality || std::any_of(spec.gears.begin(), spec.gears.end(), graded)) return true;
+  const auto thin = [](const auto& gear) {
+    return gear && (gear->allowance_ends || gear->tolerance.says_thickness());
+  };
+  const PairInput& pair = spec.pair;
+  if (s.given && (pair.distance_tolerance || pair.distance_deviations || pair.backlash_ends ||
+                  std::any_of(spec.gears.begin(), spec.gears.end(), thin)))
+    return true;
   const auto given = [](const auto& tolerance) { return tolerance.has_value(); };
   const auto of_gear = [&](const ScatterGear& gear) {
     return gear.thickness || gear.pitch || gear.profile_waves || gear.helix_waves ||
@@ -134,7 +141,9 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
                      "; the verb scatter needs a range for at least one number. Give, for example, "
                      "[scatter.errors] with crossing_deg = [-0.02, 0.02], or [scatter.bearings] "
                      "with span_mm and radius_mm, or [scatter.gear1] with thickness_allowance_mm = "
-                     "[-0.02, 0.02] or modifications, or a grade (quality = 6)"));
+                     "[-0.02, 0.02] or modifications, or a grade (quality = 6), "
+                     "or [scatter] and a tolerance of the drawing, for example "
+                     "center_distance_tolerance = \"JS7\" in [pair]"));
   if (rated) add(missing, missing_for_rating(spec));
   return missing;
 }

@@ -1,0 +1,65 @@
+// Percentiles of a distribution that is known exactly: the sum of three uniform numbers, with
+// F(x) = x³/6 for x ≤ 1 and a standard deviation of ½.
+#include "gearwright/scatter/spread.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearwright/math/sobol.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr int kSamples = 64, kReplicates = 8;
+
+std::vector<double> sums(std::uint64_t seed) {
+  const SobolPoints sobol(3);
+  std::vector<double> values;
+  for (int r = 0; r < kReplicates; ++r) {
+    for (std::uint32_t n = 0; n < kSamples; ++n) {
+      double sum = 0.0;
+      for (int j = 0; j < 3; ++j)
+        sum += unit_interval(owen_scrambled(sobol.bits(n, j), scramble_key(seed, r, j)));
+      values.push_back(sum);
+    }
+  }
+  return values;
+}
+
+// The mean of the percentiles of the replicates would be inside in three of four trials only.
+TEST(Spread, IntervalsContainTheExactPercentiles) {
+  const double low = std::cbrt(0.3);
+  const std::array<double, 3> exact{low, 1.5, 3.0 - low};
+  ScatterTask task;
+  constexpr int kTrials = 200;
+  std::array<int, 3> inside{};
+  int deviation = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const auto spread = spread_of(task, sums(static_cast<std::uint64_t>(trial)), kSamples);
+    ASSERT_TRUE(spread);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Percentile& p = spread->percentiles[i];
+      inside[i] += *p.lower <= exact[i] && exact[i] <= *p.upper;
+    }
+    const ConfidenceInterval of_deviation =
+        interval(spread->standard_deviation, kReplicates, task.confidence);
+    deviation += of_deviation.lower <= 0.5 && 0.5 <= of_deviation.upper;
+  }
+  // 95 % of the trials, less three standard deviations of the binomial distribution.
+  for (const int count : inside) EXPECT_GE(count, 0.90 * kTrials);
+  EXPECT_GE(deviation, 0.90 * kTrials);
+}
+
+TEST(Spread, LostSamplesAreLeftOut) {
+  std::vector<double> values(kSamples * kReplicates, 1.0);
+  for (int n = 0; n < kSamples; ++n)
+    values[static_cast<std::size_t>(n)] = NAN;  // a whole replicate
+  const auto spread = spread_of(ScatterTask(), values, kSamples);
+  ASSERT_TRUE(spread);
+  EXPECT_EQ(spread->mean.value, 1.0);
+  EXPECT_EQ(spread->standard_deviation.value, 0.0);
+}
+
+}  // namespace
+}  // namespace gearwright
