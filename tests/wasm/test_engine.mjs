@@ -159,6 +159,26 @@ const tests = {
     }
   },
 
+  the_parts_of_a_drive_turn_with_its_speed_ratios() {
+    for (const name of ["drives/planetary_set", "drives/robot_joint", "drives/two_stage_gearbox"]) {
+      const session = engine.open(example(name));
+      const solids = session.driveSolids();
+      assert.ok(!failed(solids), JSON.stringify(solids));
+      const { drive } = JSON.parse(session.json("drive"));
+      assert.deepEqual(solids.bodies.map((body) => body.name).sort(), Object.keys(drive.bodies).sort());
+      for (const { name, ratio } of solids.bodies) assert.equal(ratio, drive.bodies[name].speed_ratio);
+      for (const part of solids.parts) {
+        assert.equal(part.turn, drive.bodies[solids.bodies[part.body].name].speed_ratio);
+        assert.ok((part.mesh === null) === (part.same !== null) && (part.mesh ?? solids.parts[part.same].mesh).indices.length);
+        // Planets are on a circle about the axis of the carrier. All other parts stay on their axes.
+        const off = Math.hypot(part.pose[12] - part.about[0], part.pose[13] - part.about[1]);
+        if (solids.bodies[part.body].rides) near(off, drive.center_distance_mm, 1e-9);
+        else assert.equal(off, 0);
+      }
+      session.delete();
+    }
+  },
+
   contact_in_columns_is_contact_in_json() {
     const session = engine.open(example("misaligned_pair"));
     const { contact } = JSON.parse(session.json("contact"));

@@ -293,6 +293,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .function("json", &session_json)
       .function("section", &call<&Session::section, Session, int, double>)
       .function("mesh", &call<&Session::mesh, Session, int, double>)
+      .function("driveSolids", &call<&Session::drive_solids, Session>)
       .function("lines", &call<&Session::lines, Session>)
       .function("meshFigure", &call<&mesh_figure, const Session, val>)
       .function("pose", &call<&Session::pose, Session, int, double, bool>)

@@ -141,6 +141,30 @@ export interface Mesh {
   toleranceMm: number;
 }
 
+/** The solids of a drive in their places, and their motion. All ratios are turns per turn of the first input. */
+export interface DriveSolids {
+  parts: {
+    name: string; // "planet 1"
+    body: number; // index in `bodies`
+    same: number | null; // an earlier part with the same mesh
+    mesh: Mesh | null; // null if `same` is given
+    pose: Float64Array; // column-major 4×4 matrix in the initial position
+    turn: number; // ratio of the part
+    about: [number, number]; // axis of its carrier, or its own axis, mm
+    carried: number; // ratio of its carrier, 0 if it has none
+    travel: [number, number]; // motion of a rack per turn of the first input, mm
+  }[];
+  bodies: {
+    name: string;
+    ratio: number; // 0 if the body is held, moves in a line, or if its speed is not known
+    rides: boolean; // true for a planet
+    colour: [number, number, number]; // linear RGB, as in GLB files
+  }[];
+  fixed: string[];
+  inputs: string[];
+  output: string;
+}
+
 /** Lines between the gears in the housing frame, mm. An array is empty if its line does not exist. */
 export interface MeshLines {
   kind: "parallel_external" | "parallel_internal" | "crossed";
@@ -291,7 +315,7 @@ export interface DesignDots {
 
 /** A spec that has been read and solved, with all results that a page shows while the user changes the spec. */
 export interface Session {
-  readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive") and files only
+  readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive"), driveSolids() and files only
   readonly hasPair: boolean; // true for two gears, and for a rack and its pinion
   /** The output of `gearwright VERB SPEC --json` including its line feed, or a Failed as JSON. */
   json(verb: Verb): string;
@@ -299,6 +323,7 @@ export interface Session {
   section(gear: 1 | 2, toleranceMm?: number): Section | Failed;
   /** The solid of gear 1 or 2 within the tolerance (default 0.02 mm). */
   mesh(gear: 1 | 2, toleranceMm?: number): Mesh | Failed;
+  driveSolids(): DriveSolids | Failed;
   lines(): MeshLines | Failed;
   /** The gears in section, in mm. Each shape of a gear is a `use` element with `data-gear`, whose
    *  transformation is relative to the position of the gear. */

@@ -82,8 +82,6 @@ void append_circles(std::vector<NamedCircle>& circles, const ValueRecord& record
   }
 }
 
-Json pose_row(const Eigen::Isometry3d& x) { return web::row(Numbers(x.data(), x.data() + 16)); }
-
 }  // namespace
 
 Result<ToothedBody> Session::body(int gear, bool in_place) const {
@@ -193,22 +191,7 @@ Result<Json> Session::mesh(int gear, double tolerance) const {
   if (!made) return made.error();
   const auto mesh = tessellate(*made, {.chord_tolerance_mm = tolerance});
   if (!mesh) return spelled(within(made->name, mesh.error()), job_.spec.given);
-  std::vector<float> positions, normals;
-  std::vector<std::uint32_t> indices;
-  positions.reserve(3 * mesh->shaded_vertices.size());
-  normals.reserve(3 * mesh->normals.size());
-  indices.reserve(3 * mesh->shaded_triangles.size());
-  const auto put = [](std::vector<float>& to, const Vec3& v) {
-    for (const double x : {v.x(), v.y(), v.z()}) to.push_back(static_cast<float>(x));
-  };
-  for (const std::uint32_t v : mesh->shaded_vertices) put(positions, mesh->vertices[v]);
-  for (const Vec3& n : mesh->normals) put(normals, n);
-  for (const Triangle& t : mesh->shaded_triangles)
-    indices.insert(indices.end(), t.begin(), t.end());
-  return Json{{"positions", row(positions)},
-              {"normals", row(normals)},
-              {"indices", row(indices)},
-              {"toleranceMm", tolerance}};
+  return shape(*mesh, tolerance);
 }
 
 Result<Json> Session::lines() const {
@@ -252,7 +235,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
     if (gear != 1) return absent_input("gear2", ": there is no pair");
     const Eigen::Isometry3d x(
         Eigen::AngleAxisd(-Angle::degrees(rotation1_deg).rad(), Vec3::UnitZ()));
-    return pose_row(x);
+    return shape(x);
   }
   const Angle rotation1 = Angle::degrees(rotation1_deg);
   // If the gears cannot touch, the errors of mounting are ignored.
@@ -277,7 +260,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
       }
       x = errors * x;
     }
-    return pose_row(x);
+    return shape(x);
   }
   // If gear 2 is a rack, its rotation is its travel divided by the reference radius of the pinion.
   Angle rotation2 = job_.rack ? rotation1 : std::abs(1.0 / job_.pair->gear_ratio()) * rotation1;
@@ -289,10 +272,10 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   }
   if (job_.rack) {
     x.translation().y() -= rotation2.rad() * job_.rack->pinion.reference_diameter / 2;
-    return pose_row(x);
+    return shape(x);
   }
   x = x * Eigen::AngleAxisd(job_.pair->mounted().side() * rotation2.rad(), Vec3::UnitZ());
-  return pose_row(x);
+  return shape(x);
 }
 
 }  // namespace gearwright::web

@@ -57,6 +57,8 @@ class Session : public std::enable_shared_from_this<Session> {
   std::string json(std::string_view verb) const;
   Result<Json> section(int gear, double tolerance) const;
   Result<Json> mesh(int gear, double tolerance) const;
+  /// The solids of a drive in their places, with the data of their motion.
+  Result<Json> drive_solids() const;
   Result<Json> lines() const;
   /// The gears in section, with all circles that the catalogue contains.
   Result<Json> mesh_figure(const MeshView& view) const;

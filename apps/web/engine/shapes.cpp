@@ -53,6 +53,26 @@ Json shape(const FlankRaster& raster) {
       {"diameter", row(raster.diameter)}, {"height", row(raster.height)}, {"gap", row(raster.gap)}};
 }
 
+Json shape(const TriangleMesh& mesh, double tolerance) {
+  std::vector<float> positions, normals;
+  std::vector<std::uint32_t> indices;
+  positions.reserve(3 * mesh.shaded_vertices.size());
+  normals.reserve(3 * mesh.normals.size());
+  indices.reserve(3 * mesh.shaded_triangles.size());
+  const auto put = [](std::vector<float>& to, const Vec3& v) {
+    for (const double x : {v.x(), v.y(), v.z()}) to.push_back(static_cast<float>(x));
+  };
+  for (const std::uint32_t v : mesh.shaded_vertices) put(positions, mesh.vertices[v]);
+  for (const Vec3& n : mesh.normals) put(normals, n);
+  for (const Triangle& t : mesh.shaded_triangles) indices.insert(indices.end(), t.begin(), t.end());
+  return {{"positions", row(positions)},
+          {"normals", row(normals)},
+          {"indices", row(indices)},
+          {"toleranceMm", tolerance}};
+}
+
+Json shape(const Eigen::Isometry3d& pose) { return row(Numbers(pose.data(), pose.data() + 16)); }
+
 Json shape(const Figure& figure, double width) {
   width = std::clamp(width, 280.0, 1400.0);
   return {{"id", figure.id},

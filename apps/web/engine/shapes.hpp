@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "gearwright/cad/mesh.hpp"
 #include "gearwright/contact/pattern.hpp"
 #include "gearwright/figure/figure.hpp"
 #include "gearwright/spec/json.hpp"
@@ -45,6 +46,9 @@ struct ContactCurve {
 
 Json shape(const ContactCurve& curve);
 Json shape(const FlankRaster& raster);
+Json shape(const TriangleMesh& mesh, double tolerance);
+/// A pose as a column-major 4×4 matrix, as three.js requires.
+Json shape(const Eigen::Isometry3d& pose);
 /// A figure `width` px wide, with its caption as HTML and its data. Figures of gears in
 /// section have no caption.
 Json shape(const Figure& figure, double width);

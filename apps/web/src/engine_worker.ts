@@ -185,6 +185,7 @@ const questions = {
     const s = session(q.text);
     return eachGear(s, (gear) => s.mesh(gear, q.tolerance));
   },
+  driveSolids: (q: { text: string }) => good(session(q.text).driveSolids()),
   curve: (q: { text: string; positions: number }) => {
     const begin = performance.now();
     const curve = good(session(q.text).contactCurve(q.positions));

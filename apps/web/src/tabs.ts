@@ -146,7 +146,7 @@ export class Tabs {
     this.age();
     let fault = "";
     try {
-      if (isDrive() && !tab.ofDrives) fault = "This spec describes a drive. The tab “sheet” shows its results.";
+      if (isDrive() && !tab.ofDrives) fault = "This spec describes a drive. The tabs “solid” and “sheet” show it.";
       else await tab.refresh();
     } catch (reason) {
       fault = sentenceOf(reason);

@@ -1,11 +1,10 @@
-// Controls for turning a pair: a slider over one pitch of gear 1, a button that starts and stops a continuous
-// rotation, and the angle in degrees.
+// Controls for turning a pair or a drive: a slider over one pitch of gear 1 or over one turn of a body, a button
+// that starts and stops a continuous rotation, and the angle in degrees.
 
 import { button, h, slide, slider } from "./elements";
-import type { Motion } from "./motion";
 
 export class TurnControl {
-  /** Rotation of gear 1, in its pitches, −½ … ½. */
+  /** Rotation of gear 1, in its pitches, or of a body, in turns, −½ … ½. */
   t = 0;
   private readonly slider = slider("rotation of gear 1", { min: -0.5, max: 0.5, step: 0.002 }, (t) => {
     this.t = t;
@@ -19,9 +18,11 @@ export class TurnControl {
 
   constructor(private readonly changed: () => void) {}
 
-  show(motion: Motion | null): void {
+  /** Shows the position. `motion` gives the range of the slider, and `what` names the part that turns. */
+  show(motion: { pitchDeg: number } | null, what = "gear 1"): void {
     this.run.textContent = this.running ? "Stop" : "Turn";
     this.slider.value = String(this.t);
+    this.slider.setAttribute("aria-label", `rotation of ${what}`);
     if (motion) this.angle.textContent = (this.t * motion.pitchDeg).toFixed(2) + "°";
   }
   stop(): void {

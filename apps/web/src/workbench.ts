@@ -74,7 +74,12 @@ class Workbench {
   /** Sets one key, for example "gear1.profile_shift". The value undefined removes it. Simultaneous changes
    *  are combined. */
   setKey(key: string, value: Json | undefined): void {
-    this.edits.set(key, value === undefined ? "null" : JSON.stringify(value));
+    this.setKeys({ [key]: value });
+  }
+  /** Sets several keys in one step. */
+  setKeys(values: Record<string, Json | undefined>): void {
+    for (const [key, value] of Object.entries(values))
+      this.edits.set(key, value === undefined ? "null" : JSON.stringify(value));
     void this.applyEdits();
   }
 

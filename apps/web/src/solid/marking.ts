@@ -11,6 +11,8 @@ export interface Marking {
   set(raster: FlankRaster | null, thickness: number): void;
 }
 
+/** The surface of all solids. */
+export const kMetal = { metalness: 0.25, roughness: 0.48 };
 const kFar = 1e3; // mm; stands for an infinite gap
 
 /** The colour of a gear, paler than on paper, so that light and shade remain visible. */
@@ -36,9 +38,8 @@ export function markedMaterial(
     shine: { value: new THREE.Color(colour("action")) },
   };
   const material = new THREE.MeshStandardMaterial({
+    ...kMetal,
     color: metal(gear),
-    metalness: 0.25,
-    roughness: 0.48,
     clippingPlanes: [cut],
   });
   material.onBeforeCompile = (shader) => {

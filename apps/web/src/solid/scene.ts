@@ -1,14 +1,22 @@
-// The scene of the tab "solid": both gears as meshes of the engine, a light that moves with the camera, a
-// cutting plane, and the contact on the flanks.
+// The scene of the tab "solid": both gears, or the parts of a drive, as meshes of the engine, a light that moves
+// with the camera, a cutting plane, and the contact on the flanks.
 //
 // The scene is drawn again only if something has changed.
 
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import type { Mesh } from "../../engine/engine";
+import type { DriveSolids, Mesh } from "../../engine/engine";
 import { colour, onKeys, onNextFrame } from "../elements";
 import { ContactMarks } from "./contact_marks";
-import { markedMaterial, metal, type Marking } from "./marking";
+import { kMetal, markedMaterial, metal, type Marking } from "./marking";
+
+function geometryOf(mesh: Mesh): THREE.BufferGeometry {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(mesh.positions, 3));
+  geometry.setAttribute("normal", new THREE.BufferAttribute(mesh.normals, 3));
+  geometry.setIndex(new THREE.BufferAttribute(mesh.indices, 1));
+  return geometry;
+}
 
 export class SolidScene {
   readonly marks = new ContactMarks();
@@ -55,6 +63,30 @@ export class SolidScene {
 
   /** Replaces the solids. The camera moves only if their size has changed much. */
   setMeshes(meshes: Mesh[], internal: boolean[], driver: number): void {
+    this.clear();
+    meshes.forEach((mesh, i) => {
+      const side = (internal[i] ? 1 : -1) * (driver === 2 ? -1 : 1);
+      const { material, marking } = markedMaterial(i, side, this.cut);
+      this.add(geometryOf(mesh), material, colour(`g${i + 1}-fill`));
+      this.markings.push(marking);
+    });
+    this.repaint();
+  }
+
+  /** Replaces the solids by the parts of a drive, in the colours of their bodies. */
+  setParts({ parts, bodies }: DriveSolids): void {
+    this.clear();
+    const shapes: THREE.BufferGeometry[] = [];
+    for (const { mesh, same, body, name } of parts) {
+      shapes.push(mesh ? geometryOf(mesh) : shapes[same!]!);
+      const color = new THREE.Color(...bodies[body]!.colour);
+      const material = new THREE.MeshStandardMaterial({ ...kMetal, color, clippingPlanes: [this.cut] });
+      this.add(shapes.at(-1)!, material, color.clone().lerp(new THREE.Color(1, 1, 1), 0.35)).name = name;
+    }
+    this.repaint();
+  }
+
+  private clear(): void {
     for (const gear of this.gears) {
       this.scene.remove(gear);
       gear.traverse((part) => {
@@ -65,32 +97,23 @@ export class SolidScene {
     }
     for (const marking of this.markings) marking.texture.dispose();
     this.gears.length = this.markings.length = 0;
-    meshes.forEach((mesh, i) => {
-      const geometry = new THREE.BufferGeometry();
-      geometry.setAttribute("position", new THREE.BufferAttribute(mesh.positions, 3));
-      geometry.setAttribute("normal", new THREE.BufferAttribute(mesh.normals, 3));
-      geometry.setIndex(new THREE.BufferAttribute(mesh.indices, 1));
-      const side = (internal[i] ? 1 : -1) * (driver === 2 ? -1 : 1);
-      const { material, marking } = markedMaterial(i, side, this.cut);
-      // The cut face has a flat colour, as in a section on a drawing.
-      const inside = new THREE.MeshBasicMaterial({
-        color: colour(`g${i + 1}-fill`),
-        side: THREE.BackSide,
-        clippingPlanes: [this.cut],
-      });
-      const group = new THREE.Group();
-      group.add(new THREE.Mesh(geometry, material), new THREE.Mesh(geometry, inside));
-      group.matrixAutoUpdate = false;
-      this.gears.push(group);
-      this.markings.push(marking);
-      this.scene.add(group);
-    });
-    this.repaint();
+  }
+
+  /** Adds a solid. Its cut face has a flat colour, as in a section on a drawing. */
+  private add(geometry: THREE.BufferGeometry, material: THREE.Material, color: THREE.ColorRepresentation): THREE.Group {
+    const inside = new THREE.MeshBasicMaterial({ color, side: THREE.BackSide, clippingPlanes: [this.cut] });
+    const group = new THREE.Group();
+    group.add(new THREE.Mesh(geometry, material), new THREE.Mesh(geometry, inside));
+    group.matrixAutoUpdate = false;
+    this.gears.push(group);
+    this.scene.add(group);
+    return group;
   }
 
   /** Sets all colours for the light or dark colour scheme. */
   recolour(): void {
-    this.gears.forEach((gear, i) => {
+    // The parts of a drive have no markings and keep their colours.
+    this.gears.slice(0, this.markings.length).forEach((gear, i) => {
       const [outer, inner] = gear.children as THREE.Mesh[];
       (outer!.material as THREE.MeshStandardMaterial).color.copy(metal(i));
       (inner!.material as THREE.MeshBasicMaterial).color.set(colour(`g${i + 1}-fill`));

@@ -1,19 +1,22 @@
 // The tab "solid" shows the pair in space, at any shaft angle. The user turns the view, cuts the solids, and
 // moves the gears apart. The contact point and its ellipse move over the flanks. The contact pattern stays on
-// the flanks.
+// the flanks. A drive is shown with all its bodies, which turn with their exact speed ratios.
 
 import { loadScene } from "gearwright:parts";
+import type { Mesh } from "../../engine/engine";
 import { check, h, onThemeChange, slide, slider } from "../elements";
 import { poseAt, type Motion } from "../motion";
-import { at, bench } from "../workbench";
+import { at, bench, isDrive } from "../workbench";
 import type { Tab } from "../tabs";
 import { TurnControl } from "../turn_control";
+import { DriveControls } from "./drive_controls";
 import type { SolidScene } from "./scene";
 
 const kPositions = 64;
 
 export class SolidView implements Tab {
   readonly id = "solid";
+  readonly ofDrives = true;
   private readonly canvas = h("canvas", {
     tabindex: "0",
     role: "img",
@@ -32,6 +35,8 @@ export class SolidView implements Tab {
     checked: true,
     change: () => void this.paintPattern(),
   });
+  private readonly drive = new DriveControls(() => this.arrange());
+  private readonly ofPair = [slide("apart", this.apart), check("marking", this.markBox)];
   readonly picture = h("div", { class: "canvas-room" }, this.canvas, this.state);
   readonly element = h(
     "div",
@@ -42,9 +47,9 @@ export class SolidView implements Tab {
       { class: "controls" },
       ...this.turning.elements,
       slide("section", this.cut),
-      slide("apart", this.apart),
-      check("marking", this.markBox),
+      ...this.ofPair,
     ),
+    this.drive.element,
   );
   private scene: SolidScene | null = null;
   private motion: Motion | null = null;
@@ -67,6 +72,7 @@ export class SolidView implements Tab {
     if (!solved) {
       this.scene?.setMeshes([], [], 1);
       this.scene?.marks.show(null, 0, 1);
+      this.drive.show(null);
       this.shown = "";
       this.state.textContent = bench.nothing;
       this.motion = null;
@@ -84,10 +90,13 @@ export class SolidView implements Tab {
     }
     if (solved.text === this.shown) return this.scene.repaint();
     const { text } = solved;
+    for (const control of this.ofPair) control.hidden = isDrive();
+    if (isDrive()) return this.showDrive(text);
     const answer = await bench.about(bench.back, "meshes", "meshes", { text, tolerance: this.tolerance() });
     if (!answer) return;
     const motion = await bench.about(bench.back, "motion-solid", "motion", { text, n: kPositions + 1 });
     if (!motion) return;
+    this.drive.show(null);
     const fresh = this.scene.count !== answer.length;
     const gears = (solved.result?.["gears"] ?? []) as unknown as { teeth: number }[];
     this.internal = gears.some((gear) => gear.teeth < 0);
@@ -98,13 +107,31 @@ export class SolidView implements Tab {
       driver,
     );
     this.motion = motion;
+    this.settle(text, fresh, answer);
+    await this.paintPattern();
+  }
+
+  private async showDrive(text: string): Promise<void> {
+    const solids = await bench.about(bench.back, "solids", "driveSolids", { text });
+    if (!solids || !this.scene) return;
+    const fresh = this.scene.count !== solids.parts.length;
+    this.motion = null;
+    this.scene.marks.show(null, 0, 1);
+    this.scene.setParts(solids);
+    this.drive.show(solids);
+    this.settle(text, fresh, solids.parts.map(({ mesh, same }) => (mesh ?? solids.parts[same!]!.mesh)!));
+  }
+
+  /** Shows the new solids at the current position. */
+  private settle(text: string, fresh: boolean, meshes: Mesh[]): void {
+    const scene = this.scene!;
     this.shown = text;
     this.arrange();
-    ({ low: this.low, high: this.high, size: this.size } = this.scene.extent());
-    this.scene.frame(fresh);
+    ({ low: this.low, high: this.high, size: this.size } = scene.extent());
+    scene.frame(fresh);
     this.arrange();
-    this.state.textContent = `${(answer.reduce((sum, mesh) => sum + mesh.indices.length / 3, 0) / 1000).toFixed(0)} thousand triangles`;
-    await this.paintPattern();
+    const triangles = meshes.reduce((sum, mesh) => sum + mesh.indices.length / 3, 0);
+    this.state.textContent = `${(triangles / 1000).toFixed(0)} thousand triangles`;
   }
 
   /** The chord tolerance, too small to be visible: a ten-thousandth of the size of the pair. */
@@ -133,8 +160,13 @@ export class SolidView implements Tab {
 
   private arrange(): void {
     const { scene, motion } = this;
-    this.turning.show(motion);
-    if (!scene || !motion) return;
+    if (!this.drive.element.hidden) this.turning.show({ pitchDeg: 360 }, this.drive.turning);
+    else this.turning.show(motion);
+    if (!scene) return;
+    const share = Number(this.cut.value);
+    scene.section(share >= 1 ? Infinity : this.low + share * (this.high - this.low));
+    if (!this.drive.element.hidden) this.drive.poses(this.turning.t).forEach((pose, part) => scene.place(part, pose));
+    if (!motion) return;
     const apart = Number(this.apart.value);
     // To separate the gears, a pinion moves out of its internal gear along the axis. All other gears move
     // away from each other.
@@ -143,8 +175,6 @@ export class SolidView implements Tab {
       if (gear === 1) pose[this.internal ? 14 : 12]! += apart * this.size * 0.5;
       scene.place(gear, pose);
     });
-    const share = Number(this.cut.value);
-    scene.section(share >= 1 ? Infinity : this.low + share * (this.high - this.low));
     const i = ((Math.round((this.turning.t + 0.5) * kPositions) % kPositions) + kPositions) % kPositions;
     scene.marks.show(apart < 0.02 ? motion.curve : null, i, this.size);
     scene.repaint();
