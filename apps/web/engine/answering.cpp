@@ -12,7 +12,9 @@
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/table_reader.hpp"
 #include "gearwright/spec/toml_text.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::web {
 
@@ -88,6 +90,18 @@ Result<std::string> to_toml(const std::string& json) {
   if (const auto path = null_in(*tree, ""))
     return Error{*path, "null", "is not a value of a spec; leave out the key"};
   return toml_text(*tree);
+}
+
+Result<std::string> metric(const std::string& given) {
+  const SpecText text = spec_text(given);
+  const auto tree = tree_of(text.text, text.format);
+  if (!tree) return tree.error();
+  try {
+    GivenKeys keys;
+    return toml_text(in_catalogue_units(*tree, keys));
+  } catch (const SpecError& e) {
+    return e.error;
+  }
 }
 
 Result<std::string> to_json_text(const std::string& toml) {

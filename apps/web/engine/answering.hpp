@@ -27,6 +27,9 @@ std::string refusal(const Error& error, const SpecText* text = nullptr,
 /// Returns the output of `gearwright VERB SPEC --json`.
 std::string answer(std::string_view verb, const std::string& text);
 
+/// The same spec in mm, as TOML. Comments of the text are lost.
+Result<std::string> metric(const std::string& text);
+
 /// Converts JSON to TOML, or TOML to JSON, with the same tree. Returns an error if the text cannot
 /// be read.
 Result<std::string> to_toml(const std::string& json);

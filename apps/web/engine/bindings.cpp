@@ -182,6 +182,9 @@ MadeWork load(Session& session, const std::string& accuracy,
   if (accuracy == "full") wanted = ComplianceAccuracy::full;
   return load_work(session.shared_from_this(), wanted, tables);
 }
+void show_in(Session& session, const std::string& unit) {
+  session.show_in(unit == "in" ? UnitSystem::inch : UnitSystem::mm);
+}
 std::string session_json(const Session& session, const std::string& verb) {
   return guarded_text([&] { return session.json(verb); });
 }
@@ -233,6 +236,9 @@ val open_search(const std::string& text, int most) {
 val to_toml_val(const std::string& json) {
   return guarded([&] { return of_text(to_toml(json), {"", json, SpecFormat::json}); });
 }
+val metric_val(const std::string& text) {
+  return guarded([&] { return of_text(metric(text), spec_text(text)); });
+}
 val to_json_val(const std::string& toml) {
   return guarded([&] { return of_text(to_json_text(toml), {"", toml}); });
 }
@@ -280,6 +286,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
   emscripten::function("catalogue", &catalogue_json);
   emscripten::function("toToml", &to_toml_val);
   emscripten::function("toJson", &to_json_val);
+  emscripten::function("metric", &metric_val);
   emscripten::function("edit", &edit_val);
   emscripten::function("open", &open_session);
   emscripten::function("openSearch", &open_search);
@@ -291,6 +298,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .property("gears", &Session::gears)
       .property("hasPair", &Session::has_pair)
       .function("json", &session_json)
+      .function("showIn", &show_in)
       .function("section", &call<&Session::section, Session, int, double>)
       .function("mesh", &call<&Session::mesh, Session, int, double>)
       .function("driveSolids", &call<&Session::drive_solids, Session>)

@@ -317,6 +317,9 @@ export interface DesignDots {
 export interface Session {
   readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive"), driveSolids() and files only
   readonly hasPair: boolean; // true for two gears, and for a rack and its pinion
+  /** Sets the unit of lengths of figures, of the report and of drawings. Initially "mm". The figure of the gears
+   *  in section and all other results are in mm. */
+  showIn(unit: "mm" | "in"): void;
   /** The output of `gearwright VERB SPEC --json` including its line feed, or a Failed as JSON. */
   json(verb: Verb): string;
   /** The outline of gear 1 or 2 within the tolerance (default 0.001 mm). */
@@ -395,6 +398,8 @@ export interface Engine {
   /** Converts a spec from JSON to TOML, or from TOML to JSON. Values are preserved, but comments are lost. */
   toToml(json: string): string | Failed;
   toJson(toml: string): string | Failed;
+  /** The same spec in mm, as TOML. Sessions and searches need specs in mm. */
+  metric(text: string): string | Failed;
   /** Sets one key of a TOML text, for example "gear1.profile_shift", and returns the new text. The value
    *  is JSON, "0.25" or "\"left\"". "null" removes the key. Comments and order are preserved. */
   edit(toml: string, key: string, valueJson: string): string | Failed;

@@ -144,7 +144,7 @@ Result<Json> LoadAnswerWork::figures(int torque, double width) const {
     return refused("torque", torque, "is not one of the torques of [load]");
   Json list = Json::array();
   const auto add = [&](const std::optional<Figure>& f) {
-    if (f) list.push_back(shape(*f, width));
+    if (f) list.push_back(session().drawn(*f, width));
   };
   LoadScene whole = *scene_;
   whole.chosen = static_cast<std::size_t>(torque);

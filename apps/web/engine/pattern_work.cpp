@@ -80,7 +80,7 @@ class ErrorMapWork : public Work {
       map.map.value.emplace_back(from, from + nx);
       for (double& v : map.map.value.back()) v /= kArcsecPerRad;
     }
-    return Json::array({shape(error_map_figure(map), width)});
+    return Json::array({session().drawn(error_map_figure(map), width)});
   }
 
  private:

@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -52,16 +53,26 @@ void add_columns(const QuantityTable& table, const std::vector<ValueRecord>& row
 }  // namespace
 
 Result<std::shared_ptr<Session>> Session::open(std::string text) {
-  std::shared_ptr<Session> session(new Session(spec_text(std::move(text))));
+  auto session = opened(spec_text(std::move(text)));
+  if (!session) return session;
+  if (auto error = only_in_mm((*session)->job_.spec, kInPage)) return *error;
+  return session;
+}
+
+Result<std::shared_ptr<Session>> Session::opened(SpecText text) {
+  std::shared_ptr<Session> session(new Session(std::move(text)));
   const auto spec = read(session->text_);
   if (!spec) return spec.error();
-  if (auto error = only_in_mm(*spec, kInPage)) return *error;
   session->job_.spec = *spec;
   if (spec->drive) return session;  // json("drive") reports its errors
   auto solved = solve_any(*spec, Scope::everything);
   if (!solved) return spelled(solved.error(), spec->given);
   session->job_ = std::move(solved).take();
   return session;
+}
+
+Json Session::drawn(Figure figure, double width) const {
+  return shape(in_units(units_, std::move(figure)), width);
 }
 
 std::string Session::json(std::string_view verb) const {
@@ -165,7 +176,7 @@ Result<Json> Session::contact_figures(const ContactView& view) {
   const Found& found = **made;
   Json figures = Json::array();
   const auto add = [&](const std::optional<Figure>& f) {
-    if (f) figures.push_back(shape(*f, view.width));
+    if (f) figures.push_back(drawn(*f, view.width));
   };
   if (view.curves) {
     ContactScene scene = found.flanks[0];

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "apps/web/engine/shapes.hpp"
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/figure/mesh.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/files.hpp"
@@ -53,6 +54,11 @@ class Session : public std::enable_shared_from_this<Session> {
   /// The number of gears, including a rack.
   int gears() const { return job_.parts(); }
   bool has_pair() const { return job_.pair || job_.rack; }
+
+  /// Sets the system of units of figures, report and drawings. All other results are in mm.
+  void show_in(UnitSystem units) { units_ = units; }
+  /// A figure in this system of units.
+  Json drawn(Figure figure, double width) const;
 
   std::string json(std::string_view verb) const;
   Result<Json> section(int gear, double tolerance) const;
@@ -107,6 +113,7 @@ class Session : public std::enable_shared_from_this<Session> {
     std::vector<FlankContact> flanks;
   };
   explicit Session(SpecText text) : text_(std::move(text)) {}
+  static Result<std::shared_ptr<Session>> opened(SpecText text);
   Result<Touching> make_touching() const;
   Result<const Touching*> touching();
   Result<Found> analyse(const ContactRequest& request);
@@ -120,6 +127,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
   SpecText text_;
   SolvedJob job_;
+  UnitSystem units_ = UnitSystem::mm;
   std::optional<Result<Touching>> touching_;
   std::optional<Found> found_;  ///< for the last requested number of positions
 };

@@ -2,9 +2,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "apps/web/engine/answering.hpp"
 #include "apps/web/engine/session.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/toml_text.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::web {
 
@@ -32,6 +36,15 @@ Result<Json> drive_file(const JobSpec& spec, const std::string& kind) {
 }  // namespace
 
 Result<Json> Session::file(const std::string& kind, int gear, double tolerance) {
+  // The report and drawings in inch are those of the same spec in inch.
+  if (job_.spec.units() != units_ && (kind == "report" || kind == "drawing")) {
+    const auto tree = parse_spec(text_.text, text_.format);
+    if (!tree) return tree.error();
+    const auto session = opened(spec_text(toml_text(spec_in(units_, *tree))));
+    if (!session) return session.error();
+    (*session)->units_ = units_;
+    return (*session)->file(kind, gear, tolerance);
+  }
   if (job_.spec.drive) return kind == "json" ? row(json("drive")) : drive_file(job_.spec, kind);
   if (kind == "json") return row(json(has_pair() ? "pair" : "gear"));
   FileOptions options;

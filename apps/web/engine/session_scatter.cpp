@@ -90,7 +90,7 @@ Result<Json> Session::scatter(double width) {
     percentiles.push_back(point(p.percent, p.estimate.value * kArcsecPerRad));
   }
   Json figures = Json::array();
-  for (const Figure& figure : scatter_figures(view)) figures.push_back(shape(figure, width));
+  for (const Figure& figure : scatter_figures(view)) figures.push_back(drawn(figure, width));
   const auto share = [](const char* words, const Probability& p) {
     return Json{{"words", words}, {"count", p.count}, {"of", p.of}, {"upper", p.interval.upper}};
   };

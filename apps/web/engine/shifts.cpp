@@ -166,7 +166,7 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
              {"whatKills", killed ? words_of(*killed) : ""}};
   const auto region = gearwright::shift_region(graph);
   if (!region) {
-    if (view) chart["figure"] = shape(limits_figure(graph, asked, swapped, *view), view->width);
+    if (view) chart["figure"] = drawn(limits_figure(graph, asked, swapped, *view), view->width);
     return chart;
   }
   std::map<std::string, std::string> borders;
@@ -188,7 +188,7 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
     chart["pieces"].push_back(std::move(piece));
   }
   const Vec2 chosen = turned(chosen_point(graph, *region));
-  if (view) chart["figure"] = shape(chart_figure(graph, asked, swapped, *view), view->width);
+  if (view) chart["figure"] = drawn(chart_figure(graph, asked, swapped, *view), view->width);
   constexpr double kAtWall = 1e-6;  // modules; smaller than the accuracy of any profile shift
   chart["margin"] = inside ? nearest.distance : -nearest.distance;
   if (room < kAtWall) chart["stoppedBy"] = nearest.border;

@@ -9,6 +9,7 @@
 // kind is then being computed and one is waiting. The result of a dropped request is null.
 
 import type { Questions } from "./engine_worker";
+import { onUnitChange, shownUnit } from "./numbers";
 
 export type Name = keyof Questions;
 export type Answer<N extends Name> = Awaited<ReturnType<Questions[N]>>;
@@ -46,7 +47,9 @@ export class EngineLink {
   constructor(
     private readonly make: () => Worker,
     private readonly wasm: () => Promise<ArrayBuffer>,
-  ) {}
+  ) {
+    onUnitChange(() => this.worker?.postMessage({ unit: shownUnit("mm") }));
+  }
 
   get idle(): boolean {
     return this.pending.size === 0 && this.starting === 0;
@@ -60,7 +63,7 @@ export class EngineLink {
     this.worker = worker;
     worker.onmessage = (event: MessageEvent) => this.take(event.data);
     worker.onerror = (event) => this.fail(new Error(event.message || "the engine has stopped"));
-    worker.postMessage({ wasm: bytes });
+    worker.postMessage({ wasm: bytes, unit: shownUnit("mm") });
     return worker;
   }
 

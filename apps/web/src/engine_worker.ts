@@ -52,6 +52,8 @@ interface Step {
 }
 
 let engine: E.Engine;
+/** The unit of lengths of figures, reports and drawings. */
+let unit: "mm" | "in" = "mm";
 let open: { text: string; session: E.Session } | null = null;
 let search: E.SearchSession | null = null;
 /** The last work that has figures. A figure is made when it is requested, in the requested width. */
@@ -69,11 +71,13 @@ function good<T>(answer: T | E.Failed): T {
   return answer as T;
 }
 function session(text: string): E.Session {
-  if (open?.text === text) return open.session;
-  const next = good(engine.open(text));
-  open?.session.delete();
-  open = { text, session: next };
-  return next;
+  if (open?.text !== text) {
+    const next = good(engine.open(text));
+    open?.session.delete();
+    open = { text, session: next };
+  }
+  open.session.showIn(unit);
+  return open.session;
 }
 
 /** True if a spec is JSON. Like the engine, this tests whether the text begins with a brace. */
@@ -201,7 +205,10 @@ const questions = {
     return map && drawnMap(drawn as E.Work<E.ErrorMap>);
   },
   designs: (q: E.DesignDots) => good(engine.designs(q)),
-  loadFigures: (q: { torque: number; width: number }) => (drawn ? good(drawn.figures(q.torque, q.width)) : []),
+  loadFigures(q: { torque: number; width: number }) {
+    open?.session.showIn(unit);
+    return drawn ? good(drawn.figures(q.torque, q.width)) : [];
+  },
   /** Computes teeth under load. An error contains its key, so that the page can show it at the field of this key. */
   async load(q: { text: string; accuracy?: "draft" | "full" }, step: Step): Promise<Loaded | null> {
     const begin = performance.now();
@@ -247,6 +254,7 @@ const questions = {
   file: (q: { text: string; kind: E.FileKind; gear: 0 | 1 | 2 }) =>
     good(session(q.text).file(q.kind, q.gear)),
   tomlOf: (q: { json: string }) => good(engine.toToml(q.json)),
+  metric: (q: { text: string }) => good(engine.metric(q.text)),
 };
 export type Questions = typeof questions;
 
@@ -293,6 +301,7 @@ async function answer(q: Question): Promise<void> {
 
 onmessage = (event: MessageEvent) => {
   const message = event.data;
+  if (message.unit) unit = message.unit;
   if (message.wasm) {
     ready = createEngine({ wasmBinary: message.wasm, locateFile: (name) => name }).then((made) => {
       engine = made;

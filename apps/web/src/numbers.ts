@@ -3,7 +3,17 @@
 import type { Quantity } from "../engine/engine";
 import type { Json } from "./engine_worker";
 
-const kMmPerInch = 25.4;
+/** For each unit of length, the unit that replaces it in the inch system, the size of that unit, and the change
+ *  in the number of decimals. */
+const kInch: { [unit: string]: [unit: string, size: number, digits: number] } = {
+  mm: ["in", 25.4, 1],
+  µm: ["µin", 0.0254, -1],
+  "1/mm": ["1/in", 1 / 25.4, -1],
+  "mm/rad": ["in/rad", 25.4, 1],
+};
+/** A unit, or a key or a quantity with its unit. Modules are in mm in both systems. */
+type Dimension = string | { unit: string; key: string };
+const kModules = /(^|_)modules?_mm$/;
 let inches = localStorage.getItem("gearwright.unit") === "in";
 const listeners = new Set<() => void>();
 
@@ -17,16 +27,29 @@ export function onUnitChange(listener: () => void): void {
   listeners.add(listener);
 }
 
+const unitOf = (of: Dimension) => (typeof of === "string" ? of : of.unit);
+const inInch = (of: Dimension) =>
+  inches && (typeof of === "string" || !kModules.test(of.key)) ? kInch[unitOf(of)] : undefined;
+
 /** The unit shown with a value. */
-export function shownUnit(unit: string): string {
-  return unit === "mm" && inches ? "in" : unit;
+export function shownUnit(of: Dimension): string {
+  return inInch(of)?.[0] ?? unitOf(of);
 }
 /** Converts a value to the shown unit. fromShown() is its inverse. */
-export function toShown(value: number, unit: string): number {
-  return unit === "mm" && inches ? value / kMmPerInch : value;
+export function toShown(value: number, of: Dimension): number {
+  return value / (inInch(of)?.[1] ?? 1);
 }
-export function fromShown(value: number, unit: string): number {
-  return unit === "mm" && inches ? clean(value * kMmPerInch) : value;
+export function fromShown(value: number, of: Dimension): number {
+  const size = inInch(of)?.[1];
+  return size === undefined ? value : clean(value * size);
+}
+/** A value without its unit. `digits` is the number of decimals in the unit of the catalogue. */
+export function shownText(value: number, of: Dimension, digits: number): string {
+  return fixed(toShown(value, of), Math.max(0, digits + (inInch(of)?.[2] ?? 0)));
+}
+/** A value with its unit. */
+export function amount(value: number, of: Dimension, digits: number): string {
+  return `${shownText(value, of, digits)} ${shownUnit(of)}`;
 }
 /** Removes rounding errors in the last bits. For example, 0.1 in becomes exactly 2.54 mm. */
 function clean(value: number): number {
@@ -43,7 +66,7 @@ export function fixed(value: number, digits: number): string {
 
 /** A length that is not in the catalogue, such as a coordinate in the housing frame, with its unit. */
 export function length(mm: number, digits = 3): string {
-  return fixed(toShown(mm, "mm"), inches ? digits + 1 : digits) + " " + shownUnit("mm");
+  return amount(mm, "mm", digits);
 }
 
 /** A number in a field, as the shortest text from which the same number is read. */
@@ -63,7 +86,7 @@ export function textOf(quantity: Quantity, value: Json | undefined): string {
   if (typeof value === "object") return "";
   if (quantity.type === "whole" || quantity.type === "index") return String(value);
   if (quantity.percent) return fixed(100 * value, quantity.digits);
-  return fixed(toShown(value, quantity.unit), quantity.digits + (quantity.unit === "mm" && inches ? 1 : 0));
+  return shownText(value, quantity, quantity.digits);
 }
 
 /** A step of 1, 2 or 5 times a power of ten, near `size`/`parts`. */

@@ -4,6 +4,7 @@
 import { button, Choice, download, fill, h, onKeys, sentenceOf } from "./elements";
 import { Form } from "./form/form";
 import { linkOf } from "./link";
+import { showLengthsIn } from "./numbers";
 import { QuantityPane } from "./quantities";
 import { Starts } from "./starts";
 import { Tabs, type Tab } from "./tabs";
@@ -16,6 +17,8 @@ import { bench, kMostCharacters } from "./workbench";
 const kFirstPart = "view";
 /** If the table of numbers has less than this fraction of the height, only its heading is visible. */
 const kFolded = 0.05;
+/** A spec with units = "inch", in TOML or JSON. */
+const kInInch = /^[{\s]*"?units"?\s*[=:]\s*["']inch["']/m;
 
 export class Page {
   readonly tabs: Tabs;
@@ -178,10 +181,22 @@ export class Page {
   }
 
   begin(text: string, tab = "mesh"): void {
+    if (kInInch.test(text)) return void this.beginInInch(text, tab);
     this.showBench();
     bench.setText(text, "opened");
     this.tabs.open(tab);
     scrollTo(0, 0);
+  }
+
+  /** Shows a spec in inch as the same spec in mm, with all lengths in inch. */
+  private async beginInInch(text: string, tab: string): Promise<void> {
+    try {
+      this.begin(await bench.front.call("metric", { text }), tab);
+      showLengthsIn("in");
+      this.notify("The text of the spec is now in mm. The page, the report and drawings show lengths in inch.", 8000);
+    } catch (reason) {
+      this.notify(sentenceOf(reason), 8000);
+    }
   }
 
   private name(): void {

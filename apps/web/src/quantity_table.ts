@@ -113,7 +113,7 @@ export function quantityTable(
         },
         h("th", { scope: "row" }, info.words),
         h("td", {}, info.symbol ? symbol(info.symbol) : ""),
-        h("td", { class: "unit" }, shownUnit(info.percent ? "%" : info.unit)),
+        h("td", { class: "unit" }, info.percent ? "%" : shownUnit(info)),
         ...cells,
         extra.last ? h("td", { class: "place" }, extra.last.of(row)) : null,
       ),

@@ -2,6 +2,7 @@
 
 import { h, onKeys, sentenceOf } from "./elements";
 import { judgement, kParts, type Part } from "./judgement";
+import { onUnitChange } from "./numbers";
 import { markRevision } from "./revision";
 import { bench, isDrive } from "./workbench";
 
@@ -23,6 +24,8 @@ export interface Tab {
   readonly ofDrives?: boolean;
   /** Shows the current design. It is called when the design has changed and when the tab is opened. */
   refresh(): Promise<void> | void;
+  /** Called when the unit of lengths has changed, before the next refresh(). */
+  inUnits?(): void;
   /** Called when the user leaves the tab. */
   leave?(): void;
 }
@@ -84,6 +87,10 @@ export class Tabs {
       else void this.refresh();
       clearTimeout(this.rest);
       this.rest = window.setTimeout(() => void this.judge(), kRestMs);
+    });
+    onUnitChange(() => {
+      for (const tab of this.tabs) tab.inUnits?.();
+      if (bench.settled) void this.refresh();
     });
     this.mark();
     this.age();

@@ -67,6 +67,10 @@ export class ContactView implements Tab {
   leave(): void {
     clearTimeout(this.rest);
   }
+  inUnits(): void {
+    this.shown = this.asked = "";
+    this.errorMap.clear();
+  }
 
   async refresh(): Promise<void> {
     clearTimeout(this.rest);

@@ -6,12 +6,13 @@ import type { ErrorMap, Figure } from "../../engine/engine";
 import { inputs, wordsAt, wordsOf } from "../catalogue";
 import { button, fill, h, sentenceOf } from "../elements";
 import { FigureSlot } from "../figure_slot";
-import { fixed } from "../numbers";
+import { amount, fromShown } from "../numbers";
 import { markRevision } from "../revision";
 import { at, bench } from "../workbench";
 
 const kReach: Record<string, number> = { "°": 0.05, µm: 20, mm: 0.1 };
 const kPoints = 33;
+const keyOf = (name: string) => inputs("errors")!.keys.find((one) => one.key === name)!;
 
 export class ErrorMapView {
   private readonly x = this.chooser("across", "crossing_deg");
@@ -46,12 +47,13 @@ export class ErrorMapView {
     this.stop.hidden = this.bar.hidden = true;
     bench.on("text", () => this.age());
     bench.on("solved", () => this.age());
-    bench.on("opened", () => {
-      if (!this.stop.hidden) bench.back.cancel();
-      this.map = null;
-      this.slot.show(undefined);
-      this.status.textContent = "";
-    });
+    bench.on("opened", () => this.clear());
+  }
+  clear(): void {
+    if (!this.stop.hidden) bench.back.cancel();
+    this.map = null;
+    this.slot.show(undefined);
+    this.status.textContent = "";
   }
   /** Returns the spec without the two errors of the map, on which the map does not depend. */
   private restOf(x: string, y: string): string {
@@ -82,7 +84,7 @@ export class ErrorMapView {
   }
 
   private axis(select: HTMLSelectElement): { key: string; from: number; to: number; n: number } {
-    const key = inputs("errors")!.keys.find((one) => one.key === select.value)!;
+    const key = keyOf(select.value);
     const now = at(bench.good?.spec ?? null, "errors." + key.key);
     const reach = Math.max(kReach[key.unit] ?? 1, typeof now === "number" ? 1.5 * Math.abs(now) : 0);
     return { key: key.key, from: -reach, to: reach, n: kPoints };
@@ -130,7 +132,8 @@ export class ErrorMapView {
     if (!map) return;
     const nearest = (all: Float64Array, value: number) =>
       all.reduce((best, one, i) => (Math.abs(one - value) < Math.abs(all[best]! - value) ? i : best), 0);
-    const [i, j] = [nearest(map.x, x), nearest(map.y, y)];
+    const [keyX, keyY] = [keyOf(axes.x), keyOf(axes.y)];
+    const [i, j] = [nearest(map.x, fromShown(x, keyX)), nearest(map.y, fromShown(y, keyY))];
     if (clicked) {
       bench.setKey("errors." + axes.x, Number(map.x[i]!.toPrecision(6)));
       bench.setKey("errors." + axes.y, Number(map.y[j]!.toPrecision(6)));
@@ -138,7 +141,7 @@ export class ErrorMapView {
     }
     const value = map.peakToPeakArcsec[j * map.x.length + i]!;
     this.status.textContent =
-      `${wordsAt("errors", axes.x)} ${fixed(map.x[i]!, 4)}, ${wordsAt("errors", axes.y)} ${fixed(map.y[j]!, 4)}: ` +
+      `${wordsAt("errors", axes.x)} ${amount(map.x[i]!, keyX, 4)}, ${wordsAt("errors", axes.y)} ${amount(map.y[j]!, keyY, 4)}: ` +
       (Number.isFinite(value) ? value.toFixed(3) + "″" : "no contact");
   }
 }

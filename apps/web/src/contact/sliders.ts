@@ -4,7 +4,7 @@
 import type { InputKey } from "../../engine/engine";
 import { inputKey, inputs, wordsOf } from "../catalogue";
 import { h, onKeys, symbol } from "../elements";
-import { fixed, niceStep, onStep } from "../numbers";
+import { amount, niceStep, onStep, shownUnit } from "../numbers";
 import { at, bench, hasRack } from "../workbench";
 
 const kReach: Record<string, number> = { "°": 0.1, µm: 30, mm: 0.1 };
@@ -73,7 +73,7 @@ export class ContactSliders {
     const set = (value: number) => bench.setKey(place, value === 0 ? undefined : value);
     const input = h("input", {
       type: "range",
-      "aria-label": `${words}, ${key.unit}${place.startsWith("gear") ? ", gear " + place[4] : ""}`,
+      "aria-label": `${words}, ${shownUnit(key)}${place.startsWith("gear") ? ", gear " + place[4] : ""}`,
       "data-slide": place,
       min: key.range?.lo === 0 ? 0 : -reach,
       max: reach,
@@ -122,5 +122,5 @@ export class ContactSliders {
 }
 
 function text(value: number, key: InputKey): string {
-  return `${fixed(value, key.unit === "µm" ? 1 : 3)} ${key.unit}`;
+  return amount(value, key, key.unit === "µm" ? 1 : 3);
 }

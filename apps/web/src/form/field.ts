@@ -93,17 +93,17 @@ function valueOf(key: InputKey, text: string): { value: Json | undefined } | nul
     const parts = inner.split(/[,;…\s]+/).filter(Boolean);
     const numbers = parts.map(numberIn);
     if (numbers.some(Number.isNaN)) return key.kind === "word" ? { value: wordsIn(inner) } : null;
-    const shown = numbers.map((one) => fromShown(one, key.unit));
+    const shown = numbers.map((one) => fromShown(one, key));
     return { value: shown.length === 1 && key.list.single ? shown[0]! : shown };
   }
   const number = numberIn(plain);
-  return Number.isNaN(number) ? null : { value: fromShown(number, key.unit) };
+  return Number.isNaN(number) ? null : { value: fromShown(number, key) };
 }
 
 function shown(key: InputKey, value: Json | undefined): string {
   if (value === undefined || value === null) return "";
   if (Array.isArray(value)) return value.map((one) => shown(key, one)).join(", ");
-  if (typeof value === "number") return short(toShown(value, key.unit));
+  if (typeof value === "number") return short(toShown(value, key));
   if (key.kind === "word" && !String(value).includes(".")) return String(value).replaceAll("_", " ");
   return typeof value === "object" ? "(in the text)" : String(value);
 }
@@ -161,7 +161,7 @@ function chooser(key: InputKey, place: string, label: string): Field {
 }
 
 export function makeField(key: InputKey, named: string, place: string, who: string, note: Note): Field {
-  const label = [named, who, shownUnit(key.unit)].filter(Boolean).join(", ");
+  const label = [named, who, shownUnit(key)].filter(Boolean).join(", ");
   const words = key.words.length > 0 && !key.list && key.kind !== "number";
   if (key.kind === "boolean" || words || isMaterial(key, place)) {
     const field = chooser(key, place, label);
@@ -192,7 +192,7 @@ export function makeField(key: InputKey, named: string, place: string, who: stri
     bench.setKey(place, meant.value);
   };
   const base = () =>
-    typeof current === "number" ? toShown(current, key.unit) : numberIn(input.placeholder) || 0;
+    typeof current === "number" ? toShown(current, key) : numberIn(input.placeholder) || 0;
   const stepOf = (value: number) =>
     key.kind === "whole"
       ? 1
@@ -206,7 +206,7 @@ export function makeField(key: InputKey, named: string, place: string, who: stri
     const end = (limit: number | null | undefined, open: boolean | undefined, sign: number) =>
       limit === null || limit === undefined
         ? -sign * Infinity
-        : toShown(limit, key.unit) + (open ? sign * step : 0);
+        : toShown(limit, key) + (open ? sign * step : 0);
     slider.min = String(Math.max(onStep(value - reach, step), end(key.range?.lo, key.range?.loOpen, 1)));
     slider.max = String(Math.min(onStep(value + reach, step), end(key.range?.hi, key.range?.hiOpen, -1)));
     slider.step = String(step);

@@ -31,6 +31,7 @@ export class Form {
   constructor() {
     fill(this.element, this.title, this.general, this.body);
     onUnitChange(() => {
+      this.units.show(shownUnit("mm"));
       this.signature = "";
       this.update();
     });

@@ -78,7 +78,7 @@ export class Offer {
       ? h("select", {}, !first && h("option", { value: "" }, "steel"), ...materialGroups())
       : h("input", { type: "text", inputmode: "decimal", class: "number", autocomplete: "off" });
     input.value = first;
-    input.setAttribute("aria-label", [words, shownUnit(key.unit)].filter(Boolean).join(", "));
+    input.setAttribute("aria-label", [words, shownUnit(key)].filter(Boolean).join(", "));
     input.dataset["offered"] = of.places[0]!;
     this.fields.push({ of, input });
     return h(
@@ -86,7 +86,7 @@ export class Offer {
       { class: "offer-row", title: key.meaning },
       h("span", {}, words, " ", key.symbol ? symbol(key.symbol) : null),
       input,
-      h("span", { class: "unit" }, shownUnit(key.unit)),
+      h("span", { class: "unit" }, shownUnit(key)),
     );
   }
 

@@ -5,7 +5,7 @@ import type { InputKey } from "../../engine/engine";
 import { quantity, wordsOf } from "../catalogue";
 import { h, symbol } from "../elements";
 import type { Fault, Json } from "../engine_worker";
-import { fixed, shownUnit, toShown } from "../numbers";
+import { shownText, shownUnit } from "../numbers";
 import { at, bench } from "../workbench";
 import { makeField, makeNote, type Field, type Note } from "./field";
 
@@ -30,7 +30,7 @@ function implied(key: InputKey, place: string): string {
     const value = at(owner, rest[0]!);
     const info = quantity(gear >= 0 ? "gear" : "pair", rest[0]!);
     if (typeof value === "number" && info)
-      return fixed(toShown(value, info.unit), info.digits)
+      return shownText(value, info, info.digits)
         .replace(/(\.\d*?)0+$/, "$1")
         .replace(/\.$/, "");
   }
@@ -99,7 +99,7 @@ export class Rows {
       return makeField(key, words, `${place}.${key.key}`, gear, note);
     });
     this.fields.push(...fields.map((field) => ({ key, field, note })));
-    const unit = shownUnit(key.unit);
+    const unit = shownUnit(key);
     const two = places.length > 1;
     const stacked = two && (isWide(key) || words.length > kShortLabel);
     const style = ["row", two ? "two" : "", stacked ? "stacked" : isWide(key) ? "wide" : ""];

@@ -98,6 +98,9 @@ export class LoadView extends AnswerView<Answer> {
     if (this.shown === solved.text && !this.full && this.answer)
       this.rest = window.setTimeout(() => void this.finish(solved.text).catch(() => undefined), kRestMs);
   }
+  inUnits(): void {
+    if (this.answer) void this.drawFigures();
+  }
   leave(): void {
     clearTimeout(this.rest);
   }

@@ -48,7 +48,7 @@ export class Proposals {
 
   private list(proposals: Record[], best: number): HTMLTableElement {
     const score = (key: string) => quantity("load.torques", key)!;
-    const heads = kScores.map((key) => h("th", {}, score(key).words, " ", shownUnit(score(key).unit)));
+    const heads = kScores.map((key) => h("th", {}, score(key).words, " ", shownUnit(score(key))));
     return tableOf(
       "numbers",
       [h("th", {}, ""), h("th", {}, "modifications"), ...heads, h("th", {}, "")],

@@ -8,7 +8,7 @@ import { fill, h, symbol } from "../elements";
 import type { Fault, Json, Notice, Verdict } from "../engine_worker";
 import { firstMaterial, firstSpeed, firstTorque } from "../form/offer";
 import { judgement } from "../judgement";
-import { onUnitChange, textOf } from "../numbers";
+import { textOf } from "../numbers";
 import { rowsOf, type Row } from "../quantity_table";
 import { at, bench } from "../workbench";
 
@@ -110,7 +110,6 @@ export class RatingView extends AnswerView<Rated> {
   constructor() {
     super("rating", kNeeds);
     this.room.append(this.safeties, this.notices, this.table);
-    onUnitChange(() => (this.shown = ""));
   }
 
   async refresh(): Promise<void> {
@@ -126,6 +125,9 @@ export class RatingView extends AnswerView<Rated> {
     this.take(rated, solved.text);
     judgement.take("rating", solved.text, rated);
     this.draw(rated);
+  }
+  inUnits(): void {
+    this.shown = "";
   }
   judge(): Promise<void> {
     return this.refresh();

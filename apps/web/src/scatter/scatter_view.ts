@@ -62,6 +62,9 @@ export class ScatterView implements Tab {
     }
     if (!this.moving) this.later();
   }
+  inUnits(): void {
+    this.shown = "";
+  }
   leave(): void {
     clearTimeout(this.rest);
   }

@@ -5,7 +5,7 @@ import type { InputKey } from "../../engine/engine";
 import { inputKey, wordsOf } from "../catalogue";
 import { fill, h, onKeys, symbol } from "../elements";
 import type { Json } from "../engine_worker";
-import { fixed, niceStep, onStep } from "../numbers";
+import { amount, niceStep, onStep, shownUnit } from "../numbers";
 import { at, bench } from "../workbench";
 
 type Tree = { [key: string]: Json };
@@ -103,7 +103,7 @@ export class ToleranceSliders {
     const words = wordsOf(table, key) + (gear ? `, gear ${gear}` : "");
     const input = h("input", {
       type: "range",
-      "aria-label": `tolerance of ${words}, ${key.unit}`,
+      "aria-label": `tolerance of ${words}, ${shownUnit(key)}`,
       "data-slide": place,
       min: single?.[0] ?? 0,
       max: single?.[1],
@@ -131,5 +131,5 @@ export class ToleranceSliders {
 
 function text(half: number, key: InputKey): string {
   if (kSingle[key.key]?.[1]) return String(half);
-  return `± ${fixed(half, key.unit === "µm" ? 1 : 4)} ${key.unit}`;
+  return `± ${amount(half, key, key.unit === "µm" ? 1 : 4)}`;
 }

@@ -47,10 +47,10 @@ export class ParetoPicture {
     const asked = ++this.asked;
     if (!this.last || !width || !height) return;
     const [points, x, y, chosen] = this.last;
-    const axis = ({ words, unit }: Quantity, values: number[]) => ({
-      words,
-      unit: shownUnit(unit),
-      values: values.map((value) => toShown(value, unit)),
+    const axis = (of: Quantity, values: number[]) => ({
+      words: of.words,
+      unit: shownUnit(of),
+      values: values.map((value) => toShown(value, of)),
     });
     const figure = await bench.front.call("designs", {
       width,

@@ -119,7 +119,7 @@ export class SearchTable {
     this.columns = different.filter((one) => !twins.has(one));
     const same = columns
       .filter((one) => !different.includes(one))
-      .map((one) => `${one.words} ${cellOf(designs[0]!, one)} ${shownUnit(one.info.unit)}`.trim());
+      .map((one) => `${one.words} ${cellOf(designs[0]!, one)} ${shownUnit(one.info)}`.trim());
     for (const [one, other] of twins) {
       const sign = (column: Column) => Math.sign(designs.map((of) => valueIn(of, column)).find(Boolean) as number);
       same.push(`${one.words} ${sign(one) === -sign(other) ? "opposite to" : "equal to"} ${other.words}`);
@@ -177,7 +177,7 @@ export class SearchTable {
       sortBy,
       name,
       info.symbol ? h("span", { class: "unseen" }, words) : null,
-      shownUnit(info.unit) ? h("span", { class: "unit" }, " " + shownUnit(info.unit)) : null,
+      shownUnit(info) ? h("span", { class: "unit" }, " " + shownUnit(info)) : null,
     );
     return h(
       "th",

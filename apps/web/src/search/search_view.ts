@@ -101,6 +101,16 @@ export class SearchView implements Tab {
         : "A search needs a pair, or a [search] table in the spec.";
   }
 
+  inUnits(): void {
+    const { taken } = this;
+    this.list(this.designs, this.front, this.searched);
+    this.looked = "";
+    if (taken < 0) return;
+    this.taken = taken;
+    this.table.mark(taken);
+    this.plot();
+  }
+
   /** Removes the results of the previous design when another design is opened. */
   private forget(): void {
     this.end();
@@ -280,7 +290,7 @@ export class SearchView implements Tab {
       const record = typeof value === "object" && !Array.isArray(value);
       if (record || !info || info.type === "record") return [];
       const texts = (Array.isArray(value) ? value : [value]).map((one) => textOf(info, one)).join(" / ");
-      return [h("dt", {}, info.words), h("dd", {}, `${texts} ${info.percent ? "%" : shownUnit(info.unit)}`)];
+      return [h("dt", {}, info.words), h("dd", {}, `${texts} ${info.percent ? "%" : shownUnit(info)}`)];
     });
     const use = async () => {
       const spec = branch["spec"] ?? gearOf(branch);

@@ -76,6 +76,10 @@ export class ShiftsView implements Tab {
     this.draw();
   }
 
+  inUnits(): void {
+    this.shown = "";
+  }
+
   private clear(sentence: string): void {
     this.region = null;
     this.shown = "";
