@@ -47,7 +47,7 @@ std::vector<StackCase> stack_cases() {
           {"modified", stacked(small, relieved, 2.0, 9.0, 0.4)}};
 }
 
-TriangleMesh mesh_of(const ToothedBody& body) {
+TriangleMesh stacked_mesh(const ToothedBody& body) {
   auto mesh = tessellate(body, {.chord_tolerance_mm = 0.005});
   EXPECT_TRUE(mesh) << (mesh ? "" : mesh.error().message());
   return mesh ? std::move(mesh).take() : TriangleMesh{};
@@ -55,7 +55,7 @@ TriangleMesh mesh_of(const ToothedBody& body) {
 
 TEST(StackedMesh, IsAClosedOrientedManifoldOfOnePart) {
   for (const auto& [name, body] : stack_cases()) {
-    const testing::Topology found = testing::topology(mesh_of(body));
+    const testing::Topology found = testing::topology(stacked_mesh(body));
     EXPECT_TRUE(found.closed) << name;
     EXPECT_EQ(found.parts, 1) << name;
     EXPECT_EQ(found.unused, 0u) << name;
@@ -77,13 +77,13 @@ TEST(StackedMesh, EnclosesItsGearsAndNecks) {
     }
     const double exact = exact_volume(body);
     EXPECT_NEAR(metal_volume(body) / exact, 1.0, 1e-14) << name;
-    EXPECT_NEAR(mesh_volume(mesh_of(body)), exact, 0.005 * walls) << name;
+    EXPECT_NEAR(mesh_volume(stacked_mesh(body)), exact, 0.005 * walls) << name;
   }
 }
 
 TEST(StackedMesh, HasEveryGearInItsPlace) {
   for (const auto& [name, body] : stack_cases()) {
-    const TriangleMesh whole = mesh_of(body);
+    const TriangleMesh whole = stacked_mesh(body);
     const auto key = [](const Vec3& p) { return std::array<double, 3>{p.x(), p.y(), p.z()}; };
     std::vector<std::array<double, 3>> all;
     for (const Vec3& p : whole.vertices) all.push_back(key(p));
@@ -91,7 +91,7 @@ TEST(StackedMesh, HasEveryGearInItsPlace) {
     for (const SolidGear& gear : body.gears()) {
       ToothedBody one = *gear.body;
       one.above.clear();
-      const TriangleMesh alone = mesh_of(one);
+      const TriangleMesh alone = stacked_mesh(one);
       const double root = gear.body->outline.arcs.front().begin_point.norm();
       Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
       if (gear.body != &body) place = gear.body->pose;
