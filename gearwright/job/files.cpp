@@ -37,8 +37,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string gear_name(int which) { return "gear" + std::to_string(which); }
-
 // The note about omitted flank modifications and about gears of one body that are separate solids.
 std::string deviations(const std::vector<ToothedBody>& bodies) {
   std::string note;
@@ -247,7 +245,7 @@ Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
 }
 
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
-  const std::string name = gear_name(which);
+  const std::string name = gear_field(which);
   if (which == 2 && job.rack) {
     auto rack = rack_body(job.rack->rack, name);
     if (!rack) return rack.error();
@@ -337,7 +335,7 @@ Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
     if (!body->rack) drawn.push_back(which);
     for (FileKind kind :
          {FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg, FileKind::step})
-      if (auto error = make(kind, {*body}, gear_name(which))) return *std::move(error);
+      if (auto error = make(kind, {*body}, gear_field(which))) return *std::move(error);
     if (job.pair || job.rack) mounted.push_back(make_body(job, which, true).value());
   }
   if (mounted.size() == 2)
@@ -395,9 +393,8 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
     for (const Arranged* end : {&job.ends->upper, &job.ends->lower})
       report.pair_ends.push_back(pair_quantities().of(*end->pair));
   for (int which = 1; which <= job.parts() && !job.rack; ++which)
-    if (const auto body = make_body(job, which, false)) {
+    if (const auto body = make_body(job, which, false))
       if (const auto mass = mass_of(job, which, *body)) report.masses.push_back(*mass);
-    }
   report.measures = measure_records(job);
   report.measure_ends = measure_end_records(job);
   report.k_diagrams = k_diagrams(job);
@@ -427,10 +424,9 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (rated) result["rating"] = to_json(rating_quantities().of(*rated));
   result["files"] = files_json(all);
   const std::string text = json_text(in_units(job.spec.units(), result), 2) + "\n";
-  if (options.wants("result")) {
+  if (options.wants("result"))
     all.insert(all.begin(),
                {folder / "result.json", "result", std::nullopt, "all numbers, as JSON", text});
-  }
   return RunFiles{std::move(all), text, std::move(report.verdict)};
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "gearwright/figure/markup.hpp"
 #include "gearwright/report/search_table.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
@@ -62,7 +63,8 @@ TEST(ParetoPicture, ADotForEveryDesignWithItsWords) {
     EXPECT_EQ(figure.find("nan"), figure.npos);
     std::size_t middles = 0;
     for (const DesignRow& row : sample.answer->designs) {
-      EXPECT_NE(figure.find("<title>" + design_name(row.trial) + ": x1 = "), figure.npos);
+      EXPECT_NE(figure.find("<title>" + with_minus(design_name(row.trial)) + ": x1 = "),
+                figure.npos);
       if (!row.balanced) ++middles;
     }
     EXPECT_EQ(count_of(figure, "<title>"), sample.answer->designs.size());

@@ -45,7 +45,9 @@ describe("figures", () => {
   });
 
   it("a map of errors shows values and accepts clicks before it is complete", async () => {
-    await put(page, example("misaligned_pair"), "contact");
+    // A hollow profile has several maxima, so that the map takes long enough to be cancelled.
+    const hollow = "lead_crowning_um = 6\nprofile_crowning_um = -2\n";
+    await put(page, example("misaligned_pair").replace("lead_crowning_um = 6\n", hollow), "contact");
     await page.waitForSelector("#room-contact #te path.curve");
     await page.click(".error-map .map-head button");
     await page.waitForSelector(".error-map g.plot");

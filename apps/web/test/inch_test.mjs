@@ -41,7 +41,7 @@ describe("inch", () => {
     await settled(page);
     const text = await page.evaluate(() => window.gearwright.text());
     assert.match(text, /tip_relief_um = 10\.16\b/);
-    assert.doesNotMatch(text, /units|_in\b|_uin\b/);
+    assert.doesNotMatch(text, /units|(?<!_per)_in\b|_uin\b/);
     const [mm, inch] = [native("pair", text), native("pair", kSpec)];
     assert.ok(Math.abs(mm.pair.center_distance_mm / 25.4 - inch.pair.center_distance_in) < 1e-9);
     assert.equal(await page.getAttribute('[data-choice="in"]', "aria-pressed"), "true");
