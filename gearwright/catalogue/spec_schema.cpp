@@ -63,7 +63,12 @@ std::vector<Json> element_schemas(const Key& key) {
     }
     case KeyKind::any: break;
   }
-  return {};
+  // A value of several forms whose numbers have a range is a number, a list or numbers by name.
+  if (!key.range.limited()) return {};
+  const Json number = number_schema(key);
+  return {number,
+          {{"type", "array"}, {"items", number}, {"minItems", 1}},
+          {{"type", "object"}, {"additionalProperties", number}}};
 }
 
 Json any_of(const std::vector<Json>& list) {

@@ -194,11 +194,12 @@ std::optional<std::vector<std::string>> read_names(TableReader& t, const std::st
 }
 
 std::vector<double> read_list(TableReader& t, const std::string& key) {
-  auto list =
-      read_values<double>(t, key, &Json::is_number, "must be a number, or a list of numbers")
-          .value_or(std::vector<double>());
-  for (const double x : list) t.checked(key, x);
-  return list;
+  constexpr const char* kRule = "must be a number, or a list of numbers";
+  const auto list = read_values<double>(t, key, &Json::is_number, kRule);
+  if (!list) return {};
+  if (list->empty()) t.fail(key, kRule);
+  for (const double x : *list) t.checked(key, x);
+  return *list;
 }
 
 void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional<double>& torque) {
