@@ -84,7 +84,7 @@ FileHandle FileHandle::open_to_read(const std::filesystem::path& path) {
 int FileHandle::write(std::string_view bytes) {
   while (!bytes.empty()) {
     const auto count = static_cast<unsigned>(std::min(bytes.size(), kAtOnce));
-    ::_set_doserrno(0);
+    _doserrno = 0;
     const int written = ::_write(descriptor_, bytes.data(), count);
     // If only a part of the bytes fits on a full disk, Wine returns no error of the system.
     if (written < 0) return _doserrno == 0 ? ENOSPC : errno;

@@ -130,7 +130,7 @@ class Differences:
 def compare_answers(programs, report, examples, folder, tolerance):
     total, answers, equal_bytes, shares = Differences(), 0, 0, []
     for example in examples:
-        for verb in [*VERBS, *(LONG[example.stem],) * (example.stem in LONG)]:
+        for verb in [*VERBS, *([LONG[example.stem]] if example.stem in LONG else [])]:
             status, text, _ = programs.run(programs.native, verb, example, "--json", folder=folder)
             other, other_text, errors = programs.run(programs.other, verb, example, "--json", folder=folder)
             name = f"{verb} {example.name}"
