@@ -29,6 +29,10 @@ function(gw_target target)
   # Boost's functions of a double compute with doubles. By default they compute with long doubles,
   # which differ between systems.
   target_compile_definitions(${target} PRIVATE BOOST_MATH_PROMOTE_DOUBLE_POLICY=false)
+  if(WIN32)
+    # Boost assumes these functions of C only on systems with POSIX, and computes its own elsewhere.
+    target_compile_definitions(${target} PRIVATE BOOST_HAS_LOG1P BOOST_HAS_EXPM1)
+  endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # g++ 12 wrongly reports that std::string copies beyond its small buffer (GCC bug 105329),
     # depending on the length of a literal. The presets of clang keep the warning.
