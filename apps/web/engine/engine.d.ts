@@ -86,7 +86,7 @@ export interface Quantity {
   meaning: string;
   type: "number" | "whole" | "index" | "flag" | "word" | "text" | "record" | "map";
   list: number[]; // lengths of nested lists (0: any length); [] for a single value
-  two: "values" | "gears" | "ends"; // meaning of the two values of a list
+  two: "values" | "gears" | "ends" | "fraction"; // meaning of the two values of a list
   oneOf: string[]; // possible values of a word
   of: string; // for a record: name of its QuantityTable; otherwise ""
   page: boolean; // true if the tables of the report contain the quantity

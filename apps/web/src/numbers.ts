@@ -81,7 +81,9 @@ export function textOf(quantity: Quantity, value: Json | undefined): string {
   if (typeof value === "string") return value.replaceAll("_", " ");
   if (Array.isArray(value))
     return value.length
-      ? value.map((one) => textOf(quantity, one)).join(quantity.two === "ends" ? " … " : ", ")
+      ? (quantity.two === "fraction" && value[1] === 1 ? value.slice(0, 1) : value)
+          .map((one) => textOf(quantity, one))
+          .join({ values: ", ", gears: ", ", ends: " … ", fraction: "/" }[quantity.two] ?? ", ")
       : "none";
   if (typeof value === "object") return "";
   if (quantity.type === "whole" || quantity.type === "index") return String(value);
