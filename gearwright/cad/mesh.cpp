@@ -202,12 +202,19 @@ class GearMesh {
     const auto [ray_s, ray_c] = sincos_turn(1, 2LL * copies_);
     if (!(root.dot(Vec2(ray_c, ray_s)) > 0.0))
       return not_a_body(teeth, "its root lies beyond the axis");
-    const double limit = body().limit_within(root.norm());
     if (auto error = hole_error(body().bore, body().hole_limits(root.norm()), kWallMin_mm))
       return error;
-    const double wall = std::min(std::abs(limit - below), std::abs(limit - above));
+    const double r = root.norm();
+    double wall = std::min(std::abs(r - below), std::abs(r - above));
+    // A neck begins at an end face, so only the bore or the rim is beside the groove.
+    if (body().grooved()) {
+      const double limit = body().limit_within(r);
+      const double hole = ring_         ? body().bore->diameter / 2.0
+                          : body().bore ? bore_reach(*body().bore)
+                                        : 0.0;
+      wall = std::min({wall, std::abs(r - limit), std::abs(limit - hole)});
+    }
     given_ = std::min(options_.chord_tolerance_mm, kWallShare * wall);
-    if (body().grooved()) given_ = std::min(given_, kWallShare * std::abs(root.norm() - limit));
     const double chord = body().modified ? kCutShare * given_ : given_;
     const double radius_max =
         ring_ ? body().bore->diameter / 2.0 : body().outline.arcs.back().end_point.norm();

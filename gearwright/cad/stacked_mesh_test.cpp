@@ -36,6 +36,9 @@ std::vector<StackCase> stack_cases() {
   bored.bore = Bore{10.0};
   ToothedBody keyed = helical;
   keyed.bore = Bore{9.0, 3.0, 1.4};
+  const ToothedBody grooved = herringbone(4.0, 0.5);
+  const double groove = grooved.two_helices->groove_radius;
+  const ToothedBody big = sample_body({.teeth = 40});
   const ToothedBody relieved = testing::modified_gears(4.0).front().body;
   return {{"spur and helical", stacked(spur, small, 4.0, 9.0, 0.7)},
           {"wider above", stacked(small, helical, 0.5, 9.0, -0.3)},
@@ -44,6 +47,8 @@ std::vector<StackCase> stack_cases() {
           {"thin neck", stacked(bored, small, 4.0, 5.01, 0.7)},
           {"three gears", stacked(stacked(spur, small, 4.0, 9.0, 0.7), helical, 3.0, 8.0, 1.1)},
           {"double-helical", stacked(herringbone(4.0, 0.5), small, 2.0, 9.0, 0.2)},
+          {"neck of the groove's radius", stacked(grooved, big, 2.0, groove, 0.2)},
+          {"double-helical above", stacked(small, grooved, 2.0, 9.0, 0.2)},
           {"modified", stacked(small, relieved, 2.0, 9.0, 0.4)}};
 }
 

@@ -298,6 +298,24 @@ class Solids(unittest.TestCase):
         self.assertEqual(made.status, 1)
         self.assertIn("r is a rack with 2 pinions", made.err)
 
+    def test_the_cylinder_between_two_gears_clears_the_gears_beside_it(self):
+        """Gear g5, whose tip circle has the radius 62 mm, is beside the shaft of g2 and g3, at an angle of its axis."""
+        def spec(angle):
+            gears = "".join(f'[[drive.gear]]\nname = "{n}"\nbody = "{b}"\nteeth = {z}\nnormal_module_mm = 2\nface_width_mm = 20\n'
+                            for n, b, z in (("g1", "a", 20), ("g2", "b", 60), ("g3", "b", 60), ("g4", "d", 20), ("g5", "c", 60),
+                                            ("g6", "a", 20)))
+            return ('[drive]\ninput = "a"\noutput = "d"\n' + "".join(f'[[drive.body]]\nname = "{b}"\n' for b in "abcd") + gears +
+                    '[[drive.mesh]]\ngears = ["g1", "g2"]\n'
+                    f'[[drive.mesh]]\ngears = ["g6", "g5"]\nangle_deg = {angle}\n'
+                    '[[drive.mesh]]\ngears = ["g3", "g4"]\nangle_deg = 90\n')
+        # The axes of b and c are 80 mm apart at 60°. The gear needs 62 mm, and a quarter of a module stays free.
+        made = Run("export", spec(60), "--step", "n.step")
+        self.assertEqual(made.status, 0, made.err)
+        radii = re.findall(r"CYLINDRICAL_SURFACE\('[^']*',#\d+,([0-9.]+)\)", (made.folder / "n.step").read_text())
+        self.assertIn(17.5, [round(float(r), 9) for r in radii])
+        made = Run("export", spec(10), "--step", "n.step")
+        self.assertIn("g3 is not joined to g2, because there is no room for a shaft", " ".join(made.out.split()))
+
     def test_gears_of_one_body_are_one_solid(self):
         joint = (SOURCE / "examples/drives/robot_joint.toml").read_text()
         made = Run("export", joint, "--step", "j.step", "--glb", "j.glb", "--stl", "j.stl", "--3mf", "j.3mf")
