@@ -69,7 +69,7 @@ class Profile {
   TurnPerRemoval turn_per_removal(double s) const;
   double s_of(double u) const;  ///< s at u, solved to rounding; u beyond the piece gives the end
   double s_of(double u, double start) const;  ///< the same; iterations begin at `start`
-  bool is_involute() const { return involute_ != nullptr; }
+  const Involute* involute() const { return involute_; }  ///< null for another curve
   /// Normal angle of the generating rack; none if no circular arc of a rack cut the piece.
   std::optional<double> rack_angle(double s) const;
 

@@ -11,15 +11,31 @@ namespace gearwright {
 namespace {
 
 // True if the patches are the parts of one flank, between the kinks of its modifications, and no
-// part of the flank is concave. A relief removes material beyond its kink, so that the flank is
-// convex at the kink, too.
+// part of the flank is concave. A relief of an involute removes material beyond its kink, so that
+// the flank is convex at the kink, too.
 bool is_convex(const std::vector<FlankPatch>& flank) {
   const RemovalField* removal = flank.front().removal;
   if (flank.size() != (removal ? removal->pieces().size() : 1)) return false;
+  if (flank.size() > 1 && !flank.front().profile.involute()) return false;
   if (!removal || removal->none()) return true;
   if (removal->has_topography() || removal->wavy()) return false;
   using P = Modification;
   return removal->amount(P::profile_crowning) >= 0.0 && removal->amount(P::lead_crowning) >= 0.0;
+}
+
+// True if the teeth of a ring reach beyond the point at which the line of action touches the base
+// circle of the pinion. There, the hollow flank of the ring is more curved than that of the pinion,
+// and its tip is another maximum of T.
+bool reaches_beyond_action(const ContactPair& pair) {
+  const Involute* one = pair.patches(1).front().profile.involute();
+  const Involute* two = pair.patches(2).front().profile.involute();
+  if (!pair.internal() || !one || !two) return false;
+  double tip = kInfinity;
+  for (const FlankPatch& p : pair.patches(2)) tip = std::min(tip, std::exp(p.u_lo));
+  const double a = pair.place().center_distance + pair.place().errors.center_distance;
+  const double r_b2 = two->base_radius(), between = r_b2 - one->base_radius();
+  // r_b2 and the length a sin α_w of the line of action between the base circles.
+  return tip * tip < r_b2 * r_b2 + a * a - between * between;
 }
 
 // The number of the patch beyond an end of patch p, or −1. The ends are the lower and upper end in
@@ -85,7 +101,7 @@ Transmission::Transmission(const ContactPair& pair, Progress* progress)
   }
   if (crests_.size() < fields_.size()) crests_.clear();
   const auto &ones = pair.patches(1), &twos = pair.patches(2);
-  convex_ = is_convex(ones) && is_convex(twos);
+  convex_ = is_convex(ones) && is_convex(twos) && !reaches_beyond_action(pair);
   const int n_2 = static_cast<int>(twos.size());
   for (int f = 0; convex_ && f < static_cast<int>(fields_.size()); ++f) {
     auto& across = across_.emplace_back();

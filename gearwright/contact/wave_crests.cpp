@@ -49,7 +49,7 @@ double half_height(const FlankPatch& f, std::size_t direction) {
 }
 
 bool suits(const FlankPatch& f) {
-  return f.profile.is_involute() && !(f.removal && f.removal->has_topography());
+  return f.profile.involute() && !(f.removal && f.removal->has_topography());
 }
 
 // A wave over the profile, as a complex number whose phase advances from point to point. The
