@@ -66,6 +66,9 @@ class Judge {
     }
     return [this, center, all = std::move(all)](std::vector<double> v) {
       count();
+      // The estimate is finite for corrections that the teeth cannot have, too. Whether they can
+      // have them does not depend on the scenario.
+      if (!task_.pair_at(v, 0)) return kInfinity;
       for (std::size_t k = 0; k < v.size(); ++k) v[k] -= center[k];
       double worst = 0.0;
       for (const auto& of : all) worst = std::max(worst, of(v));
@@ -255,8 +258,8 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   const std::vector<double> zero(task.corrections.size(), 0.0);
   Best best(fine, zero);
   const double none = best.least;
-  if (fine.has_near()) fine.use(fine.near(found));
   if (found != zero) {
+    if (fine.has_near()) fine.use(fine.near(found));
     best.take(found);
     const int most = 60 * static_cast<int>(found.size());
     const int budget = std::clamp(task.curves / (6 * task.scenarios), 1, most);
@@ -283,7 +286,13 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
     break;
   }
   fine.use({});
-  return !fine.has_near() || fine.value(best.v) < none - same ? best.v : zero;
+  if (!fine.has_near()) return best.v;
+  // The estimates chose the last steps. The exact values decide between them, the corrections of the
+  // search and none.
+  const std::vector<double> written = as_written(task.corrections, found, 1e4);
+  const double refined = fine.value(best.v), searched = fine.value(written);
+  if (!(std::min(refined, searched) < none - same)) return zero;
+  return searched < refined - same ? written : best.v;
 }
 
 }  // namespace
