@@ -41,6 +41,22 @@ TEST(FigureUnits, AxesPointsAndLengthsOfTexts) {
   EXPECT_EQ(figure_data(in_units(UnitSystem::mm, f)), figure_data(f));
 }
 
+TEST(FigureUnits, ValuesOfAMapAndPlacesBesideIt) {
+  Figure f{"f", "", "", "", {"height", "mm", 0.0, 50.8}, {"height", "mm", 0.0, 25.4}};
+  f.grid = FigureGrid{"gap", "µm", {25.4}, {12.7}, {2.54}};
+  f.shades = FigureShades{{1.27, 2.54}, "", ""};
+  f.leaders.push_back({{25.4, 12.7}, "a"});
+  f.lanes.push_back({"edge", {{2.54, 5.08, "edge", ""}}});
+  const Figure g = in_inch(f);
+  EXPECT_EQ(g.grid->unit, "µin");
+  EXPECT_NEAR(g.grid->values[0], 100.0, 1e-9);
+  EXPECT_EQ(g.grid->y[0], 0.5);
+  EXPECT_NEAR(g.shades->levels[0], 50.0, 1e-9);
+  EXPECT_EQ(g.leaders[0].at, Vec2(1.0, 0.5));
+  EXPECT_NEAR(g.lanes[0].blocks[0].from, 0.1, 1e-12);
+  EXPECT_NEAR(g.lanes[0].blocks[0].to, 0.2, 1e-12);
+}
+
 TEST(FigureUnits, UnitsThatAreSquaresOrHaveWords) {
   const auto unit = [](const char* text) { return TextUnit(UnitSystem::inch, text); };
   EXPECT_EQ(unit("mm²").text(), "in²");
