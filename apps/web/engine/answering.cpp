@@ -98,7 +98,8 @@ Result<std::string> metric(const std::string& given) {
   if (!tree) return tree.error();
   try {
     GivenKeys keys;
-    return toml_text(in_catalogue_units(*tree, keys));
+    const Json metric = in_catalogue_units(*tree, keys);
+    return keys.units == UnitSystem::mm ? given : toml_text(metric);
   } catch (const SpecError& e) {
     return e.error;
   }

@@ -181,7 +181,10 @@ export class Page {
   }
 
   begin(text: string, tab = "mesh"): void {
-    if (kInInch.test(text)) return void this.beginInInch(text, tab);
+    if (kInInch.test(text)) void this.beginInInch(text, tab);
+    else this.showSpec(text, tab);
+  }
+  private showSpec(text: string, tab: string): void {
     this.showBench();
     bench.setText(text, "opened");
     this.tabs.open(tab);
@@ -191,7 +194,9 @@ export class Page {
   /** Shows a spec in inch as the same spec in mm, with all lengths in inch. */
   private async beginInInch(text: string, tab: string): Promise<void> {
     try {
-      this.begin(await bench.front.call("metric", { text }), tab);
+      const metric = await bench.front.call("metric", { text });
+      this.showSpec(metric, tab);
+      if (metric === text) return; // the key is in another table, where the engine rejects it
       showLengthsIn("in");
       this.notify("The text of the spec is now in mm. The page, the report and drawings show lengths in inch.", 8000);
     } catch (reason) {

@@ -6,6 +6,8 @@ import { button, h, slide, slider } from "./elements";
 export class TurnControl {
   /** Rotation of gear 1, in its pitches, or of a body, in turns, −½ … ½. */
   t = 0;
+  /** Completed pitches or turns, which the slider does not show. */
+  whole = 0;
   private readonly slider = slider("rotation of gear 1", { min: -0.5, max: 0.5, step: 0.002 }, (t) => {
     this.t = t;
     this.changed();
@@ -41,7 +43,10 @@ export class TurnControl {
   private readonly frame = (now: number) => {
     this.t += (now - this.last) / 4000; // one pitch in four seconds
     this.last = now;
-    if (this.t > 0.5) this.t -= 1;
+    if (this.t > 0.5) {
+      this.t -= 1;
+      this.whole += 1;
+    }
     this.running = requestAnimationFrame(this.frame);
     this.changed();
   };

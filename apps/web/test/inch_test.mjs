@@ -54,6 +54,15 @@ describe("inch", () => {
     for (const words of modules) assert.match(words, /module/);
   });
 
+  it("the key units in another table is an error of the spec", async () => {
+    const text = "[gear1]\nteeth = 17\nnormal_module_mm = 2\nunits = \"inch\"\n";
+    await page.evaluate((text) => window.gearwright.open(text, "contact"), text);
+    await page.waitForFunction((text) => window.gearwright.text() === text, text);
+    await page.evaluate((text) => window.gearwright.open(text, "contact"), kSpec);
+    await page.waitForFunction(() => /face_width_mm = 25\.4\b/.test(window.gearwright.text()));
+    await settled(page);
+  });
+
   it("figures and sliders of contact are in inch, and in mm after the switch", async () => {
     await page.waitForSelector("#room-contact #bearing1");
     await idle(page);

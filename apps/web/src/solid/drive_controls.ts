@@ -61,10 +61,12 @@ export class DriveControls {
     bench.setKeys(Object.fromEntries(Object.entries(roles).map(([key, body]) => ["planetary." + key, body])));
   }
 
-  /** The pose of each part if the chosen body has made t turns, as column-major 4×4 matrices. */
-  poses(t: number): number[][] {
+  /** The pose of each part if the chosen body has made `whole` + t turns, as column-major 4×4 matrices. A rack
+   *  returns after each turn, because it would leave its pinion. */
+  poses(t: number, whole: number): number[][] {
     const { parts, bodies } = this.solids!;
-    const turns = t / (bodies.find((body) => body.name === this.turning)?.ratio || 1);
+    const moves = parts.some(({ travel }) => travel[0] || travel[1]);
+    const turns = (moves ? t : whole + t) / (bodies.find((body) => body.name === this.turning)?.ratio || 1);
     return parts.map(({ pose: start, turn, about, carried, travel }) => {
       const pose = Array.from(start);
       const rotate = (i: number, angle: number) => {

@@ -165,7 +165,8 @@ export class SolidView implements Tab {
     if (!scene) return;
     const share = Number(this.cut.value);
     scene.section(share >= 1 ? Infinity : this.low + share * (this.high - this.low));
-    if (!this.drive.element.hidden) this.drive.poses(this.turning.t).forEach((pose, part) => scene.place(part, pose));
+    const { t, whole } = this.turning;
+    if (!this.drive.element.hidden) this.drive.poses(t, whole).forEach((pose, part) => scene.place(part, pose));
     if (!motion) return;
     const apart = Number(this.apart.value);
     // To separate the gears, a pinion moves out of its internal gear along the axis. All other gears move
