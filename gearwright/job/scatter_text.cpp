@@ -129,6 +129,23 @@ RobustView robust_view(const SolvedJob& job, const ScatterAnswer& a) {
 
 std::string head(std::string_view text) { return fmt::format("\n{}\n", text); }
 
+// The range of every input and the key that gives it. Waves and pitches vary within their grade.
+std::string input_listing(const ScatterAnswer& a, UnitSystem units) {
+  std::string out =
+      head("Inputs") + fmt::format("  {:<44}{:>12}{:>12}  {}\n", "", "least", "greatest", "from");
+  for (const ScatterTolerance& t : a.task.tolerances) {
+    const auto end = [&](double value) {
+      return t.coordinates() == 1 || t.bore()
+                 ? format_number(value_in(units, unit_of(t.name), value))
+                 : std::string();
+    };
+    out += fmt::format("  {:<44}{:>12}{:>12}  {}\n", printable(key_in(units, t.name)),
+                       end(t.distribution.least()), end(t.distribution.greatest()),
+                       key_in(units, t.source));
+  }
+  return out;
+}
+
 std::string spread_head(const ScatterTask& task) {
   std::string out = fmt::format("  {:<38}{:>12}{:>12}", "", "mean", "st. dev.");
   for (const double p : task.percentiles) out += fmt::format("{:>12}", format_number(p) + " %");
@@ -344,8 +361,8 @@ Json scatter_json(const SolvedJob& job, const ScatterAnswer& a) {
 }
 
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
-  std::string out =
-      title_listing(job.spec) + spread_listing(a) + probability_listing(a) + loaded_listing(a);
+  std::string out = title_listing(job.spec) + input_listing(a, job.spec.units()) +
+                    spread_listing(a) + probability_listing(a) + loaded_listing(a);
   const UnitSystem units = job.spec.units();
   if (a.task.indices) out += index_listing(a, units);
   if (a.task.worst_case) out += worst_listing(scatter_view(job, a), units);

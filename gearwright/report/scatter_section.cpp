@@ -55,14 +55,30 @@ std::string loaded_part(const ScatterView& view) {
   return part;
 }
 
-std::string index_part(const ScatterView& view) {
+// The range of every input and the key that gives it. Waves and pitches vary within their grade.
+std::string input_table(const ScatterView& view, UnitSystem units) {
+  TableBuilder table("Inputs", {"Least", "Greatest", "From"});
+  for (const ScatterTolerance& t : view.task->tolerances) {
+    const Unit unit = unit_of(t.name);
+    const bool number = t.coordinates() == 1 || t.bore();
+    const auto end = [&](double value) {
+      return number ? format_number(value_in(units, unit, value)) : std::string();
+    };
+    table.row(
+        key_in(units, t.name), "", number ? unit_text(units, unit) : "",
+        {end(t.distribution.least()), end(t.distribution.greatest()), key_in(units, t.source)});
+  }
+  return table.str();
+}
+
+std::string index_part(const ScatterView& view, UnitSystem units) {
   const auto& indices =
       view.scatter->indices[static_cast<std::size_t>(ScatterQuantity::peak_to_peak)];
   if (!indices) return {};
   IndexScene scene{"scatter-indices", scatter_entries()[0].words, {}};
   std::string names;
   for (std::size_t g = 0; g < view.task->groups.size(); ++g) {
-    const std::string& name = view.task->groups[g].name;
+    const std::string name = key_in(units, view.task->groups[g].name);
     scene.groups.push_back({name, indices->first[g].value, indices->total[g].value});
     names += fmt::format("{}{}: {}", g == 0 ? "" : ", ", g + 1, escaped(name));
   }
@@ -90,13 +106,14 @@ std::string robust_load_part(const RobustView& r) {
   return part;
 }
 
-std::string robust_part(const ScatterView& view) {
+std::string robust_part(const ScatterView& view, UnitSystem units) {
   if (!view.robust) return {};
   const RobustView& r = *view.robust;
   std::string list;
   for (const FoundCorrection& c : r.corrections)
-    list += fmt::format("{}{} {:g} {}", list.empty() ? "" : ", ", c.words, c.value,
-                        unit_text(unit_of(c.key)));
+    list += fmt::format("{}{} {} {}", list.empty() ? "" : ", ", c.words,
+                        format_number(value_in(units, unit_of(c.key), c.value)),
+                        unit_text(units, unit_of(c.key)));
   const auto percentile = [](const JudgedView& j) {
     return shown(scatter_entries()[0], j.family->percentile().estimate.value);
   };
@@ -109,7 +126,7 @@ std::string robust_part(const ScatterView& view) {
          robust_load_part(r);
 }
 
-std::string loosening_part(const ScatterView& view) {
+std::string loosening_part(const ScatterView& view, UnitSystem units) {
   if (!view.scatter->loosening) return {};
   const Loosening& l = *view.scatter->loosening;
   const SpreadEntry& te = scatter_entries()[0];
@@ -119,13 +136,14 @@ std::string loosening_part(const ScatterView& view) {
       {"Factor", fmt::format("{} % point with half the tolerance", format_number(l.percent))});
   for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {
     const Loosening::Change& c = l.by_tolerance[i];
-    table.row(view.inputs[i], "", "″",
+    table.row(key_in(units, view.inputs[i]), "", "″",
               {c.factor ? fixed(*c.factor, 2) : fmt::format("over {:g}", kMostFactor),
                shown(te, c.halved)});
   }
-  const std::string first = l.tighten_first ? fmt::format("<p>Tighten {} first.</p>\n",
-                                                          escaped(view.inputs[*l.tighten_first]))
-                                            : "";
+  const std::string first = l.tighten_first
+                                ? fmt::format("<p>Tighten {} first.</p>\n",
+                                              escaped(key_in(units, view.inputs[*l.tighten_first])))
+                                : "";
   return table.str() + first;
 }
 
@@ -183,8 +201,9 @@ std::string scatter_section(const ScatterView& view, UnitSystem units) {
              event("An edge of a tooth touches", s.edge_contact), event("the gears jam", s.jam),
              event("contact is lost", s.contact_lost)) +
          distribution_table(view, "Distribution over all pairs", view.spread) +
-         side_by_side(figures) + loaded_part(view) + index_part(view) + loosening_part(view) +
-         robust_part(view) + "</section>\n";
+         side_by_side(figures) + input_table(view, units) + loaded_part(view) +
+         index_part(view, units) + loosening_part(view, units) + robust_part(view, units) +
+         "</section>\n";
 }
 
 }  // namespace gearwright
