@@ -92,7 +92,7 @@ int say_unfinished(const SearchCommand& c, const SearchRun& run) {
   if (c.json) print_json(unfinished_json(run));
   if (run.stopped) {
     std::fprintf(stderr, "gearwright: stopped; %s%s\n", state.c_str(),
-                 !c.out ? "and nothing is saved; with --out DIR a search can be resumed"
+                 !c.out ? ", and nothing is saved; with --out DIR a search can be resumed"
                         : "; --resume continues the search");
     return 3;
   }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "gearwright/arrange/two_halves.hpp"
-#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 

@@ -392,7 +392,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (job.pair && job.ends)
     for (const Arranged* end : {&job.ends->upper, &job.ends->lower})
       report.pair_ends.push_back(pair_quantities().of(*end->pair));
-  for (int which = 1; which <= job.parts() && !job.rack; ++which)
+  for (int which = 1; options.wants("report") && which <= job.parts() && !job.rack; ++which)
     if (const auto body = make_body(job, which, false))
       if (const auto mass = mass_of(job, which, *body)) report.masses.push_back(*mass);
   report.measures = measure_records(job);

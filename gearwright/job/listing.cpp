@@ -267,7 +267,10 @@ std::string file_listing(const std::vector<JobFile>& files, UnitSystem units) {
   std::string out = "\n";
   for (const JobFile& f : files) {
     std::string note = f.note;
-    if (f.deviation_mm) note += fmt::format(", within {:.2g} µm", *f.deviation_mm * kUmPerMm);
+    // The deviation follows the first part of the note, before what the file omits.
+    if (f.deviation_mm)
+      note.insert(std::min(note.find(';'), note.size()),
+                  fmt::format(", within {:.2g} µm", *f.deviation_mm * kUmPerMm));
     out += "  " + pad(printable(native_text(f.path)), 44) + "  " + pad(f.what, 14) +
            sentence_in(units, note) + "\n";
   }

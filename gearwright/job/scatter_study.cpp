@@ -71,7 +71,8 @@ Result<StudiedDesign> studied_design(const JobSpec& spec, const Search& search,
         "--designs", options.designs.value_or(""),
         fmt::format("is the result of another search; design {} with {} is not a design of "
                     "this spec. Use the spec of that search and add [scatter] to it",
-                    listed.number, teeth_words(listed.teeth.value_or(std::array{0, 0})))};
+                    listed.number, teeth_words(listed.teeth.value_or(std::array{0, 0}))),
+        FailureKind::option};
   auto pair = read_spec_tree(spec_of(spec, search, rows[0]), options.folder, SpecUse::scatter);
   if (!pair) return pair.error();
   return StudiedDesign{rows[0], std::move(pair).take()};

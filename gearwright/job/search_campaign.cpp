@@ -54,7 +54,8 @@ std::optional<Error> refuse_other_search(const std::filesystem::path& folder, co
       "--out", folder.string(),
       fmt::format("the folder contains a finished search with another spec ({}), and the files of "
                   "that search would be replaced; use another folder, or remove {} first",
-                  changed, kDesignsFile)};
+                  changed, kDesignsFile),
+      FailureKind::option};
 }
 
 Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,

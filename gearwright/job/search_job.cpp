@@ -117,7 +117,7 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
   }
   if (options.out.empty() && (options.resume || options.shards > 1)) {
     const std::string flag = options.resume ? "--resume" : "--shard";
-    return Error{flag, "", "needs --out DIR, the folder of the search"};
+    return Error{flag, "", "needs --out DIR, the folder of the search", FailureKind::option};
   }
   if (auto error = refuse_large(search, options)) return *error;
   const std::int64_t trials = *search.space().size();

@@ -136,7 +136,8 @@ std::optional<Error> refuse_large(const Search& search, const SearchOptions& opt
                   size, duration_text(size / rate), rate, threads, threads == 1 ? "" : "s",
                   search.problem().draw
                       ? ". With `mounting` in [search] designs are not drawn, which is faster"
-                      : "")};
+                      : ""),
+      FailureKind::option};
 }
 
 }  // namespace gearwright
