@@ -69,21 +69,14 @@ Probability share_of(const std::vector<ScatterSample>& samples, double confidenc
                         static_cast<std::int64_t>(samples.size()), confidence);
 }
 
-// One quantity of all samples; NaN for samples that lose contact.
-std::vector<double> kept(const std::vector<ScatterSample>& samples, std::size_t quantity) {
+// One quantity of `count` samples, the first of which is `from`; NaN for samples that lose contact.
+std::vector<double> kept(const std::vector<ScatterSample>& samples, std::size_t quantity,
+                         std::size_t from, std::size_t count) {
   std::vector<double> values;
-  for (const ScatterSample& s : samples)
-    values.push_back(s.member.lost ? std::numeric_limits<double>::quiet_NaN()
-                                   : s.member.value[quantity]);
+  for (std::size_t i = from; i < from + count; ++i)
+    values.push_back(samples[i].member.lost ? std::numeric_limits<double>::quiet_NaN()
+                                            : samples[i].member.value[quantity]);
   return values;
-}
-
-// One quantity of `count` samples; NaN for samples that have no value.
-std::vector<double> column(const std::vector<ScatterSample>& samples, std::size_t quantity,
-                           std::size_t from, std::size_t count) {
-  std::vector<double> v;
-  for (std::size_t i = from; i < from + count; ++i) v.push_back(samples[i].member.value[quantity]);
-  return v;
 }
 
 std::optional<IndexEstimates> indices_of(
@@ -96,8 +89,8 @@ std::optional<IndexEstimates> indices_of(
   std::vector<std::vector<double>> first(groups), total(groups);
   for (std::size_t r = 0; r < static_cast<std::size_t>(task.replicates); ++r) {
     std::vector<std::vector<double>> columns;
-    for (const auto& m : mixed_samples) columns.push_back(column(m, quantity, r * n, n));
-    const auto found = sobol_indices(column(a, quantity, r * n, n), column(b, quantity, r * n, n),
+    for (const auto& m : mixed_samples) columns.push_back(kept(m, quantity, r * n, n));
+    const auto found = sobol_indices(kept(a, quantity, r * n, n), kept(b, quantity, r * n, n),
                                      columns, rounding * rounding);
     if (!found) return std::nullopt;
     for (std::size_t g = 0; g < groups; ++g) {
@@ -130,7 +123,7 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
   };
   if (std::all_of(s.samples.begin(), s.samples.end(), nowhere)) return nothing_touches(setup);
   for (std::size_t q = 0; q < kScatterQuantities; ++q)
-    s.spread[q] = spread_of(task, kept(s.samples, q), task.samples);
+    s.spread[q] = spread_of(task, kept(s.samples, q, 0, s.samples.size()), task.samples);
   s.edge_contact =
       share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.edge(); });
   s.jam = share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.jam; });
