@@ -378,7 +378,8 @@ std::string figure_html(const Figure& figure, double width, std::string_view att
   if (const auto it = std::find_if(figure.leaders.begin(), figure.leaders.end(),
                                    [](const FigureLeader& l) { return l.length.has_value(); });
       it != figure.leaders.end())
-    caption += fmt::format(" Lengths have the unit {}.", it->length->unit);
+    caption += fmt::format(" Lengths have the unit {}.",
+                           it->length->unit == "in" ? "inch" : it->length->unit);
   for (const FigureKey& key : figure.keys)
     caption += " " + caption_key(key.style, escaped(key.words));
   return captioned(figure_svg(figure, width) + std::string(control), caption, attributes);

@@ -55,7 +55,7 @@ Figure with_axes(const std::string& id, const std::string& title, const std::str
 // Draws a dimension between two points of the centre line, below this line. The arrows are between
 // the points, or outside them if there is no room. The text is beside the dimension, because the
 // pitch circles pass through the space between the points.
-void add_dimension(Figure& f, double x_1, double x_2, const std::string& words) {
+void add_dimension(Figure& f, double x_1, double x_2, double length) {
   const double unit = (f.x.hi - f.x.lo) / kWidth;  // mm per px
   const auto [lo, hi] = std::minmax(x_1, x_2);
   const double y = -60.0 * unit;
@@ -68,7 +68,8 @@ void add_dimension(Figure& f, double x_1, double x_2, const std::string& words) 
     f.line({Vec2(from, y), Vec2(tip, y)}, "thin");
     f.marks.back().head = true;
   }
-  f.text({hi + out, y}, words, Anchor::start, "halo", {8.0, 4.5});
+  f.text({hi + out, y}, "", Anchor::start, "halo", {8.0, 4.5});
+  f.marks.back().length = {length, kLengthDigits};
 }
 
 Figure before_figure(const Centrodes& c, double half) {
@@ -89,7 +90,7 @@ Figure after_figure(const Centrodes& c, double half) {
   f.circle({c.a, 0.0}, c.working[1], "thin g2 full", 1, symbol_svg("d_w2"));
   f.point({c.side_1 * c.working[0], 0.0}, 3.6, "mark", "I′", {12.0, -12.0});
   add_dimension(f, c.side_1 * c.reference[0], c.a + c.side_2 * c.reference[1],
-                fixed(std::abs(c.a - c.a_d), kLengthDigits));
+                std::abs(c.a - c.a_d));
   return f;
 }
 

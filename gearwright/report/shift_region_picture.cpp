@@ -51,7 +51,7 @@ std::string caption(const ShiftGraph& graph, const ShiftRegion& region, UnitSyst
       "Edges of the region:",
       area,
       problem.center_distance
-          ? fmt::format("The thin lines are centre distances in {}. ", unit_text(units, Unit::mm))
+          ? fmt::format("The thin lines are centre distances in {}. ", to_string(units))
           : "",
       line, symbol_html("Σx"));
 }
