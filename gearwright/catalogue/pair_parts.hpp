@@ -44,6 +44,31 @@ void add_sliding(Quantities<S>& q, const char* meaning, G get) {
   row("specific_sliding_at_E", 1);
 }
 
+const Quantities<Efficiency>& efficiency_quantities();
+/// Adds the entry `efficiency`: a record for programs, and one row for users. `get` returns a
+/// pointer to the Efficiency, or null.
+template <class S>
+void add_efficiency(Quantities<S>& q, const Efficiency* (*get)(const S&)) {
+  auto of_efficiency = q.part(get);
+  of_efficiency
+      .template record<efficiency_quantities>(
+          "efficiency",
+          "efficiency with friction of the flanks alone [T4.27], if all tooth pairs in contact "
+          "carry equal parts of a constant normal force; null without `friction_coefficient`, or "
+          "if `contact_ratio_true` is less than 1",
+          std::identity{})
+      .doors(kJson);
+  of_efficiency
+      .number("efficiency_driving", "efficiency with this gear driving", "η", "per gear",
+              [](const Efficiency& e) {
+                return std::array{e.gear1_drives, e.gear2_drives};
+              })
+      .unit(Unit::percent)
+      .per_gear()
+      .otherwise("self-locking")
+      .doors(kPeople);
+}
+
 const Quantities<CrossedPlace>& place_quantities();
 const Quantities<CrossedPlaces>& places_quantities();
 
@@ -66,7 +91,6 @@ std::array<std::optional<double>, 2> needed_crowning_um(const CrossedPair& pair)
 
 const Quantities<ParallelPair>& needed_face_quantities();
 const Quantities<InvolutePair>& sliding_velocity_quantities();
-const Quantities<Efficiency>& efficiency_quantities();
 const Quantities<InternalMargins>& internal_quantities();
 
 /// The first function gives the helix angle of gear i on its working pitch cylinder. The second

@@ -378,24 +378,7 @@ void add_friction(Quantities<V>& q) {
           std::identity{})
       .doors(kJson)
       .when();
-  auto of_efficiency = q.part(efficiency_of);
-  of_efficiency
-      .record<efficiency_quantities>(
-          "efficiency",
-          "efficiency with friction of the flanks alone [T4.27], if all tooth pairs in contact "
-          "carry equal parts of a constant normal force; null without `friction_coefficient`, or "
-          "if `contact_ratio_true` is less than 1",
-          std::identity{})
-      .doors(kJson);
-  of_efficiency
-      .number("efficiency_driving", "efficiency with this gear driving", "η", "per gear",
-              [](const Efficiency& e) {
-                return std::array{e.gear1_drives, e.gear2_drives};
-              })
-      .unit(Unit::percent)
-      .per_gear()
-      .otherwise("self-locking")
-      .doors(kPeople);
+  add_efficiency(q, efficiency_of);
 }
 
 void add_all(Quantities<V>& q) {

@@ -96,6 +96,8 @@ void add_contact(Quantities<V>& q) {
                 const auto a = v.specific_sliding(-v.approach), e = v.specific_sliding(v.recess);
                 return SlidingAtEnds{{{a[0], e[0]}, {a[1], e[1]}}};
               });
+  add_efficiency(
+      q, +[](const V& v) { return v.efficiency ? &*v.efficiency : nullptr; });
 }
 
 void add_all(Quantities<V>& q) {

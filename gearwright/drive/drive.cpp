@@ -34,11 +34,15 @@ std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& g
     list.emplace_back();
     if (const auto given = graph.meshes[m].efficiency) {
       list.back() = MeshEfficiency{*given, *given};
-    } else if (const auto& pair = geometry.pairs[m]; pair && pair->involute()) {
-      const auto& eta = pair->involute()->efficiency;
-      if (eta && eta->gear1_drives && eta->gear2_drives)
-        list.back() = MeshEfficiency{*eta->gear1_drives, *eta->gear2_drives};
+      continue;
     }
+    const auto& pair = geometry.pairs[m];
+    const auto& rack = geometry.racks[m];
+    const auto eta = rack                       ? rack->efficiency
+                     : pair && pair->involute() ? pair->involute()->efficiency
+                                                : std::nullopt;
+    if (eta && eta->gear1_drives && eta->gear2_drives)
+      list.back() = MeshEfficiency{*eta->gear1_drives, *eta->gear2_drives};
   }
   return list;
 }

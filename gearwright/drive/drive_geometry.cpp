@@ -158,7 +158,8 @@ void mount_racks(const DriveGraph& graph, DriveGeometry& made) {
     const auto& bar = graph.gear(mesh, 1).rack;
     const auto& pinion = made.gears[mesh.gears[0]];
     if (!bar || !pinion) continue;
-    auto pair = mount_rack(*pinion, *bar, mesh.center_distance);
+    auto pair =
+        mount_rack(*pinion, *bar, mesh.center_distance, {}, mesh.friction.value_or(graph.friction));
     if (pair) {
       made.racks[m] = std::move(pair).take();
       made.distance[m] = made.racks[m]->center_distance;

@@ -151,7 +151,8 @@ Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope) {
   auto solved = solve(spec, Scope::gears);
   if (!solved) return solved;
   SolvedJob job = std::move(solved).take();
-  auto pair = mount_rack(job.gears[0], *spec.rack, spec.pair.center_distance, spec.pair.speed_rpm);
+  auto pair = mount_rack(job.gears[0], *spec.rack, spec.pair.center_distance, spec.pair.speed_rpm,
+                         spec.pair.friction_coefficient);
   if (!pair) return spelled(pair.error(), spec.given);
   job.warnings.insert(job.warnings.end(), pair->warnings.begin(), pair->warnings.end());
   job.rack = std::move(pair).take();

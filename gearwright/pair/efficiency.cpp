@@ -33,15 +33,19 @@ double projected(const Linear& u, const Linear& w, double A, double k, double lo
 }  // namespace
 
 SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& mesh) {
-  const double begin = mesh.rho1_true_begin;
-  const double end = mesh.rho1_true_end;
+  const double begin = mesh.rho1_true_begin, end = mesh.rho1_true_end;
+  return sliding_shares({begin, end, mesh.step, flank_speeds(in, mesh, begin),
+                         flank_speeds(in, mesh, end),
+                         in.gears[0].radius * std::cos(in.gears[0].helix_angle)});
+}
+
+SlidingShares sliding_shares(const SlidingPath& path) {
+  const double begin = path.begin, end = path.end;
   GW_EXPECTS(begin < end);
-  const FlankSpeeds<double> w_begin = flank_speeds(in, mesh, begin);
-  const FlankSpeeds<double> w_end = flank_speeds(in, mesh, end);
   std::array<Linear, 2> w;
   for (int i : {0, 1}) {
-    const Vec2 a(w_begin.across[i], w_begin.along[i]);
-    const Vec2 b(w_end.across[i], w_end.along[i]);
+    const Vec2 a(path.at_begin.across[i], path.at_begin.along[i]);
+    const Vec2 b(path.at_end.across[i], path.at_end.along[i]);
     w[i] = {a, (b - a) / (end - begin)};
   }
   Linear u{w[0].at - w[1].at, w[0].slope - w[1].slope};
@@ -54,15 +58,15 @@ SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& me
 
   double weight = 0.0;
   std::array<double, 2> sum{};
-  for (const ContactZone& zone : contact_zones(begin, end, mesh.step)) {
+  for (const ContactZone& zone : contact_zones(begin, end, path.step)) {
     if (zone.pairs == 0) continue;
     const double lo = zone.begin - begin - origin;
     const double hi = zone.end - begin - origin;
     weight += (hi - lo) / zone.pairs;
     for (int i : {0, 1}) sum[i] += projected(u, w[i], A, k, lo, hi) / zone.pairs;
   }
-  const double v_n = in.gears[0].radius * std::cos(in.gears[0].helix_angle);
-  return {sum[0] / (weight * v_n), sum[1] / (weight * v_n)};
+  weight *= path.normal_speed;
+  return {sum[0] / weight, sum[1] / weight};
 }
 
 Efficiency efficiency(const SlidingShares& shares, double friction) {

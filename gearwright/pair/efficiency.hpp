@@ -26,9 +26,18 @@ struct SlidingShares {
   double first, second;  ///< M_1, M_2; M_1 − M_2 is the mean sliding speed over v_n
 };
 
-/// M_1 and M_2, by integrals in closed form over each zone of the clipped path. [T4.26]
+/// The clipped path of contact. The speeds of the contact change linearly with ρ_1.
+struct SlidingPath {
+  double begin, end, step;  ///< mm of ρ_1; neighbouring tooth pairs are `step` apart
+  FlankSpeeds<double> at_begin, at_end;
+  double normal_speed;  ///< v_n
+};
+
+/// M_1 and M_2, by integrals in closed form over each zone of the path. [T4.26]
 ///
-/// Domain    the clipped path has a length (contract)
+/// Domain    begin < end, and the sliding speed is not the same at both ends (contract)
+SlidingShares sliding_shares(const SlidingPath& path);
+/// The same, for a pair of gears.
 SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& mesh);
 
 /// The efficiencies η_12 and η_21 for the coefficient of friction μ.   Domain: μ ≥ 0 (contract)

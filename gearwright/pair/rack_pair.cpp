@@ -70,6 +70,20 @@ void clip(RackPair& p) {
   p.true_recess = std::min(p.recess, below / std::sin(alpha_t(p.pinion)));
 }
 
+// The contact moves along the flank of the pinion with ρ_1 per radian, and along the flank of the
+// rack with the constant speed r sin α_t. [T2.46]
+SlidingPath sliding_path(const RackPair& p) {
+  const double reach = p.pinion.reference_diameter / 2 * std::sin(alpha_t(p.pinion));
+  const double begin = reach - p.true_approach, end = reach + p.true_recess;
+  const double r_b = p.pinion.base_radius();
+  return {begin,
+          end,
+          p.base_pitch,
+          {{begin, reach}, {}},
+          {{end, reach}, {}},
+          r_b / std::hypot(1.0, r_b * p.pinion.twist())};
+}
+
 void warn(RackPair& p, WarningCode code, int gear, std::string message) {
   p.warnings.push_back({code, std::move(message), gear});
 }
@@ -175,7 +189,7 @@ std::array<std::optional<double>, 2> RackPair::specific_sliding(double g) const 
 }
 
 Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<double> center_distance,
-                            std::optional<double> speed_rpm) {
+                            std::optional<double> speed_rpm, std::optional<double> friction) {
   GW_EXPECTS(!center_distance || *center_distance > 0.0);
   if (pinion.internal())
     return refused(gear_field(1, "teeth"), pinion.spec.teeth,
@@ -204,6 +218,8 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
   p.recess = roll_length(r_a, r_b) - r * sin_t;
   p.approach = (p.rack.addendum - shifted) / sin_t;
   clip(p);
+  if (friction && p.true_contact_ratio() >= 1.0)
+    p.efficiency = efficiency(sliding_shares(sliding_path(p)), *friction);
   const double face = std::min(g.spec.face_width, p.rack.face_width);
   p.overlap_ratio = face * std::abs(std::sin(g.spec.helix_angle.rad())) / (std::numbers::pi * m);
   p.tip_clearance = {p.center_distance + p.rack.dedendum - g.actual_tip_radius(),

@@ -18,6 +18,7 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/generation/outline.hpp"
 #include "gearwright/kinematics/pose.hpp"
+#include "gearwright/pair/efficiency.hpp"
 
 namespace gearwright {
 
@@ -68,6 +69,7 @@ struct RackPair {
       contact_root_diameter;  ///< d_Nf of the pinion  mm; none past the base tangent point
   std::optional<double> form_clearance;  ///< (d_Nf − d_Ff)/2  mm
   std::optional<double> speed_rpm;       ///< n_1  1/min
+  std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given
   std::vector<Warning> warnings;
 
   double mounting_distance() const { return center_distance + rack.height; }  ///< mm
@@ -87,13 +89,14 @@ struct RackPair {
 
 /// Mounts a pinion and a rack. Faults of the mesh are warnings.
 ///
-/// Formula   theory page 2, [T2.36]…[T2.41]
+/// Formula   theory page 2, [T2.36]…[T2.41] and [T2.46]
 /// Domain    an external involute gear that exists; H > 0 and the widths > 0
 /// Errors    `gear1.teeth` for an internal gear, `gear1.rack` for circular arcs, `gear1` if the pinion
 ///           has no tooth
 Result<RackPair> mount_rack(Gear pinion, const RackBar& bar,
                             std::optional<double> center_distance = {},
-                            std::optional<double> speed_rpm = {});
+                            std::optional<double> speed_rpm = {},
+                            std::optional<double> friction = {});
 
 // The teeth of a rack in its transverse section, as an outline of the same kind as the outline of a gear.
 //

@@ -152,7 +152,8 @@ void refuse_planets(const Json& tree) {
                        "[[stage]] and [drive]"}};
 }
 
-// Reads a rack as gear 2. [pair] may then contain only the centre distance and the speed.
+// Reads a rack as gear 2. [pair] may then contain only the centre distance, the speed and the
+// friction.
 RackBar read_rack_bar(const Json& rack, const Json& tree) {
   TableReader t(rack_bar_keys(), rack, "gear2");
   for (const auto& [key, value] : rack.items())
@@ -162,15 +163,16 @@ RackBar read_rack_bar(const Json& rack, const Json& tree) {
   t.finish();
   const auto pair = tree.find("pair");
   if (pair == tree.end() || !pair->is_object()) return bar;
-  constexpr std::array kOfRacks{"center_distance_mm", "speed_rpm"};
+  constexpr std::array kOfRacks{"center_distance_mm", "speed_rpm", "friction_coefficient"};
   for (const auto& [key, value] : pair->items()) {
     if (std::find(kOfRacks.begin(), kOfRacks.end(), key) != kOfRacks.end() ||
         !pair_keys().find(key))
       continue;
     throw SpecError{
         {"pair." + key, shown(value),
-         "does not apply to a rack and pinion, for which only center_distance_mm and speed_rpm are "
-         "allowed. The centre distance and the thickness allowances determine the backlash"}};
+         "does not apply to a rack and pinion, for which only center_distance_mm, speed_rpm and "
+         "friction_coefficient are allowed. The centre distance and the thickness allowances "
+         "determine the backlash"}};
   }
   return bar;
 }
