@@ -77,6 +77,7 @@ class Judge {
   }
   // Until the next call, value() returns the values of this model; exact values if it is empty.
   void use(Model model) { model_ = std::move(model); }
+  bool uses_model() const { return static_cast<bool>(model_); }
 
   double value(const std::vector<double>& v) {
     if (model_) return model_(v);
@@ -179,6 +180,8 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
                          const double f = judge.value(x);
                          return std::isfinite(f) ? f : judge.lost();
                        }};
+  // A search of a model does not end early, because a narrow optimum may be at the border of the box.
+  if (how == Minimiser::whole_box && judge.uses_model()) search.relative_gain = search.gain = 0.0;
   for (const Correction& c : box) {
     search.lo.push_back(c.lo);
     search.hi.push_back(c.hi);
@@ -215,7 +218,9 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
   starts.push_back(linearised(task, judge));
-  starts.push_back(optimise(task.corrections, judge, Minimiser::whole_box, budget, 1.0, zero));
+  // A model takes less time than a curve, so it is searched more thoroughly.
+  const int of_box = judge.uses_model() ? 2 * budget : budget;
+  starts.push_back(optimise(task.corrections, judge, Minimiser::whole_box, of_box, 1.0, zero));
   for (std::vector<double>& start : starts) {
     for (std::size_t k = 0; k < start.size(); ++k)
       start[k] = std::clamp(start[k], task.corrections[k].lo, task.corrections[k].hi);
@@ -295,6 +300,30 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   return searched < refined - same ? written : best.v;
 }
 
+// The task with bounds that each correction can reach alone. The search of the box would otherwise spend
+// most of its trials on corrections that the teeth cannot have.
+CompensationTask within_teeth(CompensationTask task) {
+  constexpr int kHalvings = 12;
+  for (std::size_t k = 0; k < task.corrections.size(); ++k) {
+    for (double Correction::*end : {&Correction::lo, &Correction::hi}) {
+      const auto possible = [&](double x) {
+        std::vector<double> v(task.corrections.size(), 0.0);
+        v[k] = x;
+        return task.pair_at(v, 0) != nullptr;
+      };
+      double& bound = task.corrections[k].*end;
+      if (possible(bound)) continue;
+      double reached = 0.0, beyond = bound;
+      for (int i = 0; i < kHalvings; ++i) {
+        const double middle = (reached + beyond) / 2;
+        (possible(middle) ? reached : beyond) = middle;
+      }
+      if (reached != 0.0) bound = reached;
+    }
+  }
+  return task;
+}
+
 }  // namespace
 
 bool Compensation::nothing_to_correct() const {
@@ -322,11 +351,12 @@ std::vector<double> as_written(const std::vector<Correction>& corrections,
   return values;
 }
 
-Compensation compensate(const CompensationTask& task) {
-  GW_EXPECTS(!task.corrections.empty() && task.scenarios >= 1);
-  GW_EXPECTS(task.positions >= 2 && task.fine_positions >= 2);
-  for (const Correction& c : task.corrections)
+Compensation compensate(const CompensationTask& given) {
+  GW_EXPECTS(!given.corrections.empty() && given.scenarios >= 1);
+  GW_EXPECTS(given.positions >= 2 && given.fine_positions >= 2);
+  for (const Correction& c : given.corrections)
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
+  const CompensationTask task = within_teeth(given);
   // The usual number of evaluations: one search of the box and a descent from every start, most of
   // which end early.
   constexpr std::int64_t kUsual = 1000;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include "gearwright/base/units.hpp"
@@ -62,17 +63,39 @@ std::vector<LoadedScore> scanned(const std::string& text) {
       change.flank[0][Modification::lead_slope] = slope * kMmPerUm;
       change.flank[0][Modification::lead_crowning] = crowning * kMmPerUm;
       const auto changed = setup->changed(change);
-      EXPECT_TRUE(changed);
+      if (!changed) continue;  // the teeth cannot have this correction
       all.push_back(load->scores(changed->pair(false), load->positions()).front());
     }
   }
   return all;
 }
 
-TEST(CompensateLoad, FindsWhatADenseScanFinds) {
-  const std::vector<LoadedScore> scan = scanned(spec_of("aim = \"pressure\"\n"));
+// A pair with a small module and a large error. Some of the corrections in their ranges are
+// impossible for its teeth.
+std::string small_spec_of(const std::string& compensate) {
+  return R"(
+[gear1]
+teeth = 24
+normal_module_mm = 0.3
+face_width_mm = 5
+[gear2]
+teeth = 55
+face_width_mm = 5
+[errors]
+crossing_deg = 0.7
+[load]
+positions = 12
+slices = 8
+accuracy = "draft"
+torque_Nm = 0.1
+[compensate]
+)" + compensate;
+}
+
+void expect_the_best_of_a_scan(const std::function<std::string(const std::string&)>& spec_with) {
+  const std::vector<LoadedScore> scan = scanned(spec_with("aim = \"pressure\"\n"));
   for (const std::string aim : {"loaded_transmission_error", "pressure"}) {
-    const std::string text = spec_of("aim = \"" + aim + "\"\n");
+    const std::string text = spec_with("aim = \"" + aim + "\"\n");
     SolvedJob job = job_of(text);
     const auto answer = answer_compensate(job);
     ASSERT_TRUE(answer) << answer.error().message();
@@ -94,6 +117,14 @@ TEST(CompensateLoad, FindsWhatADenseScanFinds) {
     const LoadedTorque& t = load->contact->torques[0];
     EXPECT_NEAR(aimed({t.peak_to_peak, t.max_pressure}, aim), after, 1e-9 * after);
   }
+}
+
+TEST(CompensateLoad, FindsWhatADenseScanFinds) {
+  expect_the_best_of_a_scan([](const std::string& compensate) { return spec_of(compensate); });
+}
+
+TEST(CompensateLoad, FindsWhatADenseScanFindsForSmallTeeth) {
+  expect_the_best_of_a_scan(small_spec_of);
 }
 
 // The estimate of the aim around a pair equals the aim for the change 0, for both aims and at several

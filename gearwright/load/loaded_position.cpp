@@ -50,7 +50,7 @@ PositionSolver::PositionSolver(const ContactPair& pair, const Gear& one, const G
   ratio_ = std::abs(double(two.spec.teeth) / one.spec.teeth);
 }
 
-Position PositionSolver::prepare(double rotation) {
+Position PositionSolver::prepare(double rotation, Slices slices) {
   Position at;
   const int n = compliance_.slices[0].count;
   auto all = search_.places(rotation);
@@ -82,7 +82,7 @@ Position PositionSolver::prepare(double rotation) {
       const GapPlace& place = *p.at[j];
       for (int g = 0; g < 2; ++g)
         line[g][j] = compliance_.table[g]->section().length_at_radius(place.radius[g] / module_[g]);
-      if (gap_at(j) > kFarGap * module_[0]) continue;
+      if (slices == Slices::that_may_touch && gap_at(j) > kFarGap * module_[0]) continue;
       at.rows.push_back({index, j});
       gap.push_back(gap_at(j));
       arm.push_back(place.arm);

@@ -45,8 +45,10 @@ class PositionSolver {
   PositionSolver(const ContactPair& pair, const Gear& one, const Gear& two, const PairCompliance& c,
                  const LoadRequest& request);
 
-  /// Gaps and compliance at a rotation in N.
-  Position prepare(double rotation);
+  /// Gaps and compliance at a rotation in N. If the flanks are to be changed, all slices of the tooth
+  /// pairs are included, because a change can close their gaps.
+  enum class Slices { that_may_touch, all };
+  Position prepare(double rotation, Slices slices = Slices::that_may_touch);
   /// ∂te/∂e at the place of a slice, rad per unit of the influence.
   double slope(const PairPlaces& pair, int slice, const Influence& influence) {
     return search_.slope(pair, static_cast<std::size_t>(slice), influence);

@@ -24,7 +24,8 @@ NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& 
   detail::PositionSolver solver(pair, gear_1, gear_2, compliance, request);
   for (int i = 0; i < request.positions; ++i) {
     const double rotation = pair.pitch() * (static_cast<double>(i) / request.positions - 0.5);
-    detail::Position found = solver.prepare(pair.to_world(rotation));
+    detail::Position found =
+        solver.prepare(pair.to_world(rotation), detail::PositionSolver::Slices::all);
     if (found.rows.empty()) {
       complete_ = false;
       return;
