@@ -15,6 +15,7 @@
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/worst_of_range.hpp"
 #include "gearwright/load/nearby_load.hpp"
 #include "gearwright/math/minimise.hpp"
 #include "gearwright/math/root.hpp"
@@ -133,23 +134,61 @@ struct NamedErrors {
   ContactErrors errors;
 };
 
-// The given errors, followed by the errors at every corner of the range.
-std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
-  std::vector<NamedErrors> list{{"as given", setup.place().errors}};
+// The scenario of given values of the errors, in the units of their keys.
+NamedErrors scenario_at(const ContactSetup& setup, const std::vector<std::size_t>& ranged,
+                        const std::array<double, kErrorCount>& value) {
+  NamedErrors s{"", setup.place().errors};
+  for (const std::size_t i : ranged) {
+    s.errors = with_error(setup, s.errors, i, value[i]);
+    s.name +=
+        fmt::format("{}{} = {}", s.name.empty() ? "" : ", ", error_entries()[i].key, value[i]);
+  }
+  return s;
+}
+
+std::vector<std::size_t> ranged_errors(const CompensateInput& input) {
   std::vector<std::size_t> ranged;
   for (std::size_t i = 0; i < kErrorCount; ++i)
     if (input.range[i]) ranged.push_back(i);
+  return ranged;
+}
+
+// The given errors, followed by the errors at every corner of the range.
+std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
+  std::vector<NamedErrors> list{{"as given", setup.place().errors}};
+  const std::vector<std::size_t> ranged = ranged_errors(input);
   if (ranged.empty()) return list;
   for (std::size_t corner = 0; corner < (1u << ranged.size()); ++corner) {
-    NamedErrors s{"", setup.place().errors};
-    for (std::size_t k = 0; k < ranged.size(); ++k) {
-      const double value = (*input.range[ranged[k]])[(corner >> k) & 1u];
-      s.errors = with_error(setup, s.errors, ranged[k], value);
-      s.name += fmt::format("{}{} = {}", k ? ", " : "", error_entries()[ranged[k]].key, value);
-    }
-    list.push_back(std::move(s));
+    std::array<double, kErrorCount> value{};
+    for (std::size_t k = 0; k < ranged.size(); ++k)
+      value[ranged[k]] = (*input.range[ranged[k]])[(corner >> k) & 1u];
+    list.push_back(scenario_at(setup, ranged, value));
   }
   return list;
+}
+
+// Computes the corrections for the scenarios. As long as errors inside the ranges are worse for the
+// corrected pair than every scenario, they become another scenario.
+Compensation compensated(const SolvedJob& job, const ContactSetup& setup, CompensationTask& task,
+                         const std::vector<WorkshopCorrection>& corrections, bool gear2_drives,
+                         std::vector<NamedErrors>& scenarios) {
+  constexpr int kMostInside = 4;
+  Compensation result = compensate(task);
+  for (int k = 0; k < kMostInside && !task.aim; ++k) {
+    const auto changed = setup.changed(change_of(corrections, result.value, gear2_drives));
+    if (!changed) break;
+    const auto inside =
+        worse_inside_ranges(*changed, job.spec, result.after.peak_to_peak, task.progress);
+    if (!inside) break;
+    scenarios.push_back(scenario_at(setup, ranged_errors(job.spec.compensate), *inside));
+    std::vector<ContactErrors> errors;
+    for (const NamedErrors& s : scenarios) errors.push_back(s.errors);
+    const CompensationTask wider = compensation_task(setup, corrections, errors, gear2_drives);
+    task.pair_at = wider.pair_at;
+    task.scenarios = wider.scenarios;
+    result = compensate(task);
+  }
+  return result;
 }
 
 // The warning about corrections at the end of the range, or nothing if there are no such
@@ -238,7 +277,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);
-  const std::vector<NamedErrors> scenarios = scenarios_of(setup, input);
+  std::vector<NamedErrors> scenarios = scenarios_of(setup, input);
   std::vector<ContactErrors> errors;
   for (const NamedErrors& s : scenarios) errors.push_back(s.errors);
   const bool with_load = under_load(input.aim);
@@ -276,7 +315,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
       closed_forms[k] = answer.lead->exact[0].value_or(Angle()).rad() / kRadPerDeg;
   }
   task.starts.push_back(std::move(closed_forms));
-  answer.result = compensate(task);
+  answer.result = compensated(job, setup, task, *corrections, gear2_drives, scenarios);
   const Compensation& result = answer.result;
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     if (result.each_after[i].nothing_touches())
