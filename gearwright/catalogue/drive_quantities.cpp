@@ -7,6 +7,7 @@
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/drive/drive_forces.hpp"
 
 namespace gearwright {
 
@@ -252,6 +253,24 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
     });
     q.number("force_N", "external force on the rack", "F", "null for a body that turns",
              [](const V& v) { return v.drive->force(v.body); });
+    const auto forces = [&q](const char* key, const char* words, const char* symbol,
+                             const char* meaning, double (*value)(const BodyForces&)) {
+      q.number(key, words, symbol, meaning, [value](const V& v) -> Value {
+        const auto found = body_forces(*v.drive, v.body);
+        return found ? Value(value(*found)) : Value();
+      });
+    };
+    forces("radial_force_N", "radial force of the teeth", "F_r",
+           "resultant of all meshes of the body, of one planet [T13.31]; null without torque_Nm",
+           [](const BodyForces& f) { return f.radial; });
+    forces(
+        "axial_force_N", "axial force of the teeth", "F_z",
+        "sum over all meshes of the body, of one planet, along +z [T13.31]; null without torque_Nm",
+        [](const BodyForces& f) { return f.axial; });
+    forces("tilting_moment_Nm", "tilting moment of the axial forces", "M",
+           "moment of the axial forces of the teeth about an axis across the body, of one planet "
+           "[T13.31]; null without torque_Nm",
+           [](const BodyForces& f) { return newton_metres(f.tilting); });
     q.term("power_kW", "> 0 if the power flows into the drive", [](const V& v) -> Value {
       const auto n = v.drive->speed_rpm(v.body);
       if (!flows(*v.drive) || !v.drive->graph.torque_Nm || !n) return {};
@@ -297,6 +316,23 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
                if (!flows(*v.drive) || !(v.drive->flow->power_in > 0.0)) return {};
                return v.drive->flow->mesh_power[v.mesh] / v.drive->flow->power_in;
              });
+    const auto forces = [&q](const char* key, const char* words, const char* symbol,
+                             const char* meaning, double (*value)(const MeshForces&)) {
+      q.number(key, words, symbol, meaning, [value](const V& v) -> Value {
+        const auto found = mesh_forces(*v.drive, v.mesh);
+        return found ? Value(value(*found)) : Value();
+      });
+    };
+    forces("tangential_force_N", "tangential force", "F_t",
+           "of one copy of the mesh on its first gear, at the working pitch circle, > 0 "
+           "counter-clockwise seen from +z [T13.29]; null without torque_Nm",
+           [](const MeshForces& f) { return f.tangential; });
+    forces("separating_force_N", "separating force", "F_r",
+           "radial force of one copy of the mesh on both gears [T13.29]; null without torque_Nm",
+           [](const MeshForces& f) { return f.separating; });
+    forces("axial_force_N", "axial force", "F_z",
+           "of one copy of the mesh on its first gear, along +z [T13.29]; null without torque_Nm",
+           [](const MeshForces& f) { return f.axial; });
     q.record<pair_quantities>(
          "pair", "the two gears as mounted; null without geometry",
          [](const V& v) -> const auto& { return v.drive->geometry.pairs[v.mesh]; })

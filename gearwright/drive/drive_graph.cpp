@@ -93,6 +93,10 @@ std::optional<std::size_t> DriveGraph::frame(const DriveMesh& mesh) const {
   return first ? first : body(gear(mesh, 1)).carrier;
 }
 
+int DriveGraph::copies(const DriveMesh& mesh) const {
+  return std::max(body(gear(mesh, 0)).count, body(gear(mesh, 1)).count);
+}
+
 bool DriveGraph::is_fixed(std::size_t body) const { return holds(fixed, body); }
 bool DriveGraph::is_input(std::size_t body) const { return holds(inputs, body); }
 

@@ -17,12 +17,6 @@ bool drives(const Drive& drive, std::size_t mesh, int side) {
   return drive.flow->driver[mesh] == side;
 }
 
-int copies(const Drive& drive, std::size_t mesh) {
-  const DriveMesh& m = drive.graph.meshes[mesh];
-  return std::max(drive.graph.body(drive.graph.gear(m, 0)).count,
-                  drive.graph.body(drive.graph.gear(m, 1)).count);
-}
-
 // A flank with several engagements per turn is rated for a life that is longer in proportion.
 RatingInput of_gear_use(RatingInput input, const FlankUse& use) {
   if (input.life_h) *input.life_h *= use.engagements;
@@ -59,7 +53,7 @@ FlankUse flank_use(const Drive& drive, std::size_t mesh, int side) {
       if (graph.meshes[m].gears[static_cast<std::size_t>(s)] != gear || !carries(drive, m))
         continue;
       if (drives(drive, m, s) == drives(drive, mesh, side)) {
-        use.engagements += rides ? 1 : copies(drive, m);
+        use.engagements += rides ? 1 : graph.copies(graph.meshes[m]);
       } else {
         use.both = true;
       }
@@ -73,7 +67,7 @@ RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& loa
   const DriveMesh& m = drive.graph.meshes[mesh];
   const DriveGear& one = drive.graph.gear(m, 0);
   RatingInput input = load.common;
-  const int n = copies(drive, mesh);
+  const int n = drive.graph.copies(m);
   input.torque = std::abs(one.factor() * drive.flow->load[mesh]) * load.torque / n;
   if (n == 1) input.mesh_load_factor = 1.0;
   if (load.speed) {

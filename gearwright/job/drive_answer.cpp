@@ -12,6 +12,7 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/drive/drive_forces.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
@@ -75,6 +76,33 @@ std::string mesh_listing(const Drive& drive, UnitSystem units) {
                       "pair.center_distance_mm", "pair.contact_ratio", "pair.backlash.normal_mm",
                       "rack_pair.center_distance_mm", "rack_pair.contact_ratio",
                       "rack_pair.backlash.normal_mm"});
+}
+
+// The forces of the teeth on meshes and bodies; nothing without a torque.
+std::string force_listing(const Drive& drive, UnitSystem units) {
+  if (!drive.graph.torque_Nm) return "";
+  std::vector<std::string> meshes, bodies;
+  std::vector<ValueRecord> of_meshes, of_bodies;
+  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
+    if (!mesh_forces(drive, m)) continue;
+    meshes.push_back(printable(drive.graph.meshes[m].name, 17));
+    of_meshes.push_back(drive_mesh_quantities().of({&drive, m}));
+  }
+  for (std::size_t b = 0; b < drive.graph.bodies.size(); ++b) {
+    if (!body_forces(drive, b)) continue;
+    bodies.push_back(printable(drive.graph.bodies[b].name, 17));
+    of_bodies.push_back(drive_body_quantities().of({&drive, b}));
+  }
+  std::string out;
+  if (!meshes.empty())
+    out += "\nForces of the teeth on the first gear of each mesh, of one planet\n" +
+           row_listing(units, meshes, of_meshes,
+                       {"tangential_force_N", "separating_force_N", "axial_force_N"});
+  if (!bodies.empty())
+    out += "\nForces of all teeth on each body, of one planet\n" +
+           row_listing(units, bodies, of_bodies,
+                       {"radial_force_N", "axial_force_N", "tilting_moment_Nm"});
+  return out;
 }
 
 std::string shift_listing(const Drive& drive) {
@@ -151,7 +179,7 @@ std::string drive_listing(const Drive& drive, UnitSystem units) {
   std::string out =
       quantity_listing(units, drive_quantities().table(), {drive_quantities().of(drive)}, {});
   out += load_listing(drive, units) + body_listing(drive, units) + mesh_listing(drive, units) +
-         shift_listing(drive);
+         force_listing(drive, units) + shift_listing(drive);
   for (const PlanetSet& set : drive.sets) out += set_listing(set, units);
   return out;
 }
@@ -239,7 +267,8 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
   spec["gear2"] = gear_table(job, expanded, m.gears[1 - first]);
   Json& pair = spec["pair"] = Json::object();
   if (const auto& distance = drive.geometry.distance[mesh]) pair["center_distance_mm"] = *distance;
-  if (!rack && drive.graph.friction > 0.0) pair["friction_coefficient"] = drive.graph.friction;
+  if (const double friction = m.friction.value_or(drive.graph.friction); friction > 0.0)
+    pair["friction_coefficient"] = friction;
   const bool halves = drive.graph.gear(m, 0).double_helical.has_value();
   const bool locks = drive.flow && drive.flow->self_locking();
   const bool carries = drive.flow && !locks && drive.flow->driver[mesh] >= 0 && !rack;
