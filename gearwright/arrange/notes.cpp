@@ -46,15 +46,25 @@ std::optional<Error> forbidden_shifts(const GivenPair& given) {
 std::optional<Warning> note_shifts(const GivenPair& given) {
   if (!shifts_follow(given)) return std::nullopt;
   constexpr double kRounding = 1e-12;  // modules; a smaller shift is a rounding error
+  constexpr double kNoSum = 1e-6;      // modules; a centre distance has few digits
   double greatest = 0.0;
   for (const auto& gear : given.gears)
     if (!gear->profile_shift)
       greatest = std::max(greatest, std::abs(gear->cylindrical.profile_shift));
   if (greatest < kRounding) return std::nullopt;
+  // Old and exchangeable gears are cut without shift for this centre distance.
+  const double sum =
+      given.gears[0]->cylindrical.profile_shift + given.gears[1]->cylindrical.profile_shift;
+  const bool standard =
+      !given.gears[0]->profile_shift && !given.gears[1]->profile_shift && std::abs(sum) < kNoSum;
   return Warning{
       WarningCode::profile_shifts_chosen,
-      fmt::format("For the centre distance a = {} mm the program chose these profile shifts: {}.",
-                  format_number(*given.pair.center_distance), chosen_shifts(given)),
+      fmt::format("For the centre distance a = {} mm the program chose these profile shifts: {}.{}",
+                  format_number(*given.pair.center_distance), chosen_shifts(given),
+                  standard
+                      ? " Gears without profile shift have this centre distance, too; for them, "
+                        "give profile_shift = 0 in [gear1]."
+                      : ""),
       0};
 }
 

@@ -151,6 +151,10 @@ void add_all(Quantities<Gear>& q) {
    }).always();
   q.number("transverse_module_mm", "transverse module", "m_t", "m_n/cos β", &G::transverse_module)
       .doors(kPeople);
+  q.number("normal_diametral_pitch_per_in", "normal diametral pitch", "P_nd", "25.4 mm/m_n",
+           [](const G& g) { return kMmPerInch / g.spec.normal_module; })
+      .doors(kPeople)
+      .in_inch();
   of_involute_gear.term("normal_pressure_angle_deg", "of the basic rack",
                         [](const G& g) { return g.spec.normal_pressure_angle; });
   of_reference.number("transverse_pressure_angle_deg", "transverse pressure angle", "α_t",

@@ -22,6 +22,9 @@ constexpr std::string_view kRackMate =
 constexpr std::string_view kTwoHalves =
     "is not allowed; describe a double-helical gear by the table [gear1.double_helical], for "
     "example with gap_mm = 0. In this case helix_angle_deg is the angle of the half at z > 0";
+constexpr std::string_view kModuleInInch =
+    "is not a key, because modules are in mm; give normal_diametral_pitch_per_in, 1 divided by the "
+    "normal module in inch";
 constexpr std::string_view kUnits =
     "is not a key; give units = \"inch\" at the top of the spec, before the first table, to have "
     "the "
@@ -58,6 +61,11 @@ constexpr auto kRows = std::to_array<Row>({
     {"stage[#].gears[#].form", "\"rack\"",
      "is not supported in a stage, because both gears of a stage turn; describe a rack by "
      "[[drive.gear]] with form = \"rack\""},
+    {"*.normal_module_in", "", kModuleInInch},
+    {"*.transverse_module_in", "", kModuleInInch},
+    {"*.transverse_diametral_pitch_per_in", "",
+     "is not a key; give normal_diametral_pitch_per_in, the transverse diametral pitch divided by "
+     "cos β, or transverse_module_mm, 25.4 divided by the transverse diametral pitch"},
     {"**.units", "", kUnits},
     {"*.unit", "", kUnits},
 });

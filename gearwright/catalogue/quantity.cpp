@@ -107,7 +107,7 @@ class Groups {
       const QuantityInfo& info = *a.info;
       const bool shown = std::any_of(a.members.begin(), a.members.end(),
                                      [](const Member* m) { return m && m->shown; });
-      if (!(info.doors & door_) || !shown) continue;
+      if (!(info.doors & door_) || !shown || (info.only_inch && units_ == UnitSystem::mm)) continue;
       const std::string& title = info.group.empty() ? heading : info.group;
       if (info.type == Type::record) {
         nest(a, title);

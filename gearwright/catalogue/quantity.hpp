@@ -66,6 +66,7 @@ struct QuantityInfo {
   const QuantityTable& (*of)() = nullptr;  ///< for a record, the table of its quantities
   std::string column{};                    ///< heading in CSV and Parquet; "#" is the gear's number
   bool greater_first = false;              ///< true if greater values are better
+  bool only_inch = false;                  ///< true if it is shown only for inch specs
   bool optional_key = false;               ///< true if the key is absent when the quantity does not
                                            ///< exist; otherwise its value is null
 };
@@ -92,6 +93,7 @@ struct Quantity {
 
   // The functions below refine an entry. They are listed in their usual order.
   Quantity& always() { return info.always = true, *this; }
+  Quantity& in_inch() { return info.only_inch = true, *this; }
   Quantity& digits(int n) { return info.digits = n, *this; }
   Quantity& doors(unsigned d) { return info.doors = d, *this; }
   Quantity& one_of(std::vector<std::string> w) { return info.one_of = std::move(w), *this; }

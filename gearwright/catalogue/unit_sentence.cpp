@@ -50,15 +50,21 @@ std::optional<NumberText> number_at(std::string_view text) {
                     std::strtod(std::string(text.substr(0, end)).c_str(), nullptr)};
 }
 
-// The number in the inch unit. It has as many digits as the text, and at least four.
+// The number in the inch unit. A text with three or more decimals is usually rounded, so the result has
+// one digit less, which is then true. Other texts give as many digits as they have, and at least four.
 std::string number_in(const NumberText& number, const KeyUnit& unit) {
   const double x = unit.to_inch(number.value);
   if (x == 0.0) return "0";
+  const std::string_view mantissa = number.text.substr(0, number.text.find('e'));
   int digits = 0;
-  for (const char c : number.text.substr(0, number.text.find('e')))
+  for (const char c : mantissa)
     if (is_digit(c) && (digits > 0 || c != '0')) ++digits;
+  constexpr std::size_t kRounded = 3;
+  const std::size_t point = mantissa.find('.');
+  const bool rounded = point != mantissa.npos && mantissa.size() - point > kRounded;
+  digits = rounded ? std::max(2, digits - 1) : std::max(4, digits);
   const int power = static_cast<int>(std::floor(std::log10(std::abs(x))));
-  return short_decimals(x, std::max(0, std::max(4, digits) - 1 - power));
+  return short_decimals(x, std::max(0, digits - 1 - power));
 }
 
 struct Symbol {

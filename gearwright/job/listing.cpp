@@ -202,16 +202,26 @@ std::string pair_listing(const SolvedJob& job) {
 
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
                              const ValueRecord& lower, const ValueRecord& upper) {
+  const std::vector<ValueRecord> ends = differing(lower, upper);
+  if (std::all_of(ends.begin(), ends.end(), [](const ValueRecord& e) { return e.empty(); }))
+    return "";
   const UnitSystem units = job.spec.units();
   const std::string subject = gear_columns(job.gears.size())[gear];
-  const auto allowance = [&](const Arranged& end) {
-    return text_in(units, Unit::mm, end.gears[gear].spec.thickness_allowance, 4);
+  const Gear &one = job.ends->lower.gears[gear], &two = job.ends->upper.gears[gear];
+  const auto between = [&](const char* words, double a, double b) {
+    return a == b ? std::string()
+                  : fmt::format("the {} {} and {} {}", words, text_in(units, Unit::mm, a, 4),
+                                text_in(units, Unit::mm, b, 4), unit_text(units, Unit::mm));
   };
-  return fmt::format("\nValues at the thickness allowances {} and {} {} of {}\n",
-                     allowance(job.ends->lower), allowance(job.ends->upper),
-                     unit_text(units, Unit::mm), subject) +
-         quantity_listing(units, table, differing(lower, upper),
-                          {subject + " lower", subject + " upper"});
+  const std::string allowances =
+      between("thickness allowances", one.spec.thickness_allowance, two.spec.thickness_allowance);
+  const std::string tips = between("tip diameters", one.tip_diameter, two.tip_diameter);
+  const bool both = !allowances.empty() && !tips.empty();
+  const char* const distance = allowances.empty() && tips.empty() ? "both centre distances" : "";
+  return fmt::format("\nValues of {} at {}{}{}{}\n{}", subject, allowances, both ? " with " : "",
+                     tips, distance,
+                     both ? "  Other combinations can have greater or smaller values.\n" : "") +
+         quantity_listing(units, table, ends, {subject + " lower", subject + " upper"});
 }
 
 std::string title_listing(const JobSpec& spec, std::string_view before) {

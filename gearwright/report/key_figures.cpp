@@ -24,6 +24,8 @@ constexpr std::array<std::string_view, 1> kBacklash{"normal_mm"};
 constexpr std::array<std::string_view, 2> kOfRating{"S_F", "S_H"};
 constexpr std::array<std::string_view, 2> kOfLoad{"max_pressure_MPa", "peak_to_peak_arcsec"};
 
+constexpr double kSameRatio = 5e-6;  // contact ratios that look the same with five decimals
+
 std::string box(const std::string& words, std::string_view symbol, const std::string& value) {
   return fmt::format("<div><dt>{} {}</dt><dd>{}</dd></div>\n", words, symbol_html(symbol), value);
 }
@@ -58,7 +60,12 @@ std::string key_figures(const ReportInput& input) {
   if (input.pair) {
     const std::vector<ValueRecord> nominal{pair_quantities().of(*input.pair)};
     const auto& ends = input.pair_ends.empty() ? nominal : input.pair_ends;
-    text += key_boxes(pair_quantities().table(), nominal, kOfPair, units);
+    // The usable flanks can end before the tips.
+    auto keys = kOfPair;
+    if (std::abs(input.pair->contact_ratio() - input.pair->contact_ratio_true()) > kSameRatio)
+      std::replace(keys.begin(), keys.end(), std::string_view("contact_ratio"),
+                   std::string_view("contact_ratio_true"));
+    text += key_boxes(pair_quantities().table(), nominal, keys, units);
     text += key_boxes(pair_quantities().table(), ends, kBacklash, units);
   }
   if (input.rack)

@@ -10,6 +10,7 @@
 #include <toml++/toml.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iostream>
@@ -154,19 +155,54 @@ std::optional<int> deep_line(std::string_view text) {
   return std::nullopt;
 }
 
-// A hint if the line with the parser error contains "2,5", a number with a decimal comma.
-std::string comma_hint(std::string_view text, const toml::source_position& at) {
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// The digits that end before and that begin at a position of a line.
+struct Digits {
+  std::string_view before, after;
+};
+Digits digits_at(std::string_view line, std::size_t before, std::size_t after) {
+  std::size_t begin = before, end = after;
+  while (begin > 0 && is_digit(line[begin - 1])) --begin;
+  while (end < line.size() && is_digit(line[end])) ++end;
+  return {line.substr(begin, before - begin), line.substr(after, end - after)};
+}
+
+// A hint if the line with the parser error contains one of the usual slips: "2,5", "1/2", ".5",
+// "2.5 mm", text without quotes, or "[gear 1]". `at_comma` is true if the parser did not expect a comma.
+std::string slip_hint(std::string_view text, const toml::source_position& at, bool at_comma) {
   for (unsigned line = 1; line < at.line; ++line) text.remove_prefix(text.find('\n') + 1);
-  text = text.substr(0, text.find('\n'));
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-    if (text[i] != ',' || !digit(text[i - 1]) || !digit(text[i + 1])) continue;
-    std::size_t begin = i, end = i + 1;
-    while (begin > 0 && digit(text[begin - 1])) --begin;
-    while (end < text.size() && digit(text[end])) ++end;
-    return fmt::format("; use a point as the decimal mark, {}.{}", text.substr(begin, i - begin),
-                       text.substr(i + 1, end - i - 1));
+  std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  line = line.substr(0, line.find('#'));
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    if (!(line[i] == '/' || (line[i] == ',' && at_comma)) || !is_digit(line[i - 1]) ||
+        !is_digit(line[i + 1]))
+      continue;
+    const Digits two = digits_at(line, i, i + 1);
+    if (line[i] == ',')
+      return fmt::format("; use a point as the decimal mark, {}.{}", two.before, two.after);
+    const double below = std::strtod(std::string(two.after).c_str(), nullptr);
+    if (below > 0.0)
+      return fmt::format("; write a fraction as a decimal number, {}",
+                         std::strtod(std::string(two.before).c_str(), nullptr) / below);
   }
+  if (line.starts_with("[") && line.find(' ') != line.npos)
+    return "; the name of a table has no spaces, for example [gear1]";
+  const std::size_t equals = line.find('=');
+  if (equals == line.npos) return "";
+  const std::size_t first = line.find_first_not_of(" \t[", equals + 1);
+  if (first == line.npos) return "";
+  const std::string_view value = line.substr(first);
+  if (value.front() == '.' && value.size() > 1 && is_digit(value[1]))
+    return fmt::format("; a number needs a digit before the point, 0{}",
+                       value.substr(0, 1 + digits_at(value, 0, 1).after.size()));
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  if (letter(value.front()))
+    return fmt::format("; a text needs quotes, \"{}\"",
+                       value.substr(0, value.find_first_of(" \t,]")));
+  const std::size_t unit = value.find_first_not_of("+-.0123456789 ");
+  if (is_digit(value.front()) && unit != value.npos && (letter(value[unit]) || value[unit] == '"'))
+    return "; give the number without a unit, because the key contains the unit";
   return "";
 }
 
@@ -246,9 +282,9 @@ Result<Json> parse_spec(std::string_view text, SpecFormat format) {
     return e.error;
   } catch (const toml::parse_error& e) {
     const auto& at = e.source().begin;
-    return syntax_error(fmt::format(
-        "line {}, column {}: {}{}", at.line, at.column, e.description(),
-        e.description().find("','") == std::string_view::npos ? "" : comma_hint(text, at)));
+    return syntax_error(
+        fmt::format("line {}, column {}: {}{}", at.line, at.column, e.description(),
+                    slip_hint(text, at, e.description().find("','") != std::string_view::npos)));
   }
 }
 
