@@ -18,6 +18,11 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   judged.contact = with.contact;
   judged.errors = with.errors;
   judged.tolerances = arranged.ends != nullptr;
+  if (arranged.ends && arranged.ends->lower.pair && arranged.ends->upper.pair) {
+    const double least = arranged.ends->upper.pair->normal_backlash();
+    const double greatest = arranged.ends->lower.pair->normal_backlash();
+    if (least != greatest) judged.backlash_ends = {least, greatest};
+  }
   if (arranged.pair) {
     const auto& gears = arranged.given->gears;
     const auto& pair = arranged.given->pair;

@@ -138,8 +138,11 @@ const KeyTable& scatter_bearing_keys() {
       "The bores of axis 1 relative to the bores of axis 2; each bore can lie anywhere in a circle "
       "[T14.12]",
       {Key::positive("span_mm", "L", &B::span, kRequired, "distance of the bearings of a shaft"),
-       Key::not_negative("radius_mm", "R", &B::radius, kRequired,
-                         "radius of the circle in which a bore can lie"),
+       Key::not_negative(
+           "radius_mm", "R", &B::radius, kRequired,
+           "radius of the circle in which a bore of axis 1 can lie relative to the bore of axis "
+           "2 in the same wall. Two independent bores that can each lie in a circle of "
+           "radius r have the variance of R = √2 r"),
        Key::number("offset_mm", "c", {}, &B::offset, "0",
                    "position of the gears on the shaft, from the middle of the span towards +z")}};
   return table;

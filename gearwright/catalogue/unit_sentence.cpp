@@ -50,8 +50,8 @@ std::optional<NumberText> number_at(std::string_view text) {
                     std::strtod(std::string(text.substr(0, end)).c_str(), nullptr)};
 }
 
-// The number in the inch unit. A text with three or more decimals is usually rounded, so the result has
-// one digit less, which is then true. Other texts give as many digits as they have, and at least four.
+// The number in the inch unit. A text of four or more digits, three of them decimals, is usually rounded,
+// so the result has one digit less, which is then true. Other texts give at least four digits.
 std::string number_in(const NumberText& number, const KeyUnit& unit) {
   const double x = unit.to_inch(number.value);
   if (x == 0.0) return "0";
@@ -60,9 +60,10 @@ std::string number_in(const NumberText& number, const KeyUnit& unit) {
   for (const char c : mantissa)
     if (is_digit(c) && (digits > 0 || c != '0')) ++digits;
   constexpr std::size_t kRounded = 3;
+  constexpr int kFull = 4;
   const std::size_t point = mantissa.find('.');
   const bool rounded = point != mantissa.npos && mantissa.size() - point > kRounded;
-  digits = rounded ? std::max(2, digits - 1) : std::max(4, digits);
+  digits = rounded && digits >= kFull ? digits - 1 : std::max(kFull, digits);
   const int power = static_cast<int>(std::floor(std::log10(std::abs(x))));
   return short_decimals(x, std::max(0, digits - 1 - power));
 }

@@ -53,7 +53,7 @@ TEST(UnitSystem, DecimalsSurviveBothConversions) {
 TEST(UnitSystem, Sentences) {
   const auto in = [](std::string_view text) { return sentence_in(UnitSystem::inch, text); };
   EXPECT_EQ(in("a backlash of 0.1000 mm and no interference"),
-            "a backlash of 0.003937 in and no interference");
+            "a backlash of 0.00394 in and no interference");
   EXPECT_EQ(in("0.012 µm, less than 0.0001 modules (0.17 µm)."),
             "0.4724 µin, less than 0.0001 modules (6.693 µin).");
   EXPECT_EQ(in("between -0.1 mm and -0.2 mm of gear 1"),

@@ -84,6 +84,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::samples_lose_contact, "samples_lose_contact", kCaution,
      "verb scatter: no tooth pair touches at some positions of some samples",
      "contact is lost at some deviations within the tolerances"},
+    {C::samples_touch_edges, "samples_touch_edges", kCaution,
+     "verb scatter: an edge touches in more than 5 % of the samples",
+     "edges touch at many deviations within the tolerances",
+     "Give crowning or end relief, for example by [scatter.robust], or narrower tolerances."},
     {C::contact_lost_to_undercut, "contact_lost", kCaution,
      "if the warning names a gear: the tip of the mating gear passes a part of the flank that "
      "undercut has removed; nothing collides, but contact ends earlier",

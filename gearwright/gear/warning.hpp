@@ -42,6 +42,7 @@ enum class WarningCode {
   // The gears run, but not as intended.
   samples_jam,
   samples_lose_contact,
+  samples_touch_edges,
   contact_lost_to_undercut,  ///< a gear loses contact where undercut has removed the flank
   beyond_flank,
   saddle_gap,

@@ -11,6 +11,7 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/load_answer.hpp"
+#include "gearwright/job/scatter_findings.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/math/minimise.hpp"
 #include "gearwright/scatter/grades.hpp"
@@ -375,27 +376,6 @@ Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
   return answer;
 }
 
-namespace {
-
-void warn_of_samples(const Scatter& scatter, std::vector<Warning>& warnings) {
-  if (scatter.jam.count > 0) {
-    double least = 0.0;
-    for (const ScatterSample& sample : scatter.samples)
-      if (sample.member.jam) least = std::min(least, sample.member[ScatterQuantity::least_play]);
-    warnings.push_back(
-        {WarningCode::samples_jam,
-         fmt::format("The gears jam in {} of {} samples. The least play of gear 2 is "
-                     "{:.5f} degrees.",
-                     scatter.jam.count, scatter.jam.of, least * kDegPerRad)});
-  }
-  if (scatter.contact_lost.count > 0)
-    warnings.push_back({WarningCode::samples_lose_contact,
-                        fmt::format("Contact is lost at some positions of {} of {} samples.",
-                                    scatter.contact_lost.count, scatter.contact_lost.of)});
-}
-
-}  // namespace
-
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int threads) {
   const ScatterInput& input = job.spec.scatter;
   auto prepared = prepared_scatter(job);
@@ -416,7 +396,7 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
   auto scatter = scatter_of(answer.setup, task);
   if (!scatter) return of_scatter(task, scatter.error());
   answer.scatter = std::move(scatter).take();
-  warn_of_samples(answer.scatter, job.warnings);
+  warn_of_samples(answer.scatter, job);
   if (input.robust) {
     auto made_robust = robust_task(answer.setup, *input.robust);
     if (!made_robust) return made_robust.error();

@@ -143,6 +143,12 @@ std::string input_listing(const ScatterAnswer& a, UnitSystem units) {
                        end(t.distribution.least()), end(t.distribution.greatest()),
                        key_in(units, t.source));
   }
+  if (std::any_of(a.task.tolerances.begin(), a.task.tolerances.end(),
+                  [](const auto& t) { return std::holds_alternative<VaryingWave>(t.of); }))
+    out +=
+        "  Form waves have the full height of their tolerance in every sample. Only their number "
+        "and\n"
+        "  phase vary.\n";
   return out;
 }
 

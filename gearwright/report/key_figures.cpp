@@ -9,6 +9,7 @@
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/figure/load_scene.hpp"
 #include "gearwright/figure/markup.hpp"
 
@@ -88,6 +89,17 @@ std::string key_figures(const ReportInput& input) {
   } else if (input.contact) {
     text += box("Transmission error, peak to peak", "",
                 te_unit(input.contact->driving.rack).text(input.contact->driving.peak_to_peak));
+  }
+  if (input.scatter) {
+    const SpreadEntry& te = scatter_entries()[0];
+    for (const auto& s : input.scatter->spread) {
+      if (!s || std::string_view(s->entry->key) != te.key || s->spread->percentiles.empty())
+        continue;
+      const Percentile& p = s->spread->percentiles.back();
+      text +=
+          box(fmt::format("{}, {} % of the pairs", capitalised(te.words), format_number(p.percent)),
+              "", fixed(te.shown(p.estimate.value), te.digits) + std::string(unit_text(te.unit)));
+    }
   }
   return text.empty() ? text : "<dl class=\"keyfigures\">\n" + text + "</dl>\n";
 }

@@ -142,14 +142,16 @@ std::string foot(const ReportInput& input) {
       "degrees; “{}” means that there is no such value.{}</p>\n<p>Numbers are computed in double "
       "precision, by closed formulas, or by iteration until only rounding errors remain. They are "
       "shown with {} decimals of {} and {} of a degree. Outlines of teeth follow the "
-      "exact curves within {:g} normal modules. Manufacturing deviations and temperature are not "
-      "considered.{}{}</p>\n</footer>\n",
+      "exact curves within {:g} normal modules. {}{}{}</p>\n</footer>\n",
       version, by_pinion ? "racks and pinion cutters" : "racks", to_string(input.units), kNoValue,
       crossed ? " On crossed axes, teeth touch at points. The contact ratio is the mean number of "
                 "these points on the line of action."
               : "",
       digits_in(input.units, Unit::mm, kLengthDigits),
       input.units == UnitSystem::mm ? "a millimetre" : "an inch", kAngleDigits, kOutlineTolerance,
+      input.scatter ? "Manufacturing deviations are considered only in the distributions, and "
+                      "temperature is not considered."
+                    : "Manufacturing deviations and temperature are not considered.",
       input.load ? " Load and deflection are considered only in the part under load."
                  : " Load and deflection are not considered.",
       input.rating ? " Strength is considered only in the rating."

@@ -124,6 +124,8 @@ struct Judged {
   bool distance_sets_shifts = false;
   bool tolerances = false;               ///< true if findings are also computed at the tolerance
                                          ///< ends
+  std::optional<std::array<double, 2>> backlash_ends{};  ///< least and greatest j_n  mm, within the
+                                                         ///< tolerances
   std::optional<JudgedRating> rating{};  ///< none if not computed
 };
 
