@@ -78,7 +78,7 @@ struct MeasureInput {
 };
 
 /// The accuracy grade of the flanks, thickness allowances that are given by a series or a
-/// measurement, and the deviations of the tip diameter.
+/// measurement, the deviations of the tip diameter, and the runout of the blank.
 struct ToleranceInput {
   std::optional<int> quality;                           ///< A, the ISO 1328 grade
   FlankTolerances edition = FlankTolerances::iso_2013;  ///< edition of ISO 1328-1
@@ -89,6 +89,8 @@ struct ToleranceInput {
   /// external gear and the shorter tooth of an internal gear.
   std::optional<Ends> tip_deviations;
   std::optional<std::string> tip_fit;  ///< fit of ISO 286, for example "h9"
+  /// Circular runout of the tip circle and of both faces to the axis, µm. Only drawings contain it.
+  std::optional<double> tip_runout_um, face_runout_um;
 
   bool says_thickness() const { return series || span || over_balls; }
 };

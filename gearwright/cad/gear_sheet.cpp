@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/cad/biarc.hpp"
 #include "gearwright/cad/drawing.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
+#include "gearwright/cad/sheet_symbols.hpp"
 
 namespace gearwright {
 
@@ -21,7 +24,10 @@ constexpr auto kOutline = SheetLayer::outline;
 // views, and from the views to the frame. kShelf: projection of the leader beyond the gear.
 constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kInner = 6, kShelf = 5;
 // Distance from the base line of the caption to the transverse view above it, mm.
-constexpr double kCaption = 9;
+constexpr double kCaption = 12;
+// Distance of the datum of a gear without a bore from its left face, and end of the axis there, mm.
+// The gap between the views leaves 2 mm to the axis of the transverse view.
+constexpr double kAxisDatum = 4.5, kAxisEnd = 6;
 constexpr const char* kWhere = "Section in the middle of the face width";
 
 struct Scale {
@@ -70,11 +76,15 @@ class Views {
     if (!ring && bore_) axial_ += kFirst + (keyed() ? kNext : 0.0);
     right_ = kFirst + kNext * (static_cast<double>(radii_to_the_right().size()) - 0.5);
     width_ = k_ * input.body.face_width;
+    callouts_.emplace(section(), input.surfaces);
+    axial_ = std::max(axial_, callouts_->distance());
+    right_ = std::max(right_, callouts_->right());
   }
 
   /// The box that the views occupy around the origin.
   SheetBox box() const {
-    const double up = std::max(k_ * body_ + kAxis, keyed() ? shelf() + kUsual + 2 : 0.0);
+    const double up =
+        std::max({k_ * body_ + kAxis, keyed() ? shelf() + kUsual + 2 : 0.0, callouts_->top()});
     return {{-left_, -k_ * body_ - kFirst - 4}, {axial_ + width_ + right_, up}};
   }
 
@@ -99,6 +109,39 @@ class Views {
   }
   double shelf() const { return k_ * body_ + kShelf; }
   double elbow() const { return shelf() / std::sqrt(3.0); }  // the leader has an inclination of 60°
+
+  // The dimensions to the left of the axial section, which has its left face at x.
+  std::vector<Dimension> dimensions_on_left(double x) const {
+    std::vector<Dimension> all;
+    if (ring() || !bore_) return all;
+    const double r = bore_->radius;
+    all.push_back(upward(-r, r, x, x - kFirst, with_fit(diameter(r), input_.words.bore_fit)));
+    all.back().datum = true;
+    if (!keyed()) return all;
+    const double top = r + bore().keyway_depth;
+    all.push_back(upward(-r, top, x, x - kFirst - kNext, length(r + top)));
+    return all;
+  }
+
+  // The lengths of the axial section on paper, with the dimensions and the datum to its left.
+  AxialSection section() const {
+    const bool grooved = input_.body.grooved();
+    const double gap = grooved ? k_ * input_.body.two_helices->gap : 0.0;
+    AxialSection s{ring(),      width_,    grooved ? (width_ - gap) / 2 : width_,
+                   k_ * body_,  k_ * tip_, k_ * input_.reference_diameter / 2,
+                   std::nullopt};
+    if (ring()) return s;
+    if (!bore_) {
+      s.on_left.push_back({-kAxisEnd - kDatumHalf, -kDatumHeight, 0.0});
+      return s;
+    }
+    s.bore = k_ * bore_->radius;
+    for (const Dimension& d : dimensions_on_left(0.0)) {
+      const auto [lo, hi] = reach_of(d);
+      s.on_left.push_back({d.line - kUsual - 2, lo, hi});  // a text is to the left of its line
+    }
+    return s;
+  }
 
   std::vector<double> radii_to_the_right() const {
     std::vector<double> radii{input_.reference_diameter / 2, tip_};
@@ -163,7 +206,9 @@ class Views {
       }
       across(SheetLayer::axis, side * k_ * input_.reference_diameter / 2, kAxis);
     }
-    across(SheetLayer::axis, 0.0, kAxis);
+    const bool solid = !ring() && !bore_;
+    line(SheetLayer::axis, {x0 - (solid ? kAxisEnd : kAxis), 0}, {x1 + kAxis, 0});
+    if (solid) draw_datum(*sheet_, origin_ + Vec2(x0 - kAxisDatum, 0), DatumSide::below);
     if (ring()) {
       metal(k_ * limit, k_ * body_);
       metal(-k_ * body_, -k_ * limit);
@@ -177,20 +222,22 @@ class Views {
       if (keyed()) across(kOutline, k_ * std::sqrt(r * r - half * half));
       metal(-k_ * limit, -k_ * r);
       metal(k_ * top, k_ * limit);
-      vertical(-r, r, x0, x0 - kFirst, with_fit(diameter(r), input_.words.bore_fit));
-      if (keyed()) vertical(-r, top, x0, x0 - kFirst - kNext, length(r + top));
+      for (const Dimension& d : dimensions_on_left(x0)) add(d);
     }
     double place = x1 + kFirst;
     for (const double r : radii_to_the_right()) {
       const bool reference = r == input_.reference_diameter / 2;
       const std::string fit = r == tip_ ? input_.tip_fit : "";
-      vertical(-r, r, reference ? x1 + kAxis : x1, place, with_fit(diameter(r), fit));
+      Dimension d = upward(-r, r, reference ? x1 + kAxis : x1, place, with_fit(diameter(r), fit));
+      d.datum = ring() && r == body_;
+      add(d);
       place += kNext;
     }
     const double y = -k_ * body_;
     draw_dimension(*sheet_,
                    {Direction::across, origin_.x() + x0, origin_.x() + x1, origin_.y() + y,
                     origin_.y() + y, origin_.y() + y - kFirst, length(input_.body.face_width)});
+    callouts_->draw(*sheet_, origin_ + Vec2(x0, 0));
   }
 
   // Draws the axial outline of a double-helical gear with its groove, and the roots of both halves.
@@ -209,9 +256,14 @@ class Views {
     }
   }
 
-  void vertical(double lo, double hi, double edge, double place, const std::string& words) {
-    draw_dimension(*sheet_, {Direction::up, origin_.y() + k_ * lo, origin_.y() + k_ * hi,
-                             origin_.x() + edge, origin_.x() + edge, origin_.x() + place, words});
+  // A dimension between the radii lo and hi of the gear, relative to the origin of the views.
+  Dimension upward(double lo, double hi, double edge, double place, std::string words) const {
+    return {Direction::up, k_ * lo, k_ * hi, edge, edge, place, std::move(words)};
+  }
+  void add(Dimension d) {
+    for (double* y : {&d.begin, &d.end}) *y += origin_.y();
+    for (double* x : {&d.edge_begin, &d.edge_end, &d.line}) *x += origin_.x();
+    draw_dimension(*sheet_, d);
   }
 
   const GearSheetInput& input_;
@@ -221,6 +273,7 @@ class Views {
   double tip_ = 0, root_ = 0, body_ = 0;  // radii of tip, root and outermost circle, mm
   // mm on paper: room to the left of the origin; left end, width and right margin of the axial view
   double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;
+  std::optional<Callouts> callouts_;
   Sheet* sheet_ = nullptr;
   Vec2 origin_ = Vec2::Zero();
 };

@@ -1,5 +1,5 @@
 // The workshop drawing of a gear: the table of its data, the exact transverse section with bore and
-// keyway, and an axial section, in a frame with a title block.
+// keyway, and an axial section with datum, runout and surface texture, in a frame with a title block.
 //
 // The table uses the symbols and terms of ISO 21771 in the order of DIN 3966-1. In the axial
 // section, teeth are not hatched and the reference circle is a chain line (ISO 2203). The scale is
@@ -11,6 +11,7 @@
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/cad/sheet.hpp"
+#include "gearwright/cad/sheet_callouts.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/unit_system.hpp"
@@ -33,6 +34,7 @@ struct GearSheetInput {
   std::vector<DataGroup> data;        ///< in the order of the table
   DrawingInput words;                 ///< text of the title block, and the fits of bore and keyway
   std::string tip_fit;                ///< fit of the tip diameter; empty if it has none
+  SurfaceRequirements surfaces;       ///< runout and texture, with symbols in the axial section
   std::string mass;                   ///< "0.41 kg", empty if unknown
   std::string number;                 ///< number of the sheet, such as "1/2"
   UnitSystem units = UnitSystem::mm;  ///< of the dimensions; inches have four decimals

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/contract.hpp"
+#include "gearwright/cad/sheet_symbols.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -62,7 +65,18 @@ Lines laid_out(const Vec2& size, std::string_view words, double largest) {
   return all;
 }
 
+// True if text and arrows have room between the extension lines.
+bool has_room(const Dimension& d) {
+  return d.end - d.begin >= std::max(kInside, text_width(d.words, kUsual) + 2);
+}
+
 }  // namespace
+
+Reach reach_of(const Dimension& d) {
+  const double datum = d.datum ? kDatumHeight : kPast;
+  if (has_room(d)) return {d.begin - datum, d.end + kPast};
+  return {d.begin - kTail - text_width(d.words, kUsual), d.end + std::max(kTail, datum)};
+}
 
 void draw_dimension(Sheet& sheet, const Dimension& d) {
   const bool up = d.direction == Direction::up;
@@ -76,11 +90,20 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
   };
   extension(d.begin, d.edge_begin);
   extension(d.end, d.edge_end);
-  const double width = text_width(d.words, kUsual), length = d.end - d.begin;
-  const bool inside = length >= std::max(kInside, width + 2);
+  GW_EXPECTS(up || !d.datum);
+  const double width = text_width(d.words, kUsual);
+  const bool inside = has_room(d);
   const Vec2 forward = at(1, 0);
+  // A datum outside the dimension replaces an arrow.
+  const bool replaced = d.datum && !inside;
   sheet.arrow(kLayer, at(d.begin, d.line), inside ? Vec2(-forward) : forward);
-  sheet.arrow(kLayer, at(d.end, d.line), inside ? forward : Vec2(-forward));
+  if (!replaced) sheet.arrow(kLayer, at(d.end, d.line), inside ? forward : Vec2(-forward));
+  if (d.datum) {
+    if (inside)
+      draw_datum(sheet, at(d.begin, d.line), DatumSide::below);
+    else
+      draw_datum(sheet, at(d.end, d.line), DatumSide::above);
+  }
   // Upright text is to the left of its dimension line. Seen from the right, from where it is read,
   // it is above the line.
   const double base = up ? d.line - kOverLine : d.line + kOverLine;
@@ -94,7 +117,8 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
     sheet.line(kLayer, at(d.begin, d.line), at(d.end, d.line));
     words((d.begin + d.end) / 2, Along::middle);
   } else if (up) {
-    sheet.line(kLayer, at(d.begin - kTail - width, d.line), at(d.end + kTail, d.line));
+    const double top = replaced ? 0.0 : kTail;
+    sheet.line(kLayer, at(d.begin - kTail - width, d.line), at(d.end + top, d.line));
     words(d.begin - kTail, Along::end);
   } else {
     sheet.line(kLayer, at(d.begin - kTail, d.line), at(d.end + kTail + width, d.line));

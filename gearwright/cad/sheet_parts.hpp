@@ -46,10 +46,19 @@ struct Dimension {
                                 ///< line
   double line;                  ///< mm, position of the dimension line, measured like edge_begin
   std::string words;
+  bool datum = false;  ///< true if the axis of this diameter is the datum; only with Direction::up
 };
 
+/// The lowest and the highest point of a dimension along its direction, with its text and its datum,
+/// mm.
+struct Reach {
+  double lo, hi;
+};
+Reach reach_of(const Dimension& dimension);
+
 /// Draws a dimension. Its text is above the dimension line if the space between the edges is
-/// sufficient. Otherwise it follows the end of a horizontal line, or is below a vertical one.
+/// sufficient. Otherwise it follows the end of a horizontal line, or is below a vertical one. The
+/// datum is below the dimension, or above it if its text is below.
 void draw_dimension(Sheet& sheet, const Dimension& dimension);
 
 /// Draws text within a box, starting at the top. The letters are as large as possible, and several

@@ -5,6 +5,7 @@
 
 #include "gearwright/cad/sheet.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
+#include "gearwright/cad/sheet_symbols.hpp"
 
 namespace gearwright {
 
@@ -84,19 +85,21 @@ struct Cell {
   double width;
   const char* label;
   std::string words;
+  bool edge = false;  // true if the text is within the symbol of an edge
 };
 
-// The space for text in a cell, below the label.
-SheetBox room(const SheetBox& cell) {
-  return {cell.lo + Vec2(kFieldInset, kFieldInset / 2),
-          cell.hi - Vec2(kFieldInset, kFieldInset / 2 + kSmall + kFieldInset)};
+// The space for text in a cell, below the label. The symbol of an edge is at its left and lower end.
+SheetBox room(const SheetBox& box, const Cell& cell) {
+  const Vec2 symbol = cell.edge ? Vec2(1, 0.4) : Vec2(0, 0);
+  return {box.lo + Vec2(kFieldInset, kFieldInset / 2) + symbol,
+          box.hi - Vec2(kFieldInset, kFieldInset / 2 + kSmall + kFieldInset)};
 }
 
 // The height of a row. If a text does not fit, the height is increased up to a limit.
 double height_for(const std::vector<Cell>& cells, double height, double largest) {
   constexpr double kStep = 1, kMost = 24;
   const auto fits = [&](const Cell& cell) {
-    const SheetBox box = room({{0, 0}, {cell.width, height}});
+    const SheetBox box = room({{0, 0}, {cell.width, height}}, cell);
     return words_fit(box.hi - box.lo, cell.words, largest);
   };
   while (height < kMost && !std::all_of(cells.begin(), cells.end(), fits)) height += kStep;
@@ -113,7 +116,12 @@ void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cel
     sheet.rectangle(SheetLayer::data, box);
     const Vec2 label(x + kFieldInset, box.hi.y() - kFieldInset / 2 - kSmall);
     sheet.text(SheetLayer::data, label, cell.label, kSmall);
-    draw_words(sheet, SheetLayer::data, room(box), cell.words, largest);
+    const SheetBox text = room(box, cell);
+    draw_words(sheet, SheetLayer::data, text, cell.words, largest);
+    if (cell.edge) {
+      const Vec2 corner(x + kFieldInset, box.lo.y() + kFieldInset / 2);
+      draw_edge(sheet, corner, {text.hi.x() - corner.x(), text.hi.y() - corner.y()});
+    }
     x = box.hi.x();
   }
 }
@@ -178,7 +186,7 @@ SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock
   row(kFieldRow,
       {{60, "Heat treatment", w.heat_treatment},
        {45, "Surface texture", w.surface_texture},
-       {35, "Edges", w.edges},
+       {35, "Edges, ISO 13715", w.edges, true},
        {40, "General tolerances", w.general_tolerances}},
       kUsual);
   if (!w.note.empty()) row(kFieldRow, {{kWidth, "Note", w.note}}, kUsual);

@@ -1,15 +1,26 @@
 #include "gearwright/catalogue/drawing_keys.hpp"
 
+#include <utility>
+
+#include "gearwright/base/printable.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
 
 namespace gearwright {
 
 namespace {
 
+// Length of a surface texture that a symbol has room for: "0.008-0.8/Ra 0.8", "U Rz 4; L Ra 0.2".
+constexpr std::size_t kTextureLetters = 20;
+
 // A common size in mm, for which the table has every fit.
 constexpr double kAnySize = 20.0;
 
-std::optional<KeyFault> check_fits(DrawingInput& d, const KeyGiven&) {
+std::optional<KeyFault> check_texts(DrawingInput& d, const KeyGiven&) {
+  for (const auto& [key, texture] : {std::pair("flank_roughness", &d.flank_roughness),
+                                     std::pair("face_roughness", &d.face_roughness),
+                                     std::pair("bore_roughness", &d.bore_roughness)})
+    if (code_points(*texture).size() > kTextureLetters)
+      return KeyFault{key, "must have at most 20 letters, for example \"MRR Ra 0.8\""};
   const bool bore = d.bore_fit.empty() || d.bore_fit.starts_with('H');
   if (!bore || (!d.bore_fit.empty() && !hole_deviations(d.bore_fit, kAnySize)))
     return KeyFault{"bore_fit", "must be H1 to H12 of ISO 286, for example H7"};
@@ -19,12 +30,19 @@ std::optional<KeyFault> check_fits(DrawingInput& d, const KeyGiven&) {
   return std::nullopt;
 }
 
+Key texture(std::string_view key, std::string DrawingInput::*member, std::string_view fallback,
+            std::string_view meaning) {
+  return Key::text(key, member, fallback, meaning)
+      .with_form("a text of at most 20 letters, such as \"MRR Ra 0.8\"");
+}
+
 }  // namespace
 
 bool DrawingInput::given() const {
   for (const std::string* words :
        {&title, &number, &author, &date, &material, &note, &heat_treatment, &surface_texture,
-        &edges, &general_tolerances, &bore_fit, &keyway_fit})
+        &flank_roughness, &face_roughness, &bore_roughness, &edges, &general_tolerances, &bore_fit,
+        &keyway_fit})
     if (!words->empty()) return true;
   return false;
 }
@@ -46,8 +64,16 @@ const KeyTable& drawing_keys() {
                  "heat treatment, with hardness and depth")
            .with_also({"hardness", "hardening"}),
        Key::text("surface_texture", &D::surface_texture, "",
-                 "roughness of the flanks and of the other surfaces")
+                 "texture of all surfaces that have no symbol of their own")
            .with_also({"roughness", "surface"}),
+       texture("flank_roughness", &D::flank_roughness,
+               "Rz of `flank_roughness_um` in [rating], or a blank symbol",
+               "surface texture of the flanks, in a symbol of ISO 21920-1; the text may begin with "
+               "MRR (material is removed), NMR (no material is removed) or APA (any process)"),
+       texture("face_roughness", &D::face_roughness, "a blank symbol",
+               "surface texture of both faces, in the same form"),
+       texture("bore_roughness", &D::bore_roughness, "a blank symbol",
+               "surface texture of the bore, in the same form"),
        Key::text("edges", &D::edges, "", "edges of undefined shape by ISO 13715"),
        Key::text("general_tolerances", &D::general_tolerances, "",
                  "tolerances of dimensions without a tolerance, by ISO 22081 or ISO 2768"),
@@ -61,7 +87,7 @@ const KeyTable& drawing_keys() {
            .with_form("a fit such as \"JS9\""),
        Key::text("note", &D::note, "", "additional notes for the workshop")
            .with_also({"notes", "remark", "comment"})},
-      check_fits};
+      check_texts};
   return table;
 }
 

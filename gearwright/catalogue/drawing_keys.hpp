@@ -1,5 +1,5 @@
-// The keys of [drawing], which are the texts of a title block and the fits of bore and keyway. They
-// are printed as given, and no date or author is added.
+// The keys of [drawing], which are the texts of a title block, the surface textures, and the fits of
+// bore and keyway. They are printed as given, and no date or author is added.
 #pragma once
 
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace gearwright {
 
-/// The texts of the title block, and the fits of bore and keyway. A text is empty if it is not
-/// given.
+/// The texts of the title block, the surface textures, and the fits of bore and keyway. A text is
+/// empty if it is not given.
 struct DrawingInput {
   std::string title, number, author, date, material, note;
   std::string heat_treatment, surface_texture, edges, general_tolerances;
-  std::string bore_fit, keyway_fit;  ///< fits of ISO 286, "H7" and "JS9"
+  std::string flank_roughness, face_roughness, bore_roughness;  ///< "MRR Ra 0.8"
+  std::string bore_fit, keyway_fit;                             ///< fits of ISO 286, "H7" and "JS9"
 
   bool given() const;
 };

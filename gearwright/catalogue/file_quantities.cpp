@@ -53,6 +53,9 @@ const Quantities<DrawingInput>& drawing_quantities() {
     line("material", "material", &D::material);
     line("heat_treatment", "heat treatment", &D::heat_treatment);
     line("surface_texture", "surface texture", &D::surface_texture);
+    line("flank_roughness", "surface texture of the flanks", &D::flank_roughness);
+    line("face_roughness", "surface texture of the faces", &D::face_roughness);
+    line("bore_roughness", "surface texture of the bore", &D::bore_roughness);
     line("edges", "edges", &D::edges);
     line("general_tolerances", "general tolerances", &D::general_tolerances);
     line("bore_fit", "fit of the bore", &D::bore_fit);

@@ -32,7 +32,8 @@ const KeyTable& measure_keys() {
 const KeyTable& tolerance_keys() {
   static const KeyTable table{
       "tolerance",
-      "The accuracy grade of the flanks and the limits of the tooth thickness",
+      "The accuracy grade of the flanks, the limits of the tooth thickness and the runout of the "
+      "blank",
       {Key::number(
            "quality", "", KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
            &ToleranceInput::quality, "no tolerances", "flank tolerance class (grade) of ISO 1328-1")
@@ -69,7 +70,18 @@ const KeyTable& tolerance_keys() {
            .with_form("a fit such as \"h9\"")
            .with_fields({"tip_fit"})
            .with_excludes({"tip_diameter_deviations_mm"})
-           .with_also({"tip_fit"})}};
+           .with_also({"tip_fit"}),
+       Key::positive("tip_runout_um", "", &ToleranceInput::tip_runout_um,
+                     "a blank tolerance frame in the drawing",
+                     "circular runout of the tip circle to the datum axis by ISO 1101, for the "
+                     "drawing")
+           .with_fields({"tip_runout"}),
+       Key::positive("face_runout_um", "", &ToleranceInput::face_runout_um,
+                     "a blank tolerance frame in the drawing",
+                     "circular axial runout of both faces to the datum axis by ISO 1101, for the "
+                     "drawing")
+           .with_fields({"face_runout"})
+           .with_also({"axial_runout_um"})}};
   return table;
 }
 

@@ -28,7 +28,7 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
                  fmt::format("Gear 2 takes these absent values from gear 1: {}.", text), 2};
 }
 
-// Notes about fits of the drawing that apply to no gear of the spec.
+// Notes about fits and textures of the drawing that apply to no gear of the spec.
 std::vector<Warning> note_unused_fits(const JobSpec& spec) {
   bool bore = false, keyway = false;
   for (const auto& gear : spec.gears) {
@@ -45,7 +45,10 @@ std::vector<Warning> note_unused_fits(const JobSpec& spec) {
                                  key, printable(fit), of, with),
                      0});
   };
-  if (!bore) note(spec.drawing.bore_fit, "bore_fit", "bore", "diameter_mm");
+  if (!bore) {
+    note(spec.drawing.bore_fit, "bore_fit", "bore", "diameter_mm");
+    note(spec.drawing.bore_roughness, "bore_roughness", "bore", "diameter_mm");
+  }
   if (!keyway)
     note(spec.drawing.keyway_fit, "keyway_fit", "keyway", "keyway_width_mm and keyway_depth_mm");
   return notes;

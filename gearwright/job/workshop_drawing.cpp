@@ -307,6 +307,27 @@ DrawingInput title_words(const SolvedJob& job) {
   return words;
 }
 
+// A surface without a texture has a blank symbol. If the title block contains a texture, it applies
+// to this surface instead. The flanks may take Rz from the rating.
+SurfaceRequirements surfaces(const SolvedJob& job, int which) {
+  const DrawingInput& words = job.spec.drawing;
+  const auto texture = [&](const std::string& own) {
+    return own.empty() && !words.surface_texture.empty() ? std::nullopt : std::optional(own);
+  };
+  std::string flank = words.flank_roughness;
+  const UnitSystem units = job.spec.units();
+  if (const auto& Rz = job.spec.rating.input.flank_roughness; flank.empty() && Rz) {
+    const double um = (*Rz)[which == 1 ? 0 : 1];
+    flank = "Rz " + short_decimals(value_in(units, Unit::um, um), digits_in(units, Unit::um, 3));
+  }
+  const auto runout = [&](const std::optional<double>& um) {
+    return um ? short_decimals(value_in(units, Unit::mm, *um / kUmPerMm), 5) : "";
+  };
+  const ToleranceInput& tolerance = job.spec.gear(which).tolerance;
+  return {texture(flank), texture(words.face_roughness), texture(words.bore_roughness),
+          runout(tolerance.tip_runout_um), runout(tolerance.face_runout_um)};
+}
+
 const char* kind_of(SheetFormat format) {
   switch (format) {
     case SheetFormat::pdf: return "PDF drawing";
@@ -348,6 +369,7 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
                          drawing_data(job, which),
                          words,
                          job.spec.gear(which).tolerance.tip_fit.value_or(""),
+                         surfaces(job, which),
                          mass ? fmt::format("{:.3g} kg", *mass) : "",
                          fmt::format("{}/{}", i + 1, gears.size()),
                          job.spec.units()};

@@ -211,6 +211,83 @@ TEST(WorkshopDrawing, has_the_outside_of_every_rim) {
   EXPECT_TRUE(contains(gear(ring + "[gear1.bore]\ndiameter_mm = 80"), "Ø80"));
 }
 
+constexpr const char* kSurfaces = R"(
+[drawing]
+flank_roughness = "MRR Ra 0.4"
+face_roughness = "MRR 0.008-0.8/Ra 3.2"
+bore_roughness = "MRR Ra 0.8"
+edges = "−0.3"
+)";
+
+// The number of texts of the drawing of a gear that are equal to the words.
+std::ptrdiff_t count(const std::string& toml, const std::string& words, int which = 1) {
+  const auto made = taken(workshop_sheets(solved(toml), {which}, SheetSize::a3, 0.001));
+  const auto& texts = made.sheets.front().texts;
+  return std::count_if(texts.begin(), texts.end(), [&](const auto& t) { return t.text == words; });
+}
+
+TEST(WorkshopDrawing, has_the_runout_and_the_texture_of_its_surfaces) {
+  const std::string bored = gear(
+      "teeth = 40\nnormal_module_mm = 2\nface_width_mm = 20\n[gear1.bore]\n"
+      "diameter_mm = 30\n[gear1.tolerance]\ntip_runout_um = 30\nface_runout_um = 12.5");
+  const std::string all = kSurfaces + bored;
+  for (const char* words : {"0.03", "0.0125", "Ra 0.4", "0.008-0.8/Ra 3.2", "Ra 0.8", "−0.3"})
+    EXPECT_EQ(count(all, words), 1) << words;
+  EXPECT_EQ(count(all, "A"), 3);  // the datum and the two runouts
+  // The value of an absent key is blank: only its symbol is there.
+  EXPECT_EQ(count(bored, "Ra 0.4"), 0);
+  EXPECT_EQ(count(bored, "A"), 3);
+  const std::string inch =
+      "units = \"inch\"\n[gear1]\nteeth = 40\nnormal_diametral_pitch_per_in = 10\n"
+      "face_width_in = 1\n[gear1.tolerance]\ntip_runout_uin = 1250";
+  EXPECT_EQ(count(inch, "0.00125"), 1);
+}
+
+// The roughness of a rating is that of the drawing, unless the drawing has its own.
+TEST(WorkshopDrawing, takes_the_roughness_of_the_flanks_from_the_rating) {
+  const std::string pair =
+      "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 20\n[gear2]\nteeth = 41\n"
+      "[rating]\nflank_roughness_um = [3, 4.5]\n";
+  EXPECT_EQ(count(pair, "Rz 3", 1), 1);
+  EXPECT_EQ(count(pair, "Rz 4.5", 2), 1);
+  EXPECT_EQ(count(kSurfaces + pair, "Rz 3"), 0);
+  EXPECT_EQ(count(kSurfaces + pair, "Ra 0.4"), 1);
+}
+
+// A general texture applies to the surfaces without a symbol of their own.
+TEST(WorkshopDrawing, has_no_blank_symbols_beside_a_general_texture) {
+  const auto lines = [](const std::string& toml) {
+    return taken(workshop_sheets(solved(toml), {1}, SheetSize::a3, 0.001)).sheets[0].paths.size();
+  };
+  const std::string solid = gear("teeth = 40\nnormal_module_mm = 2\nface_width_mm = 20");
+  const std::string general = "[drawing]\nsurface_texture = \"Ra 3.2\"\n";
+  // The symbols of flanks and faces have three lines each, and the leader of the flanks two and an
+  // arrow.
+  EXPECT_EQ(lines(solid), lines(general + solid) + 9);
+  EXPECT_EQ(lines(solid), lines(general + "flank_roughness = \"Ra 1\"\n" + solid) + 3);
+}
+
+TEST(WorkshopDrawing, symbols_keep_off_the_views) {
+  const char* const gears[] = {
+      "teeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 20",
+      "teeth = 60\nnormal_module_mm = 0.2\nface_width_mm = 1\n[gear1.bore]\ndiameter_mm = 3",
+      "teeth = 12\nnormal_module_mm = 1\nface_width_mm = 180\n[gear1.bore]\n"
+      "diameter_mm = 4\nkeyway_width_mm = 1\nkeyway_depth_mm = 0.5",
+      "teeth = 200\nnormal_module_mm = 20\nface_width_mm = 400\n[gear1.bore]\n"
+      "diameter_mm = 60\nkeyway_width_mm = 18\nkeyway_depth_mm = 4.4",
+      "teeth = 40\nnormal_module_mm = 2\nface_width_mm = 20\n[gear1.bore]\ndiameter_mm = 60",
+      "teeth = -60\nnormal_module_mm = 2\nface_width_mm = 20",
+      "teeth = -200\nnormal_module_mm = 0.5\nface_width_mm = 300",
+      "teeth = 22\nnormal_module_mm = 2\nhelix_angle_deg = 30\nface_width_mm = 30\n"
+      "double_helical = { gap_mm = 6 }\n[gear1.bore]\ndiameter_mm = 20"};
+  for (const char* lines : gears) {
+    const std::string bare = gear(lines);
+    expect_clear(bare, bare);
+    expect_clear(kSurfaces + bare + "[gear1.tolerance]\ntip_runout_um = 25\nface_runout_um = 25\n",
+                 "with symbols, " + bare);
+  }
+}
+
 // A disc with the diameter of the pitch circle has nearly the mass of the gear.
 TEST(WorkshopDrawing, has_the_mass_of_a_gear_with_a_material) {
   const std::string disc = "teeth = 60\nnormal_module_mm = 2\nface_width_mm = 20\n";

@@ -125,6 +125,9 @@ std::string title_block(const DrawingInput& drawing) {
   row("Material", drawing.material);
   row("Heat treatment", drawing.heat_treatment);
   row("Surface texture", drawing.surface_texture);
+  row("Texture of the flanks", drawing.flank_roughness);
+  row("Texture of the faces", drawing.face_roughness);
+  row("Texture of the bore", drawing.bore_roughness);
   row("Edges", drawing.edges);
   row("General tolerances", drawing.general_tolerances);
   row("Note", drawing.note);

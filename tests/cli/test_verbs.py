@@ -177,6 +177,17 @@ class Verbs(unittest.TestCase):
             for note, key in zip(notes, keys):
                 self.assertIn(key, note)
 
+    def test_a_texture_of_a_bore_without_its_bore_is_reported(self):
+        texture = '[drawing]\nflank_roughness = "Ra 0.8"\nbore_roughness = "Ra 1.6"\n' + PAIR
+        bore = texture.replace("[gear2]", "[gear1.bore]\ndiameter_mm = 20\n[gear2]")
+        for spec, count in ((texture, 1), (bore, 0)):
+            r = Run("pair", spec, "--json")
+            notes = [w["message"] for w in r.json["warnings"] if w["code"] == "not_read"]
+            self.assertEqual(len(notes), count, notes)
+            self.assertTrue(all("drawing.bore_roughness" in note for note in notes), notes)
+        long = Run("pair", texture.replace("Ra 1.6", "Ra 1.6 in the whole bore"), "--json")
+        self.assertEqual((long.status, long.json["error"]["key"]), (1, "drawing.bore_roughness"))
+
     def test_drawings_of_both_gears_stand_in_place(self):
         r = Run("export", PAIR, "--dxf", "both.dxf", "--svg", "both.svg", "--dxf-splines")
         self.assertEqual(r.status, 0, r.err)

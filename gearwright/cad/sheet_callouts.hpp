@@ -1,0 +1,71 @@
+// The callouts of an axial section: runout of tip circle and faces, and surface texture of flanks,
+// bore and faces, with leaders to the section. Internal to cad/.
+//
+// The callouts are to the left of the section, in the corners next to the circle of the transverse
+// view, because this space is empty at most scales. Coordinates are relative to the point of the
+// axis at the left face.
+//
+//     [tip runout]──────┐
+//      flank ─────────┐ ↓          ring: the frame of the tip circle is below the flank, because its
+//      bore ───────┐  ↓ ┌─────      leader comes from the inside
+//                  │  - │
+//    - - - - - - - ↓ - -│- - axis
+//       faces           │
+//      [face runout]───→└─────
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/cad/sheet.hpp"
+
+namespace gearwright {
+
+/// What a drawing requires of the surfaces of a gear. An empty text is a visible blank. A texture
+/// that is absent has no symbol.
+struct SurfaceRequirements {
+  std::optional<std::string> flank_texture, face_texture, bore_texture;  ///< "MRR Ra 0.8"
+  std::string tip_runout, face_runout;  ///< circular runout to the axis, in the unit of the sheet
+};
+
+/// Part of the drawing to the left of the section that is already occupied.
+struct OccupiedSpace {
+  double left, lo, hi;  ///< mm, left end, lower and upper end
+};
+
+/// The axial section on paper, mm.
+struct AxialSection {
+  bool ring;
+  double width, half;          ///< face width, and face width of the part at the left face
+  double body;                 ///< radius of the outermost circle
+  double tip, reference;       ///< radii of tip circle and reference circle
+  std::optional<double> bore;  ///< radius of the bore of an external gear
+  std::vector<OccupiedSpace> on_left{};  ///< dimensions and datum
+};
+
+class Callouts {
+ public:
+  Callouts(AxialSection section, SurfaceRequirements required);
+
+  /// The space that each callout covers, without its leader.
+  std::vector<SheetBox> boxes() const;
+  /// The distance of the left face from the centre of the transverse view that the callouts need.
+  double distance() const;
+  double top() const;    ///< greatest height of a callout above the axis
+  double right() const;  ///< extent beyond the right face; 0 if no callout is there
+  /// `origin` is the point of the axis at the left face.
+  void draw(Sheet& sheet, const Vec2& origin) const;
+
+ private:
+  void place_faces();
+  void place_above();
+  bool faces_on_left() const { return faces_.hi.x() < 0; }
+
+  AxialSection section_;
+  SurfaceRequirements required_;
+  std::optional<SheetBox> flank_, bore_;  // symbols; the shelf is at the lower end
+  SheetBox tip_, faces_;                  // the frames are at the lower end
+};
+
+}  // namespace gearwright

@@ -1,0 +1,49 @@
+// Graphical symbols of a workshop drawing, drawn with the lines and texts of a sheet, so that all
+// its writers have them: surface texture, runout, datum and edge. Internal to cad/.
+//
+//   h   height of the capitals next to the symbols, 2.5 mm; lines are h/10 wide
+//
+// Shapes and proportions follow ISO 1302, annex A (ISO 21920-1), ISO 7083 for tolerance frames of
+// ISO 1101 and datums of ISO 5459, and ISO 13715 for edges. An empty text is a visible blank.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "gearwright/cad/sheet.hpp"
+
+namespace gearwright {
+
+/// Height of a symbol of surface texture, of a tolerance frame, and of a datum with its triangle, mm.
+inline constexpr double kTextureHeight = 7.5, kFrameHeight = 5.0, kDatumHeight = 9.5;
+/// Half of the width of the box of a datum, mm.
+inline constexpr double kDatumHalf = kFrameHeight / 2;
+
+/// The letter of the only datum of a sheet. It is the axis of a gear.
+inline constexpr const char* kDatum = "A";
+
+/// The symbol of a surface texture, such as "MRR Ra 0.8". The first word selects the symbol: MRR has
+/// a bar (material is removed), NMR has a circle (no material is removed), and APA or no such word is
+/// the basic symbol (any process). Only the rest is written.
+///
+/// Units  mm, to the left and to the right of the point of the symbol
+double texture_left();
+double texture_right(std::string_view words);
+/// Draws the symbol with its point at `foot`, upright.
+void draw_texture(Sheet& sheet, const Vec2& foot, std::string_view words);
+
+/// The least width of the tolerance frame of a circular runout, mm.
+double runout_width(std::string_view value);
+/// Draws the frame with its lower left corner at `lo`. `width` is at least runout_width(value).
+void draw_runout(Sheet& sheet, const Vec2& lo, double width, std::string_view value);
+
+enum class DatumSide { above, below };
+
+/// Draws the triangle of the datum on a line at `at`, with its box on the given side.
+void draw_datum(Sheet& sheet, const Vec2& at, DatumSide side);
+
+/// Draws the angle that stands for an edge, with its corner at `corner` and these lengths of its two
+/// lines. The permitted size of the edge is written within the angle.
+void draw_edge(Sheet& sheet, const Vec2& corner, const Vec2& lengths);
+
+}  // namespace gearwright
