@@ -194,7 +194,7 @@ class ByName(Asked):
             for verb in ("gear", "pair", "run"):
                 self.refused(verb, spec, key, *words, none=("did you mean", "nearest", "unknown key", "missing"))
         # A misspelt key that is close to a known key has the usual message.
-        self.refused("gear", gear + "teethh = 3\n", "gear1.teethh", "the nearest known key is teeth")
+        self.refused("gear", gear + "teethh = 3\n", "gear1.teethh", "did you mean teeth?")
 
     def test_a_word_that_is_meant(self):
         search = "[search]\nratio = 2\npinion_teeth = [12, 40]\nmodules_mm = 2\nobjective = {}\n"

@@ -74,7 +74,7 @@ class Refused(Asked):
     def test_words_that_are_not_known(self):
         for wrong, near in (("contact_ratio_minn", "contact_ratio_min"), ("objectiv", "objective"), ("sliding", "sliding_max"),
                             ("pinion_tooth", "pinion_teeth"), ("lamda", "lambda"), ("centre_distance_mm", "center_distance_mm")):
-            self.no(spec(SMALL | {wrong: 2}), f"search.{wrong}", f"the nearest known key is {near}")
+            self.no(spec(SMALL | {wrong: 2}), f"search.{wrong}", f"did you mean {near}?")
         self.no(spec().replace("[search]", "[serch]"), "serch", "search")
         for wrong, near in (("slidng", "sliding"), ("contactratio", "contact_ratio"), ("areas", "area"), ("Size", "size")):
             self.no(spec(objective=wrong), "search.objective", wrong, f"did you mean {near}?", "shift")
