@@ -10,8 +10,9 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/row_listing.hpp"
+#include "gearwright/job/text_layout.hpp"
 #include "gearwright/report/search_report.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/unit_tree.hpp"
@@ -275,21 +276,21 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
       fmt::format("{} candidates (module, z1, z2{}) were tested, and {} are feasible\n",
                   a.counts.tested, p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
   for (const std::string& line : rejected_lines(a.counts)) text += "  ruled out by " + line + "\n";
-  text += margin_line(p.limits) + "\n";
-  if (p.rating) text += sentence_in(units, rating_line(p)) + "\n";
-  if (run.default_face_load) text += face_load_line(run) + "\n";
-  if (p.rating_unused) text += std::string(kRatingUnused) + "\n";
-  if (p.draw) text += sentence_in(units, drawing_line(p)) + "\n";
+  text += wrapped(margin_line(p.limits));
+  if (p.rating) text += wrapped(sentence_in(units, rating_line(p)));
+  if (run.default_face_load) text += wrapped(face_load_line(run));
+  if (p.rating_unused) text += wrapped(kRatingUnused);
+  if (p.draw) text += wrapped(sentence_in(units, drawing_line(p)));
   if (p.shift_step) {
     text += fmt::format("{} of {} points of the grid of profile shifts are feasible (step {})\n",
                         a.counts.points_feasible, a.counts.points_tested, *p.shift_step);
   }
   if (a.counts.feasible == 0) {
-    if (run.safest) text += safest_line(*run.safest) + "\n";
+    if (run.safest) text += wrapped(safest_line(*run.safest));
     if (!run.changes.empty()) {
       text += "\nNo design is feasible. Each of these changes alone would make designs feasible:\n";
       for (const std::string& line : change_lines(run, units)) text += "  " + line + "\n";
-      if (!run.changes_left_out.empty()) text += "Note: " + run.changes_left_out + ".\n";
+      if (!run.changes_left_out.empty()) text += wrapped("Note: " + run.changes_left_out + ".");
     } else {
       text += run.changes_left_out.empty()
                   ? "\nNo design is feasible, and no change of a single number would help.\n"
@@ -297,25 +298,29 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
     }
     return text;
   }
-  std::vector<std::string> names;
+  ListingColumn ranks;
+  ListingColumn places{"profile shifts", "profile shifts", "", {}, true};
   std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < a.designs.size() && i < most; ++i) {
     const bool front = std::find(a.pareto.begin(), a.pareto.end(), i) != a.pareto.end();
-    names.push_back(fmt::format("{:>4}  {}", fmt::format("{}{}", front ? "*" : "", i + 1),
-                                a.designs[i].balanced ? "balanced" : "middle"));
+    ranks.cells.push_back(fmt::format("{}{}", front ? "*" : "", i + 1));
+    places.cells.emplace_back(a.designs[i].balanced ? "balanced" : "middle");
     records.push_back(design_quantities().of({&p, &a.designs[i]}));
   }
-  text += "\n" + row_listing(units, names, records,
-                             {"module_mm", "teeth", "helix_angle_deg", "ratio",
-                              "center_distance_mm", "profile_shift", "contact_ratio",
-                              "contact_ratio_true", "sliding_max", "face_width_mm", "overlap_ratio",
-                              "backlash_mm", "S_H", "S_F", "mass_kg", "area", "interference"});
+  std::vector<ListingColumn> columns{ranks, places};
+  for (ListingColumn& column : listing_columns(
+           units, records,
+           {"module_mm", "teeth", "helix_angle_deg", "ratio", "center_distance_mm", "profile_shift",
+            "contact_ratio", "contact_ratio_true", "sliding_max", "face_width_mm", "overlap_ratio",
+            "backlash_mm", "S_H", "S_F", "mass_kg", "area", "interference"}))
+    columns.push_back(std::move(column));
+  text += "\n" + design_listing(columns);
   if (!a.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
   if (a.counts.feasible > static_cast<std::int64_t>(most)) {
-    text += fmt::format(
-        "  … {} more designs; --out DIR writes all of them, and --take N writes one design as the "
-        "spec of a pair\n",
-        a.counts.feasible - static_cast<std::int64_t>(most));
+    text += wrapped(
+        fmt::format("  … {} more designs; --out DIR writes all of them, and --take N writes one "
+                    "design as the spec of a pair",
+                    a.counts.feasible - static_cast<std::int64_t>(most)));
   }
   return text;
 }
