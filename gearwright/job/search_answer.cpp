@@ -1,6 +1,7 @@
 #include "gearwright/job/search_answer.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -74,6 +75,20 @@ std::string face_load_line(const SearchRun& run) {
       *run.default_face_load);
 }
 
+// The sentence of a search whose changes were all tried in vain.
+std::string no_change_helps(const SearchRun& run, UnitSystem units) {
+  std::vector<std::string> keys;
+  for (const std::string& field : run.changes_tried) {
+    std::string key = spelled_change({field, "", "", 0.0}, units).key;
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(std::move(key));
+  }
+  return fmt::format(
+      "A change of only one of these keys does not help: {}. Centre distances were changed by a "
+      "factor of at most 2, ratios by at most half of their value, and other keys, such as the "
+      "modules or the helix angles, not at all.",
+      fmt::join(keys, ", "));
+}
+
 // Sentences that the page shows beside the counts.
 std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run,
                                     UnitSystem units) {
@@ -91,7 +106,7 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   if (!run.changes_left_out.empty()) {
     lines.push_back(run.changes_left_out + ".");
   } else if (run.changes.empty()) {
-    lines.emplace_back("No change of a single number would help.");
+    lines.push_back(no_change_helps(run, units));
   }
   return lines;
 }
@@ -292,9 +307,10 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
       for (const std::string& line : change_lines(run, units)) text += "  " + line + "\n";
       if (!run.changes_left_out.empty()) text += wrapped("Note: " + run.changes_left_out + ".");
     } else {
-      text += run.changes_left_out.empty()
-                  ? "\nNo design is feasible, and no change of a single number would help.\n"
-                  : "\nNo design is feasible; " + run.changes_left_out + ".\n";
+      text += "\n" + wrapped("No design is feasible. " + (run.changes_left_out.empty()
+                                                              ? no_change_helps(run, units)
+                                                              : "No change that helps was found; " +
+                                                                    run.changes_left_out + "."));
     }
     return text;
   }
