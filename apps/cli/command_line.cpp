@@ -265,16 +265,23 @@ int CommandLine::unknown_verb(const std::string& word) const {
     all += (all.empty() ? "" : ", ") + name;
     const bool begins = word.size() > 1 && name.starts_with(word);
     const std::size_t off = begins ? 1 : edit_distance(word.substr(0, 80), name);
-    // `gaer` is `gear` with two letters exchanged. This is a single typing error, although the edit
-    // distance is 2.
-    const bool turned =
-        word.size() == name.size() && std::is_permutation(word.begin(), word.end(), name.begin());
-    if (std::min<std::size_t>(off, turned ? 1 : off) >= least) continue;
-    least = turned ? 1 : off;
+    if (off >= least) continue;
+    least = off;
     best = name;
   }
   return usage(fmt::format("there is no verb {}; {} (gearwright --help describes each verb)",
-                           printable(word, 60), best.empty() ? "verbs: " + all : best + "?"));
+                           printable(word, 60),
+                           best.empty() ? "verbs: " + all : "did you mean " + best + "?"));
+}
+
+int CommandLine::unknown_option(const std::string& word) const {
+  const CLI::App* const sub = app_.get_subcommands().front();
+  std::vector<std::string> known;
+  for (const CLI::Option* option : sub->get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  const std::string given = word.substr(0, word.find('='));
+  return usage(fmt::format("{0} has no option {1}{2} (gearwright {0} --help lists the options)",
+                           sub->get_name(), printable(given, 60), did_you_mean(given, known)));
 }
 
 std::optional<int> CommandLine::answer_at_once(const std::vector<std::string>& words) const {
@@ -338,6 +345,10 @@ int CommandLine::run(std::vector<std::string> words) {
   try {
     std::reverse(words.begin(), words.end());  // CLI11 requires the reverse order
     app_.parse(std::move(words));
+  } catch (const CLI::ExtrasError& e) {
+    for (const std::string& word : app_.remaining(true))
+      if (word.starts_with("--") && !app_.get_subcommands().empty()) return unknown_option(word);
+    return app_.exit(e) == 0 ? 0 : 2;
   } catch (const CLI::ParseError& e) {
     return app_.exit(e) == 0 ? 0 : 2;
   }

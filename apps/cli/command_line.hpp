@@ -35,6 +35,7 @@ class CommandLine {
   /// cases.
   std::optional<int> answer_at_once(const std::vector<std::string>& words) const;
   int unknown_verb(const std::string& word) const;
+  int unknown_option(const std::string& word) const;
   int answer(const std::string& verb) const;
   /// If the spec contains a search, ranks its designs by their scatter. Otherwise computes the
   /// scatter of the pair of the spec.

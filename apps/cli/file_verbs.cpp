@@ -10,6 +10,7 @@
 #include "apps/cli/verbs.hpp"
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
+#include "gearwright/catalogue/key.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/drive_bodies.hpp"
 #include "gearwright/job/files.hpp"
@@ -48,15 +49,12 @@ FileOptions file_options(const Options& o) {
   return options;
 }
 
-// Splits the text at commas. Returns nothing if one of the words is not the name of a part of a
-// run.
-std::optional<std::vector<std::string>> run_parts(const std::string& text) {
+// Splits the text at commas.
+std::vector<std::string> parts_of(const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find(',', at), text.size());
     parts.push_back(text.substr(at, end - at));
-    if (std::find(kRunParts.begin(), kRunParts.end(), parts.back()) == kRunParts.end())
-      return std::nullopt;
     at = end + 1;
   }
   return parts;
@@ -160,13 +158,14 @@ int run_verb(const Options& o) {
   }
   FileOptions options = file_options(o);
   if (o.only) {
-    const auto parts = run_parts(*o.only);
-    if (!parts) {
+    options.only = parts_of(*o.only);
+    const std::vector<std::string> known(kRunParts.begin(), kRunParts.end());
+    for (const std::string& part : options.only) {
+      if (std::find(known.begin(), known.end(), part) != known.end()) continue;
       return usage(fmt::format(
-          "--only takes one or more of {}, separated by commas, for example --only step,report",
-          fmt::join(kRunParts, ", ")));
+          "--only takes one or more of {}, separated by commas, for example --only step,report{}",
+          fmt::join(known, ", "), did_you_mean(part, known)));
     }
-    options.only = *parts;
   }
   Door door(o);
   auto spec = door.read(SpecUse::run);

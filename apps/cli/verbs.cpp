@@ -16,6 +16,7 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/printable.hpp"
+#include "gearwright/catalogue/key.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
 #include "gearwright/drive/drive.hpp"
 #include "gearwright/job/csv_answer.hpp"
@@ -227,9 +228,12 @@ int batch_verb(const Options& o) {
   }
   const std::string path = words.empty() ? "-" : words.front();
   const bool a_word = path.find_first_of("-./") == std::string::npos;
-  if (words.size() > 1 || (a_word && !std::filesystem::exists(path)))
-    return usage(fmt::format("batch accepts one of the verbs {}, but not {}", verb_names(),
-                             printable(path, 60)));
+  if (words.size() > 1 || (a_word && !std::filesystem::exists(path))) {
+    std::vector<std::string> known;
+    for (const Verb& each : verbs()) known.emplace_back(each.name);
+    return usage(fmt::format("batch accepts one of the verbs {}, but not {}{}", verb_names(),
+                             printable(path, 60), did_you_mean(path, known)));
+  }
   std::ifstream file;
   if (path != "-") {
     if (std::filesystem::is_directory(path))

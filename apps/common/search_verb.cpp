@@ -77,9 +77,10 @@ std::string progress_text(const SearchProgress& p, double seconds) {
     case SearchProgress::Stage::trials: break;
   }
   const double rate = static_cast<double>(p.trials) / seconds;
-  const double left = rate > 0.0 ? static_cast<double>(p.left) / rate : 0.0;
-  return fmt::format("{} of {} chunks are done, {:.3g} candidates per second, {} left", p.chunks,
-                     p.of_chunks, rate, clock(left));
+  const std::string done = fmt::format("{} of {} chunks are done", p.chunks, p.of_chunks);
+  if (rate == 0.0) return done;
+  return fmt::format("{}, {:.3g} candidates per second, about {} left", done, rate,
+                     clock(static_cast<double>(p.left) / rate));
 }
 
 int say_unfinished(const SearchCommand& c, const SearchRun& run) {

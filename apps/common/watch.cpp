@@ -1,6 +1,5 @@
 #include "apps/common/watch.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -71,13 +70,13 @@ void Watch::wait() {
 
 std::string Watch::text(double seconds) const {
   const Progress::State s = progress_.state();
-  const std::string text =
-      fmt::format("{}, {:.0f} s: {}{}", verb_, seconds,
-                  words_.before_stage ? words_.before_stage() : "", s.stage ? s.stage : "reading");
+  const std::string text = fmt::format("{}, {:.0f} s: {}{}", verb_, seconds,
+                                       words_.before_stage ? words_.before_stage() : "",
+                                       s.stage ? s.stage : "reading the spec");
   if (s.of <= 0) return text;
-  // The number of steps is only an estimate. If it is exceeded, the work is nearly complete.
-  const double share = static_cast<double>(s.done) / static_cast<double>(s.of);
-  return fmt::format("{} {:.0f} %", text, 100 * std::min(0.99, share));
+  // The number of steps is only an estimate, which the steps may exceed.
+  if (s.done >= s.of) return text + ", last steps";
+  return fmt::format("{}, {} % done", text, 100 * s.done / s.of);
 }
 
 }  // namespace gearwright::apps

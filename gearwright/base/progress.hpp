@@ -16,7 +16,8 @@ struct WorkStopped {};
 class Progress {
  public:
   struct State {
-    const char* stage;  ///< for example "map of two errors"; null before the first stage
+    const char*
+        stage;  ///< for example "computing the map of two errors"; null before the first stage
     std::int64_t done, of;
   };
 

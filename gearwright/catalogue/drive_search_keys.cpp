@@ -41,8 +41,8 @@ Key face_width() {
   Key k = of_set("face_width_mm");
   k.form += ", or a band [least, greatest]";
   k.meaning =
-      "face width; within a band, each rated design takes the least whole number of millimetres "
-      "with the required safeties";
+      "face width; within a band, each rated design takes the least whole number of millimetres, "
+      "or multiple of 0.05 in in a spec in inch, with the required safeties";
   return k;
 }
 

@@ -24,18 +24,22 @@ bool ends_with_unit(std::string_view key, std::string_view unit) {
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
+  // rows[i % 3][j] is the distance of the first i letters of a and the first j letters of b.
+  std::array<std::vector<std::size_t>, 3> rows;
+  rows.fill(std::vector<std::size_t>(b.size() + 1));
+  std::iota(rows[0].begin(), rows[0].end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    std::vector<std::size_t>& row = rows[i % 3];
+    const std::vector<std::size_t>& above = rows[(i - 1) % 3];
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
+      const std::size_t replaced = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], rows[(i - 2) % 3][j - 2] + 1);
     }
   }
-  return row[b.size()];
+  return rows[a.size() % 3][b.size()];
 }
 
 bool KeyRange::limited() const { return std::isfinite(lo) || std::isfinite(hi) || !zero; }
@@ -193,8 +197,7 @@ std::string plain_words(std::string_view meaning) {
   return text;
 }
 
-std::string word_hint(const std::string& word, const std::vector<std::string>& known,
-                      std::string_view meant) {
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
   constexpr std::size_t kLettersOff = 3;  // at most a third of the letters may differ
   constexpr std::size_t kLeastPart = 3;   // least length of a word that is searched inside another
                                           // word
@@ -205,7 +208,7 @@ std::string word_hint(const std::string& word, const std::vector<std::string>& k
     return letters;
   };
   const std::string given = small(word);
-  std::string best(meant);
+  std::string best;
   const auto look = [&](std::size_t below, auto letters_off) {
     if (!best.empty()) return;
     for (const std::string& k : known) {
@@ -223,6 +226,22 @@ std::string word_hint(const std::string& word, const std::vector<std::string>& k
     const bool inside = part.size() >= kLeastPart && whole.find(part) != std::string::npos;
     return inside ? std::optional(whole.size() - part.size()) : std::nullopt;
   });
+  return best;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+  const std::string best = nearest_word(word, known);
+  return best.empty() ? best : fmt::format("; did you mean {}?", best);
+}
+
+std::string one_of_rule(const std::string& word, const std::vector<std::string>& known) {
+  return fmt::format("must be one of \"{}\"{}", fmt::join(known, "\", \""),
+                     did_you_mean(word, known));
+}
+
+std::string word_hint(const std::string& word, const std::vector<std::string>& known,
+                      std::string_view meant) {
+  const std::string best = meant.empty() ? nearest_word(word, known) : std::string(meant);
   const std::string list = fmt::format("nown are {}", fmt::join(known, ", "));
   return best.empty() ? "k" + list : fmt::format("did you mean {}? K{}", best, list);
 }

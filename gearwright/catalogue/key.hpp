@@ -202,12 +202,22 @@ std::string form_of(const Key& key);
 /// A meaning as plain text, without backticks and numbers of equations.
 std::string plain_words(std::string_view meaning);
 
-/// The least number of letters to insert, delete or replace that turns one word into the other.
+/// The least number of letters to insert, delete or replace, or of neighbours to exchange, that turns
+/// one word into the other. No letter is changed twice.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// A suggestion for an unknown word, with the known words: "did you mean mass? Known are …". A
-/// known word is suggested if at most one letter in three differs, or if one of the words is a part
-/// of the other. Case is ignored. `meant` is the intended word, if it is known.
+/// The known word that an unknown word probably means: at most one letter in three differs, or one
+/// of the words is a part of the other. Case is ignored. It is empty if no word is similar.
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
+
+/// The end of a message about an unknown word: "; did you mean mass?", or nothing.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
+
+/// The rule of a value that must be a word: "must be one of "right", "left"; did you mean left?".
+std::string one_of_rule(const std::string& word, const std::vector<std::string>& known);
+
+/// A suggestion for an unknown word, with the known words: "did you mean mass? Known are …". `meant`
+/// is the intended word, if it is known.
 std::string word_hint(const std::string& word, const std::vector<std::string>& known,
                       std::string_view meant = {});
 

@@ -230,9 +230,7 @@ std::string folded(std::string_view name) {
 
 std::string key_hint(const KeyTable& table, std::string_view path, std::string_view key) {
   const Word word = word_of(key.substr(0, kLongest));
-  const auto nearest = [](std::string_view what) {
-    return fmt::format("the nearest known key is {}", what);
-  };
+  const auto nearest = [](std::string_view what) { return fmt::format("did you mean {}?", what); };
   if (word.bare.empty()) return "the known keys of this table are " + listed(table);
   if (const Key* here = called(table, word, by_symbol, true)) {
     // If the key is a table but a value was given, the key inside that table is suggested.

@@ -14,8 +14,7 @@
 
 namespace gearwright {
 
-/// The text after "unknown key in [gear1]; ", for example "the nearest known one is
-/// normal_module_mm".
+/// The text after "unknown key in [gear1]; ", for example "did you mean normal_module_mm?".
 /// `path` is the name of the table, "gear1.rack", or empty for the file itself.
 std::string key_hint(const KeyTable& table, std::string_view path, std::string_view key);
 

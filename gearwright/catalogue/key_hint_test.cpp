@@ -13,7 +13,7 @@
 namespace gearwright {
 namespace {
 
-std::string nearest(std::string_view key) { return "the nearest known key is " + std::string(key); }
+std::string nearest(std::string_view key) { return "did you mean " + std::string(key) + "?"; }
 
 TEST(KeyHint, what_people_try_leads_to_the_entry_that_says_so) {
   std::size_t words = 0;

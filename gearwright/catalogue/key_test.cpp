@@ -266,5 +266,21 @@ TEST(Keys, a_word_is_a_slip_of_another_one_or_a_part_of_it) {
             "did you mean mass? Known are ratio, mass");
 }
 
+// Two exchanged letters are one error: "gaer" is "gear", and "ratoi" is "ratio".
+TEST(Keys, exchanged_letters_are_one_error) {
+  EXPECT_EQ(edit_distance("gaer", "gear"), 1U);
+  EXPECT_EQ(edit_distance("ratoi", "ratio"), 1U);
+  EXPECT_EQ(edit_distance("ca", "abc"), 3U);  // no letter is changed twice
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
+  EXPECT_EQ(edit_distance("", "abc"), 3U);
+  EXPECT_EQ(edit_distance("abc", ""), 3U);
+}
+
+TEST(Keys, the_rule_of_a_word_suggests_the_nearest_one) {
+  EXPECT_EQ(one_of_rule("lefft", {"right", "left"}),
+            "must be one of \"right\", \"left\"; did you mean left?");
+  EXPECT_EQ(one_of_rule("up", {"right", "left"}), "must be one of \"right\", \"left\"");
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -225,7 +225,8 @@ std::vector<Key> design_keys() {
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_diameters"}),
       Key::positive("face_width_step_mm", "", &P::face_step, "1",
-                    "step of the face width; face widths within a band are multiples of this step")
+                    "step of the face width; face widths within a band are multiples of this step; "
+                    "0.05 in if it is not given in a spec in inch")
           .with_fields({"face_step"}),
       Key::text("thickness_series", {&P::allowances, &SearchAllowances::series},
                 "\"cd25\" for drawn designs with `mounting = \"tight\"`",

@@ -360,7 +360,7 @@ Compensation compensate(const CompensationTask& given) {
   // The usual number of evaluations: one search of the box and a descent from every start, most of
   // which end early.
   constexpr std::int64_t kUsual = 1000;
-  begin_stage(task.progress, "corrections tried", kUsual);
+  begin_stage(task.progress, "trying corrections", kUsual);
   Judge coarse(task, task.positions);
   Judge fine(task, task.fine_positions);
   Compensation result;

@@ -105,7 +105,9 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
            ? static_cast<std::int64_t>(n) *
                  (1 + request.pitches * (1 + static_cast<std::int64_t>(request.influences.size())))
            : 0);
-  begin_stage(request.progress, pair.gear2_drives() ? "positions, gear 2 driving" : "positions",
+  begin_stage(request.progress,
+              pair.gear2_drives() ? "computing the positions with gear 2 driving"
+                                  : "computing the positions",
               wanted);
   if (rotations.empty()) {
     // Errors of mounting do not rotate with the gears, so every pitch repeats the first one, except

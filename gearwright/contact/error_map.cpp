@@ -10,7 +10,8 @@ ErrorMap map_of_errors(const std::vector<double>& x, const std::vector<double>& 
                        Progress* progress) {
   GW_EXPECTS(!x.empty() && !y.empty() && threads >= 0);
   ErrorMap map{x, y, std::vector<std::vector<double>>(y.size(), std::vector<double>(x.size()))};
-  begin_stage(progress, "map of two errors", static_cast<std::int64_t>(x.size() * y.size()));
+  begin_stage(progress, "computing the map of two errors",
+              static_cast<std::int64_t>(x.size() * y.size()));
   const auto row = [&](std::size_t i) {
     for (std::size_t k = 0; k < x.size(); ++k) {
       map.value[i][k] = peak_to_peak(te_at(x[k], y[i]));

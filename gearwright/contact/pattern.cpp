@@ -308,7 +308,8 @@ std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int position
   Rasterer rasterer(pair, size);
   // Follows one tooth pair through its whole range, at every position of every pitch.
   const int farthest = transmission.farthest_pair();
-  begin_stage(progress, "pattern", (2 * std::int64_t{farthest} + 1) * positions);
+  begin_stage(progress, "computing the contact pattern",
+              (2 * std::int64_t{farthest} + 1) * positions);
   for (int k = farthest; k >= -farthest; --k) {
     for (int i = 0; i < positions; ++i) {
       count_step(progress);

@@ -116,7 +116,8 @@ class FewTeethSearch {
                        std::nullopt});
     }
     tried += static_cast<int>(all.size());
-    begin_stage(p_.progress, "pairs of profile shifts", static_cast<std::int64_t>(all.size()));
+    begin_stage(p_.progress, "testing pairs of profile shifts",
+                static_cast<std::int64_t>(all.size()));
     // Candidates are evaluated independently, so the result does not depend on the number of
     // threads.
     parallel_for(all.size(), [&](std::size_t i) {
@@ -144,7 +145,7 @@ class FewTeethSearch {
     });
     // Candidates are mounted in parallel in groups of 1, 2, 4 and so on, because usually one of the
     // first is accepted.
-    begin_stage(p_.progress, "pairs mounted", static_cast<std::int64_t>(order.size()));
+    begin_stage(p_.progress, "mounting the pairs", static_cast<std::int64_t>(order.size()));
     std::size_t together = 1;
     for (std::size_t from = 0; from < order.size(); from += together, together *= 2) {
       together = std::min({together, std::size_t{64}, order.size() - from});

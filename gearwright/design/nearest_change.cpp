@@ -264,6 +264,7 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   };
   for (const Knob& knob : knobs(problem)) {
     if (found.stopped) return found;
+    found.tried.push_back(knob.field);
     Least least(problem, knob, watch, most_questions);
     const auto to = least.find();
     count(least, knob.field);
@@ -274,6 +275,7 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   const auto switched = [&](const std::string& field, const std::string& from,
                             const std::string& to, double effort, const auto& set) {
     if (found.stopped) return false;
+    found.tried.push_back(field);
     SearchProblem p = problem;
     set(p);
     const Search search(p);
@@ -320,11 +322,13 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
       found.changes.begin(), found.changes.end(),
       [](const NearestChange& a, const NearestChange& b) { return a.effort < b.effort; });
   // Both ends of a band have the same name, and each name is stored only once.
-  std::vector<std::string> once;
-  for (std::string& field : found.bounded) {
-    if (std::find(once.begin(), once.end(), field) == once.end()) once.push_back(std::move(field));
+  for (std::vector<std::string>* fields : {&found.bounded, &found.tried}) {
+    std::vector<std::string> once;
+    for (std::string& field : *fields)
+      if (std::find(once.begin(), once.end(), field) == once.end())
+        once.push_back(std::move(field));
+    *fields = std::move(once);
   }
-  found.bounded = std::move(once);
   return found;
 }
 

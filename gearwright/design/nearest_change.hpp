@@ -38,8 +38,9 @@ struct NearestChanges {
   /// Members for which not all trials were evaluated. For such a member, a change smaller than the
   /// one in `changes` may be sufficient.
   std::vector<std::string> bounded;
-  std::int64_t asked = 0;  ///< number of graphs computed
-  bool stopped = false;    ///< true if the watch stopped the search; changes may then be missing
+  std::vector<std::string> tried;  ///< all members that were changed, whether it helped or not
+  std::int64_t asked = 0;          ///< number of graphs computed
+  bool stopped = false;  ///< true if the watch stopped the search; changes may then be missing
   /// The rated design whose safety factors come nearest to the required ones.
   std::optional<DesignRow> safest;
 };

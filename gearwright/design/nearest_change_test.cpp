@@ -266,6 +266,10 @@ TEST(NearestChange, EveryTrialIsAskedOnceOrTwice) {
   EXPECT_NEAR(std::stod(found.changes[0].to), 0.25, 1e-6);
   EXPECT_TRUE(found.bounded.empty());
   EXPECT_FALSE(found.stopped);
+  // Every limit and both bands are tried, whether they help or not, and each is named once.
+  for (const char* field :
+       {"limits.tip_clearance", "limits.contact_ratio", "ratio", "pinion_teeth"})
+    EXPECT_EQ(std::count(found.tried.begin(), found.tried.end(), field), 1) << field;
   // The number of checks: the trials that pass the filter at the far end of each knob, plus the
   // bisections.
   std::int64_t passed = 0;

@@ -64,7 +64,8 @@ class DriveUnderLoad {
     for (const PlanetSet& set : drive_.sets)
       if (auto error = one_frequency(set)) return error;
     meshes_.resize(phases_.size());
-    begin_stage(progress, "meshes under load", static_cast<std::int64_t>(phases_.size()));
+    begin_stage(progress, "computing the meshes under load",
+                static_cast<std::int64_t>(phases_.size()));
     for (std::size_t m = 0; m < phases_.size(); ++m) {
       if (drive_.flow->driver[m] >= 0)
         if (auto error = make_mesh(m)) return error;

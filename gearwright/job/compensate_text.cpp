@@ -7,6 +7,8 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/listing.hpp"
+#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/text_layout.hpp"
 
 namespace gearwright {
 
@@ -31,10 +33,14 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
     if (c.value != 0.0) row("  key in the spec: " + key_in(units, c.spec_key), "");
   }
   if (a.nothing_to_correct)
-    out += fmt::format(
-        "  There is nothing to correct, because no correction in the searched range improves the "
-        "result by {}.\n",
-        least_gain(a.aim));
+    out += wrapped(
+        fmt::format("  There is nothing to correct, because no correction in the searched range "
+                    "improves the result by {}.",
+                    least_gain(a.aim)));
+  if (a.nothing_to_correct && !job.spec.errors.any())
+    out += wrapped(
+        "  The spec has no [errors], whose effect the corrections reduce. Give, for example, "
+        "[errors] with crossing_deg = 0.05.");
   for (const AimedLoad& l : a.loads) {
     const auto& quantities = loaded_score_quantities();
     head(fmt::format("Under {} N m", format_number(newton_metres(l.torque))).c_str());

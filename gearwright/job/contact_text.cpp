@@ -9,6 +9,8 @@
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/listing.hpp"
+#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/row_listing.hpp"
 #include "gearwright/report/contact_report.hpp"
 
 namespace gearwright {

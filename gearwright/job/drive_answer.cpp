@@ -17,6 +17,7 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"

@@ -77,22 +77,30 @@ class Designer {
 
   Outcome sized(DriveCandidate candidate) const {
     if (!problem_.face_width) return with_width(std::move(candidate));
-    // The least sufficient width in whole millimetres is found by bisection, because the safeties
-    // grow with the width.
-    double low = std::ceil((*problem_.face_width)[0]) - 1.0;
-    double high = std::floor(greatest_face_width(problem_, candidate));
+    // The least sufficient width in whole steps is found by bisection, because the safeties grow
+    // with the width. A limit that is a whole number of steps may differ from it by rounding.
+    constexpr double kRounding = 1e-9;
+    const double step = default_face_step(spec_.units());
+    // 33 steps of 1.27 mm are 41.91 mm, without the rounding error of the product.
+    constexpr double kPlaces = 1e6;
+    const auto whole_steps = [&](double steps) {
+      return std::round(steps * step * kPlaces) / kPlaces;
+    };
+    double low = std::ceil((*problem_.face_width)[0] / step - kRounding) - 1.0;
+    double high = std::floor(greatest_face_width(problem_, candidate) / step + kRounding);
     if (high <= low) return DriveFault::safety;
-    candidate.face_width = high;
+    candidate.face_width = whole_steps(high);
     Outcome best = with_width(candidate);
     if (!std::holds_alternative<FoundDrive>(best)) return best;
     while (high - low > 1.0) {
-      candidate.face_width = std::floor((low + high) / 2);
+      const double middle = std::floor((low + high) / 2);
+      candidate.face_width = whole_steps(middle);
       Outcome narrower = with_width(candidate);
       if (std::holds_alternative<FoundDrive>(narrower)) {
         best = std::move(narrower);
-        high = *candidate.face_width;
+        high = middle;
       } else {
-        low = *candidate.face_width;
+        low = middle;
       }
     }
     return best;

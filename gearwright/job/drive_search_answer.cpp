@@ -11,8 +11,9 @@
 #include "gearwright/catalogue/drive_search_quantities.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_designs.hpp"
-#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/row_listing.hpp"
+#include "gearwright/job/text_layout.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/unit_tree.hpp"
@@ -79,33 +80,38 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
   for (std::size_t i = 0; i < std::size(kFaults); ++i)
     if (designs.left_out[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);
-  if (designs.list.empty()) return text + "\n" + sentence_in(units, advice(f)) + "\n";
+  if (designs.list.empty()) return text + "\n" + wrapped(sentence_in(units, advice(f)));
   if (!f.problem.series.empty())
     text += fmt::format("All gears have the thickness allowances of series {} (DIN 3967).\n",
                         f.problem.series);
   if (f.default_face_load)
-    text += fmt::format(
-        "All meshes are rated with K_Hβ = {:g} (a default; give face_load_factor in [rating]).\n",
-        *f.default_face_load);
-  std::vector<std::string> names;
+    text += wrapped(fmt::format(
+        "All meshes are rated with K_Hβ = {:g} (a default; give face_load_factor in [rating]).",
+        *f.default_face_load));
+  ListingColumn ranks;
+  ListingColumn teeth{"numbers of teeth", "numbers of teeth", "", {}, true};
   std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < designs.list.size() && i < kListedDrives; ++i) {
     const bool front =
         std::find(designs.pareto.begin(), designs.pareto.end(), i) != designs.pareto.end();
-    names.push_back(fmt::format("{:>3}  {}", fmt::format("{}{}", front ? "*" : "", i + 1),
-                                teeth_text(designs.list[i].candidate)));
+    ranks.cells.push_back(fmt::format("{}{}", front ? "*" : "", i + 1));
+    teeth.cells.push_back(teeth_text(designs.list[i].candidate));
     records.push_back(found_drive_quantities().of(designs.list[i]));
   }
-  text += "\n" + row_listing(units, names, records,
-                             {"planets", "normal_module_mm", "face_width_mm", "ratio", "efficiency",
-                              "efficiency_backward", "size_mm", "neighbour_clearance_mm",
-                              "safety_flank", "safety_root", "phasing", "profile_shift"});
+  std::vector<ListingColumn> columns{ranks, teeth};
+  for (ListingColumn& column :
+       listing_columns(units, records,
+                       {"planets", "normal_module_mm", "face_width_mm", "ratio", "efficiency",
+                        "efficiency_backward", "size_mm", "neighbour_clearance_mm", "safety_flank",
+                        "safety_root", "phasing", "profile_shift"}))
+    columns.push_back(std::move(column));
+  text += "\n" + design_listing(columns);
   if (!designs.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
   if (designs.list.size() > kListedDrives)
-    text += fmt::format(
-        "  … {} more designs; --json lists all of them, --top N computes more, --take N writes the "
-        "spec of one design\n",
-        designs.list.size() - kListedDrives);
+    text += wrapped(fmt::format(
+        "  … {} more designs; --json lists all of them, --top N computes more, --take N "
+        "writes the spec of one design",
+        designs.list.size() - kListedDrives));
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/contact_report.hpp"
+#include "gearwright/job/text_layout.hpp"
 
 namespace gearwright {
 
@@ -62,19 +63,8 @@ Verdict judge(const SolvedJob& job, const JudgedParts& parts) {
 }
 
 std::string verdict_listing(std::string_view level, std::string_view headline) {
-  constexpr std::size_t kWidth = 80;  // width of a terminal
-  std::string text = fmt::format("\nVerdict: {}.", level);
-  std::size_t column = text.size() - 1;
-  while (!headline.empty()) {
-    const std::size_t end = std::min(headline.find(' '), headline.size());
-    const std::string_view word = headline.substr(0, end);
-    headline.remove_prefix(std::min(end + 1, headline.size()));
-    const bool fits = column + 1 + word.size() <= kWidth;
-    text += fits ? " " : "\n  ";
-    column = (fits ? column + 1 : 2) + word.size();
-    text += word;
-  }
-  return text + "\n";
+  return "\n" +
+         wrapped(fmt::format("Verdict: {}.{}{}", level, headline.empty() ? "" : " ", headline));
 }
 
 std::string verdict_listing(const Verdict& verdict, UnitSystem units) {

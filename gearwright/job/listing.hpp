@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -25,12 +24,6 @@ std::string quantity_listing(UnitSystem units, const QuantityTable& table,
                              const std::vector<ValueRecord>& records,
                              const std::vector<std::string>& columns,
                              const std::function<std::string(const QuantityInfo&)>& note = nullptr);
-/// Lists records below each other, in these units. The line of each record begins with its name and
-/// has a column for each of `keys` that at least one record shows, under its symbol or, if another
-/// column has the same symbol, under its words. The key of an inner record is "record.key".
-std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
-                        const std::vector<ValueRecord>& records,
-                        std::initializer_list<std::string_view> keys);
 /// The rows of a gear's record that differ between the two ends of its tolerances.
 ///
 /// Domain    the gear has tolerances

@@ -13,6 +13,7 @@
 #include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/row_listing.hpp"
 #include "gearwright/load/load_summary.hpp"
 
 namespace gearwright {

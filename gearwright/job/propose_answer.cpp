@@ -259,7 +259,8 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   const ProposalList wanted =
       list_proposals(given, task, *compliance, lead, grades.pitch.value_or(0.0));
   a.short_deflection = wanted.short_deflection;
-  begin_stage(progress, "proposals under load", static_cast<std::int64_t>(wanted.proposals.size()));
+  begin_stage(progress, "computing the proposals under load",
+              static_cast<std::int64_t>(wanted.proposals.size()));
   std::vector<std::string> left_out;
   for (Proposal p : wanted.proposals) {
     count_step(progress);

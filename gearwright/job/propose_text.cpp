@@ -7,6 +7,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/text_layout.hpp"
 
 namespace gearwright {
 
@@ -66,9 +67,9 @@ std::string propose_listing(const SolvedJob& job, const ProposeAnswer& a) {
   const UnitSystem units = job.spec.units();
   return title_listing(job.spec) +
          quantity_listing(units, propose_quantities().table(), {propose_quantities().of(a)}, {}) +
-         amounts(a, units) + effects(a) +
-         fmt::format("\n* Recommended: {}, {}. {}\n", a.recommended + 1,
-                     words_of(a.proposals[a.recommended]), sentence_in(units, a.reason)) +
+         amounts(a, units) + effects(a) + "\n" +
+         wrapped(fmt::format("* Recommended: {}, {}. {}", a.recommended + 1,
+                             words_of(a.proposals[a.recommended]), sentence_in(units, a.reason))) +
          "To print the spec of a proposal: --take NUMBER > modified.toml\n";
 }
 

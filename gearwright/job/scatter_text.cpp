@@ -13,6 +13,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
+#include "gearwright/job/text_layout.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
@@ -158,31 +159,54 @@ std::string spread_head(const ScatterTask& task) {
   return out + "\n";
 }
 
-std::string spread_rows(const SpreadEntry& entry, const Spread& spread) {
+// The rows of a table, without those whose numbers are all zero to their digits.
+class NonzeroRows {
+ public:
+  // `cells` are the numbers of the row, and `more` are further lines that belong to it.
+  void add(const std::string& words, std::size_t width, const std::string& cells,
+           const std::string& more = {}) {
+    const bool zero = cells.find_first_of("123456789") == std::string::npos &&
+                      cells.find('0') != std::string::npos;
+    if (zero)
+      zeros_ += (zeros_.empty() ? "" : ", ") + words;
+    else
+      text_ += "  " + padded(words, width) + cells + "\n" + more;
+  }
+  std::string text() const {
+    return text_ + (zeros_.empty() ? "" : wrapped("  zero to these digits: " + zeros_));
+  }
+
+ private:
+  std::string text_, zeros_;
+};
+
+void add_spread(NonzeroRows& rows, const SpreadEntry& entry, const Spread& spread) {
+  constexpr std::size_t kWords = 38;
   const auto text = [&](double value) {
     return fmt::format("{:>12}", fixed_decimals(entry.shown(value), entry.digits));
   };
   const std::string unit(unit_text(entry.unit));
-  std::string out = fmt::format("  {:<38}{}{}", entry.words + (unit.empty() ? "" : "  " + unit),
-                                text(spread.mean.value), text(spread.standard_deviation.value));
-  for (const Percentile& p : spread.percentiles) out += text(p.estimate.value);
-  out += "\n";
-  if (!spread.mean.standard_error) return out;
-  out += fmt::format("  {:<38}{}{}", "    standard error", text(*spread.mean.standard_error),
-                     text(spread.standard_deviation.standard_error.value_or(0.0)));
-  for (const Percentile& p : spread.percentiles)
-    out += text(p.estimate.standard_error.value_or(0.0));
-  return out + "\n";
+  std::string cells = text(spread.mean.value) + text(spread.standard_deviation.value);
+  for (const Percentile& p : spread.percentiles) cells += text(p.estimate.value);
+  std::string errors;
+  if (spread.mean.standard_error) {
+    errors = "  " + padded("    standard error", kWords) + text(*spread.mean.standard_error) +
+             text(spread.standard_deviation.standard_error.value_or(0.0));
+    for (const Percentile& p : spread.percentiles)
+      errors += text(p.estimate.standard_error.value_or(0.0));
+    errors += "\n";
+  }
+  rows.add(entry.words + (unit.empty() ? "" : "  " + unit), kWords, cells, errors);
 }
 
 std::string spread_listing(const ScatterAnswer& a) {
   std::string out = head(fmt::format("Distribution over {} samples, {} replicates of {}",
                                      a.scatter.samples.size(), a.task.replicates, a.task.samples));
-  out += spread_head(a.task);
+  NonzeroRows rows;
   for (const ScatterEntry& entry : scatter_entries())
     if (const auto& spread = a.scatter.spread[static_cast<std::size_t>(entry.quantity)])
-      out += spread_rows(entry, *spread);
-  return out;
+      add_spread(rows, entry, *spread);
+  return out + spread_head(a.task) + rows.text();
 }
 
 std::string share_row(const char* words, const Probability& p) {
@@ -200,8 +224,10 @@ std::string loaded_listing(const ScatterAnswer& a) {
                             format_number(newton_metres(loaded.torque)), loaded.unsolved.of,
                             a.task.load->request.positions));
     out += spread_head(a.task);
+    NonzeroRows rows;
     for (const LoadedEntry& entry : loaded_entries())
-      if (const auto& spread = loaded.*entry.spread) out += spread_rows(entry, *spread);
+      if (const auto& spread = loaded.*entry.spread) add_spread(rows, entry, *spread);
+    out += rows.text();
     out += share_row("an edge carries load", loaded.edge_carries);
     if (loaded.unsolved.count > 0) out += share_row("samples without a solution", loaded.unsolved);
   }
@@ -229,15 +255,17 @@ std::string index_listing(const ScatterAnswer& a, UnitSystem units) {
     out +=
         fmt::format("  {:<44}{:>12}{:>12}{:>12}{:>12}\n", "", "alone", "± s.e.", "total", "± s.e.");
     const auto text = [](const std::optional<double>& x) {
-      return x ? fmt::format("{:>12.4f}", *x) : fmt::format("{:>12}", "–");
+      return fmt::format("{:>12}", x ? fixed_decimals(*x, 4) : "–");
     };
+    NonzeroRows rows;
     for (std::size_t g = 0; g < a.task.groups.size(); ++g) {
       const Estimate& first = indices->first[g];
       const Estimate& total = indices->total[g];
-      out += fmt::format("  {:<44}{}{}{}{}\n", printable(key_in(units, a.task.groups[g].name)),
-                         text(first.value), text(first.standard_error), text(total.value),
-                         text(total.standard_error));
+      rows.add(printable(key_in(units, a.task.groups[g].name)), 44,
+               text(first.value) + text(first.standard_error) + text(total.value) +
+                   text(total.standard_error));
     }
+    out += rows.text();
   }
   return out;
 }

@@ -1,6 +1,7 @@
 #include "gearwright/job/search_answer.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,8 +11,9 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/row_listing.hpp"
+#include "gearwright/job/text_layout.hpp"
 #include "gearwright/report/search_report.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/unit_tree.hpp"
@@ -73,6 +75,20 @@ std::string face_load_line(const SearchRun& run) {
       *run.default_face_load);
 }
 
+// The sentence of a search whose changes were all tried in vain.
+std::string no_change_helps(const SearchRun& run, UnitSystem units) {
+  std::vector<std::string> keys;
+  for (const std::string& field : run.changes_tried) {
+    std::string key = spelled_change({field, "", "", 0.0}, units).key;
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(std::move(key));
+  }
+  return fmt::format(
+      "A change of only one of these keys does not help: {}. Centre distances were changed by a "
+      "factor of at most 2, ratios by at most half of their value, and other keys, such as the "
+      "modules or the helix angles, not at all.",
+      fmt::join(keys, ", "));
+}
+
 // Sentences that the page shows beside the counts.
 std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run,
                                     UnitSystem units) {
@@ -90,7 +106,7 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   if (!run.changes_left_out.empty()) {
     lines.push_back(run.changes_left_out + ".");
   } else if (run.changes.empty()) {
-    lines.emplace_back("No change of a single number would help.");
+    lines.push_back(no_change_helps(run, units));
   }
   return lines;
 }
@@ -275,47 +291,52 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
       fmt::format("{} candidates (module, z1, z2{}) were tested, and {} are feasible\n",
                   a.counts.tested, p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
   for (const std::string& line : rejected_lines(a.counts)) text += "  ruled out by " + line + "\n";
-  text += margin_line(p.limits) + "\n";
-  if (p.rating) text += sentence_in(units, rating_line(p)) + "\n";
-  if (run.default_face_load) text += face_load_line(run) + "\n";
-  if (p.rating_unused) text += std::string(kRatingUnused) + "\n";
-  if (p.draw) text += sentence_in(units, drawing_line(p)) + "\n";
+  text += wrapped(margin_line(p.limits));
+  if (p.rating) text += wrapped(sentence_in(units, rating_line(p)));
+  if (run.default_face_load) text += wrapped(face_load_line(run));
+  if (p.rating_unused) text += wrapped(kRatingUnused);
+  if (p.draw) text += wrapped(sentence_in(units, drawing_line(p)));
   if (p.shift_step) {
     text += fmt::format("{} of {} points of the grid of profile shifts are feasible (step {})\n",
                         a.counts.points_feasible, a.counts.points_tested, *p.shift_step);
   }
   if (a.counts.feasible == 0) {
-    if (run.safest) text += safest_line(*run.safest) + "\n";
+    if (run.safest) text += wrapped(safest_line(*run.safest));
     if (!run.changes.empty()) {
       text += "\nNo design is feasible. Each of these changes alone would make designs feasible:\n";
       for (const std::string& line : change_lines(run, units)) text += "  " + line + "\n";
-      if (!run.changes_left_out.empty()) text += "Note: " + run.changes_left_out + ".\n";
+      if (!run.changes_left_out.empty()) text += wrapped("Note: " + run.changes_left_out + ".");
     } else {
-      text += run.changes_left_out.empty()
-                  ? "\nNo design is feasible, and no change of a single number would help.\n"
-                  : "\nNo design is feasible; " + run.changes_left_out + ".\n";
+      text += "\n" + wrapped("No design is feasible. " + (run.changes_left_out.empty()
+                                                              ? no_change_helps(run, units)
+                                                              : "No change that helps was found; " +
+                                                                    run.changes_left_out + "."));
     }
     return text;
   }
-  std::vector<std::string> names;
+  ListingColumn ranks;
+  ListingColumn places{"profile shifts", "profile shifts", "", {}, true};
   std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < a.designs.size() && i < most; ++i) {
     const bool front = std::find(a.pareto.begin(), a.pareto.end(), i) != a.pareto.end();
-    names.push_back(fmt::format("{:>4}  {}", fmt::format("{}{}", front ? "*" : "", i + 1),
-                                a.designs[i].balanced ? "balanced" : "middle"));
+    ranks.cells.push_back(fmt::format("{}{}", front ? "*" : "", i + 1));
+    places.cells.emplace_back(a.designs[i].balanced ? "balanced" : "middle");
     records.push_back(design_quantities().of({&p, &a.designs[i]}));
   }
-  text += "\n" + row_listing(units, names, records,
-                             {"module_mm", "teeth", "helix_angle_deg", "ratio",
-                              "center_distance_mm", "profile_shift", "contact_ratio",
-                              "contact_ratio_true", "sliding_max", "face_width_mm", "overlap_ratio",
-                              "backlash_mm", "S_H", "S_F", "mass_kg", "area", "interference"});
+  std::vector<ListingColumn> columns{ranks, places};
+  for (ListingColumn& column : listing_columns(
+           units, records,
+           {"module_mm", "teeth", "helix_angle_deg", "ratio", "center_distance_mm", "profile_shift",
+            "contact_ratio", "contact_ratio_true", "sliding_max", "face_width_mm", "overlap_ratio",
+            "backlash_mm", "S_H", "S_F", "mass_kg", "area", "interference"}))
+    columns.push_back(std::move(column));
+  text += "\n" + design_listing(columns);
   if (!a.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
   if (a.counts.feasible > static_cast<std::int64_t>(most)) {
-    text += fmt::format(
-        "  … {} more designs; --out DIR writes all of them, and --take N writes one design as the "
-        "spec of a pair\n",
-        a.counts.feasible - static_cast<std::int64_t>(most));
+    text += wrapped(
+        fmt::format("  … {} more designs; --out DIR writes all of them, and --take N writes one "
+                    "design as the spec of a pair",
+                    a.counts.feasible - static_cast<std::int64_t>(most)));
   }
   return text;
 }

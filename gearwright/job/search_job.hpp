@@ -60,12 +60,13 @@ struct SearchRun {
   bool finished = false;  ///< true if all chunks are done and this process made the files
   bool stopped = false;   ///< true if SearchOptions::stop ended the run
   std::int64_t chunks_done = 0, chunks = 0;
-  std::vector<NearestChange> changes;  ///< changes that would help if nothing is feasible
-  std::optional<DesignRow> safest;     ///< the safest rated design if nothing is feasible
-  std::string changes_left_out;        ///< reason why not all changes were searched
-  std::vector<std::string> notes;      ///< repairs that were made in the folder
-  bool pair_not_read = false;          ///< the spec has a [pair], which a search does not use
-  bool rating_not_read = false;        ///< the spec has a [rating], which this search does not use
+  std::vector<NearestChange> changes;      ///< changes that would help if nothing is feasible
+  std::optional<DesignRow> safest;         ///< the safest rated design if nothing is feasible
+  std::string changes_left_out;            ///< reason why not all changes were searched
+  std::vector<std::string> changes_tried;  ///< members that were changed in the search for changes
+  std::vector<std::string> notes;          ///< repairs that were made in the folder
+  bool pair_not_read = false;              ///< the spec has a [pair], which a search does not use
+  bool rating_not_read = false;  ///< the spec has a [rating], which this search does not use
   std::optional<double> default_face_load;  ///< K_Hβ of a rated search whose spec has none
   std::vector<std::filesystem::path> files;
 };

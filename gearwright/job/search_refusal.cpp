@@ -11,9 +11,7 @@
 namespace gearwright {
 
 Error no_search() {
-  return absent_input("search",
-                      "; a search needs a table [search] with at least ratio, modules_mm and "
-                      "pinion_teeth");
+  return absent_input("search", "; a search needs a table [search] with at least ratio");
 }
 
 Error no_tooth_numbers() {

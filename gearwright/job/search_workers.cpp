@@ -106,6 +106,7 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
       most);
   run.stopped = found.stopped;
   run.changes = std::move(found.changes);
+  run.changes_tried = std::move(found.tried);
   if (found.safest) run.safest = search.whole(*found.safest);
   if (!found.bounded.empty()) {
     run.changes_left_out = fmt::format(

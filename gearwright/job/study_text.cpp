@@ -10,19 +10,19 @@
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/scatter_study.hpp"
+#include "gearwright/job/text_layout.hpp"
 #include "gearwright/report/search_report.hpp"
 
 namespace gearwright {
 
 namespace {
 
-// A column, with its heading in CSV, its heading and width in a terminal, and the path of its value
-// in a row. A % in the path stands for the number of the percentile.
+// A column, with its headings in CSV and in a terminal, and the path of its value in a row. A % in the path stands for the number of the percentile.
 struct StudyColumn {
   const char* csv;
   const char* head;  ///< empty if users do not see the column
-  int width;
   const char* place;
   int digits;  ///< decimals; if negative, as many as needed
   double factor;
@@ -30,34 +30,34 @@ struct StudyColumn {
   const char* meaning;
 };
 constexpr StudyColumn kColumns[] = {
-    {"design", "design", 8, "/design", -1, 1, "", "rank in the search, as in search --take"},
-    {"module_mm", "m_n", 8, "/module_mm", -1, 1, "mm", "normal module"},
-    {"z1", "z1", 5, "/teeth/0", -1, 1, "", "teeth of gear 1"},
-    {"z2", "z2", 6, "/teeth/1", -1, 1, "", "teeth of gear 2"},
-    {"helix1_deg", "β", 8, "/helix_angle_deg/0", -1, 1, "°", "helix angle of gear 1"},
-    {"helix2_deg", "", 0, "/helix_angle_deg/1", -1, 1, "°", ""},
-    {"x1", "x1", 9, "/profile_shift/0", 4, 1, "", "profile shift of gear 1"},
-    {"x2", "x2", 9, "/profile_shift/1", 4, 1, "", "profile shift of gear 2"},
-    {"center_distance_mm", "a", 10, "/center_distance_mm", 4, 1, "mm", "centre distance"},
-    {"face_width_mm", "", 0, "/face_width_mm", -1, 1, "mm", ""},
-    {"percentile_arcsec", "%", 10, "/peak_to_peak_arcsec/percentiles/%", 4, 1, "″",
+    {"design", "design", "/design", -1, 1, "", "rank in the search, as in search --take"},
+    {"module_mm", "m_n", "/module_mm", -1, 1, "mm", "normal module"},
+    {"z1", "z1", "/teeth/0", -1, 1, "", "teeth of gear 1"},
+    {"z2", "z2", "/teeth/1", -1, 1, "", "teeth of gear 2"},
+    {"helix1_deg", "β", "/helix_angle_deg/0", -1, 1, "°", "helix angle of gear 1"},
+    {"helix2_deg", "", "/helix_angle_deg/1", -1, 1, "°", ""},
+    {"x1", "x1", "/profile_shift/0", 4, 1, "", "profile shift of gear 1"},
+    {"x2", "x2", "/profile_shift/1", 4, 1, "", "profile shift of gear 2"},
+    {"center_distance_mm", "a", "/center_distance_mm", 4, 1, "mm", "centre distance"},
+    {"face_width_mm", "", "/face_width_mm", -1, 1, "mm", ""},
+    {"percentile_arcsec", "%", "/peak_to_peak_arcsec/percentiles/%", 4, 1, "″",
      "percentile of the peak-to-peak transmission error, which ranks the designs"},
-    {"percentile_lower_arcsec", "from", 10, "/peak_to_peak_arcsec/lower/%", 4, 1, "″",
+    {"percentile_lower_arcsec", "from", "/peak_to_peak_arcsec/lower/%", 4, 1, "″",
      "lower end of the confidence interval of the percentile"},
-    {"percentile_upper_arcsec", "to", 10, "/peak_to_peak_arcsec/upper/%", 4, 1, "″",
+    {"percentile_upper_arcsec", "to", "/peak_to_peak_arcsec/upper/%", 4, 1, "″",
      "upper end of the confidence interval of the percentile"},
-    {"mean_arcsec", "mean", 10, "/peak_to_peak_arcsec/mean", 4, 1, "″",
+    {"mean_arcsec", "mean", "/peak_to_peak_arcsec/mean", 4, 1, "″",
      "mean of the peak-to-peak transmission error"},
-    {"edge_contact", "edge", 8, "/probability/edge_contact/value", 1, 100, "%",
+    {"edge_contact", "edge", "/probability/edge_contact/value", 1, 100, "%",
      "share of the samples in which an edge touches"},
-    {"edge_contact_lower", "", 0, "/probability/edge_contact/lower", -1, 1, "", ""},
-    {"edge_contact_upper", "", 0, "/probability/edge_contact/upper", -1, 1, "", ""},
-    {"jam", "jam", 8, "/probability/jam/value", 1, 100, "%",
+    {"edge_contact_lower", "", "/probability/edge_contact/lower", -1, 1, "", ""},
+    {"edge_contact_upper", "", "/probability/edge_contact/upper", -1, 1, "", ""},
+    {"jam", "jam", "/probability/jam/value", 1, 100, "%",
      "share of the samples in which the gears jam"},
-    {"jam_upper", "", 0, "/probability/jam/upper", -1, 1, "", ""},
-    {"contact_lost", "lost", 8, "/probability/contact_lost/value", 1, 100, "%",
+    {"jam_upper", "", "/probability/jam/upper", -1, 1, "", ""},
+    {"contact_lost", "lost", "/probability/contact_lost/value", 1, 100, "%",
      "share of the samples that lose contact; the percentile does not include these samples"},
-    {"contact_lost_upper", "", 0, "/probability/contact_lost/upper", -1, 1, "", ""}};
+    {"contact_lost_upper", "", "/probability/contact_lost/upper", -1, 1, "", ""}};
 
 std::string percent_words(const JobSpec& spec) {
   return format_number(spec.scatter.percentiles[ranking_percentile(spec)]) + " %";
@@ -150,19 +150,19 @@ Json unfinished_study(const StudyRun& run) {
 
 std::string study_listing(const JobSpec& spec, const StudyRun& run, std::size_t most) {
   std::string text = spec.title.empty() ? "" : spec.title + "\n";
-  text += study_words(spec, run) + "\n\n" + fmt::format("{:>5}", "rank");
-  for (const StudyColumn& c : kColumns)
-    if (c.width > 0)
-      text += fmt::format("{:>{}}", head_of(spec, c) + (*c.unit ? fmt::format(" {}", c.unit) : ""),
-                          c.width);
-  text += "\n";
-  for (std::size_t i = 0; i < run.designs.size() && i < most; ++i) {
-    text += fmt::format("{:>5}", i + 1);
-    for (const StudyColumn& c : kColumns)
-      if (c.width > 0)
-        text += fmt::format("{:>{}}", shown(c, cell(spec, c, run.designs[i])), c.width);
-    text += "\n";
+  text += wrapped(study_words(spec, run)) + "\n";
+  std::vector<ListingColumn> columns{{"rank", "rank", "", {}}};
+  for (std::size_t i = 0; i < run.designs.size() && i < most; ++i)
+    columns[0].cells.push_back(std::to_string(i + 1));
+  for (const StudyColumn& c : kColumns) {
+    if (*c.head == 0) continue;
+    const std::string meaning = c.meaning;
+    ListingColumn& column = columns.emplace_back(
+        ListingColumn{meaning.substr(0, meaning.find(';')), head_of(spec, c), c.unit, {}});
+    for (std::size_t i = 0; i < columns[0].cells.size(); ++i)
+      column.cells.push_back(shown(c, cell(spec, c, run.designs[i])));
   }
+  text += design_listing(columns);
   if (run.designs.size() > most)
     text += fmt::format("    … {} more; --csv, --json and --out DIR give all of them\n",
                         run.designs.size() - most);
@@ -203,12 +203,12 @@ std::string study_page(const JobSpec& spec, const StudyRun& run) {
   report.version = kVersion;
   report.percentile = percent_words(spec);
   for (const StudyColumn& c : kColumns)
-    if (c.width > 0) report.columns.push_back({head_of(spec, c), c.unit, c.meaning});
+    if (*c.head != 0) report.columns.push_back({head_of(spec, c), c.unit, c.meaning});
   const std::size_t at = ranking_percentile(spec);
   for (const Json& row : run.designs) {
     StudyReport::Row& r = report.rows.emplace_back();
     for (const StudyColumn& c : kColumns) {
-      if (c.width == 0) continue;
+      if (*c.head == 0) continue;
       const Json value = cell(spec, c, row);
       r.cells.push_back(
           {shown(c, value), value.is_number() ? std::optional(value.get<double>()) : std::nullopt});

@@ -145,7 +145,7 @@ LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const 
                              const PairCompliance& compliance, const LoadRequest& request,
                              const ContactPair* perfect) {
   LoadedTurn turn(pair, gear_1, gear_2, compliance, request, perfect);
-  begin_stage(request.progress, "positions under load",
+  begin_stage(request.progress, "computing the positions under load",
               static_cast<std::int64_t>(turn.positions()));
   parallel_for(turn.positions(), [&](std::size_t i) { turn.solve(i, i + 1); });
   return turn.result();

@@ -131,7 +131,7 @@ Result<PairCompliance> pair_compliance(
       c.shafts[g] = shaft_influence(*shaft, c.slices[g], (g == 0 ? gear_1 : gear_2).root_diameter);
   }
   c.half_width = kHertzWidth * gear_1.spec.normal_module;
-  begin_stage(request.progress, "compliance of the teeth", 2 * kTableSteps);
+  begin_stage(request.progress, "computing the compliance of the teeth", 2 * kTableSteps);
   std::array<std::optional<Error>, 2> errors;
   const auto make = [&](std::size_t g) {
     if (c.table[g]) return;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <set>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
@@ -157,9 +159,27 @@ std::string planets_part(const Drive& drive, UnitSystem units) {
   return text.empty() ? text : "<section>\n<h2>Planets</h2>\n" + text + "</section>\n";
 }
 
-// Ids of figures must be unique in a page, so the ids of each mesh get a prefix.
+// The end of the names that begin at `at` after a mark: a quote or, after "url(#", a parenthesis.
+std::size_t end_of_names(const std::string& html, std::string_view mark, std::size_t at) {
+  return std::min(html.find(mark.front() == 'u' ? ')' : '"', at), html.size());
+}
+
+std::set<std::string> ids_in(const std::string& html) {
+  constexpr std::string_view kId = " id=\"";
+  std::set<std::string> ids;
+  for (std::size_t at = html.find(kId); at != std::string::npos; at = html.find(kId, at)) {
+    at += kId.size();
+    ids.insert(html.substr(at, end_of_names(html, kId, at) - at));
+  }
+  return ids;
+}
+
+// Ids of figures must be unique in a page, so the ids of each mesh get a prefix, and so do the
+// references to them. References to the shapes of the drive, which the page defines once, are kept.
 std::string with_prefix(const std::string& html, const std::string& prefix) {
-  constexpr std::array<std::string_view, 3> kMarks{" id=\"", " aria-labelledby=\"", "url(#"};
+  constexpr std::array<std::string_view, 4> kMarks{" id=\"", " aria-labelledby=\"", "url(#",
+                                                   " href=\"#"};
+  const std::set<std::string> own = ids_in(html);
   std::string text;
   for (std::size_t at = 0; at < html.size();) {
     std::size_t next = html.size();
@@ -175,13 +195,13 @@ std::string with_prefix(const std::string& html, const std::string& prefix) {
     if (mark.empty()) break;
     text += mark;
     at = next + mark.size();
-    const std::size_t end = html.find(mark.front() == 'u' ? ')' : '"', at);
-    std::string names = prefix + html.substr(at, end - at);
-    for (std::size_t blank = names.find(' '); blank != std::string::npos;
-         blank = names.find(' ', blank + prefix.size() + 1))
-      names.insert(blank + 1, prefix);
-    text += names;
-    at = end;
+    const std::size_t end = end_of_names(html, mark, at);
+    while (at < end) {
+      const std::string name = html.substr(at, std::min(html.find(' ', at), end) - at);
+      text += (own.contains(name) ? prefix : "") + name;
+      at += name.size();
+      if (at < end) text += html[at++];
+    }
   }
   return text;
 }

@@ -85,7 +85,7 @@ std::vector<LoadedSpread> loaded_spreads(const ContactSetup& setup, const Scatte
   };
   std::vector<std::vector<double>> x;
   for (std::size_t i = 0; i < count; ++i) x.push_back(samples[sample_of(i)].x);
-  begin_stage(task.progress, "samples under load", static_cast<std::int64_t>(count));
+  begin_stage(task.progress, "computing the samples under load", static_cast<std::int64_t>(count));
   auto all = spreads_under_load(task, *task.load, scores_under_load(setup, task, *task.load, x));
   for (LoadedSpread& of : all)
     for (auto* spread : {&of.peak_to_peak, &of.max_pressure, &of.face_load_factor})

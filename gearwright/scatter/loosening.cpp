@@ -67,7 +67,7 @@ class Loosener {
 Loosening loosening_of(const ContactSetup& setup, const ScatterTask& task) {
   const Loosener loosener(setup, task);
   constexpr std::int64_t kUsual = 10;  // usual number of percentiles computed for a tolerance
-  begin_stage(task.progress, "tolerances loosened",
+  begin_stage(task.progress, "loosening the tolerances",
               kUsual * static_cast<std::int64_t>(task.tolerances.size()) * task.samples);
   Loosening found{loosener.percent(), loosener.percentile(0, 1.0).value(), {}, {}};
   double least = found.percentile - kSameError.rad();

@@ -13,7 +13,8 @@ PatternDensity pattern_density(const ContactSetup& setup, const ScatterTask& tas
   const auto all = static_cast<std::size_t>(task.samples);
   const std::size_t count = each * static_cast<std::size_t>(task.replicates);
   GW_EXPECTS(scatter.samples.size() == all * static_cast<std::size_t>(task.replicates));
-  begin_stage(task.progress, "pattern density", static_cast<std::int64_t>(count));
+  begin_stage(task.progress, "computing the density of the contact pattern",
+              static_cast<std::int64_t>(count));
   std::vector<std::array<FlankRaster, 2>> rasters(count);
   parallel_for(
       count,

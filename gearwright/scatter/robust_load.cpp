@@ -159,7 +159,7 @@ std::vector<double> corrections_under_load(const ContactSetup& setup, const Scat
   const std::size_t n = robust.corrections.size();
   const LoadSearch search(setup, task, robust);
   const auto places = SamplePoints(task).first(0, std::min(task.samples, kFineLoaded));
-  begin_stage(task.progress, "corrections for the percentile under load",
+  begin_stage(task.progress, "searching for corrections of the percentile under load",
               static_cast<std::int64_t>(n * places.size()) * 200);
   const std::vector<double> zero(n, 0.0);
   const auto drawn = static_cast<std::size_t>(coordinates_of(task.tolerances));
@@ -174,7 +174,8 @@ std::optional<JudgedFamily> judged_under_load(const ContactSetup& setup, const S
   JudgedFamily family;
   for (int r = 0; r < judged.replicates; ++r)
     for (std::vector<double>& x : points.first(r, load.samples)) family.x.push_back(std::move(x));
-  begin_stage(judged.progress, "samples under load", static_cast<std::int64_t>(family.x.size()));
+  begin_stage(judged.progress, "computing the samples under load",
+              static_cast<std::int64_t>(family.x.size()));
   const auto scores = scores_under_load(setup, judged, load, family.x);
   auto spread = spread_of(judged, loaded_peaks(scores, std::numeric_limits<double>::quiet_NaN()),
                           load.samples);

@@ -114,7 +114,7 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
   if (auto error = check_family(setup, task.tolerances)) return *error;
   const SamplePoints points(task);
   const auto all = static_cast<std::int64_t>(task.samples) * task.replicates;
-  begin_stage(task.progress, "samples", all);
+  begin_stage(task.progress, "computing the samples", all);
   Scatter s;
   s.samples = members_of(setup, task, [&](int r, std::uint32_t n) { return points.at(r, n); });
   const auto nowhere = [](const ScatterSample& sample) {
@@ -130,7 +130,7 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
   s.contact_lost =
       share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.lost; });
   if (task.indices) {
-    begin_stage(task.progress, "samples for the indices",
+    begin_stage(task.progress, "computing the samples for the shares of the variance",
                 all * static_cast<std::int64_t>(task.groups.size() + 1));
     const auto other =
         members_of(setup, task, [&](int r, std::uint32_t n) { return points.of_other_half(r, n); });

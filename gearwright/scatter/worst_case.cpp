@@ -19,7 +19,10 @@ constexpr std::size_t kStartSamples = 16;  // number of the worst samples at whi
 constexpr int kDirections = 8;       // positions of a bore on its circle that count as corners
 constexpr double kFirstStep = 0.25;  // relative to the range of a coordinate
 constexpr double kLastStep = 1e-4;   // relative to the range of a coordinate
-constexpr double kAtEnd = 1e-9;      // relative to a range: a point nearer to an end is at the end
+constexpr int kStepLengths = 12;     // each length is half of the previous one
+static_assert(kFirstStep / (1 << (kStepLengths - 1)) >= kLastStep &&
+              kFirstStep / (1 << kStepLengths) < kLastStep);
+constexpr double kAtEnd = 1e-9;  // relative to a range: a point nearer to an end is at the end
 
 class Box {
  public:
@@ -186,7 +189,8 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   const Box box(setup, task, quantity);
   std::vector<Place> starts;
   for (auto& corner : box.corners()) starts.push_back({std::move(corner)});
-  begin_stage(task.progress, "worst case", static_cast<std::int64_t>(starts.size()));
+  begin_stage(task.progress, "searching for the worst case at corners of the ranges",
+              static_cast<std::int64_t>(starts.size()));
   parallel_for(
       starts.size(), [&](std::size_t i) { starts[i].badness = box.badness(starts[i].x); },
       task.threads);
@@ -198,6 +202,10 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   }
   keep_worst(worst_samples, kStartSamples);
   starts.insert(starts.end(), worst_samples.begin(), worst_samples.end());
+  // A start that is the worst place already needs at most two values of each coordinate for each
+  // length of step. Other starts need more, so this number of steps is an estimate.
+  begin_stage(task.progress, "searching for the worst case",
+              static_cast<std::int64_t>(starts.size() * 2 * box.dimensions()) * kStepLengths);
   parallel_for(
       starts.size(), [&](std::size_t i) { starts[i] = climb(box, std::move(starts[i])); },
       task.threads);

@@ -56,9 +56,9 @@ std::size_t place_of(const std::vector<std::string>& names, const std::string& n
                      const std::string& field, const char* what) {
   const auto it = std::find(names.begin(), names.end(), name);
   if (it != names.end()) return static_cast<std::size_t>(it - names.begin());
-  throw SpecError{
-      {field, printable(name, 40),
-       fmt::format("there is no such {}; the known names are {}", what, fmt::join(names, ", "))}};
+  throw SpecError{{field, fmt::format("\"{}\"", printable(name, 40)),
+                   fmt::format("there is no such {}; the known names are {}{}", what,
+                               fmt::join(names, ", "), did_you_mean(name, names))}};
 }
 
 std::string text_at(TableReader& t, const std::string& key) {

@@ -146,15 +146,14 @@ void refuse_involute_keys(TableReader& gear) {
 const KeyTable& kind_of_table(const Key& key, const Json& node, const std::string& path) {
   const auto it = node.find("kind");
   if (it == node.end()) return key.tables.front()();
-  std::vector<std::string_view> words;
+  std::vector<std::string> words;
   for (const auto& table : key.tables) {
-    words.push_back(table().find("kind")->words.front());
+    words.emplace_back(table().find("kind")->words.front());
     if (it->is_string() && it->get<std::string>() == words.back()) return table();
   }
   TableReader(key.tables.front()(), node, path)
-      .fail("kind", it->is_string()
-                        ? fmt::format("must be one of \"{}\"", fmt::join(words, "\", \""))
-                        : "must be a text in quotes");
+      .fail("kind", it->is_string() ? one_of_rule(it->get<std::string>(), words)
+                                    : "must be a text in quotes");
 }
 
 // The table of a cutter, completed with values that the cutter shares with the gear. If the gear

@@ -5,6 +5,7 @@
 // Internal to spec/. The functions throw SpecError, like the readers of single values.
 #pragma once
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/scatter_keys.hpp"
 #include "gearwright/design/drive_search.hpp"
 #include "gearwright/design/search_problem.hpp"
@@ -16,6 +17,12 @@ namespace gearwright {
 
 /// `search`, `gear_1` and `gear_2` are the tables as given. The tables of the gears may be null.
 SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2);
+
+/// The step of face widths within a band, mm, unless the spec gives it: 1 mm or 0.05 in, so that the
+/// widths are round in the units of the spec.
+constexpr double default_face_step(UnitSystem units) {
+  return units == UnitSystem::mm ? 1.0 : 0.05 * kMmPerInch;
+}
 
 /// The modules of ISO 54, series I (1) or series II (2), in mm.
 const std::vector<double>& iso54_modules(int series);

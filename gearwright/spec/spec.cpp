@@ -252,6 +252,8 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   }
   if (search && !drives) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
   if (spec.search) {
+    if (!search->contains("face_width_step_mm"))
+      spec.search->face_step = default_face_step(spec.units());
     lacks.of([&] { check_modifications(gear_1, "gear1", folder); });
     lacks.of([&] { check_modifications(gear_2, "gear2", folder); });
   }

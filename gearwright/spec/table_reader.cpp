@@ -176,7 +176,7 @@ std::optional<std::string> TableReader::word(const std::string& key) {
   const std::optional<std::string> word = text(key);
   const auto& words = entry(key).words;
   if (word && std::find(words.begin(), words.end(), *word) == words.end())
-    fail(key, fmt::format("must be one of \"{}\"", fmt::join(words, "\", \"")));
+    fail(key, one_of_rule(*word, {words.begin(), words.end()}));
   return word;
 }
 

@@ -212,7 +212,8 @@ Json in_catalogue_units(const Json& spec, GivenKeys& given) {
   const auto units = spec.find(kUnitsKey);
   if (units == spec.end()) return spec;
   if (*units != "mm" && *units != "inch")
-    fail_at(kUnitsKey, *units, "must be one of \"mm\", \"inch\"");
+    fail_at(kUnitsKey, *units,
+            one_of_rule(units->is_string() ? units->get<std::string>() : "", {"mm", "inch"}));
   Json rest = spec;
   rest.erase(kUnitsKey);
   if (*units == "mm") return rest;

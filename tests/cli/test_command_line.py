@@ -28,12 +28,20 @@ def table(text):
 
 
 class Words(unittest.TestCase):
+    def test_a_slip_of_an_option_or_a_part_is_named(self):
+        for args, near in ((("pair", "x.toml", "--jsn"), "--json"), (("search", "x.toml", "--takee=3"), "--take"),
+                           (("run", "x.toml", "--only", "svg,repport"), "report"), (("batch", "piar", "x.json"), "pair")):
+            p = raw(*args)
+            self.assertEqual(p.returncode, 2)
+            self.assertIn(f"did you mean {near}?", p.stderr)
+        self.assertIn("pair has no option --zzzz (", raw("pair", "x.toml", "--zzzz").stderr)
+
     def test_a_slip_of_a_verb_is_named(self):
         for wrong, near in (("gaer", "gear"), ("pear", "gear"), ("contct", "contact"), ("serach", "search"), ("exprot", "export"),
                             ("Pair", "pair"), ("meas", "measure")):
             p = raw(wrong, "x.toml")
             self.assertEqual(p.returncode, 2)
-            self.assertRegex(p.stderr, f"no verb {wrong}; (gear|pair|{near})\\?")
+            self.assertRegex(p.stderr, f"no verb {wrong}; did you mean (gear|pair|{near})\\?")
         p = raw("frobnicate")
         self.assertIn("verbs: ", p.stderr)
         self.assertNotIn("\x1b", raw("g\x1b[31m").stderr)

@@ -226,6 +226,7 @@ class Contact(unittest.TestCase):
         run = Run("compensate", self.spec(HELICAL))
         self.assertEqual(run.status, 0, run.err)
         self.assertIn("nothing to correct", run.out)
+        self.assertIn("The spec has no [errors]", " ".join(run.out.split()))
         self.assertNotIn("-0.0", run.out)
         c = self.ok("compensate", self.spec(HELICAL))["compensate"]
         self.assertTrue(c["nothing_to_correct"])

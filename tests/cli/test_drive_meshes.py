@@ -161,6 +161,10 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
             self.assertIn(words, text)
         page = (Run("run", self.LIFT, "--out", "o").folder / "o/report.html").read_text()
         self.assertTrue("Speed of the rack" in page and ">0.1276<" in page)
+        ids = re.findall(r' id="([^"]*)"', page)
+        self.assertEqual(len(ids), len(set(ids)))
+        self.assertIn("mesh1-gear2", ids)  # the rack, which is drawn in the section of its mesh
+        self.assertLessEqual(set(re.findall(r'href="#([^"]*)"', page)), set(ids))
 
     def test_a_rack_has_contact_and_a_verdict(self):
         """Under errors, the travel of the rack deviates by as much as `contact` gives for the pinion and its rack."""

@@ -24,7 +24,7 @@ def hint(key, table="gear1", value="2"):
 
 class Keys(Asked):
     def test_keys_that_people_try_lead_to_the_right_one(self):
-        near = "the nearest known key is "
+        near = "did you mean {}?"
         for key, want in (("module", "normal_module_mm"), ("m", "normal_module_mm"), ("mn", "normal_module_mm"),
                           ("m_n", "normal_module_mm"), ("x", "profile_shift"), ("shift", "profile_shift"),
                           ("beta", "helix_angle_deg"), ("β", "helix_angle_deg"), ("helix", "helix_angle_deg"),
@@ -37,10 +37,10 @@ class Keys(Asked):
                           ("center_distance_mm", "center_distance_mm in [pair]"), ("addendum", "addendum in [gear1.rack]"),
                           ("profile_shfit", "profile_shift"), ("Teeth", "teeth"), ("faceWidth", "face_width_mm")):
             name = f'"{key}"' if not key.isascii() else key
-            self.assertEqual(hint(name), near + want, key)
+            self.assertEqual(hint(name), near.format(want), key)
         for key, want in (("centre_distance", "center_distance_mm"), ("a", "center_distance_mm"), ("module", "normal_module_mm in [gear1]"),
                           ("rpm", "speed_rpm"), ("mu", "friction_coefficient"), ("sigma", "shaft_angle_deg"), ("x", "profile_shift in [gear1]")):
-            self.assertEqual(hint(key, "pair"), near + want, key)
+            self.assertEqual(hint(key, "pair"), near.format(want), key)
 
     def test_what_is_like_nothing_is_told_what_there_is(self):
         for key in ("smoothness", "zzz", "colour", "x" * 5000):

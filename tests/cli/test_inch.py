@@ -34,6 +34,8 @@ class Law(unittest.TestCase):
         compared = 0
         for path in sorted(SOURCE.glob("examples/**/*.toml")):
             spec = tomllib.loads(path.read_text())
+            if "search" in spec:  # the default step of face widths is 1 mm or 0.05 in, so it is given here
+                spec["search"].setdefault("face_width_step_mm", 1)
             in_inch = {"units": "inch"} | inch.spec_in_inch(spec)
             for verb in VERBS:
                 mm = Run(verb, json.dumps(spec), "--json", name="case.json")
@@ -275,6 +277,21 @@ class Printed(unittest.TestCase):
         branch = Run("fit", spec, "--json", name="case.json").json["fit"]["branches"][0]
         self.assertEqual(again.json["pair"]["center_distance_in"], branch["spec"]["pair"]["center_distance_in"])
         self.assertEqual(branch["spec"]["units"], "inch")
+
+    def test_face_widths_of_searches_are_round_in_inch(self):
+        """Within a band in inch, the widths are multiples of 0.05 in, as those of a spec in mm are of 1 mm."""
+        text = ('units = "inch"\n[search]\nratio = [2.9, 3.1]\npinion_teeth = [18, 22]\ndiametral_pitches_per_in = [8]\n'
+                'face_width_in = [0.5, 2]\nsafety_flank_min = 1\nsafety_root_min = 1\n'
+                '[gear1.material]\nname = "16MnCr5"\n[rating]\ntorque_Nm = 60\nspeed_rpm = 1000\nquality = [6, 6]\n')
+        for more, step in (("", 0.05), ("face_width_step_in = 0.0625\n", 0.0625)):
+            run = Run("search", text.replace("safety_flank", more + "safety_flank"), "--json")
+            self.assertEqual(run.status, 0, run.err)
+            widths = [design["face_width_in"] for design in run.json["search"]["designs"]]
+            self.assertTrue(widths)
+            self.assertLess(min(widths), 2)
+            for width in widths:
+                self.assertAlmostEqual(width / step, round(width / step), 9)
+                self.assertLessEqual(0.5, width)
 
     def test_the_files_of_a_search(self):
         spec = tomllib.loads((SOURCE / "examples/gearbox_search.toml").read_text())

@@ -156,8 +156,9 @@ class Chosen(Asked):
         self.assertNotEqual(x, [0, 0])
         words = f"For the centre distance a = 79 mm the program chose these profile shifts: gear1.profile_shift = {x[0]:.6g} and gear2.profile_shift = {x[1]:.6g}."
         self.assertEqual(self.notes(answer, "profile_shifts_chosen"), [(None, words)])
-        lines = Run("pair", self.SPEC.format("", "")).out.splitlines()
-        self.assertIn("note: " + words, lines)
+        out = Run("pair", self.SPEC.format("", "")).out
+        self.assertIn("note: " + words, " ".join(out.split()))
+        self.assertLessEqual(max(len(line) for line in out[out.index("note: "):].splitlines()), 80)
         half = self.answer("pair", self.SPEC.format("profile_shift = 0.3", ""))
         self.assertIn(": gear2.profile_shift = ", self.notes(half, "profile_shifts_chosen")[0][1])
         self.assertEqual(self.notes(self.answer("pair", self.SPEC.format("profile_shift = 0", "profile_shift = 0")),
@@ -194,7 +195,7 @@ class ByName(Asked):
             for verb in ("gear", "pair", "run"):
                 self.refused(verb, spec, key, *words, none=("did you mean", "nearest", "unknown key", "missing"))
         # A misspelt key that is close to a known key has the usual message.
-        self.refused("gear", gear + "teethh = 3\n", "gear1.teethh", "the nearest known key is teeth")
+        self.refused("gear", gear + "teethh = 3\n", "gear1.teethh", "did you mean teeth?")
 
     def test_a_word_that_is_meant(self):
         search = "[search]\nratio = 2\npinion_teeth = [12, 40]\nmodules_mm = 2\nobjective = {}\n"

@@ -62,10 +62,10 @@ class Stop(unittest.TestCase):
             return first
 
     def test_a_million_positions(self):
-        self.assertRegex(self.stopped("contact", pair() + POSITIONS, signal.SIGINT, "--json"), r"contact, 2 s: positions \d+ %")
+        self.assertRegex(self.stopped("contact", pair() + POSITIONS, signal.SIGINT, "--json"), r"contact, 2 s: computing the positions, \d+ % done")
 
     def test_a_million_points_of_a_map(self):
-        self.assertRegex(self.stopped("contact", pair() + MAP, signal.SIGTERM), r"contact, 2 s: map of two errors \d %")
+        self.assertRegex(self.stopped("contact", pair() + MAP, signal.SIGTERM), r"contact, 2 s: computing the map of two errors, \d % done")
 
     def test_run_leaves_no_folder(self):
         self.assertIn("run, 2 s: ", self.stopped("run", pair() + MAP, signal.SIGTERM, "--json"))

@@ -151,7 +151,7 @@ class ScatterDesigns(unittest.TestCase):
         for how in (signal.SIGINT, signal.SIGTERM):
             process = subprocess.Popen([BIN, "scatter", "case.toml", "--out", "o", "--top", "2"], cwd=where, text=True,
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-            self.assertRegex(process.stderr.readline(), r"of 2 designs, samples +\d+ %")
+            self.assertRegex(process.stderr.readline(), r"of 2 designs, computing the samples, \d+ % done")
             sent = time.monotonic()
             process.send_signal(how)
             _, err = process.communicate(timeout=20)

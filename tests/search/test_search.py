@@ -268,7 +268,12 @@ class Answer(Asked):
         for words in ("459 candidates", "46 are feasible", "ruled out by centre distance: 413", "26 more", "o/search.parquet"):
             self.assertIn(words, r.out)
         best = search(spec())["designs"][0]
-        self.assertRegex(r.out, rf"\n +\*?1 +balanced +{best['module_mm']:.3f} +{best['teeth'][0]} +{best['teeth'][1]} ")
+        self.assertRegex(r.out, "\nCommon to all designs\n  profile shifts  balanced\n")
+        self.assertRegex(r.out, rf"\n +\*?1 +{best['module_mm']:.3f} +{best['teeth'][0]} +{best['teeth'][1]} ")
+        for example in ("gearbox_search", "housing_search"):
+            out = Run("search", (SOURCE / f"examples/{example}.toml").read_text(), folder=folder()).out
+            self.assertIn("Common to all designs", out)
+            self.assertLessEqual(max(len(line) for line in out.splitlines()), 110)
 
 
 class Files(unittest.TestCase):

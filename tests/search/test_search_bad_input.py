@@ -65,7 +65,7 @@ class Refused(Asked):
         self.no(spec(modules_mm=None, after="modules_mm = nan\n"), "search.modules_mm", "nan")
 
     def test_what_is_missing(self):
-        self.no("[gear1]\nteeth = 20\nnormal_module_mm = 2\n", "search", "[search]", "ratio", "modules_mm", "pinion_teeth")
+        self.no("[gear1]\nteeth = 20\nnormal_module_mm = 2\n", "search", "at least ratio")
         self.no(spec(ratio=None), "search.ratio", "is missing", "z2/z1", "[1.9, 2.1]")
         self.no("[search]\n", "search.ratio", "[1.9, 2.1]")
         self.no("search = 3\n", "search", "table")
@@ -74,7 +74,7 @@ class Refused(Asked):
     def test_words_that_are_not_known(self):
         for wrong, near in (("contact_ratio_minn", "contact_ratio_min"), ("objectiv", "objective"), ("sliding", "sliding_max"),
                             ("pinion_tooth", "pinion_teeth"), ("lamda", "lambda"), ("centre_distance_mm", "center_distance_mm")):
-            self.no(spec(SMALL | {wrong: 2}), f"search.{wrong}", f"the nearest known key is {near}")
+            self.no(spec(SMALL | {wrong: 2}), f"search.{wrong}", f"did you mean {near}?")
         self.no(spec().replace("[search]", "[serch]"), "serch", "search")
         for wrong, near in (("slidng", "sliding"), ("contactratio", "contact_ratio"), ("areas", "area"), ("Size", "size")):
             self.no(spec(objective=wrong), "search.objective", wrong, f"did you mean {near}?", "shift")

@@ -72,7 +72,8 @@ export class Tabs {
       tab.element.setAttribute("aria-labelledby", "tab-" + tab.id);
       this.room.append(tab.element);
     }
-    this.room.append(this.fault, this.spinner, this.kept);
+    this.room.prepend(this.fault);
+    this.room.append(this.spinner, this.kept);
     bench.on("text", () => this.age());
     bench.on("opened", () => {
       this.ofDrive = false;

@@ -138,7 +138,7 @@ describe("form and text", () => {
     await page.waitForSelector('[data-key="gear1.normal_module_mm"][aria-invalid=false]');
     for (const [text, words] of [
       ["[gear1]\nteeth = = 3\n", /line 2/i],
-      ["[gear1]\nteth = 17\n", /nearest known key is teeth/],
+      ["[gear1]\nteth = 17\n", /did you mean teeth/],
       ["\u0000\u0001[[[[", /./],
       ["[gear1]\nteeth = 99999999999999999999\nnormal_module_mm = 1\n", /./],
       ["x".repeat(10_000_000), /10\.0 million characters/],

@@ -18,6 +18,11 @@ function geometryOf(mesh: Mesh): THREE.BufferGeometry {
   return geometry;
 }
 
+/** Direction from the solids to the camera. */
+const kView = new THREE.Vector3(-0.42, 0.38, 0.82).normalize();
+/** Distance of the camera relative to the least distance at which everything is visible. */
+const kMargin = 1.08;
+
 export class SolidScene {
   readonly marks = new ContactMarks();
   private readonly renderer: THREE.WebGLRenderer;
@@ -28,6 +33,7 @@ export class SolidScene {
   private readonly markings: Marking[] = [];
   private readonly cut = new THREE.Plane(new THREE.Vector3(0, 0, -1), 1e9);
   private radius = 0;
+  private readonly home = new THREE.Vector3(); // position of the camera that look() has chosen
   readonly repaint = onNextFrame(() => this.draw());
 
   constructor(private readonly canvas: HTMLCanvasElement) {
@@ -165,20 +171,37 @@ export class SolidScene {
     this.look();
   }
   look(): void {
-    const sphere = this.bounds().getBoundingSphere(new THREE.Sphere());
-    if (!(sphere.radius > 0)) return;
-    const aspect = Math.max(0.2, this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight));
-    const half = (this.camera.fov * Math.PI) / 360;
-    const distance = (0.8 * sphere.radius) / Math.sin(Math.min(half, Math.atan(Math.tan(half) * aspect)));
-    this.orbit.target.copy(sphere.center);
-    this.camera.position
-      .copy(sphere.center)
-      .add(new THREE.Vector3(-0.42, 0.38, 0.82).normalize().multiplyScalar(distance));
+    const box = this.bounds();
+    if (!(box.max.distanceTo(box.min) > 0)) return;
+    const center = box.getCenter(new THREE.Vector3());
+    const distance = kMargin * this.distanceTo(center);
+    this.orbit.target.copy(center);
+    this.camera.position.copy(center).addScaledVector(kView, distance);
     this.camera.near = distance / 500;
     this.camera.far = distance * 20;
     this.camera.updateProjectionMatrix();
     this.orbit.update();
+    this.home.copy(this.camera.position);
     this.repaint();
+  }
+
+  /** The least distance of the camera from `center`, in the direction kView, at which every vertex is visible. */
+  private distanceTo(center: THREE.Vector3): number {
+    const aspect = Math.max(0.2, this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight));
+    const half = Math.tan((this.camera.fov * Math.PI) / 360);
+    const right = new THREE.Vector3().crossVectors(this.camera.up, kView).normalize();
+    const up = new THREE.Vector3().crossVectors(kView, right);
+    const at = new THREE.Vector3();
+    let distance = 0;
+    for (const gear of this.gears) {
+      const { position } = (gear.children[0] as THREE.Mesh).geometry.attributes;
+      for (let i = 0; i < position!.count; ++i) {
+        at.fromBufferAttribute(position!, i).applyMatrix4(gear.matrixWorld).sub(center);
+        const aside = Math.max(Math.abs(at.dot(right)) / aspect, Math.abs(at.dot(up)));
+        distance = Math.max(distance, at.dot(kView) + aside / half);
+      }
+    }
+    return distance;
   }
 
   private draw(): void {
@@ -191,6 +214,8 @@ export class SolidScene {
       this.renderer.setSize(width, height, false);
       this.camera.aspect = width / height;
       this.camera.updateProjectionMatrix();
+      // A view that the user has not changed is fitted to the new size.
+      if (this.camera.position.equals(this.home)) this.look();
     }
     this.renderer.render(this.scene, this.camera);
   }

@@ -1,0 +1,215 @@
+#include "gearwright/job/row_listing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "gearwright/job/text_layout.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::string_view kAbsent = "-";  // the cell of a value that a record does not have
+
+// The member of a record, or of one of its inner records, or null if the record lacks it.
+const Member* member_at(const ValueRecord& record, std::string_view path) {
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  for (const Member& m : record) {
+    if (m.info->key != path.substr(0, dot)) continue;
+    const ValueRecord* const inner = m.value.record();
+    return dot == path.size() ? &m : inner ? member_at(*inner, path.substr(dot + 1)) : nullptr;
+  }
+  return nullptr;
+}
+
+constexpr std::size_t kHeadWidth = 12;       // width of headings
+constexpr std::size_t kDesignHeadWidth = 8;  // the same for designs, which have many columns
+
+// Breaks words into lines of at most `most` characters, if no word is longer.
+std::vector<std::string> broken(const std::string& words, std::size_t most) {
+  std::vector<std::string> lines;
+  std::istringstream text(words);
+  for (std::string word; text >> word;) {
+    if (lines.empty() || text_width(lines.back()) + 1 + text_width(word) > most)
+      lines.push_back(word);
+    else
+      lines.back() += " " + word;
+  }
+  return lines;
+}
+
+// The column of a quantity that is described by `info`, or of one of the gears (1 or 2).
+ListingColumn listing_column(UnitSystem units, const QuantityInfo& info, const std::string& head,
+                             int gear, const std::vector<const Member*>& members) {
+  ListingColumn column{
+      gear > 0 ? fmt::format("{}, gear {}", info.words, gear) : info.words,
+      gear > 0 ? fmt::format("{}{}{}", head, head == info.symbol ? "" : " ", gear) : head,
+      std::string(unit_text(system_of(info, units), info.unit)),
+      {},
+      info.type == Type::word || info.type == Type::map};
+  for (const Member* m : members) {
+    const ValueList* const each = m && gear > 0 ? m->value.list() : nullptr;
+    const Value value = each ? (*each)[static_cast<std::size_t>(gear - 1)] : m ? m->value : Value();
+    column.cells.push_back(text_of(info, value, kAbsent, units));
+    column.numbers.push_back(value.number());
+  }
+  return column;
+}
+
+// The lines of a column: its heading of this width in `heads` lines, its unit, and its cells.
+std::vector<std::string> lines_of(const ListingColumn& column, std::size_t head_width,
+                                  std::size_t heads) {
+  std::vector<std::string> lines = broken(column.head, head_width);
+  lines.insert(lines.begin(), heads - lines.size(), "");
+  lines.push_back(column.unit);
+  lines.insert(lines.end(), column.cells.begin(), column.cells.end());
+  std::size_t widest = 0;
+  for (const std::string& each : lines) widest = std::max(widest, text_width(each));
+  for (std::string& each : lines)
+    each = "  " + (column.left ? padded(each, widest) : padded_left(each, widest));
+  return lines;
+}
+
+std::string table_of(const std::vector<const ListingColumn*>& columns, std::size_t head_width) {
+  std::size_t heads = 0;
+  for (const ListingColumn* c : columns)
+    heads = std::max(heads, broken(c->head, head_width).size());
+  std::vector<std::string> lines(heads + 1 + columns.front()->cells.size());
+  for (const ListingColumn* c : columns) {
+    const std::vector<std::string> own = lines_of(*c, head_width, heads);
+    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] += own[i];
+  }
+  std::string text;
+  for (std::string& each : lines) {
+    each.erase(each.find_last_not_of(' ') + 1);
+    if (!each.empty()) text += each + "\n";
+  }
+  return text;
+}
+
+bool all_equal(const ListingColumn& column) {
+  return std::all_of(column.cells.begin(), column.cells.end(),
+                     [&](const std::string& cell) { return cell == column.cells.front(); });
+}
+
+// True if every number of `a` is `factor` times that of `b`, and the columns have the same unit.
+bool proportional(const ListingColumn& a, const ListingColumn& b, double factor) {
+  // Two formulas of one quantity differ by rounding only.
+  constexpr double kRounding = 1e-9;
+  const auto same = [&](const std::optional<double>& x, const std::optional<double>& y) {
+    return x && y && std::abs(*x - factor * *y) <= kRounding * std::abs(*x);
+  };
+  return a.unit == b.unit && !a.numbers.empty() && !b.numbers.empty() &&
+         std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(), same);
+}
+
+// "equal to u", if one of `columns` has the numbers of `column`, or "opposite to β1".
+std::optional<std::string> relation(const ListingColumn& column,
+                                    const std::vector<const ListingColumn*>& columns) {
+  for (const ListingColumn* other : columns) {
+    if (proportional(column, *other, 1.0)) return "equal to " + other->head;
+    if (proportional(column, *other, -1.0)) return "opposite to " + other->head;
+  }
+  return std::nullopt;
+}
+
+// The tables of at most kTableWidth characters that contain the first column with all others.
+std::string tables_of(const std::vector<const ListingColumn*>& columns) {
+  const auto width = [](const ListingColumn& c) {
+    const std::size_t heads = broken(c.head, kDesignHeadWidth).size();
+    return text_width(lines_of(c, kDesignHeadWidth, heads).front());
+  };
+  const std::size_t first = width(*columns.front());
+  std::string text;
+  std::vector<const ListingColumn*> table{columns.front()};
+  std::size_t used = first;
+  for (std::size_t i = 1; i < columns.size(); ++i) {
+    if (used + width(*columns[i]) > kTableWidth && table.size() > 1) {
+      text += table_of(table, kDesignHeadWidth) + "\n";
+      table.resize(1);
+      used = first;
+    }
+    table.push_back(columns[i]);
+    used += width(*columns[i]);
+  }
+  return text + table_of(table, kDesignHeadWidth);
+}
+
+}  // namespace
+
+std::vector<ListingColumn> listing_columns(UnitSystem units,
+                                           const std::vector<ValueRecord>& records,
+                                           std::initializer_list<std::string_view> keys) {
+  struct Shown {
+    const QuantityInfo* info = nullptr;
+    std::vector<const Member*> members{};
+  };
+  std::vector<Shown> all;
+  for (const std::string_view key : keys) {
+    Shown shown;
+    for (const ValueRecord& record : records) {
+      shown.members.push_back(member_at(record, key));
+      if (const Member* m = shown.members.back(); m && m->shown) shown.info = m->info;
+    }
+    if (shown.info) all.push_back(std::move(shown));
+  }
+  std::vector<ListingColumn> columns;
+  for (const Shown& s : all) {
+    const auto same = [&](const Shown& other) { return other.info->symbol == s.info->symbol; };
+    const bool words = s.info->symbol.empty() || std::count_if(all.begin(), all.end(), same) > 1;
+    const std::string& head = words ? s.info->words : s.info->symbol;
+    for (const int gear : s.info->two == Two::gears ? std::vector{1, 2} : std::vector{0}) {
+      ListingColumn column = listing_column(units, *s.info, head, gear, s.members);
+      if (!all_equal(column) || column.cells.front() != kAbsent)
+        columns.push_back(std::move(column));
+    }
+  }
+  return columns;
+}
+
+std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
+                        const std::vector<ValueRecord>& records,
+                        std::initializer_list<std::string_view> keys) {
+  const ListingColumn first{"", "", "", names, true};
+  const std::vector<ListingColumn> columns = listing_columns(units, records, keys);
+  std::vector<const ListingColumn*> all{&first};
+  for (const ListingColumn& column : columns) all.push_back(&column);
+  return table_of(all, kHeadWidth);
+}
+
+std::string design_listing(const std::vector<ListingColumn>& columns) {
+  std::vector<const ListingColumn*> table{&columns.front()};
+  struct Common {
+    const ListingColumn* column;
+    std::string value;
+  };
+  std::vector<Common> common;
+  for (std::size_t i = 1; i < columns.size(); ++i) {
+    const ListingColumn& c = columns[i];
+    const bool several = c.cells.size() > 1;
+    if (several && all_equal(c))
+      common.push_back({&c, c.cells.front() + (c.unit.empty() ? "" : " ") + c.unit});
+    else if (const auto twin = several ? relation(c, table) : std::nullopt)
+      common.push_back({&c, *twin});
+    else
+      table.push_back(&c);
+  }
+  const auto head = [](const ListingColumn& c) { return c.head == c.words ? "" : c.head; };
+  std::size_t words = 0;
+  std::size_t heads = 0;
+  for (const Common& each : common) {
+    words = std::max(words, text_width(each.column->words));
+    heads = std::max(heads, text_width(head(*each.column)));
+  }
+  std::string text = common.empty() ? "" : "Common to all designs\n";
+  for (const Common& each : common) {
+    text += "  " + padded(each.column->words, words + 2) +
+            (heads > 0 ? padded(head(*each.column), heads + 2) : "") + each.value + "\n";
+  }
+  return text + (common.empty() ? "" : "\n") + tables_of(table);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,46 @@
+// Tables for terminals with one row for each record, such as a point of contact or a design.
+//
+// A table of designs has at most kTableWidth characters in a line, if no column is wider: values
+// that are equal in all rows are listed once above the table, and columns that do not fit follow in
+// a further table with the same rows. Internal to job.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/catalogue/quantity.hpp"
+
+namespace gearwright {
+
+struct ListingColumn {
+  std::string words;  ///< term for the quantity, in full
+  std::string head;   ///< heading: the symbol, or words
+  std::string unit;
+  std::vector<std::string> cells;                   ///< one for each row
+  bool left = false;                                ///< true if the cells are aligned to the left
+  std::vector<std::optional<double>> numbers = {};  ///< values of the cells, to compare columns;
+                                                    ///< empty for columns of words
+};
+
+/// The columns of the quantities `keys` that at least one record shows, in these units. A heading is
+/// the symbol or, if another column has the same symbol, the words. The key of an inner record is
+/// "record.key".
+std::vector<ListingColumn> listing_columns(UnitSystem units,
+                                           const std::vector<ValueRecord>& records,
+                                           std::initializer_list<std::string_view> keys);
+
+/// Lists records below each other, in these units. The line of each record begins with its name and
+/// has the columns of `keys`.
+std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
+                        const std::vector<ValueRecord>& records,
+                        std::initializer_list<std::string_view> keys);
+
+/// Lists designs below each other. The first column names the designs. Of the others, a column with
+/// the same text in all rows, or with the numbers of an earlier column, is a line of the list
+/// "Common to all designs" above the table, if there are at least two designs.
+std::string design_listing(const std::vector<ListingColumn>& columns);
+
+}  // namespace gearwright
