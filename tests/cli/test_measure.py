@@ -270,6 +270,24 @@ class Measuring(Asked):
         self.assertEqual((found["mistake"], found["gear"]["normal_diametral_pitch_per_in"]), ("all", 24))
         self.assertIsNone(Run("identify", THINNED, "--json").json["identify"]["alternative"])
 
+    def test_an_unknown_gear_keeps_its_other_keys(self):
+        more = BROKEN.replace("teeth = 23\n", 'teeth = 23\nmaterial = "16MnCr5"\nquality = 7\n')
+        more += "[gear1.bore]\ndiameter_mm = 20\n"
+        spec = tomllib.loads(Run("identify", more, "--take", 1).out)
+        self.assertEqual(spec["gear1"]["bore"], {"diameter_mm": 20})
+        self.assertEqual(spec["gear1"]["quality"], 7)
+        self.assertIn("material", spec["gear1"])
+        self.assertEqual(Run("gear", Run("identify", more, "--take", 1).out).status, 0)
+        self.refused(more.replace("diameter_mm = 20", "diameter_mm = -20"), "gear1.bore.diameter_mm", "greater than 0", verb="identify")
+        known = BROKEN.replace("teeth = 23\n", "teeth = 23\nthickness_allowance_mm = -0.05\n")
+        spec = tomllib.loads(Run("identify", known, "--take", 1).out)["gear1"]
+        self.assertEqual(spec["thickness_allowance_mm"], -0.05)
+        self.assertAlmostEqual(spec["profile_shift"], 0.2170 + 0.05 / (5 * math.tan(math.radians(20))), 3)
+        rack = BROKEN.replace("teeth = 23\n", 'teeth = 23\nrack = "ISO53-D"\n')
+        self.assertEqual(tomllib.loads(Run("identify", rack, "--take", 1).out)["gear1"]["rack"], "ISO53-D")
+        for key, line in (("lead_angle_deg", "lead_angle_deg = 72"), ("transverse_pressure_angle_deg", "transverse_pressure_angle_deg = 20")):
+            self.refused(BROKEN.replace("teeth = 23\n", f"teeth = 23\n{line}\n"), "gear1." + key, "unknown gear", verb="identify")
+
 
 if __name__ == "__main__":
     unittest.main()
