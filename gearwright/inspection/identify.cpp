@@ -260,13 +260,14 @@ std::optional<Contradiction> contradiction(const IdentifyProblem& p,
 
 }  // namespace
 
-Identification detail::identify_readings(const IdentifyProblem& problem) {
+Identification detail::identify_readings(const IdentifyProblem& problem, LeaveOut leave_out) {
   const std::vector<Observation> readings = observations(problem);
   std::vector<Found> found = Searching(problem, readings).all();
   Identification answer;
   const bool fits =
       !found.empty() && found.front().fit.misfit <= most_misfit(readings, found.front().fit);
-  if (!fits) answer.contradiction = contradiction(problem, readings, found);
+  if (!fits && leave_out == LeaveOut::one)
+    answer.contradiction = contradiction(problem, readings, found);
   found = without_doubles(found);
   if (found.empty() || (!fits && !answer.contradiction)) {
     answer.reason =

@@ -60,13 +60,13 @@ IdentifyProblem scaled(IdentifyProblem p, std::string_view group, double factor)
 
 // The identification, without the tip or the root if it contradicts the flanks of the likeliest gear.
 Identification without_contradiction(const IdentifyProblem& problem) {
-  Identification answer = detail::identify_readings(problem);
+  Identification answer = detail::identify_readings(problem, detail::LeaveOut::one);
   if (answer.contradiction || !answer.reason.empty() || answer.candidates.empty()) return answer;
   const auto contradiction = answer.candidates.front().contradiction;
   if (!contradiction) return answer;
   IdentifyProblem others = problem;
   (contradiction->reading == "tip_diameter" ? others.tip : others.root).value.reset();
-  answer = detail::identify_readings(others);
+  answer = detail::identify_readings(others, detail::LeaveOut::one);
   // The other readings are also compared with the gear that they give.
   auto expected = contradiction;
   if (!answer.candidates.empty()) {
@@ -96,8 +96,10 @@ bool agrees_well(const IdentifiedGear& g) {
 // A gear that agrees with all readings if one mistake is corrected, none if there is no such gear.
 std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
   const auto found = [](const IdentifyProblem& p) -> std::optional<IdentifiedGear> {
-    const Identification answer = without_contradiction(p);
-    if (!sound(answer) || !agrees_well(answer.candidates.front())) return std::nullopt;
+    const Identification answer = detail::identify_readings(p, detail::LeaveOut::none);
+    if (!sound(answer) || answer.candidates.front().contradiction ||
+        !agrees_well(answer.candidates.front()))
+      return std::nullopt;
     return answer.candidates.front();
   };
   for (const std::string_view group : kGroups) {

@@ -81,9 +81,12 @@ const std::vector<StandardRack>& standard_racks();
 DrawnGear drawn_gear(const IdentifyProblem& problem, const GearNumbers& gear, ModuleSeries series,
                      double shift_uncertainty);
 
+/// The readings that are left out if no gear agrees with all of them.
+enum class LeaveOut { none, one };
+
 /// The candidates for a problem whose readings determine the size of the gear. All readings of tip and
 /// root are used, and there is no alternative.
-Identification identify_readings(const IdentifyProblem& problem);
+Identification identify_readings(const IdentifyProblem& problem, LeaveOut leave_out);
 
 /// The measurement that distinguishes best between the likeliest gear and another one. None if only one
 /// gear is left, or if no measurement distinguishes between the gears.
