@@ -23,6 +23,45 @@ const Quantities<G>& uncertainty_quantities() {
   });
 }
 
+Value tip_word(const G& g) {
+  switch (g.tip) {
+    case TipReading::none: return {};
+    case TipReading::as_drawn: return "as_drawn";
+    case TipReading::worn: return "worn";
+    case TipReading::shortened: return "shortened";
+    case TipReading::longer: return "longer";
+  }
+  return {};
+}
+
+const Quantities<G>& drawing_quantities() {
+  return define("identify.drawing", [](Quantities<G>& q) {
+    q.word("rack", "basic rack",
+           "the named rack that agrees best with tip and root; null if the spec gives the rack",
+           [](const G& g) { return g.rack.empty() ? Value() : Value(g.rack); })
+        .one_of({"ISO53-A", "ISO53-D", "AGMA-14.5", "AGMA-20", "AGMA-25", "AGMA-stub"});
+    q.term("profile_shift",
+           "x_E = x + E_sn/(2 m_n tan α_n); 0 if the allowance is then usual and the tip agrees, "
+           "otherwise by the tip, otherwise x_E [T10.34]",
+           &G::profile_shift)
+        .always();
+    q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
+             "allowance on the normal tooth thickness, which includes wear of the flanks",
+             &G::thickness_allowance)
+        .always();
+    q.number("nominal_tip_diameter_mm", "nominal tip diameter", "d_a",
+             "tip diameter that the rack and the profile shift give", &G::nominal_tip_diameter)
+        .always();
+    q.number("root_diameter_mm", "root diameter", "d_f", "as cut by the rack", &G::root_diameter)
+        .always();
+    q.word("tip", "tip",
+           "the measured tip in comparison with the nominal tip; `tip_diameter_mm` is the measured "
+           "value if it is longer or shortened; null if the tip was not measured",
+           tip_word)
+        .one_of({"as_drawn", "worn", "shortened", "longer"});
+  });
+}
+
 Value series_word(const G& g) {
   switch (g.series) {
     case ModuleSeries::iso54_1: return "ISO54-I";
@@ -55,14 +94,13 @@ void add_candidate(Quantities<G>& q) {
       .always()
       .doors(kJson);
   q.term("tip_diameter_mm",
-         "the measured value if it is greater than the value computed from the profile shift, "
-         "otherwise the computed value, because a worn tip is smaller",
+         "the measured value if it is longer than the nominal tip of `drawing`, or shorter by more "
+         "than 0.1 m_n; otherwise the nominal tip, because a worn tip is shorter",
          &G::tip_diameter)
       .always();
   q.number("profile_shift_of_tip", "profile shift by the tip", "x",
-           "profile shift computed from the measured tip; null if the tip was not measured. A "
-           "value greater than x_E is the profile shift on the drawing, or less if the tip is "
-           "worn, and the difference to x_E is the thickness allowance",
+           "profile shift computed from the measured tip and the rack of `drawing`, less if the "
+           "tip is worn; null if the tip was not measured",
            &G::shift_of_tip);
   q.number("likelihood", "likelihood", "",
            "probability of the candidate; the sum over all candidates is 100 %", &G::likelihood)
@@ -70,6 +108,10 @@ void add_candidate(Quantities<G>& q) {
       .always()
       .digits(2)
       .greater_first();
+  q.flag("plausible", "plausible", "false if |x_E| > 1.5, which gears do not have", &G::plausible);
+  q.record<drawing_quantities>("drawing", "the values with which a drawing describes the gear",
+                               std::identity{})
+      .always();
   q.record<uncertainty_quantities>("uncertainty", "half widths of the 95 % intervals of the values",
                                    std::identity{})
       .always();
@@ -91,7 +133,7 @@ const Quantities<Contradiction>& contradiction_quantities() {
     q.word("reading", "contradictory reading", "the reading that contradicts all others",
            &C::reading)
         .always()
-        .one_of({"span", "over_balls", "lead", "helix_angle"});
+        .one_of({"span", "over_balls", "lead", "helix_angle", "tip_diameter", "root_diameter"});
     q.term("tool", "number of teeth of a span or diameter of the balls; null for other readings",
            [](const C& c) { return c.tool > 0.0 ? Value(c.tool) : Value(); });
     q.number("value", "value as read", "", "in `unit`", &C::value).always();
@@ -121,6 +163,20 @@ const Quantities<NextMeasurement>& next_quantities() {
   });
 }
 
+const Quantities<Alternative>& alternative_quantities() {
+  using A = Alternative;
+  return define("identify.alternative", [](Quantities<A>& q) {
+    q.word("mistake", "mistake",
+           "`teeth` if the number of teeth is wrong, otherwise the readings that are in the other "
+           "unit of mm and inch",
+           &A::mistake)
+        .always()
+        .one_of({"teeth", "all", "span", "over_balls", "tip_diameter", "root_diameter",
+                 "center_distance"});
+    q.record<identified_gear_quantities>("gear", "the gear", &A::gear).always();
+  });
+}
+
 }  // namespace
 
 const Quantities<IdentifiedGear>& identified_gear_quantities() {
@@ -146,6 +202,13 @@ const Quantities<Identification>& identify_quantities() {
                               "measurement that distinguishes the candidates best; null if only "
                               "one candidate is left or no measurement distinguishes them",
                               &I::next);
+    q.under("Alternative");
+    q.record<alternative_quantities>(
+        "alternative",
+        "a gear that agrees with all readings if one input is corrected; null if the readings "
+        "agree "
+        "with a standard gear, or if no single correction makes them agree",
+        &I::alternative);
     q.text("reason",
            "reason why no candidate fits the readings; null if at least one candidate fits",
            [](const I& i) { return i.reason.empty() ? Value() : Value(i.reason); });

@@ -209,16 +209,11 @@ std::vector<IdentifiedGear> candidates_of(const IdentifyProblem& p,
     const double likelihood = std::exp(f.log_worth - top) / sum;
     if (likelihood < kNothing || static_cast<int>(list.size()) == kMostCandidates) break;
     const GearNumbers& g = f.fit.gear;
-    const double side = side_of(p.teeth);
-    const double d = std::abs(g.teeth) * g.module / std::cos(g.beta);
-    const double nominal = d + side * 2 * g.module * (1 + g.shift);
-    std::optional<double> of_tip;
-    if (p.tip.value) of_tip = side * (*p.tip.value - d) / (2 * g.module) - 1;
-    const bool longer = p.tip.value && side * (*p.tip.value - nominal) > 0.0;
-    list.push_back({p.teeth, g.module, f.rack.series, f.rack.diametral_pitch,
-                    Angle::radians(g.alpha), Angle::radians(signed_helix(p, g.beta)), g.shift,
-                    longer ? *p.tip.value : nominal, of_tip, likelihood, f.fit.misfit,
-                    kSigmas * f.fit.sigma_module, kSigmas * f.fit.sigma_shift,
+    const double shift_uncertainty = kSigmas * f.fit.sigma_shift;
+    list.push_back({drawn_gear(p, g, f.rack.series, shift_uncertainty), p.teeth, g.module,
+                    f.rack.series, f.rack.diametral_pitch, Angle::radians(g.alpha),
+                    Angle::radians(signed_helix(p, g.beta)), g.shift, likelihood, f.fit.misfit,
+                    kSigmas * f.fit.sigma_module, shift_uncertainty,
                     Angle::radians(kSigmas * f.fit.sigma_helix)});
   }
   return list;
@@ -265,23 +260,14 @@ std::optional<Contradiction> contradiction(const IdentifyProblem& p,
 
 }  // namespace
 
-Result<Identification> identify(const IdentifyProblem& problem) {
-  if (problem.teeth == 0 || std::abs(problem.teeth) < 3)
-    return refused("teeth", problem.teeth,
-                   "must be at least 3, or at most -3 for an internal gear; count the teeth");
+Identification detail::identify_readings(const IdentifyProblem& problem, LeaveOut leave_out) {
   const std::vector<Observation> readings = observations(problem);
-  const bool sized = std::any_of(readings.begin(), readings.end(), [](const Observation& o) {
-    return o.kind != Observation::Kind::lead && o.kind != Observation::Kind::helix;
-  });
-  if (!sized)
-    return Error{"measured", "",
-                 "no reading determines the size of the gear; measure spans over two numbers of "
-                 "teeth and a dimension over balls"};
   std::vector<Found> found = Searching(problem, readings).all();
   Identification answer;
   const bool fits =
       !found.empty() && found.front().fit.misfit <= most_misfit(readings, found.front().fit);
-  if (!fits) answer.contradiction = contradiction(problem, readings, found);
+  if (!fits && leave_out == LeaveOut::one)
+    answer.contradiction = contradiction(problem, readings, found);
   found = without_doubles(found);
   if (found.empty() || (!fits && !answer.contradiction)) {
     answer.reason =

@@ -11,7 +11,8 @@
 // and a free helix angle are fitted. The evidence of a hypothesis combines the quality of the fit,
 // the fraction of the prior range that agrees with the readings, and the prior probability of such
 // gears. Readings of tip and root are only rough, because tips may be worn and roots may be cut by
-// several racks.
+// several racks. They select the basic rack of the drawing, and the tip distinguishes a profile shift
+// from a thickness allowance.
 #pragma once
 
 #include <array>
@@ -21,6 +22,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/result.hpp"
+#include "gearwright/tool/straight_rack.hpp"
 
 namespace gearwright {
 
@@ -54,11 +56,45 @@ struct IdentifyProblem {
   MaybeReading<Angle> helix;          ///< measured helix angle
   MaybeReading<double> distance;      ///< centre distance to the mating gear, mm
   std::optional<int> mating_teeth{};  ///< number of teeth of the mating gear
+  // Values of the drawing, if they are known.
+  std::optional<double> profile_shift{};        ///< x
+  std::optional<double> thickness_allowance{};  ///< E_sn  mm
+  std::optional<StraightRack> rack{};           ///< the basic rack
+  /// The factor of readings that were written in the wrong unit: 25.4 for inch instead of mm, and
+  /// 1/25.4 for mm instead of inch.
+  double other_unit = 25.4;
 };
 /// The series of standard modules to which a candidate belongs.
 enum class ModuleSeries { iso54_1, iso54_2, diametral_pitch, none };
 
-struct IdentifiedGear {
+/// A reading that disagrees with all other readings, and the value that the other readings predict.
+struct Contradiction {
+  std::string reading;  ///< "span", "over_balls", "lead", "helix_angle", "tip_diameter" or
+                        ///< "root_diameter"
+  double tool;          ///< k or D_M; 0 for other readings
+  double value;         ///< the reading, mm or degrees
+  double expected;      ///< the value predicted by the other readings
+};
+
+/// How the measured tip compares with the tip that the rack and the profile shift give.
+enum class TipReading { none, as_drawn, worn, shortened, longer };
+
+/// The values with which a drawing describes an identified gear. The teeth have the generating
+/// profile shift x_E = x + E_sn/(2 m_n tan α_n).
+struct DrawnGear {
+  std::string rack;             ///< name of the basic rack; empty if the problem gives the rack
+  double profile_shift;         ///< x
+  double thickness_allowance;   ///< E_sn  mm
+  double tip_diameter;          ///< d_a  mm, as measured if the tip is longer or much shorter than
+                                ///< the rack gives
+  double nominal_tip_diameter;  ///< mm, as the rack and the profile shift give
+  double root_diameter;         ///< d_f  mm
+  TipReading tip;
+  std::optional<double> shift_of_tip;          ///< x_a, from the measured tip and the rack
+  std::optional<Contradiction> contradiction;  ///< a tip or root that does not fit this gear
+};
+
+struct IdentifiedGear : DrawnGear {
   int teeth;
   double normal_module;  ///< m_n  mm
   ModuleSeries series;
@@ -66,23 +102,17 @@ struct IdentifiedGear {
   Angle normal_pressure_angle;            ///< α_n
   Angle helix_angle;                      ///< β, > 0 for right hand and if the hand is unknown
   double generating_shift;                ///< x_E
-  double tip_diameter;                    ///< mm, as measured or computed from the shift
-  std::optional<double> shift_of_tip;  ///< x that follows from the measured tip if it is not worn
-  double likelihood;                   ///< the sum over all hypotheses is 1
-  double misfit;                       ///< χ² of the exact readings
+  double likelihood;                      ///< the sum over all hypotheses is 1
+  double misfit;                          ///< χ² of the exact readings
   // Uncertainties, ± at 95 %; 0 for standard values.
   double module_uncertainty;  ///< mm
   double shift_uncertainty;
   Angle helix_uncertainty;
+
+  /// False if |x_E| > 1.5, which gears do not have.
+  bool plausible() const { return generating_shift >= -1.5 && generating_shift <= 1.5; }
 };
 
-/// A reading that disagrees with all other readings, and the value that the other readings predict.
-struct Contradiction {
-  std::string reading;  ///< "span", "over_balls", "lead" or "helix_angle"
-  double tool;          ///< k or D_M; 0 for other readings
-  double value;         ///< the reading, mm or degrees
-  double expected;      ///< the value predicted by the other readings
-};
 /// The measurement that distinguishes best between the first candidate and one other, the rival.
 struct NextMeasurement {
   std::string reading;           ///< "span", "over_balls" or "helix_angle"
@@ -90,12 +120,21 @@ struct NextMeasurement {
   std::array<double, 2> expect;  ///< predicted readings of the first candidate and of the rival
   int rival;                     ///< index of the rival, from 0
 };
+/// A gear that agrees with all readings if one input is corrected.
+struct Alternative {
+  std::string
+      mistake;  ///< "teeth"; or the readings in the other unit, "all", "span", "over_balls",
+                ///< "tip_diameter", "root_diameter" or "center_distance"
+  IdentifiedGear gear;
+};
 struct Identification {
   std::vector<IdentifiedGear> candidates;      ///< the likeliest first
   std::optional<Contradiction> contradiction;  ///< if present, this reading was not used
   std::optional<NextMeasurement> next;         ///< none if there is only one candidate, or if no
                                                ///< measurement distinguishes them
   std::string reason;                          ///< the reason if there is no candidate
+  std::optional<Alternative> alternative{};    ///< if the readings do not agree with the first
+                                               ///< candidate, or if it is not standard or plausible
 };
 /// Greatest number of candidates in a result.
 inline constexpr int kMostCandidates = 8;

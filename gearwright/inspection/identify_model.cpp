@@ -22,7 +22,6 @@ constexpr double kSigmas = 1.96;  // standard deviations for 95 %
 // Usual uncertainties of readings at 95 %.
 constexpr double kLeadUncertainty = 0.02;  // relative, of a lead measured by rolling over paper
 constexpr double kHelixUncertainty = 0.5;  // degrees, of a helix angle
-constexpr double kLength = 0.02;           // mm, of a measured tip, root or centre distance
 // Standard deviations of rough readings, in modules.
 constexpr double kTipScatter = 0.15;  // due to wear, tip shortening and x − x_E
 constexpr double kRootScatter = 0.04;

@@ -42,6 +42,9 @@ std::optional<double> reading_of(const GearNumbers& gear, const Observation& o);
 /// is due to wear and different racks.
 std::optional<double> residual(const GearNumbers& gear, const Observation& o);
 
+constexpr double kLength =
+    0.02;  ///< mm, usual uncertainty of a measured tip, root or centre distance
+
 // Fits the unknowns of one hypothesis by least squares: the profile shift, and also helix angle and
 // module if they are free. Its evidence is the probability of the readings if the hypothesis is
 // true, times the prior probability of the fitted values.
@@ -74,6 +77,17 @@ struct StandardRack {
 
 /// Modules of ISO 54 and diametral pitches, each with the usual pressure angles.
 const std::vector<StandardRack>& standard_racks();
+/// The values of the drawing of a fitted gear [T10.34]. `shift_uncertainty` is the uncertainty of x_E.
+DrawnGear drawn_gear(const IdentifyProblem& problem, const GearNumbers& gear, ModuleSeries series,
+                     double shift_uncertainty);
+
+/// The readings that are left out if no gear agrees with all of them.
+enum class LeaveOut { none, one };
+
+/// The candidates for a problem whose readings determine the size of the gear. All readings of tip and
+/// root are used, and there is no alternative.
+Identification identify_readings(const IdentifyProblem& problem, LeaveOut leave_out);
+
 /// The measurement that distinguishes best between the likeliest gear and another one. None if only one
 /// gear is left, or if no measurement distinguishes between the gears.
 std::optional<NextMeasurement> next_measurement(const IdentifyProblem& problem,

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/identify_quantities.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -14,7 +15,20 @@ namespace gearwright {
 
 namespace {
 
-// The spec with the computed data of a gear instead of its readings.
+// True if another key of the spec determines the thickness of the teeth, so that a thickness
+// allowance would contradict it.
+bool gives_thickness(const Json& tree, const Json& gear) {
+  const auto has = [](const Json& table, std::initializer_list<const char*> keys) {
+    return std::any_of(keys.begin(), keys.end(),
+                       [&](const char* key) { return table.contains(key); });
+  };
+  const Json pair = tree.value("pair", Json::object());
+  const Json tolerance = gear.value("tolerance", Json::object());
+  return has(pair, {"backlash_mm", "backlash_circumferential_mm", "backlash_deg"}) ||
+         has(tolerance, {"thickness_series", "span_mm", "over_balls_mm"});
+}
+
+// The spec with the computed data of a gear instead of its readings. Other keys are kept.
 Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   Json tree = spec.tree->tables;
   Json& gear = tree[gear_field(which)];
@@ -26,8 +40,13 @@ Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   }
   gear["normal_pressure_angle_deg"] = found.normal_pressure_angle.deg();
   gear["helix_angle_deg"] = found.helix_angle.deg();
-  gear["profile_shift"] = found.generating_shift;
-  gear["tip_diameter_mm"] = found.tip_diameter;
+  gear["profile_shift"] = found.profile_shift;
+  if (found.thickness_allowance != 0.0 && !gear.contains("thickness_allowance_mm") &&
+      !gives_thickness(tree, gear))
+    gear["thickness_allowance_mm"] = found.thickness_allowance;
+  // ISO53-A is the rack by default.
+  if (!found.rack.empty() && found.rack != "ISO53-A") gear["rack"] = found.rack;
+  if (!gear.contains("tip_diameter_mm")) gear["tip_diameter_mm"] = found.tip_diameter;
   return tree;
 }
 
@@ -36,6 +55,8 @@ std::string tool_text(const std::string& reading, double tool) {
   if (reading == "span") return fmt::format("span over {:.0f} teeth", tool);
   if (reading == "over_balls")
     return fmt::format("dimension over balls of {} mm", format_number(tool));
+  if (reading == "tip_diameter") return "tip diameter";
+  if (reading == "root_diameter") return "root diameter";
   return reading == "lead" ? "lead" : "helix angle";
 }
 
@@ -52,21 +73,88 @@ std::string module_text(const IdentifiedGear& g) {
                                         : fmt::format("{:g}", g.normal_module);
 }
 
-// The facts about a candidate that the readings do not determine.
-std::vector<std::string> open_facts(const IdentifyProblem& problem, const IdentifiedGear& g) {
+// The sentence about a measured tip that differs from the tip of the rack; empty if it agrees.
+std::string tip_fact(const IdentifiedGear& g, double measured) {
+  const std::string nominal = fmt::format("{:.3f} mm", g.nominal_tip_diameter);
+  switch (g.tip) {
+    case TipReading::none:
+    case TipReading::as_drawn: return "";
+    case TipReading::worn:
+      return fmt::format("The tip is worn, because it measures {:.3f} mm instead of {}.", measured,
+                         nominal);
+    case TipReading::shortened:
+      return fmt::format(
+          "The tip is shortened or badly worn, because it measures {:.3f} mm instead "
+          "of {}; the spec has the measured tip diameter.",
+          measured, nominal);
+    case TipReading::longer:
+      return fmt::format(
+          "The tip is longer than the rack gives, because it measures {:.3f} mm "
+          "instead of {}; the spec has the measured tip diameter.",
+          measured, nominal);
+  }
+  return "";
+}
+
+// The facts about a candidate that the readings do not determine, and how `spec`, the table of the
+// gear, describes it.
+std::vector<std::string> open_facts(const IdentifyProblem& problem, const IdentifiedGear& g,
+                                    const Json& spec) {
   std::vector<std::string> facts;
+  if (!g.plausible())
+    facts.push_back(
+        fmt::format("The profile shift x_E = {:.4f} is implausible; check the number of "
+                    "teeth, the readings and their units.",
+                    g.generating_shift));
   if (g.helix_angle.rad() != 0.0 && !problem.helix_angle && !problem.lead.value &&
       !problem.helix.value)
     facts.push_back("The readings do not determine the hand of the helix; right hand is assumed.");
-  const double apart = g.shift_of_tip ? g.generating_shift - *g.shift_of_tip : 0.0;
-  if (problem.teeth > 0 && std::abs(apart) > g.shift_uncertainty) {
-    const double allowance = 2 * g.normal_module * std::tan(g.normal_pressure_angle.rad()) * apart;
+  if (g.thickness_allowance != 0.0 && !spec.contains("thickness_allowance_mm")) {
     facts.push_back(
-        fmt::format("If the tip is neither worn nor shortened, x = {:.4f} and the thickness "
-                    "allowance is {:.3f} mm.",
-                    *g.shift_of_tip, allowance));
+        fmt::format("The spec has x = {:.4f}, and its backlash or tolerance determines the "
+                    "thickness allowance, which is {:.4f} mm by the readings.",
+                    g.profile_shift, g.thickness_allowance));
+  } else if (g.thickness_allowance != 0.0) {
+    const char* const why =
+        problem.profile_shift || problem.thickness_allowance ? "as the spec gives"
+        : g.shift_of_tip && g.tip == TipReading::as_drawn    ? "because the tip agrees with this x"
+        : problem.tip.value
+            ? "because such an allowance is more usual than this x_E"
+            : "because such an allowance is more usual than this x_E; the tip diameter would "
+              "confirm it";
+    facts.push_back(
+        fmt::format("The spec describes x_E = {:.4f} by x = {:.4f} and the thickness allowance "
+                    "{:.4f} mm, {}.",
+                    g.generating_shift, g.profile_shift, g.thickness_allowance, why));
+  }
+  if (!g.rack.empty() && g.rack != "ISO53-A")
+    facts.push_back(fmt::format("The basic rack is {}.", g.rack));
+  if (problem.tip.value) {
+    std::string fact = tip_fact(g, *problem.tip.value);
+    if (!fact.empty()) facts.push_back(std::move(fact));
   }
   return facts;
+}
+
+// The sentence about a mistake that explains the readings.
+std::string alternative_text(const Alternative& a, UnitSystem units) {
+  const IdentifiedGear& g = a.gear;
+  const std::string gear =
+      fmt::format("{} {}, α_n = {:g}°, β = {:g}° and x = {:.4f}",
+                  g.diametral_pitch ? "with" : "with the module", module_text(g),
+                  g.normal_pressure_angle.deg(), g.helix_angle.deg(), g.profile_shift);
+  if (a.mistake == "teeth")
+    return fmt::format("Count the teeth again: all readings agree with a gear of {} teeth {}.",
+                       g.teeth, gear);
+  const char* const other = units == UnitSystem::inch ? "mm" : "inch";
+  const std::string group = a.mistake == "all"               ? "all lengths are"
+                            : a.mistake == "span"            ? "the spans are"
+                            : a.mistake == "over_balls"      ? "the dimensions over balls are"
+                            : a.mistake == "center_distance" ? "the centre distance is"
+                            : a.mistake == "root_diameter"   ? "the root diameter is"
+                                                             : "the tip diameter is";
+  return fmt::format("Check the units: if {} in {}, all readings agree with a gear of {} teeth {}.",
+                     group, other, g.teeth, gear);
 }
 
 }  // namespace
@@ -79,14 +167,16 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
         "gear1.measured",
         "; the verb identify needs the number of teeth of the unknown gear in [gear1], and "
         "readings such as spans, dimensions over balls and diameters in [gear1.measured]");
-  auto found = identify(*problem);
+  IdentifyProblem in_unit = *problem;
+  if (spec.units() == UnitSystem::inch) in_unit.other_unit = 1 / kMmPerInch;
+  auto found = identify(in_unit);
   if (!found) return of_gear(which, found.error());
   IdentifyAnswer answer{which, std::move(found).take(), {}, {}};
   for (const IdentifiedGear& g : answer.found.candidates) {
     answer.specs.push_back(spec_of(spec, which, g));
     answer.notes.push_back({fmt::format("Candidate {} of the readings, likelihood {:.2f} %.",
                                         answer.notes.size() + 1, 100 * g.likelihood)});
-    for (std::string& fact : open_facts(*problem, g))
+    for (std::string& fact : open_facts(*problem, g, answer.specs.back()[gear_field(which)]))
       answer.notes.back().push_back(std::move(fact));
   }
   return answer;
@@ -109,6 +199,7 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
                                        unit, format_number(c->expected, c->value), unit)));
   }
   if (!found.reason.empty()) text += "\n" + sentence_in(units, capitalised(found.reason)) + ".\n";
+  if (found.alternative) text += "\n" + alternative_text(*found.alternative, units) + "\n";
   if (found.candidates.empty()) return text;
   text += fmt::format("\n  {:>9}  {:>10}  {:>12}  {:>5}  {:>19}  {:>17}  {:>10}\n", "candidate",
                       "likelihood", "module", "α_n", "helix angle", "x_E", "tip");

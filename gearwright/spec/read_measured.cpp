@@ -55,6 +55,37 @@ void add_mating_gear(const Json& tree, int mate, Json& readings) {
   readings["mating_teeth"] = mating.cylindrical.teeth;
 }
 
+// Reads the keys of an unknown gear that identify() does not find. They are checked here, and the spec
+// of a candidate keeps them. A profile shift, a thickness allowance and a rack are known values of the
+// drawing.
+void read_kept_keys(const Json& gear, const std::string& path, IdentifyProblem& p) {
+  TableReader t(gear_keys(), gear, path);
+  t.refuse_unknown();
+  for (const char* key :
+       {"transverse_pressure_angle_deg", "lead_angle_deg", "hand", "profile_shift_pair", "form"})
+    t.refuse(key,
+             "does not apply to an unknown gear; if they are known, give the angles as "
+             "normal_pressure_angle_deg and helix_angle_deg");
+  if (gear.contains("rack")) {
+    p.rack = read_straight_rack(t);
+    const auto given = p.normal_pressure_angle ? std::optional(p.normal_pressure_angle->deg())
+                                               : std::optional<double>();
+    if (const auto alpha = rack_angle(t, given)) p.normal_pressure_angle = Angle::degrees(*alpha);
+  }
+  GearInput kept;
+  for (const Key& key : gear_keys().keys) {
+    const std::string name(key.key);
+    if (key.place && gear.contains(name) && !unknown_gear_keys().find(name)) t.read(key, kept);
+  }
+  p.profile_shift = t.number("profile_shift");
+  if (gear.contains("thickness_allowance_mm"))
+    p.thickness_allowance = kept.cylindrical.thickness_allowance;
+  if (p.profile_shift && p.thickness_allowance)
+    t.fail("thickness_allowance_mm",
+           "cannot be combined with profile_shift for an unknown gear, because the readings then "
+           "determine one of them; leave one of them out");
+}
+
 }  // namespace
 
 bool has_module(const Json& gear) {
@@ -76,8 +107,7 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which
     throw SpecError{
         {path + ".measured", shown(readings), "must be a table, [" + path + ".measured]"}};
   IdentifyProblem p;
-  // For a known gear, only the keys that an unknown gear may have are read here, without a check of
-  // its other keys.
+  // The keys that identify() needs. The other keys of a known gear are not checked here.
   const bool unknown = is_unknown_gear(gear);
   Json known = Json::object();
   for (const Key& key : unknown_gear_keys().keys) {
@@ -85,7 +115,7 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which
     if (gear.contains(name)) known[name] = gear[name];
   }
   if (unknown) add_mating_gear(tree, 3 - which, readings);
-  TableReader outside(unknown_gear_keys(), unknown ? gear : known, path);
+  TableReader outside(unknown_gear_keys(), known, path);
   GearInput like;
   outside.read(like);
   p.teeth = like.cylindrical.teeth;
@@ -94,6 +124,7 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which
   if (const auto beta = outside.number("helix_angle_deg")) p.helix_angle = Angle::degrees(*beta);
   for (const char* key : {"normal_module_mm", "normal_diametral_pitch_per_in"}) outside.number(key);
   outside.table("measured");
+  if (unknown) read_kept_keys(gear, path, p);
   outside.finish();
   TableReader t(measured_keys(), readings, path + ".measured");
   read_spans(t, p);

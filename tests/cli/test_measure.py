@@ -14,6 +14,19 @@ normal_module_mm = 2
 face_width_mm = 20
 """
 BROKEN = (SOURCE / "examples/broken_gear.toml").read_text()
+THINNED = """
+units = "inch"
+[gear1]
+teeth = 32
+helix_angle_deg = 0
+[gear1.measured]
+span_in = { 4 = 0.4475, 5 = 0.5703 }
+tip_diameter_in = 1.416
+[gear2]
+teeth = 64
+[pair]
+center_distance_in = 2.0
+"""
 
 
 def with_tools(lines, gear=GEAR):
@@ -212,6 +225,68 @@ class Measuring(Asked):
         self.assertEqual((said["reading"], said["tool"]), ("span", 4))
         self.assertAlmostEqual(said["expected"], 27.131, 2)
         self.assertIn("contradicts", Run("identify", wrong).out)
+
+    def test_an_identified_gear_has_an_allowance_instead_of_a_shift(self):
+        taken = Run("identify", THINNED, "--take", 1)
+        spec = tomllib.loads(taken.out)
+        self.assertEqual(spec["gear1"]["profile_shift"], 0)
+        self.assertAlmostEqual(spec["gear1"]["thickness_allowance_in"], -0.0017, delta=0.0006)  # ± of the spans
+        self.assertEqual(spec["gear1"]["rack"], "AGMA-20")
+        pair = Run("pair", taken.out, "--json").json
+        self.assertEqual(pair["gears"][1]["profile_shift"], 0)  # the mating gear is standard
+        self.assertGreater(pair["pair"]["backlash"]["normal_in"], 0.001)
+        self.assertIn("The spec describes x_E = ", Run("identify", THINNED).out)
+        # A backlash of the pair determines the thickness.
+        wanted = THINNED.replace("center_distance_in", "backlash_in = 0.003\ncenter_distance_in")
+        spec = tomllib.loads(Run("identify", wanted, "--take", 1).out)
+        self.assertEqual(spec["gear1"]["profile_shift"], 0)
+        self.assertNotIn("thickness_allowance_in", spec["gear1"])
+
+    def test_the_rack_of_an_identified_gear(self):
+        stub = ('units = "inch"\n[gear1]\nteeth = 24\nhelix_angle_deg = 0\n[gear1.measured]\n'
+                'span_in = { 3 = 0.4800, 4 = 0.6645 }\ntip_diameter_in = 1.598\n')
+        spec = tomllib.loads(Run("identify", stub, "--take", 1).out)["gear1"]
+        self.assertEqual(spec["rack"], "AGMA-stub")
+        self.assertAlmostEqual(spec["tip_diameter_in"], 1.6, 9)
+        old = ('units = "inch"\n[gear1]\nteeth = 40\nhelix_angle_deg = 0\n[gear1.measured]\n'
+               'span_in = { 4 = 0.6768, 5 = 0.8669 }\ntip_diameter_in = 2.624\nroot_diameter_in = 2.347\n')
+        taken = Run("identify", old, "--take", 1).out
+        self.assertEqual(tomllib.loads(taken)["gear1"]["rack"], "AGMA-14.5")
+        self.assertAlmostEqual(Run("gear", taken, "--json").json["gears"][0]["root_diameter_in"], 2.347, 2)
+        wrong = Run("identify", old.replace("2.347", "2.300"))
+        self.assertIn("root diameter contradicts the other readings, because it is 2.3 in", wrong.out)
+
+    def test_mistakes_that_explain_readings(self):
+        counted = Run("identify", THINNED.replace("teeth = 32", "teeth = 31"))
+        self.assertIn("tip diameter contradicts", counted.out)
+        self.assertIn("all readings agree with a gear of 32 teeth with DP 24", counted.out)
+        mixed = Run("identify", THINNED.replace("1.416", "35.97"))
+        self.assertIn("if the tip diameter is in mm", mixed.out)
+        self.assertIn("implausible", mixed.out)
+        in_mm = THINNED.replace("0.4475", "11.3665").replace("0.5703", "14.4856").replace("1.416", "35.97")
+        in_mm = in_mm.split("[gear2]")[0]
+        self.assertIn("if all lengths are in mm", Run("identify", in_mm).out)
+        found = Run("identify", in_mm, "--json").json["identify"]["alternative"]
+        self.assertEqual((found["mistake"], found["gear"]["normal_diametral_pitch_per_in"]), ("all", 24))
+        self.assertIsNone(Run("identify", THINNED, "--json").json["identify"]["alternative"])
+
+    def test_an_unknown_gear_keeps_its_other_keys(self):
+        more = BROKEN.replace("teeth = 23\n", 'teeth = 23\nmaterial = "16MnCr5"\nquality = 7\n')
+        more += "[gear1.bore]\ndiameter_mm = 20\n"
+        spec = tomllib.loads(Run("identify", more, "--take", 1).out)
+        self.assertEqual(spec["gear1"]["bore"], {"diameter_mm": 20})
+        self.assertEqual(spec["gear1"]["quality"], 7)
+        self.assertIn("material", spec["gear1"])
+        self.assertEqual(Run("gear", Run("identify", more, "--take", 1).out).status, 0)
+        self.refused(more.replace("diameter_mm = 20", "diameter_mm = -20"), "gear1.bore.diameter_mm", "greater than 0", verb="identify")
+        known = BROKEN.replace("teeth = 23\n", "teeth = 23\nthickness_allowance_mm = -0.05\n")
+        spec = tomllib.loads(Run("identify", known, "--take", 1).out)["gear1"]
+        self.assertEqual(spec["thickness_allowance_mm"], -0.05)
+        self.assertAlmostEqual(spec["profile_shift"], 0.2170 + 0.05 / (5 * math.tan(math.radians(20))), 3)
+        rack = BROKEN.replace("teeth = 23\n", 'teeth = 23\nrack = "ISO53-D"\n')
+        self.assertEqual(tomllib.loads(Run("identify", rack, "--take", 1).out)["gear1"]["rack"], "ISO53-D")
+        for key, line in (("lead_angle_deg", "lead_angle_deg = 72"), ("transverse_pressure_angle_deg", "transverse_pressure_angle_deg = 20")):
+            self.refused(BROKEN.replace("teeth = 23\n", f"teeth = 23\n{line}\n"), "gear1." + key, "unknown gear", verb="identify")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,143 @@
+// Computes what an identification of a gear shows about its inputs: a tip or a root that contradicts
+// the flanks, an implausible gear, and a mistake in the number of teeth or in the unit of a reading
+// that explains it.
+//                                              theory: docs/theory/10-inspection.md
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "gearwright/inspection/identify_model.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Names of groups of readings that a user may have written in one unit.
+constexpr std::array<std::string_view, 6> kGroups{
+    "all", "span", "over_balls", "tip_diameter", "root_diameter", "center_distance"};
+
+// True if the problem has readings of this group and readings of another group, or if the group is
+// all lengths.
+bool has_group(const IdentifyProblem& p, std::string_view group) {
+  if (group == "all") return true;
+  const std::array present{!p.spans.empty(), !p.balls.empty(), p.tip.value.has_value(),
+                           p.root.value.has_value(), p.distance.value.has_value()};
+  int others = 0;
+  bool own = false;
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    if (kGroups[i + 1] == group) {
+      own = present[i];
+    } else {
+      others += present[i];
+    }
+  }
+  return own && others > 0;
+}
+
+// The problem with the readings of a group multiplied by a factor.
+IdentifyProblem scaled(IdentifyProblem p, std::string_view group, double factor) {
+  const auto is = [&](std::string_view name) { return group == "all" || group == name; };
+  const auto scale = [&](std::optional<double>& value) {
+    if (value) *value *= factor;
+  };
+  if (is("span"))
+    for (SpanReading& s : p.spans) s.value *= factor;
+  if (is("over_balls")) {
+    for (DiameterReading& b : p.balls) {
+      b.value *= factor;
+      b.tool *= factor;
+    }
+  }
+  if (is("tip_diameter")) scale(p.tip.value);
+  if (is("root_diameter")) scale(p.root.value);
+  if (is("center_distance")) scale(p.distance.value);
+  if (group == "all") scale(p.lead.value);
+  return p;
+}
+
+// The identification, without the tip or the root if it contradicts the flanks of the likeliest gear.
+Identification without_contradiction(const IdentifyProblem& problem) {
+  Identification answer = detail::identify_readings(problem, detail::LeaveOut::one);
+  if (answer.contradiction || !answer.reason.empty() || answer.candidates.empty()) return answer;
+  const auto contradiction = answer.candidates.front().contradiction;
+  if (!contradiction) return answer;
+  IdentifyProblem others = problem;
+  (contradiction->reading == "tip_diameter" ? others.tip : others.root).value.reset();
+  answer = detail::identify_readings(others, detail::LeaveOut::one);
+  // The other readings are also compared with the gear that they give.
+  auto expected = contradiction;
+  if (!answer.candidates.empty()) {
+    const IdentifiedGear& gear = answer.candidates.front();
+    expected->expected =
+        contradiction->reading == "tip_diameter" ? gear.nominal_tip_diameter : gear.root_diameter;
+  }
+  answer.contradiction = std::move(expected);
+  return answer;
+}
+
+bool sound(const Identification& found) {
+  return found.reason.empty() && !found.contradiction && !found.candidates.empty() &&
+         found.candidates.front().series != ModuleSeries::none &&
+         found.candidates.front().plausible();
+}
+
+// Greatest allowance, in modules, of a gear that explains the readings by a mistake.
+constexpr double kUsualAllowanceOfMistake = 0.1;
+
+// True if tip and thickness of the gear agree so well that a mistake explains the readings.
+bool agrees_well(const IdentifiedGear& g) {
+  return g.thickness_allowance >= -kUsualAllowanceOfMistake * g.normal_module &&
+         g.tip != TipReading::longer && g.tip != TipReading::shortened;
+}
+
+// A gear that agrees with all readings if one mistake is corrected, none if there is no such gear.
+std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
+  const auto found = [](const IdentifyProblem& p) -> std::optional<IdentifiedGear> {
+    const Identification answer = detail::identify_readings(p, detail::LeaveOut::none);
+    if (!sound(answer) || answer.candidates.front().contradiction ||
+        !agrees_well(answer.candidates.front()))
+      return std::nullopt;
+    return answer.candidates.front();
+  };
+  for (const std::string_view group : kGroups) {
+    if (!has_group(problem, group)) continue;
+    if (const auto gear = found(scaled(problem, group, problem.other_unit)))
+      return Alternative{std::string(group), *gear};
+  }
+  // Without a tip or a root, nearly the same gear has another number of teeth.
+  if (!problem.tip.value && !problem.root.value) return std::nullopt;
+  for (const int off : {1, 2}) {
+    std::optional<Alternative> best;
+    for (const int step : {-off, off}) {
+      IdentifyProblem other = problem;
+      other.teeth += step;
+      if (std::abs(other.teeth) < 3) continue;
+      const auto gear = found(other);
+      if (gear && (!best || std::abs(gear->profile_shift) < std::abs(best->gear.profile_shift)))
+        best = Alternative{"teeth", *gear};
+    }
+    if (best) return best;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Identification> identify(const IdentifyProblem& problem) {
+  if (problem.teeth == 0 || std::abs(problem.teeth) < 3)
+    return refused("teeth", problem.teeth,
+                   "must be at least 3, or at most -3 for an internal gear; count the teeth");
+  if (problem.spans.empty() && problem.balls.empty() && !problem.tip.value && !problem.root.value &&
+      !(problem.distance.value && problem.mating_teeth))
+    return Error{"measured", "",
+                 "no reading determines the size of the gear; measure spans over two numbers of "
+                 "teeth and a dimension over balls"};
+  Identification answer = without_contradiction(problem);
+  if (!sound(answer)) answer.alternative = alternative_of(problem);
+  return answer;
+}
+
+}  // namespace gearwright
