@@ -59,6 +59,10 @@ const Quantities<IndexEstimates>& index_quantities() {
     list("total", "total index", "S_T", true, false);
     list("first_error", "standard error of the first-order index", "", false, true);
     list("total_error", "standard error of the total index", "", true, true);
+    q.number("linear_share", "linear share of the variance", "Var(g·x)/Var f",
+             "share of the variance that the derivatives at the pair as drawn explain [T14.28]; "
+             "null if the quantity has no derivative there",
+             &I::linear_share);
   });
 }
 

@@ -232,6 +232,12 @@ std::string index_listing(const ScatterAnswer& a, UnitSystem units) {
                          text(first.value), text(first.standard_error), text(total.value),
                          text(total.standard_error));
     }
+    const auto& linear = indices->linear_share;
+    out += linear
+               ? fmt::format(
+                     "  The derivatives at the pair as drawn explain {:.2f} % of the variance.\n",
+                     100 * *linear)
+               : "  The quantity has no derivative at the pair as drawn.\n";
   }
   return out;
 }

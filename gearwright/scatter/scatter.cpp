@@ -6,6 +6,7 @@
 
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/scatter/linear_share.hpp"
 #include "gearwright/scatter/loaded_family.hpp"
 #include "gearwright/scatter/loosening.hpp"
 #include "gearwright/scatter/sample_points.hpp"
@@ -147,8 +148,11 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
         return mixed(task, group, points.at(r, n), points.of_other_half(r, n));
       }));
     }
-    for (std::size_t q = 0; q < kScatterQuantities; ++q)
+    const auto linear = linear_shares(setup, task, s.samples);
+    for (std::size_t q = 0; q < kScatterQuantities; ++q) {
       s.indices[q] = indices_of(task, s.samples, other, mixed_samples, q);
+      if (s.indices[q]) s.indices[q]->linear_share = linear[q];
+    }
   }
   if (task.worst_case) {
     s.worst_peak_to_peak = worst_member(setup, task, s.samples, ScatterQuantity::peak_to_peak);

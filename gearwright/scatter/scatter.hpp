@@ -94,6 +94,8 @@ struct LoadedSpread {
 /// The first-order and total Sobol indices of each group.
 struct IndexEstimates {
   std::vector<Estimate> first, total;
+  /// The share of the variance that the derivatives at the pair as drawn explain; none without them.
+  std::optional<double> linear_share{};
 };
 
 /// The worst member found by a search of the box.
