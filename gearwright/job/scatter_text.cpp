@@ -251,6 +251,10 @@ std::string worst_listing(const ScatterView& view, UnitSystem units) {
                        fixed_decimals(entry.shown(worst->worst->value), entry.digits),
                        unit_text(entry.unit),
                        worst->worst->corner ? ", at a corner of the ranges" : "");
+    if (worst->worst->bound)
+      out += fmt::format("  {:<38}{:>12} {}\n", "    no pair has less than",
+                         fixed_decimals(entry.shown(*worst->worst->bound), entry.digits),
+                         unit_text(entry.unit));
     for (const auto& [name, value] : worst->at) {
       const ValueList* list = value.list();
       const auto number = [&, unit = unit_of(name)](const Value& v) {

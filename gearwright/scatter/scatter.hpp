@@ -103,6 +103,8 @@ struct WorstMember {
   double value;           ///< peak to peak or least play of this member, rad
   std::vector<double> x;  ///< coordinates of this member, in the users' units
   bool corner;            ///< true if every coordinate is at an end of its range
+  /// A value below which no member lies, rad; for the least play only, as least_play_bound().
+  std::optional<double> bound;
 };
 
 /// Effect of each tolerance: the highest percentile of the peak to peak TE if one tolerance becomes
