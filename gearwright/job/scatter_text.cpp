@@ -152,11 +152,11 @@ std::string spread_head(const ScatterTask& task) {
   return out + "\n";
 }
 
-std::string spread_rows(const SpreadEntry& entry, const Spread& spread) {
+std::string spread_rows(UnitSystem units, const SpreadEntry& entry, const Spread& spread) {
   const auto text = [&](double value) {
-    return fmt::format("{:>12}", fixed_decimals(entry.shown(value), entry.digits));
+    return fmt::format("{:>12}", text_in(units, entry.unit, entry.shown(value), entry.digits));
   };
-  const std::string unit(unit_text(entry.unit));
+  const std::string unit(unit_text(units, entry.unit));
   std::string out = fmt::format("  {:<38}{}{}", entry.words + (unit.empty() ? "" : "  " + unit),
                                 text(spread.mean.value), text(spread.standard_deviation.value));
   for (const Percentile& p : spread.percentiles) out += text(p.estimate.value);
@@ -169,13 +169,13 @@ std::string spread_rows(const SpreadEntry& entry, const Spread& spread) {
   return out + "\n";
 }
 
-std::string spread_listing(const ScatterAnswer& a) {
+std::string spread_listing(const ScatterAnswer& a, UnitSystem units) {
   std::string out = head(fmt::format("Distribution over {} samples, {} replicates of {}",
                                      a.scatter.samples.size(), a.task.replicates, a.task.samples));
   out += spread_head(a.task);
   for (const ScatterEntry& entry : scatter_entries())
     if (const auto& spread = a.scatter.spread[static_cast<std::size_t>(entry.quantity)])
-      out += spread_rows(entry, *spread);
+      out += spread_rows(units, entry, *spread);
   return out;
 }
 
@@ -187,7 +187,7 @@ std::string share_row(const char* words, const Probability& p) {
   return fmt::format("  {:<38}{} ({} of {})\n", words, share, p.count, p.of);
 }
 
-std::string loaded_listing(const ScatterAnswer& a) {
+std::string loaded_listing(const ScatterAnswer& a, UnitSystem units) {
   std::string out;
   for (const LoadedSpread& loaded : a.scatter.loaded) {
     out += head(fmt::format("Under {} N m: {} samples, {} positions per pitch",
@@ -195,7 +195,7 @@ std::string loaded_listing(const ScatterAnswer& a) {
                             a.task.load->request.positions));
     out += spread_head(a.task);
     for (const LoadedEntry& entry : loaded_entries())
-      if (const auto& spread = loaded.*entry.spread) out += spread_rows(entry, *spread);
+      if (const auto& spread = loaded.*entry.spread) out += spread_rows(units, entry, *spread);
     out += share_row("an edge carries load", loaded.edge_carries);
     if (loaded.unsolved.count > 0) out += share_row("samples without a solution", loaded.unsolved);
   }
@@ -371,9 +371,9 @@ Json scatter_json(const SolvedJob& job, const ScatterAnswer& a) {
 }
 
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
-  std::string out = title_listing(job.spec) + input_listing(a, job.spec.units()) +
-                    spread_listing(a) + probability_listing(a) + loaded_listing(a);
   const UnitSystem units = job.spec.units();
+  std::string out = title_listing(job.spec) + input_listing(a, units) + spread_listing(a, units) +
+                    probability_listing(a) + loaded_listing(a, units);
   if (a.task.indices) out += index_listing(a, units);
   if (a.task.worst_case) out += worst_listing(scatter_view(job, a), units);
   if (a.scatter.loosening) out += loosening_listing(a, units);
@@ -393,7 +393,7 @@ std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& a) {
   const std::vector<std::string> names = scatter_columns(a.task);
   std::string out = "replicate,sample";
   for (const std::string& name : names) out += "," + key_in(units, name);
-  for (const ScatterEntry& entry : scatter_entries()) out += fmt::format(",{}", entry.key);
+  for (const ScatterEntry& entry : scatter_entries()) out += "," + key_in(units, entry.key);
   out += ",contact_lost\r\n";
   const auto n = static_cast<std::size_t>(a.task.samples);
   for (std::size_t i = 0; i < a.scatter.samples.size(); ++i) {
@@ -403,7 +403,8 @@ std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& a) {
       out += "," + csv_cell(Value(sample.x[k]), units, unit_of(names[k]));
     for (const ScatterEntry& entry : scatter_entries()) {
       const double value = sample.member[entry.quantity];
-      out += "," + (std::isnan(value) ? std::string() : csv_cell(Value(entry.shown(value))));
+      out += "," + (std::isnan(value) ? std::string()
+                                      : csv_cell(Value(entry.shown(value)), units, entry.unit));
     }
     out += fmt::format(",{}\r\n", sample.member.lost);
   }
