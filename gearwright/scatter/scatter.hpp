@@ -16,6 +16,7 @@
 #include "gearwright/base/progress.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "gearwright/math/statistics.hpp"
+#include "gearwright/scatter/correlation.hpp"
 #include "gearwright/scatter/member.hpp"
 #include "gearwright/scatter/pattern_density.hpp"
 
@@ -38,7 +39,10 @@ struct LoadedFamily {
 
 struct ScatterTask {
   std::vector<ScatterTolerance> tolerances;
-  std::vector<ToleranceGroup> groups;  ///< each tolerance in one group; for `indices` only
+  /// Correlations of the scores of tolerances; check_correlations() accepts them.
+  std::vector<ToleranceCorrelation> correlations{};
+  /// Each tolerance in one group, and correlated tolerances in the same group; for `indices` only.
+  std::vector<ToleranceGroup> groups;
   MemberRequest member;
   int samples = 1024;  ///< n, a power of two
   int replicates = 8;  ///< R
