@@ -54,8 +54,6 @@ constexpr auto kRows = std::to_array<Row>({
     {"compensate.aim", "\"percentile\"",
      "is not an aim of [compensate], which uses given errors. To minimise a percentile over the "
      "tolerances of [scatter], give [scatter.robust] with percentile = 95"},
-    {"scatter.correlations", "",
-     "is not supported; only the bores can be correlated, by [scatter.bearings]"},
     {"*.herringbone", "", kTwoHalves},
     {"gear#.double_helical", "true", kTwoHalves},
     {"stage[#].gears[#].form", "\"rack\"",

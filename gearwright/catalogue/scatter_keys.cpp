@@ -115,6 +115,14 @@ const KeyTable& scatter_keys() {
                 "[\"errors.crossing_deg\", \"errors.center_distance_mm\"] }",
         .meaning = "groups of inputs, each of which `indices` treats as one input; an input "
                    "without a group is treated alone"},
+       {.key = "correlations",
+        .kind = KeyKind::table,
+        .list = KeyList{.most = kMostCorrelations},
+        .tables = {scatter_correlation_keys},
+        .meaning = "correlations of inputs, each a table `[[scatter.correlations]]` or, in a list, "
+                   "{ between = [\"errors.crossing_deg\", \"errors.intersecting_deg\"], value = "
+                   "0.5 }; inputs without a correlation are independent. The worst case does not "
+                   "depend on correlations [T14.30]"},
        Key::part("robust", scatter_robust_keys, &S::robust,
                  "corrections that minimise a percentile of the peak-to-peak transmission error")},
       check_scatter};
@@ -186,6 +194,29 @@ const KeyTable& scatter_modification_keys() {
                                   KeyRange::between(-5000, 5000), m.words));
     return t;
   }();
+  return table;
+}
+
+const KeyTable& scatter_correlation_keys() {
+  static const KeyTable table{
+      "scatter_correlations",
+      "The correlation of two inputs; the range and the distribution of each input stay the same",
+      {{.key = "between",
+        .kind = KeyKind::any,
+        .form = "a list of two inputs, for example [\"errors.crossing_deg\", "
+                "\"errors.intersecting_deg\"]",
+        .required = true,
+        .meaning =
+            "two inputs that are errors, tooth thicknesses or modifications. With `indices`, "
+            "both must be in the same group of `groups`"},
+       {.key = "value",
+        .symbol = "ρ",
+        .kind = KeyKind::number,
+        .range = KeyRange::inside(-1, 1),
+        .required = true,
+        .meaning =
+            "correlation of the scores of the inputs, which are the standard normal values "
+            "with the same probability. The rank correlation of the inputs is 6/π asin(ρ/2)"}}};
   return table;
 }
 

@@ -67,16 +67,25 @@ struct ScatterInput {
     std::vector<std::string> inputs;
   };
   std::vector<Group> groups;
+  /// [[scatter.correlations]]: two inputs, as the user wrote them, and the correlation of their
+  /// scores.
+  struct Correlation {
+    std::array<std::string, 2> between;
+    double value = 0.0;
+  };
+  std::vector<Correlation> correlations;
   std::optional<ScatterRobust> robust;
 };
 
 constexpr int kMaxScatterSamples = 1 << 19;  ///< limit for samples times replicates
+constexpr std::size_t kMostCorrelations = 1000;
 
 const KeyTable& scatter_keys();
 const KeyTable& scatter_error_keys();
 const KeyTable& scatter_bearing_keys();
 const KeyTable& scatter_gear_keys();
 const KeyTable& scatter_modification_keys();
+const KeyTable& scatter_correlation_keys();
 const KeyTable& scatter_robust_keys();
 /// The keys of a toleranced number that is given as a table.
 const KeyTable& scatter_range_keys();

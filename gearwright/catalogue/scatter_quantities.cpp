@@ -7,7 +7,6 @@ namespace gearwright {
 namespace {
 
 using V = ScatterView;
-using Q = ScatterQuantity;
 
 template <class Of>
 Value listed(const std::vector<Percentile>& all, const SpreadEntry& entry, Of of) {
@@ -59,6 +58,10 @@ const Quantities<IndexEstimates>& index_quantities() {
     list("total", "total index", "S_T", true, false);
     list("first_error", "standard error of the first-order index", "", false, true);
     list("total_error", "standard error of the total index", "", true, true);
+    q.number("linear_share", "linear share of the variance", "Var(g·x)/Var f",
+             "share of the variance that the derivatives at the pair as drawn explain [T14.28]; "
+             "null if the quantity has no derivative there",
+             &I::linear_share);
   });
 }
 
@@ -92,6 +95,13 @@ const Quantities<WorstView>& worst_quantities() {
         .always();
     q.flag("corner", "corner", "true if every input is at an end of its range",
            [](const W& w) { return w.worst->corner; });
+    q.number("bound", "bound", "",
+             "value below which no pair within the ranges lies, in the unit of its key [T14.29]; "
+             "null for the peak to peak, which is not convex, and for all but external involute "
+             "pairs on parallel axes without reliefs, topographies and waves",
+             [](const W& w) {
+               return w.worst->bound ? Value(w.entry->shown(*w.worst->bound)) : Value();
+             });
   });
 }
 
@@ -282,49 +292,6 @@ void add_all(Quantities<V>& q) {
 }
 
 }  // namespace
-
-const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
-  static const std::array<ScatterEntry, kScatterQuantities> entries{{
-      {{"peak_to_peak_arcsec", "transmission error, peak to peak", Unit::arcsec, 4,
-        "transmission error, peak to peak of the continuous curve [T14.11]"},
-       Q::peak_to_peak},
-      {{"harmonic1_arcsec", "transmission error, 1st harmonic", Unit::arcsec, 4,
-        "first harmonic of the transmission error, as in `contact`"},
-       Q::harmonic1},
-      {{"harmonic2_arcsec", "transmission error, 2nd harmonic", Unit::arcsec, 4,
-        "second harmonic of the transmission error"},
-       Q::harmonic2},
-      {{"harmonic3_arcsec", "transmission error, 3rd harmonic", Unit::arcsec, 4,
-        "third harmonic of the transmission error"},
-       Q::harmonic3},
-      {{"mean_arcsec", "transmission error, mean", Unit::arcsec, 2,
-        "mean of the transmission error, which includes the play but does not affect noise"},
-       Q::mean},
-      {{"contact_along_face", "contact along the face", Unit::none, 4,
-        "mean position of the contact along the face, −1 to 1 [T8.24]"},
-       Q::along_face},
-      {{"contact_along_profile", "contact along the profile", Unit::none, 4,
-        "mean position of the contact along the profile [T8.24]; null for involute pairs"},
-       Q::along_profile},
-      {{"edge_share", "positions with an edge in contact", Unit::none, 4,
-        "share of the positions of a pitch at which an edge touches, 0 to 1"},
-       Q::edge_share},
-      {{"least_play_deg", "least play of gear 2", Unit::deg, 5,
-        "least play of gear 2 from contact on one flank to contact on the other flank; < 0 if the "
-        "gears jam"},
-       Q::least_play},
-      {{"long_period_arcsec", "transmission error until the same teeth mesh again", Unit::arcsec, 3,
-        "transmission error over all pairs of teeth, peak to peak over the positions [T14.22]; "
-        "null for double-helical gears and without accuracy grades"},
-       Q::long_period},
-  }};
-  return entries;
-}
-
-double SpreadEntry::shown(double value) const {
-  const Angle angle = Angle::radians(value);
-  return unit == Unit::arcsec ? angle.arcsec() : unit == Unit::deg ? angle.deg() : value;
-}
 
 const Quantities<ScatterView>& scatter_quantities() { return define<add_all>("scatter"); }
 

@@ -38,8 +38,9 @@ constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
                                                    "diametral_pitches_per_in",
                                                    "diametral_pitches_per_mm"};
 
-// Numbers of a toleranced length, { range = [-1, 1], cpk = 1.33 }, that are not lengths.
-constexpr std::array<std::string_view, 2> kPureNumbers{"cpk", "shape"};
+// Numbers of a toleranced length, { range = [-1, 1], cpk = 1.33 }, that are not lengths, and samples
+// of a length, whose members have units of their own.
+constexpr std::array<std::string_view, 3> kPureNumbers{"cpk", "shape", "samples"};
 
 template <class List>
 bool is_one_of(const List& list, std::string_view word) {

@@ -354,9 +354,12 @@ Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
   if (!tolerances) return tolerances.error();
   auto groups = groups_of(input, *tolerances);
   if (!groups) return groups.error();
+  auto correlations = correlations_of(input, *tolerances, *groups);
+  if (!correlations) return correlations.error();
   ScatterAnswer answer{std::move(made).take(), {}, {}, {}};
   ScatterTask& task = answer.task;
   task.tolerances = std::move(tolerances).take();
+  task.correlations = std::move(correlations).take();
   task.groups = std::move(groups).take();
   const ContactInput& contact = job.spec.contact;
   task.member = {job.spec.given.contains("contact.positions") ? contact.positions : kPositions,

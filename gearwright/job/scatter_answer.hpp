@@ -28,6 +28,15 @@ struct ScatterAnswer {
 /// drawing, about the values with which the pair is computed.
 std::vector<ScatterTolerance> drawn_tolerances(const SolvedJob& job);
 
+/// The correlations of [scatter], for tolerances in these groups.
+///
+/// Errors    `scatter.correlations[N]…` for an input that does not exist, for a pair of inputs that is
+///           given twice, for correlated inputs in different groups if indices are wanted, and as
+///           check_correlations()
+Result<std::vector<ToleranceCorrelation>> correlations_of(
+    const ScatterInput& input, const std::vector<ScatterTolerance>& tolerances,
+    const std::vector<ToleranceGroup>& groups);
+
 /// The setup and the task of [scatter], before the load, the scatter and the corrections are
 /// computed.
 ///

@@ -132,14 +132,6 @@ TEST(ScatterAnswer, RefusesATaskThatIsNone) {
                  "scatter.groups.housing", "errors.crossing_deg");
 }
 
-TEST(ScatterAnswer, NamesWhatItDoesNotCompute) {
-  for (const char* key : {"correlations"}) {
-    expect_refused(
-        std::string("{\"") + key + R"(": true, "errors": {"crossing_deg": [-0.02, 0.02]}})",
-        std::string("scatter.") + key, "is not supported");
-  }
-}
-
 TEST(ScatterAnswer, RefusesCorrectionsThatAreNone) {
   const auto robust = [](const std::string& table) {
     return R"({"errors": {"crossing_deg": [-0.02, 0.02]}, "robust": )" + table + "}";

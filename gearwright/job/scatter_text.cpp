@@ -180,12 +180,13 @@ class NonzeroRows {
   std::string text_, zeros_;
 };
 
-void add_spread(NonzeroRows& rows, const SpreadEntry& entry, const Spread& spread) {
+void add_spread(NonzeroRows& rows, UnitSystem units, const SpreadEntry& entry,
+                const Spread& spread) {
   constexpr std::size_t kWords = 38;
   const auto text = [&](double value) {
-    return fmt::format("{:>12}", fixed_decimals(entry.shown(value), entry.digits));
+    return fmt::format("{:>12}", text_in(units, entry.unit, entry.shown(value), entry.digits));
   };
-  const std::string unit(unit_text(entry.unit));
+  const std::string unit(unit_text(units, entry.unit));
   std::string cells = text(spread.mean.value) + text(spread.standard_deviation.value);
   for (const Percentile& p : spread.percentiles) cells += text(p.estimate.value);
   std::string errors;
@@ -199,13 +200,13 @@ void add_spread(NonzeroRows& rows, const SpreadEntry& entry, const Spread& sprea
   rows.add(entry.words + (unit.empty() ? "" : "  " + unit), kWords, cells, errors);
 }
 
-std::string spread_listing(const ScatterAnswer& a) {
+std::string spread_listing(const ScatterAnswer& a, UnitSystem units) {
   std::string out = head(fmt::format("Distribution over {} samples, {} replicates of {}",
                                      a.scatter.samples.size(), a.task.replicates, a.task.samples));
   NonzeroRows rows;
   for (const ScatterEntry& entry : scatter_entries())
     if (const auto& spread = a.scatter.spread[static_cast<std::size_t>(entry.quantity)])
-      add_spread(rows, entry, *spread);
+      add_spread(rows, units, entry, *spread);
   return out + spread_head(a.task) + rows.text();
 }
 
@@ -217,7 +218,7 @@ std::string share_row(const char* words, const Probability& p) {
   return fmt::format("  {:<38}{} ({} of {})\n", words, share, p.count, p.of);
 }
 
-std::string loaded_listing(const ScatterAnswer& a) {
+std::string loaded_listing(const ScatterAnswer& a, UnitSystem units) {
   std::string out;
   for (const LoadedSpread& loaded : a.scatter.loaded) {
     out += head(fmt::format("Under {} N m: {} samples, {} positions per pitch",
@@ -226,7 +227,7 @@ std::string loaded_listing(const ScatterAnswer& a) {
     out += spread_head(a.task);
     NonzeroRows rows;
     for (const LoadedEntry& entry : loaded_entries())
-      if (const auto& spread = loaded.*entry.spread) add_spread(rows, entry, *spread);
+      if (const auto& spread = loaded.*entry.spread) add_spread(rows, units, entry, *spread);
     out += rows.text();
     out += share_row("an edge carries load", loaded.edge_carries);
     if (loaded.unsolved.count > 0) out += share_row("samples without a solution", loaded.unsolved);
@@ -266,6 +267,12 @@ std::string index_listing(const ScatterAnswer& a, UnitSystem units) {
                    text(total.standard_error));
     }
     out += rows.text();
+    const auto& linear = indices->linear_share;
+    out += linear
+               ? fmt::format(
+                     "  The derivatives at the pair as drawn explain {:.2f} % of the variance.\n",
+                     100 * *linear)
+               : "  The quantity has no derivative at the pair as drawn.\n";
   }
   return out;
 }
@@ -279,6 +286,10 @@ std::string worst_listing(const ScatterView& view, UnitSystem units) {
                        fixed_decimals(entry.shown(worst->worst->value), entry.digits),
                        unit_text(entry.unit),
                        worst->worst->corner ? ", at a corner of the ranges" : "");
+    if (worst->worst->bound)
+      out += fmt::format("  {:<38}{:>12} {}\n", "    no pair has less than",
+                         fixed_decimals(entry.shown(*worst->worst->bound), entry.digits),
+                         unit_text(entry.unit));
     for (const auto& [name, value] : worst->at) {
       const ValueList* list = value.list();
       const auto number = [&, unit = unit_of(name)](const Value& v) {
@@ -395,9 +406,9 @@ Json scatter_json(const SolvedJob& job, const ScatterAnswer& a) {
 }
 
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
-  std::string out = title_listing(job.spec) + input_listing(a, job.spec.units()) +
-                    spread_listing(a) + probability_listing(a) + loaded_listing(a);
   const UnitSystem units = job.spec.units();
+  std::string out = title_listing(job.spec) + input_listing(a, units) + spread_listing(a, units) +
+                    probability_listing(a) + loaded_listing(a, units);
   if (a.task.indices) out += index_listing(a, units);
   if (a.task.worst_case) out += worst_listing(scatter_view(job, a), units);
   if (a.scatter.loosening) out += loosening_listing(a, units);
@@ -417,7 +428,7 @@ std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& a) {
   const std::vector<std::string> names = scatter_columns(a.task);
   std::string out = "replicate,sample";
   for (const std::string& name : names) out += "," + key_in(units, name);
-  for (const ScatterEntry& entry : scatter_entries()) out += fmt::format(",{}", entry.key);
+  for (const ScatterEntry& entry : scatter_entries()) out += "," + key_in(units, entry.key);
   out += ",contact_lost\r\n";
   const auto n = static_cast<std::size_t>(a.task.samples);
   for (std::size_t i = 0; i < a.scatter.samples.size(); ++i) {
@@ -427,7 +438,8 @@ std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& a) {
       out += "," + csv_cell(Value(sample.x[k]), units, unit_of(names[k]));
     for (const ScatterEntry& entry : scatter_entries()) {
       const double value = sample.member[entry.quantity];
-      out += "," + (std::isnan(value) ? std::string() : csv_cell(Value(entry.shown(value))));
+      out += "," + (std::isnan(value) ? std::string()
+                                      : csv_cell(Value(entry.shown(value)), units, entry.unit));
     }
     out += fmt::format(",{}\r\n", sample.member.lost);
   }

@@ -9,17 +9,15 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/math/lowest.hpp"
+#include "gearwright/pair/clearances.hpp"
 
 namespace gearwright::detail {
 
 namespace {
 
-// A gear meshes without clearance with the gear that has cut it. Rounding errors of such a pair are
-// not interference.
-constexpr double kNoise = 1e-11;  // relative to the base pitch
-double noise(const InvolutePair& p) { return kNoise * p.gears[0].reference().base_pitch_normal; }
-
-double diameter_of(double base_radius, double rho) { return 2 * std::hypot(base_radius, rho); }
+double noise(const InvolutePair& p) {
+  return kNoCollision * p.gears[0].reference().base_pitch_normal;
+}
 
 // Reports a tip that reaches beyond the mating flank. If undercut has removed that flank, contact is
 // lost there; otherwise this is interference.
@@ -77,12 +75,13 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
 // radial distance from the start of the usable flank to this diameter. [T2.25]
 void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
+  const auto contact_root = contact_root_radii(p.input, p.mesh);
   for (int i : {0, 1}) {
-    if (rho[i] < -noise(p)) {
+    if (!contact_root[i]) {
       past_the_flank(p, WarningCode::base_tangent, i + 1, rho[i], "past the base tangent point");
       continue;
     }
-    p.contact_root_diameter[i] = diameter_of(p.gears[i].base_radius(), std::max(0.0, rho[i]));
+    p.contact_root_diameter[i] = 2 * *contact_root[i];
     const auto form = p.gears[i].root_form_radius();
     if (!form) continue;
     p.form_clearance[i] = p.gears[i].side() * (*p.contact_root_diameter[i] / 2 - *form);
@@ -96,16 +95,13 @@ void find_form_clearance(InvolutePair& p) {
 
 // Computes the clearances of both tips, and warns if one is too small. [T2.23]
 void find_tip_clearance(InvolutePair& p) {
-  const double a = p.center_distance;
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
-  if (!g2.internal()) {
-    p.tip_clearance = {a - g1.actual_tip_radius() - g2.root_diameter / 2,
-                       a - g2.actual_tip_radius() - g1.root_diameter / 2};
-  } else {
-    p.tip_clearance = {g2.root_diameter / 2 - a - g1.actual_tip_radius() - nearer_at_ends(p, 1),
-                       g2.actual_tip_radius() - a - g1.root_diameter / 2 - nearer_at_ends(p, 2)};
-  }
+  p.tip_clearance = tip_clearances({g1.actual_tip_radius(), g2.actual_tip_radius()},
+                                   {g1.root_diameter / 2, g2.root_diameter / 2}, p.center_distance,
+                                   g2.internal());
+  if (g2.internal())
+    for (int i : {0, 1}) p.tip_clearance[i] -= nearer_at_ends(p, i + 1);
   for (int i : {0, 1}) {
     if (std::abs(p.tip_clearance[i]) <= noise(p)) {
       const double m = p.gears[0].spec.normal_module;

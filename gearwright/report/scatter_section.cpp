@@ -21,7 +21,7 @@ std::string shown(const SpreadEntry& entry, double value) {
 
 // A table of the quantities that have a distribution.
 template <class Spreads>
-std::string distribution_table(const ScatterView& view, const std::string& title,
+std::string distribution_table(const ScatterView& view, UnitSystem units, const std::string& title,
                                const Spreads& spreads) {
   std::vector<std::string> columns{"Mean", "Standard deviation"};
   for (const double p : view.task->percentiles) columns.push_back(format_number(p) + " %");
@@ -29,11 +29,14 @@ std::string distribution_table(const ScatterView& view, const std::string& title
   for (const auto& spread : spreads) {
     if (!spread) continue;
     const SpreadEntry& entry = *spread->entry;
-    std::vector<std::string> values{shown(entry, spread->spread->mean.value),
-                                    shown(entry, spread->spread->standard_deviation.value)};
+    const auto text = [&](double value) {
+      return text_in(units, entry.unit, entry.shown(value), entry.digits);
+    };
+    std::vector<std::string> values{text(spread->spread->mean.value),
+                                    text(spread->spread->standard_deviation.value)};
     for (const Percentile& p : spread->spread->percentiles)
-      values.push_back(shown(entry, p.estimate.value));
-    table.row(entry.words, "", unit_text(entry.unit), values);
+      values.push_back(text(p.estimate.value));
+    table.row(entry.words, "", unit_text(units, entry.unit), values);
   }
   return table.str();
 }
@@ -44,12 +47,12 @@ std::string event(const char* words, const Probability& p) {
                                   : fmt::format("{:.3g}", 100 * p.value));
 }
 
-std::string loaded_part(const ScatterView& view) {
+std::string loaded_part(const ScatterView& view, UnitSystem units) {
   std::string part;
   for (const LoadedSpreadView& v : view.loaded) {
     const LoadedSpread& l = *v.loaded;
     part += distribution_table(
-        view, fmt::format("Under {} N m", format_number(newton_metres(l.torque))), v.spread);
+        view, units, fmt::format("Under {} N m", format_number(newton_metres(l.torque))), v.spread);
     part += fmt::format("<p>{}.</p>\n", event("An edge of a tooth carries load", l.edge_carries));
   }
   return part;
@@ -200,8 +203,8 @@ std::string scatter_section(const ScatterView& view, UnitSystem units) {
              counted(static_cast<std::int64_t>(s.samples.size())),
              event("An edge of a tooth touches", s.edge_contact), event("the gears jam", s.jam),
              event("contact is lost", s.contact_lost)) +
-         distribution_table(view, "Distribution over all pairs", view.spread) +
-         side_by_side(figures) + input_table(view, units) + loaded_part(view) +
+         distribution_table(view, units, "Distribution over all pairs", view.spread) +
+         side_by_side(figures) + input_table(view, units) + loaded_part(view, units) +
          index_part(view, units) + loosening_part(view, units) + robust_part(view, units) +
          "</section>\n";
 }

@@ -12,6 +12,7 @@
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/halves.hpp"
 #include "gearwright/scatter/long_period.hpp"
+#include "gearwright/scatter/member_clearances.hpp"
 
 namespace gearwright {
 
@@ -143,6 +144,11 @@ FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
   m.jam = std::isfinite(least) && jams(Angle::radians(least), drawn.gear(2));
   const ContactScore score = driving.score(request.profile);
   set(Q::edge_share, score.edge_share);
+  const MemberClearances clearances = clearances_of(drawn, deviation);
+  set(Q::tip_clearance1, clearances.tip[0]);
+  set(Q::tip_clearance2, clearances.tip[1]);
+  set(Q::form_clearance1, clearances.form[0]);
+  set(Q::form_clearance2, clearances.form[1]);
   const double span = driving.span();
   m.lost = std::isnan(span);
   if (m.lost) return m;

@@ -20,18 +20,22 @@
 namespace gearwright {
 
 enum class ScatterQuantity {
-  peak_to_peak,   ///< rad, of the continuous curve
-  harmonic1,      ///< rad
-  harmonic2,      ///< rad
-  harmonic3,      ///< rad
-  mean,           ///< rad, of TE over the positions
-  along_face,     ///< mean place of the contact along the face, −1 to 1
-  along_profile,  ///< mean place along the profile, for circular-arc teeth
-  edge_share,     ///< fraction of the positions at which an edge touches
-  least_play,     ///< rad, of gear 2; < 0 if the gears jam
-  long_period,    ///< rad, peak to peak over all tooth pairs, if pitches differ
+  peak_to_peak,     ///< rad, of the continuous curve
+  harmonic1,        ///< rad
+  harmonic2,        ///< rad
+  harmonic3,        ///< rad
+  mean,             ///< rad, of TE over the positions
+  along_face,       ///< mean place of the contact along the face, −1 to 1
+  along_profile,    ///< mean place along the profile, for circular-arc teeth
+  edge_share,       ///< fraction of the positions at which an edge touches
+  least_play,       ///< rad, of gear 2; < 0 if the gears jam
+  long_period,      ///< rad, peak to peak over all tooth pairs, if pitches differ
+  tip_clearance1,   ///< mm, tip of gear 1 to the root of gear 2
+  tip_clearance2,   ///< mm, tip of gear 2 to the root of gear 1
+  form_clearance1,  ///< mm, from the start of the usable flank of gear 1 to its contact
+  form_clearance2,  ///< mm, of gear 2
 };
-constexpr std::size_t kScatterQuantities = 10;
+constexpr std::size_t kScatterQuantities = 14;
 
 struct FamilyMember {
   std::array<double, kScatterQuantities> value{};  ///< NaN if there is no such number

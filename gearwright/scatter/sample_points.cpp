@@ -21,7 +21,10 @@ std::optional<Error> check_family(const ContactSetup& setup,
 }
 
 SamplePoints::SamplePoints(const ScatterTask& task)
-    : task_(task), dimensions_(coordinates_of(task.tolerances)), points_(2 * dimensions_) {}
+    : task_(task),
+      dimensions_(coordinates_of(task.tolerances)),
+      points_(2 * dimensions_),
+      copula_(task.tolerances, task.correlations) {}
 
 std::vector<double> SamplePoints::from(int first_coordinate, int replicate, std::uint32_t n) const {
   std::vector<double> u;
@@ -31,6 +34,7 @@ std::vector<double> SamplePoints::from(int first_coordinate, int replicate, std:
                     ? random_unit(key, n)
                     : unit_interval(owen_scrambled(points_.bits(n, j), key)));
   }
+  u = copula_.correlated(std::move(u));
   std::vector<double> x;
   std::size_t from = 0;
   for (const ScatterTolerance& t : task_.tolerances) {

@@ -1,6 +1,7 @@
 // Computes the points x of the samples of a family, and the peak-to-peak TE of the members at these
-// points. The points are Sobol's or random points with the distributions of the tolerances.
-//                                    theory: docs/theory/14-scatter.md, [T14.4] to [T14.6]
+// points. The points are Sobol's or random points with the distributions and the correlations of
+// the tolerances.
+//                                    theory: docs/theory/14-scatter.md, [T14.4] to [T14.6], [T14.30]
 // Internal to scatter/.
 #pragma once
 
@@ -40,6 +41,7 @@ class SamplePoints {
   const ScatterTask& task_;
   int dimensions_;
   SobolPoints points_;
+  Copula copula_;
 };
 
 /// Peak to peak of the continuous TE curve of the member at each of these points x, rad, and its

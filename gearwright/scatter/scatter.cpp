@@ -6,6 +6,7 @@
 
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/scatter/linear_share.hpp"
 #include "gearwright/scatter/loaded_family.hpp"
 #include "gearwright/scatter/loosening.hpp"
 #include "gearwright/scatter/sample_points.hpp"
@@ -20,11 +21,20 @@ constexpr std::size_t kBlock = 64;  // samples that a thread takes at once
 // A quantity with a smaller standard deviation varies by rounding only.
 constexpr double kRoundingAngle = 1e-12;  // rad
 constexpr double kRoundingShare = 1e-9;
+constexpr double kRoundingLength = 1e-9;  // mm
 
-bool is_share(std::size_t quantity) {
-  const auto q = static_cast<ScatterQuantity>(quantity);
-  return q == ScatterQuantity::along_face || q == ScatterQuantity::along_profile ||
-         q == ScatterQuantity::edge_share;
+double rounding_of(std::size_t quantity) {
+  using Q = ScatterQuantity;
+  switch (static_cast<Q>(quantity)) {
+    case Q::along_face:
+    case Q::along_profile:
+    case Q::edge_share: return kRoundingShare;
+    case Q::tip_clearance1:
+    case Q::tip_clearance2:
+    case Q::form_clearance1:
+    case Q::form_clearance2: return kRoundingLength;
+    default: return kRoundingAngle;
+  }
 }
 
 // The members of all samples. `x_at` returns x for a replicate and the number n of a sample.
@@ -84,7 +94,7 @@ std::optional<IndexEstimates> indices_of(
     const std::vector<ScatterSample>& b,
     const std::vector<std::vector<ScatterSample>>& mixed_samples, std::size_t quantity) {
   const auto n = static_cast<std::size_t>(task.samples);
-  const double rounding = is_share(quantity) ? kRoundingShare : kRoundingAngle;
+  const double rounding = rounding_of(quantity);
   const std::size_t groups = mixed_samples.size();
   std::vector<std::vector<double>> first(groups), total(groups);
   for (std::size_t r = 0; r < static_cast<std::size_t>(task.replicates); ++r) {
@@ -140,8 +150,11 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
         return mixed(task, group, points.at(r, n), points.of_other_half(r, n));
       }));
     }
-    for (std::size_t q = 0; q < kScatterQuantities; ++q)
+    const auto linear = linear_shares(setup, task, s.samples);
+    for (std::size_t q = 0; q < kScatterQuantities; ++q) {
       s.indices[q] = indices_of(task, s.samples, other, mixed_samples, q);
+      if (s.indices[q]) s.indices[q]->linear_share = linear[q];
+    }
   }
   if (task.worst_case) {
     s.worst_peak_to_peak = worst_member(setup, task, s.samples, ScatterQuantity::peak_to_peak);

@@ -16,6 +16,7 @@
 #include "gearwright/base/progress.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "gearwright/math/statistics.hpp"
+#include "gearwright/scatter/correlation.hpp"
 #include "gearwright/scatter/member.hpp"
 #include "gearwright/scatter/pattern_density.hpp"
 
@@ -38,7 +39,10 @@ struct LoadedFamily {
 
 struct ScatterTask {
   std::vector<ScatterTolerance> tolerances;
-  std::vector<ToleranceGroup> groups;  ///< each tolerance in one group; for `indices` only
+  /// Correlations of the scores of tolerances; check_correlations() accepts them.
+  std::vector<ToleranceCorrelation> correlations{};
+  /// Each tolerance in one group, and correlated tolerances in the same group; for `indices` only.
+  std::vector<ToleranceGroup> groups;
   MemberRequest member;
   int samples = 1024;  ///< n, a power of two
   int replicates = 8;  ///< R
@@ -94,6 +98,8 @@ struct LoadedSpread {
 /// The first-order and total Sobol indices of each group.
 struct IndexEstimates {
   std::vector<Estimate> first, total;
+  /// The share of the variance that the derivatives at the pair as drawn explain; none without them.
+  std::optional<double> linear_share{};
 };
 
 /// The worst member found by a search of the box.
@@ -101,6 +107,8 @@ struct WorstMember {
   double value;           ///< peak to peak or least play of this member, rad
   std::vector<double> x;  ///< coordinates of this member, in the users' units
   bool corner;            ///< true if every coordinate is at an end of its range
+  /// A value below which no member lies, rad; for the least play only, as least_play_bound().
+  std::optional<double> bound;
 };
 
 /// Effect of each tolerance: the highest percentile of the peak to peak TE if one tolerance becomes

@@ -11,13 +11,13 @@
 namespace gearwright {
 namespace {
 
-constexpr int kSamples = 64, kReplicates = 8;
+constexpr int kSumSamples = 64, kSumReplicates = 8;
 
 std::vector<double> sums(std::uint64_t seed) {
   const SobolPoints sobol(3);
   std::vector<double> values;
-  for (int r = 0; r < kReplicates; ++r) {
-    for (std::uint32_t n = 0; n < kSamples; ++n) {
+  for (int r = 0; r < kSumReplicates; ++r) {
+    for (std::uint32_t n = 0; n < kSumSamples; ++n) {
       double sum = 0.0;
       for (int j = 0; j < 3; ++j)
         sum += unit_interval(owen_scrambled(sobol.bits(n, j), scramble_key(seed, r, j)));
@@ -36,14 +36,14 @@ TEST(Spread, IntervalsContainTheExactPercentiles) {
   std::array<int, 3> inside{};
   int deviation = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
-    const auto spread = spread_of(task, sums(static_cast<std::uint64_t>(trial)), kSamples);
+    const auto spread = spread_of(task, sums(static_cast<std::uint64_t>(trial)), kSumSamples);
     ASSERT_TRUE(spread);
     for (std::size_t i = 0; i < 3; ++i) {
       const Percentile& p = spread->percentiles[i];
       inside[i] += *p.lower <= exact[i] && exact[i] <= *p.upper;
     }
     const ConfidenceInterval of_deviation =
-        interval(spread->standard_deviation, kReplicates, task.confidence);
+        interval(spread->standard_deviation, kSumReplicates, task.confidence);
     deviation += of_deviation.lower <= 0.5 && 0.5 <= of_deviation.upper;
   }
   // 95 % of the trials, less three standard deviations of the binomial distribution.
@@ -52,10 +52,10 @@ TEST(Spread, IntervalsContainTheExactPercentiles) {
 }
 
 TEST(Spread, LostSamplesAreLeftOut) {
-  std::vector<double> values(kSamples * kReplicates, 1.0);
-  for (int n = 0; n < kSamples; ++n)
+  std::vector<double> values(kSumSamples * kSumReplicates, 1.0);
+  for (int n = 0; n < kSumSamples; ++n)
     values[static_cast<std::size_t>(n)] = NAN;  // a whole replicate
-  const auto spread = spread_of(ScatterTask(), values, kSamples);
+  const auto spread = spread_of(ScatterTask(), values, kSumSamples);
   ASSERT_TRUE(spread);
   EXPECT_EQ(spread->mean.value, 1.0);
   EXPECT_EQ(spread->standard_deviation.value, 0.0);

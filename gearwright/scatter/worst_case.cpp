@@ -7,6 +7,7 @@
 
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/math/sobol.hpp"
+#include "gearwright/scatter/play_bound.hpp"
 
 namespace gearwright {
 
@@ -87,23 +88,30 @@ class Box {
     return true;
   }
 
-  std::vector<std::vector<double>> corners() const {
+  // All corners; none if there are more than kMostCorners. The corners of a bore lie on a circle
+  // whose radius is `reach` times the radius of the bore.
+  std::vector<std::vector<double>> all_corners(double reach = 1.0) const {
     std::size_t count = 1;
     for (const int c : choices_)
       count = std::min(kMostCorners + 1, count * static_cast<std::size_t>(c));
     std::vector<std::vector<double>> all;
-    if (count <= kMostCorners) {
-      for (std::size_t n = 0; n < count; ++n) {
-        std::size_t rest = n;
-        all.push_back(corner([&](std::size_t t) {
-          const auto choices = static_cast<std::size_t>(choices_[t]);
-          const std::size_t choice = rest % choices;
-          rest /= choices;
-          return static_cast<int>(choice);
-        }));
-      }
-      return all;
+    if (count > kMostCorners) return all;
+    for (std::size_t n = 0; n < count; ++n) {
+      std::size_t rest = n;
+      const auto choice = [&](std::size_t t) {
+        const auto choices = static_cast<std::size_t>(choices_[t]);
+        const std::size_t which = rest % choices;
+        rest /= choices;
+        return static_cast<int>(which);
+      };
+      all.push_back(corner(choice, reach));
     }
+    return all;
+  }
+
+  std::vector<std::vector<double>> corners() const {
+    std::vector<std::vector<double>> all = all_corners();
+    if (!all.empty()) return all;
     const SobolPoints points(static_cast<int>(choices_.size()));
     for (std::uint32_t n = 0; n < kChosenCorners; ++n) {
       all.push_back(corner([&](std::size_t t) {
@@ -115,14 +123,14 @@ class Box {
 
  private:
   template <class Choice>
-  std::vector<double> corner(const Choice& choice) const {
+  std::vector<double> corner(const Choice& choice, double reach = 1.0) const {
     std::vector<double> x;
     for (std::size_t t = 0; t < task_.tolerances.size(); ++t) {
       const ScatterTolerance& tolerance = task_.tolerances[t];
       const int which = choice(t);
       if (tolerance.bore()) {
         const double angle = 2 * std::numbers::pi * which / kDirections;
-        const double radius = tolerance.distribution.greatest();
+        const double radius = reach * tolerance.distribution.greatest();
         x.push_back(radius * std::cos(angle));
         x.push_back(radius * std::sin(angle));
       } else {
@@ -211,7 +219,12 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
       task.threads);
   keep_worst(starts, 1);
   if (starts.empty() || !std::isfinite(starts[0].badness)) return std::nullopt;
-  return WorstMember{box.value(starts[0].badness), starts[0].x, box.is_corner(starts[0].x)};
+  WorstMember worst{box.value(starts[0].badness), starts[0].x, box.is_corner(starts[0].x), {}};
+  // The polygon around the circle of a bore contains all positions of the bore.
+  if (quantity == ScatterQuantity::least_play)
+    worst.bound = least_play_bound(setup, task,
+                                   box.all_corners(1 / std::cos(std::numbers::pi / kDirections)));
+  return worst;
 }
 
 }  // namespace gearwright

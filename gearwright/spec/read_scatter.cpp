@@ -1,5 +1,7 @@
 #include "gearwright/spec/read_search.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "gearwright/spec/table_reader.hpp"
@@ -92,6 +94,38 @@ std::vector<ScatterInput::Group> read_groups(TableReader& t) {
   return groups;
 }
 
+std::vector<ScatterInput::Correlation> read_correlations(TableReader& t) {
+  std::vector<ScatterInput::Correlation> correlations;
+  const Json* list = t.any("correlations");
+  if (!list) return correlations;
+  constexpr const char* kExample =
+      "{ between = [\"errors.crossing_deg\", \"errors.intersecting_deg\"], value = 0.5 }";
+  if (!list->is_array() || list->empty() || list->size() > kMostCorrelations)
+    t.fail("correlations", fmt::format("must be a list of 1 to {} tables, for example [{}]",
+                                       kMostCorrelations, kExample));
+  for (const Json& item : *list) {
+    const std::string path = fmt::format("{}[{}]", t.name("correlations"), correlations.size() + 1);
+    if (!item.is_object())
+      throw SpecError{
+          {path, shown(item), fmt::format("must be a table, for example {}", kExample)}};
+    TableReader table(scatter_correlation_keys(), item, path);
+    ScatterInput::Correlation& c = correlations.emplace_back();
+    if (const auto value = table.number("value")) c.value = *value;
+    if (const Json* between = table.any("between")) {
+      const bool two = between->is_array() && between->size() == 2 && (*between)[0].is_string() &&
+                       (*between)[1].is_string();
+      if (!two)
+        table.fail("between", fmt::format("must be a list of two inputs, as in {}", kExample));
+      c.between = {(*between)[0].get<std::string>(), (*between)[1].get<std::string>()};
+      if (c.between[0] == c.between[1])
+        table.fail("between",
+                   "must be two different inputs; the correlation of an input with itself is 1");
+    }
+    table.finish();
+  }
+  return correlations;
+}
+
 }  // namespace
 
 ScatterInput read_scatter(const Json& node) {
@@ -119,6 +153,7 @@ ScatterInput read_scatter(const Json& node) {
     if (const Json* table = t.table(key)) s.gears[i] = read_gear(*table, t.name(key));
   }
   s.groups = read_groups(t);
+  s.correlations = read_correlations(t);
   t.read_whole(s);
   return s;
 }

@@ -1,0 +1,193 @@
+#include "gearwright/scatter/correlation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/math/statistics.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using Matrix = std::vector<std::vector<double>>;
+
+// The least square of a diagonal entry of L. With less, one input is a function of the others within
+// rounding.
+constexpr double kLeastPivot = 1e-9;
+constexpr double kShownStep = 1e-4;  // resolution of the correlations in an error
+
+Matrix matrix_of(std::size_t size, std::span<const ToleranceCorrelation> correlations) {
+  Matrix r(size, std::vector<double>(size));
+  for (std::size_t i = 0; i < size; ++i) r[i][i] = 1.0;
+  for (const ToleranceCorrelation& c : correlations)
+    r[c.first][c.second] = r[c.second][c.first] = c.value;
+  return r;
+}
+
+// L of R = L Lᵀ; none if R is not positive definite. [T14.30]
+std::optional<Matrix> cholesky(const Matrix& r) {
+  const std::size_t size = r.size();
+  Matrix l(size, std::vector<double>(size));
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double rest = r[i][j];
+      for (std::size_t k = 0; k < j; ++k) rest -= l[i][k] * l[j][k];
+      if (i == j && !(rest > kLeastPivot)) return std::nullopt;
+      l[i][j] = i == j ? std::sqrt(rest) : rest / l[j][j];
+    }
+  }
+  return l;
+}
+
+// The matrix with two of its rows and columns moved to the end.
+Matrix with_last(const Matrix& r, std::size_t first, std::size_t second) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < r.size(); ++i)
+    if (i != first && i != second) order.push_back(i);
+  order.insert(order.end(), {first, second});
+  Matrix moved(r.size(), std::vector<double>(r.size()));
+  for (std::size_t i = 0; i < r.size(); ++i)
+    for (std::size_t j = 0; j < r.size(); ++j) moved[i][j] = r[order[i]][order[j]];
+  return moved;
+}
+
+// The range of one correlation in which R is positive definite if all others stay the same; none if
+// there is no such range. If the two inputs are the last of R, their correlation appears in the last
+// row of L only, and the range is the one in which the last pivot is positive.
+std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCorrelation& c) {
+  Matrix m = with_last(r, c.first, c.second);
+  const std::size_t n = m.size();
+  // Without this correlation, given the others, the two inputs have the covariance −p.
+  const auto without = [&](std::size_t last) {
+    Matrix part(n - 1, std::vector<double>(n - 1));
+    const auto at = [&](std::size_t i) { return i + 2 == n ? last : i; };
+    for (std::size_t i = 0; i + 1 < n; ++i)
+      for (std::size_t j = 0; j + 1 < n; ++j) part[i][j] = m[at(i)][at(j)];
+    return cholesky(part);
+  };
+  const auto one = without(n - 2);
+  const auto two = without(n - 1);
+  if (!one || !two) return std::nullopt;
+  const std::vector<double>&a = one->back(), &b = two->back();
+  double middle = 0.0;
+  for (std::size_t k = 0; k + 2 < n; ++k) middle += a[k] * b[k];
+  const double half = a[n - 2] * b[n - 2];
+  return std::array{middle - half, middle + half};
+}
+
+// The value nearest to `value` of those with few digits inside the range.
+double nearest_inside(double value, const std::array<double, 2>& range) {
+  const double lo = (std::floor(range[0] / kShownStep) + 1) * kShownStep;
+  const double hi = (std::ceil(range[1] / kShownStep) - 1) * kShownStep;
+  return std::clamp(value, std::min(lo, hi), std::max(lo, hi));
+}
+
+// The greatest factor, in steps, with which R is positive definite if all correlations are
+// multiplied by it.
+double common_factor(std::size_t size, std::span<const ToleranceCorrelation> correlations) {
+  double factor = 1.0;
+  const auto exists = [&](double f) {
+    std::vector<ToleranceCorrelation> scaled(correlations.begin(), correlations.end());
+    for (ToleranceCorrelation& c : scaled) c.value *= f;
+    return cholesky(matrix_of(size, scaled)).has_value();
+  };
+  constexpr double kStep = 0.01;
+  while (factor > kStep && !exists(factor)) factor -= kStep;
+  return factor;
+}
+
+}  // namespace
+
+std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolerances,
+                                        std::span<const ToleranceCorrelation> correlations) {
+  const auto field = [](std::size_t i) { return fmt::format("correlations[{}]", i + 1); };
+  for (std::size_t i = 0; i < correlations.size(); ++i)
+    for (const std::size_t t : {correlations[i].first, correlations[i].second})
+      if (tolerances[t].coordinates() != 1)
+        return Error{field(i) + ".between", tolerances[t].name,
+                     "cannot be correlated, because it is not a single number; only errors, tooth "
+                     "thicknesses and modifications can"};
+  const Matrix r = matrix_of(tolerances.size(), correlations);
+  if (cholesky(r)) return std::nullopt;
+  std::optional<std::size_t> best;
+  double nearest = 0.0;
+  double change = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < correlations.size(); ++i) {
+    const auto range = range_of(r, correlations[i]);
+    if (!range) continue;
+    const double value = nearest_inside(correlations[i].value, *range);
+    if (!(std::abs(value - correlations[i].value) < change)) continue;
+    best = i;
+    nearest = value;
+    change = std::abs(value - correlations[i].value);
+  }
+  const char* const why =
+      "no inputs have these correlations, because their matrix is not positive "
+      "definite";
+  if (!best)
+    return Error{"correlations", "",
+                 fmt::format("{}; multiply all correlations by at most {:.2f}", why,
+                             common_factor(tolerances.size(), correlations))};
+  const ToleranceCorrelation& c = correlations[*best];
+  return Error{field(*best) + ".value", fmt::format("{}", c.value),
+               fmt::format("{}; the nearest value of the correlation of {} and {} that is possible "
+                           "with the other correlations is {:.4f}",
+                           why, tolerances[c.first].name, tolerances[c.second].name, nearest)};
+}
+
+std::vector<std::vector<std::size_t>> correlated_blocks(
+    std::size_t tolerances, std::span<const ToleranceCorrelation> correlations) {
+  std::vector<std::size_t> block(tolerances);
+  std::iota(block.begin(), block.end(), std::size_t{0});
+  for (const ToleranceCorrelation& c : correlations) {
+    if (c.value == 0.0) continue;
+    const auto [to, from] = std::minmax(block[c.first], block[c.second]);
+    std::replace(block.begin(), block.end(), std::size_t{from}, std::size_t{to});
+  }
+  std::vector<std::vector<std::size_t>> blocks;
+  for (std::size_t b = 0; b < tolerances; ++b) {
+    std::vector<std::size_t> members;
+    for (std::size_t t = 0; t < tolerances; ++t)
+      if (block[t] == b) members.push_back(t);
+    if (members.size() > 1) blocks.push_back(std::move(members));
+  }
+  return blocks;
+}
+
+Copula::Copula(std::span<const ScatterTolerance> tolerances,
+               std::span<const ToleranceCorrelation> correlations) {
+  const auto l = cholesky(matrix_of(tolerances.size(), correlations));
+  GW_EXPECTS(l.has_value());
+  std::vector<std::size_t> coordinate;
+  std::size_t next = 0;
+  for (const ScatterTolerance& t : tolerances) {
+    coordinate.push_back(next);
+    next += static_cast<std::size_t>(t.coordinates());
+  }
+  for (std::size_t i = 0; i < tolerances.size(); ++i) {
+    Row row{coordinate[i], {}};
+    for (std::size_t j = 0; j <= i; ++j)
+      if ((*l)[i][j] != 0.0) row.sum.emplace_back(coordinate[j], (*l)[i][j]);
+    if (row.sum.size() > 1) rows_.push_back(std::move(row));
+  }
+}
+
+std::vector<double> Copula::correlated(std::vector<double> u) const {
+  if (rows_.empty()) return u;
+  const std::vector<double> independent = u;
+  // Φ of a great score is 1 within rounding, but u lies inside the interval.
+  constexpr double kEnd = std::numeric_limits<double>::epsilon();
+  for (const Row& row : rows_) {
+    double score = 0.0;
+    for (const auto& [at, factor] : row.sum) score += factor * normal_quantile(independent[at]);
+    u[row.coordinate] = std::clamp(normal_cdf(score), kEnd, 1.0 - kEnd);
+  }
+  return u;
+}
+
+}  // namespace gearwright

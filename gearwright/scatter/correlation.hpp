@@ -1,0 +1,59 @@
+// Correlated inputs of a family, by a Gaussian copula.
+//
+//   u′   independent coordinates in the unit cube       s = Φ⁻¹(u)   scores
+//   R    correlations of the scores, R = L Lᵀ, L lower triangular
+//   u = Φ(L Φ⁻¹(u′))                 theory: docs/theory/14-scatter.md, [T14.30]
+//
+// The distribution of each input remains the same. An input without a correlation keeps its u′, bit
+// for bit.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gearwright/base/error.hpp"
+#include "gearwright/scatter/tolerance.hpp"
+
+namespace gearwright {
+
+/// The correlation of the scores of two tolerances.
+struct ToleranceCorrelation {
+  std::size_t first, second;  ///< indices of the tolerances
+  double value;               ///< −1 to 1, excluded; the Pearson correlation of the scores
+};
+
+/// Checks that inputs with these correlations exist.
+///
+/// Domain    each pair of tolerances at most once, |value| < 1, no tolerance with itself (contract)
+/// Errors    `correlations[N]` for a tolerance with more than one coordinate, and if R is not
+///           positive definite; the error then names the nearest value that is possible for one of
+///           the correlations, or else a common factor for all of them
+std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolerances,
+                                        std::span<const ToleranceCorrelation> correlations);
+
+/// The sets of two or more tolerances that are connected by correlations other than 0.
+std::vector<std::vector<std::size_t>> correlated_blocks(
+    std::size_t tolerances, std::span<const ToleranceCorrelation> correlations);
+
+class Copula {
+ public:
+  /// Domain    correlations that check_correlations() accepts (contract)
+  Copula(std::span<const ScatterTolerance> tolerances,
+         std::span<const ToleranceCorrelation> correlations);
+
+  /// u of these u′, for all coordinates of the tolerances, in order.   Formula [T14.30]
+  ///
+  /// Laws      (1) without correlations, or if all are 0, u = u′   (2) u is uniform if u′ is
+  std::vector<double> correlated(std::vector<double> u) const;
+
+ private:
+  // A coordinate whose score is a sum of the scores of earlier coordinates and of its own.
+  struct Row {
+    std::size_t coordinate;
+    std::vector<std::pair<std::size_t, double>> sum;  // coordinates and entries of L
+  };
+  std::vector<Row> rows_;
+};
+
+}  // namespace gearwright
