@@ -4,6 +4,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/catalogue/pair_parts.hpp"
+#include "gearwright/design/design_objectives.hpp"
 
 namespace gearwright {
 
@@ -28,9 +29,7 @@ bool is_parallel(const V& v) { return !is_crossed(v); }
 // The value of an objective in the unit of the result.
 Value objective_value(const V& v, Objective o) {
   const auto c = cost(*v.problem, *v.row, o);
-  const bool greater_is_better = o == Objective::contact_ratio || o == Objective::area ||
-                                 o == Objective::formula_contact_ratio || o == Objective::safety;
-  return c ? Value(greater_is_better ? -*c : *c) : Value();
+  return c ? Value(seeks_greatest(o) ? -*c : *c) : Value();
 }
 
 Value objective(const V& v) {
@@ -269,10 +268,44 @@ void add_strength(Quantities<V>& q) {
   q.number("mass_kg", "mass of both gears", "m",
            "mass of full cylinders with the mean diameter (d_a + d_f)/2; for an internal gear, "
            "mass of the ring from the mean diameter to 2.5 m_n outside its root; only for a rated "
-           "search or with `objective` = `mass`",
+           "search or with `objective` = `mass` or `cost`",
            [](const V& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
       .column("mass_kg")
       .when(weighed)
+      .digits(kFewDigits);
+}
+
+void add_ranks(Quantities<V>& q) {
+  q.term("efficiency",
+         "with gear 1 driving and friction of the flanks alone [T4.27]; only with "
+         "`friction_coefficient` or `objective` = `efficiency`; null if the contact ratio is less "
+         "than 1 or gear 1 cannot drive",
+         [](const V& v) { return v.row->efficiency; })
+      .column("efficiency")
+      .when([](const V& v) { return v.problem->flank_friction().has_value(); })
+      .greater_first()
+      .digits(5);
+  q.number("balance", "balance of the load reserves", "R_max/R_min",
+           "greatest divided by least load reserve of the flanks, (S_H/S_Hmin)², and of the roots "
+           "of both gears, S_F/S_Fmin [T9.17]; only with `objective` = `balance`",
+           [](const V& v) { return load_balance(*v.problem, *v.row); })
+      .column("balance")
+      .when([](const V& v) { return v.problem->ranks_by(Objective::balance); })
+      .digits(kFewDigits);
+  q.number("relative_cost", "relative cost", "",
+           "mass in kg times (b/d_1)^`cost_exponent` [T9.18], to compare designs of one kind; only "
+           "with `objective` = `cost`",
+           [](const V& v) { return relative_cost(*v.problem, *v.row); })
+      .column("relative_cost")
+      .when([](const V& v) { return v.problem->ranks_by(Objective::cost); })
+      .digits(kFewDigits);
+  q.number("noise_um", "estimated transmission error under load, peak to peak", "δ_pp",
+           "variation of the deflection of perfect teeth under the torque of `[rating]`, if every "
+           "mm of contact line has the same stiffness [T9.16]; 0 if a contact ratio ε_α or ε_β is "
+           "a whole number; only with `objective` = `noise`",
+           [](const V& v) { return v.row->noise; })
+      .column("noise_um")
+      .when([](const V& v) { return v.problem->ranks_by(Objective::noise); })
       .digits(kFewDigits);
 }
 
@@ -282,6 +315,7 @@ void add_all(Quantities<V>& q) {
   add_contact(q);
   add_limits(q);
   add_strength(q);
+  add_ranks(q);
   q.term("area", "modules²", [](const V& v) { return v.row->area; })
       .doors(kPage)
       .greater_first()

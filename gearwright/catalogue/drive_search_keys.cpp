@@ -1,5 +1,7 @@
+#include <algorithm>
 
 #include "gearwright/catalogue/drive_keys.hpp"
+#include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/design/drive_search.hpp"
 
 namespace gearwright {
@@ -35,6 +37,14 @@ Key of_set(std::string_view key, std::string_view fallback = {}) {
   k.place = {};
   if (!fallback.empty()) k.fallback = fallback;
   return k;
+}
+
+// As objective_called(), if searches for drives have the objective.
+std::string_view drive_objective_called(std::string_view word) {
+  const std::string_view objective = objective_called(word);
+  const auto& names = kDriveObjectiveNames;
+  return std::find(names.begin(), names.end(), objective) == names.end() ? std::string_view()
+                                                                         : objective;
 }
 
 Key face_width() {
@@ -97,11 +107,13 @@ const KeyTable& drive_search_keys() {
                  &Problem::objectives, "\"efficiency\"",
                  "criterion of the ranking: `efficiency` (greatest), `ratio` (nearest to "
                  "`target_ratio`), `size` (least), `efficiency_backward` (greatest), `clearance` "
-                 "(greatest) or `planets` (most); a list of criteria gives a Pareto front")
+                 "(greatest), `planets` (most) or `noise` (least variation of the elastic rotation "
+                 "under load); a list of criteria gives a Pareto front")
            .with_list({.least = 1,
                        .most = kDriveObjectiveNames.size(),
                        .single = true,
-                       .noun = "objective"}),
+                       .noun = "objective",
+                       .meant = drive_objective_called}),
        of_set("spacing", "\"equal\""),
        of_set("fixed"),
        of_set("input"),

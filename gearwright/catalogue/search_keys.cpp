@@ -32,7 +32,7 @@ std::vector<std::string_view> objective_words() {
 struct Called {
   std::string_view word, objective;
 };
-constexpr std::array<Called, 11> kCalled{{{"weight", "mass"},
+constexpr std::array<Called, 25> kCalled{{{"weight", "mass"},
                                           {"lightest", "mass"},
                                           {"volume", "size"},
                                           {"compactness", "size"},
@@ -42,14 +42,31 @@ constexpr std::array<Called, 11> kCalled{{{"weight", "mass"},
                                           {"overlap", "contact_ratio"},
                                           {"epsilon", "contact_ratio"},
                                           {"slip", "sliding"},
-                                          {"specific_sliding", "sliding"}}};
+                                          {"specific_sliding", "sliding"},
+                                          {"loss", "efficiency"},
+                                          {"losses", "efficiency"},
+                                          {"eta", "efficiency"},
+                                          {"friction", "efficiency"},
+                                          {"price", "cost"},
+                                          {"cheapest", "cost"},
+                                          {"quiet", "noise"},
+                                          {"quietest", "noise"},
+                                          {"vibration", "noise"},
+                                          {"torque_ripple", "noise"},
+                                          {"transmission_error", "noise"},
+                                          {"balanced", "balance"},
+                                          {"balanced_safety", "balance"},
+                                          {"balanced_safeties", "balance"}}};
 
-// The objective for a synonym, "mass" for "weight", or "" if the word is not a synonym.
+}  // namespace
+
 std::string_view objective_called(std::string_view word) {
   const auto row =
       std::find_if(kCalled.begin(), kCalled.end(), [&](const Called& c) { return c.word == word; });
   return row == kCalled.end() ? std::string_view() : row->objective;
 }
+
+namespace {
 
 // A key for a limit, which is a least value, a greatest value or a margin.
 template <class V>
@@ -253,9 +270,13 @@ std::vector<Key> design_keys() {
                 "criterion of the ranking: `contact_ratio` (greatest effective contact ratio), "
                 "`ratio` (nearest to `target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least "
                 "|Σx|), `area` (largest region), `sliding` (least |ζ|), `formula_contact_ratio` "
-                "(greatest contact ratio by Eq. 10), `mass` (least mass) or `safety` (greatest "
+                "(greatest contact ratio by Eq. 10), `mass` (least mass), `safety` (greatest "
                 "value of the lesser of S_H and S_F, each divided by its required value; needs "
-                "`[rating]`); a list of criteria gives a Pareto front")
+                "`[rating]`), `efficiency` (greatest efficiency with gear 1 driving), `balance` "
+                "(load reserves of flanks and roots nearest to each other; needs `[rating]`), "
+                "`cost` (least mass times (b/d_1)^`cost_exponent`) or `noise` (least estimated "
+                "transmission error under load; needs `[rating]`); a list of criteria gives a "
+                "Pareto front")
           .with_list({.most = kObjectiveNames.size(),
                       .single = true,
                       .noun = "objective",
@@ -263,6 +284,15 @@ std::vector<Key> design_keys() {
           .with_fields({"objectives"}),
       Key::number("target_ratio", "", {}, &P::target_ratio, "the middle of the band `ratio`",
                   "target of the objective `ratio`"),
+      Key::number("friction_coefficient", "μ",
+                  Range{.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"},
+                  &P::friction, "0.05 for the objective `efficiency`, otherwise no efficiency",
+                  "coefficient of friction of the flanks, for the efficiency")
+          .with_also({"friction"}),
+      Key::number("cost_exponent", "e", Range::between(0, 3), &P::cost_exponent, "0.5",
+                  "exponent of the factor (b/d_1)^e by which the objective `cost` multiplies the "
+                  "mass, where b is the face width and d_1 the reference diameter of the pinion; "
+                  "0 gives the mass"),
       Key::number("shift_step", "", Range::between(kMinShiftStep, 1), &P::shift_step, "none",
                   "step of a grid of profile shifts; the feasible points of the grid are written "
                   "to `points.parquet`")};

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "gearwright/design/design_objectives.hpp"
 #include "gearwright/design/design_strength.hpp"
 #include "gearwright/design/face_width.hpp"
 #include "gearwright/design/fillet_gap.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
+#include "gearwright/pair/efficiency.hpp"
 #include "gearwright/pair/mesh.hpp"
 
 namespace gearwright {
@@ -105,6 +107,10 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
                                        std::max(0.0, flank_start(1)) / mesh.base_cosine_ratio);
   const double to = t.z2 < 0 ? mesh.rho1_E : leaf::usable_end(mesh.rho1_E, end);
   row.contact_ratio_true = std::max(0.0, leaf::contact_ratio(from, to, mesh.step));
+  mesh.rho1_true_begin = from;
+  mesh.rho1_true_end = to;
+  if (const auto friction = problem.flank_friction(); friction && row.contact_ratio_true >= 1.0)
+    row.efficiency = efficiency(sliding_shares(in, mesh), *friction).gear1_drives;
   row.overlap_ratio = mesh.overlap_ratio;
   row.backlash_normal = mesh.backlash.normal_base;
   row.tip_alteration = at.k * m;
@@ -213,6 +219,11 @@ std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
       const auto least = least_safety(problem, row);
       return least ? std::optional(-*least) : std::nullopt;
     }
+    case Objective::efficiency:
+      return row.efficiency ? std::optional(-*row.efficiency) : std::nullopt;
+    case Objective::balance: return load_balance(problem, row);
+    case Objective::cost: return relative_cost(problem, row);
+    case Objective::noise: return row.noise;
   }
   return std::nullopt;
 }

@@ -41,6 +41,10 @@ struct DesignRow {
   /// depends on its cutter.
   std::array<std::optional<double>, 2> form_clearance{};
   double mass = 0.0;  ///< kg, of both gears: design/design_strength.hpp
+  /// η with gear 1 driving. Absent if not requested, if the contact ratio is below 1, or if gear 1
+  /// cannot drive.
+  std::optional<double> efficiency{};
+  std::optional<double> noise{};  ///< µm: design/design_objectives.hpp; absent if not rated
   /// S_H and S_F of each gear. Absent if not requested, or if the standard has no form factor for
   /// the root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};

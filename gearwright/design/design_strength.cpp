@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "gearwright/design/design_objectives.hpp"
 #include "gearwright/design/face_width.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/reference.hpp"
@@ -151,6 +152,7 @@ void set_face_width(const ShiftGraph& graph, DesignRow& row, double width) {
 
 struct Safeties {
   std::array<std::optional<double>, 2> flank{}, root{};
+  std::optional<double> deflection{};  // µm, of the teeth under the rated torque
 };
 
 // The safety factors for one state of the teeth: the design itself, or the pair at one combination
@@ -167,6 +169,7 @@ Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
     found.flank[i] = number(rating->S_H[i]);
     found.root[i] = number(rating->S_F[i]);
   }
+  found.deflection = mean_deflection(pair, *rating);
   return found;
 }
 
@@ -196,7 +199,11 @@ double required_share(const SearchProblem& problem, const std::vector<RatedPair>
     const RatedPair wide = with_face_width(states[k], row.face_width);
     if (k == 0 && asked.web) input.body = rated_body(wide, *asked.web, *asked.rim);
     const Safeties found = safeties_of(wide, input);
-    if (k == 0) row.flank_safety = found.flank, row.root_safety = found.root;
+    if (k == 0) {
+      row.flank_safety = found.flank;
+      row.root_safety = found.root;
+      row.noise = noise_of(row, found.deflection);
+    }
     share = std::min(share, share_of(problem, found));
   }
   return share;

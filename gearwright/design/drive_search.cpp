@@ -390,6 +390,7 @@ double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidat
     case DriveObjective::efficiency_backward: return -candidate.efficiency_backward;
     case DriveObjective::clearance: return -candidate.clearance;
     case DriveObjective::planets: return -candidate.planets;
+    case DriveObjective::noise: return candidate.noise.value_or(kInfinity);
   }
   return 0.0;
 }
@@ -431,6 +432,7 @@ Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int t
     if (!ends) return ends.error();
     search_sets(problem, *ends, threads, result);
   }
+  if (problem.asks(DriveObjective::noise)) estimate_noise(problem, result.found, threads);
   give_modules(problem, result);
   const DriveObjective first = problem.objectives.front();
   std::stable_sort(result.found.begin(), result.found.end(),

@@ -37,10 +37,11 @@ enum class DriveObjective {
   size,                 ///< least overall diameter
   efficiency_backward,  ///< greatest efficiency with the output driving
   clearance,            ///< greatest clearance between neighbouring planets
-  planets               ///< greatest number of planets
+  planets,              ///< greatest number of planets
+  noise                 ///< least variation of the elastic rotation under load (drive/windup.hpp)
 };
-inline constexpr std::array<std::string_view, 6> kDriveObjectiveNames{
-    "efficiency", "ratio", "size", "efficiency_backward", "clearance", "planets"};
+inline constexpr std::array<std::string_view, 7> kDriveObjectiveNames{
+    "efficiency", "ratio", "size", "efficiency_backward", "clearance", "planets", "noise"};
 
 using TeethBand = std::array<int, 2>;  ///< both ends included
 
@@ -104,6 +105,9 @@ struct DriveCandidate {
   double efficiency = 0.0, efficiency_backward = 0.0;
   std::optional<double> face_width{};  ///< b  mm, if the search sizes the face width
   GearShifts shifts{};                 ///< x  if the search chooses the profile shifts
+  /// Variation of the elastic rotation, peak to peak, divided by this rotation [T13.33]; none if not
+  /// requested, or if a mesh loses contact.
+  std::optional<double> noise{};
 };
 
 struct DriveSearchResult {

@@ -1,11 +1,13 @@
 // Laws: (1) a search finds the same sets as a separate computation that makes the drives of all
 // numbers of teeth; (2) it finds the sets with a ratio near 100 that another method counted; (3)
-// the ratio of a train is the ratio of its drive.
+// the ratio of a train is the ratio of its drive; (4) the noise of sets is the spread that a count
+// of their tooth pairs in contact gives, and they are sorted by it.
 #include "gearwright/design/drive_search.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "gearwright/drive/drive.hpp"
@@ -25,6 +27,10 @@ DriveSearchProblem problem_of(DriveKind kind, std::array<double, 2> ratio) {
   problem.base.spacing = Spacing::equal;
   return problem;
 }
+
+struct TeethOfPlanet {
+  int sun, planet, ring;
+};
 
 using Key = std::pair<TeethBand, std::array<int, 3>>;
 
@@ -195,6 +201,57 @@ TEST(DriveSearchTest, EndsAreThreeBodies) {
   EXPECT_EQ(search_drives(problem).error().field, "drive.output");
   problem.base.output = "ring2";
   EXPECT_EQ(search_drives(problem).error().field, "drive.output");
+}
+
+// The pairs of spur teeth in contact at the sun (first) or at the ring of one planet, by counting the
+// flanks between the ends of the path. The flanks of the planet are half a pitch thick, so the ring
+// follows after half the teeth of the planet less half a pitch.
+double pairs_in_contact(const TeethOfPlanet& z, bool at_ring, double t) {
+  const double alpha = Angle::degrees(20).rad();
+  const auto tip = [&](int teeth, double addendum) {
+    const double r = teeth / 2.0, r_b = r * std::cos(alpha);
+    return std::abs(std::sqrt(std::pow(r + addendum, 2) - r_b * r_b) - r * std::sin(alpha)) /
+           (3.14159265358979 * std::cos(alpha));
+  };
+  const double before = at_ring ? tip(z.ring, -1.0) : tip(z.planet, 1.0);
+  const double after = at_ring ? tip(z.planet, 1.0) : tip(z.sun, 1.0);
+  const double late = at_ring ? (z.planet - 1) / 2.0 : 0.0;
+  int pairs = 0;
+  for (int k = -200; k <= 200; ++k)
+    if (t - late + k > -before && t - late + k < after) ++pairs;
+  return pairs / (before + after);
+}
+
+TEST(DriveSearchTest, NoiseIsTheSpreadOfCountedContacts) {  // (4)
+  DriveSearchProblem problem = problem_of(DriveKind::planetary, {4.3, 4.5});
+  problem.modules.clear();
+  problem.teeth[at(M::sun)] = {18, 24};
+  problem.teeth[at(M::planet)] = {20, 30};
+  problem.planets = {3, 4};
+  problem.objectives = {DriveObjective::noise};
+  const auto found = search_drives(problem, 1);
+  ASSERT_TRUE(found) << found.error().message();
+  ASSERT_GT(found->found.size(), 10u);
+  double last = 0.0;
+  for (const DriveCandidate& c : found->found) {
+    const TeethOfPlanet z{c.teeth[at(M::sun)], c.teeth[at(M::planet)], c.teeth[at(M::ring)]};
+    double least = 1e300, greatest = 0.0;
+    constexpr int kTimes = 4000;
+    for (int n = 0; n < kTimes; ++n) {
+      double sum = 0.0;
+      for (int i = 0; i < c.planets; ++i) {
+        // The sun brings a tooth to planet i after its share of a turn.
+        const double t = (n + 0.5) / kTimes - std::fmod(double(z.sun) * i / c.planets, 1.0);
+        sum += 0.5 / pairs_in_contact(z, false, t) + 0.5 / pairs_in_contact(z, true, t);
+      }
+      least = std::min(least, sum / c.planets);
+      greatest = std::max(greatest, sum / c.planets);
+    }
+    ASSERT_TRUE(c.noise);
+    EXPECT_NEAR(*c.noise, greatest - least, 1e-6) << z.sun << " " << z.planet << " " << z.ring;
+    EXPECT_GE(*c.noise, last);
+    last = *c.noise;
+  }
 }
 
 }  // namespace

@@ -22,6 +22,11 @@ inline int coaxial_slack(const DriveSearchProblem& problem) {
 /// of teeth (z < 0 for a ring) and used for ranking only.
 double estimated_efficiency(int z1, int z2, double friction);
 
+/// Sets the noise of all candidates, for gears without profile shift and with narrow faces. It is
+/// used for the ranking until the teeth are computed.
+void estimate_noise(const DriveSearchProblem& problem, std::vector<DriveCandidate>& candidates,
+                    int threads);
+
 /// Adds all trains of the problem to the result. The numbers of teeth of the last wheel follow from
 /// the ratio.
 void search_trains(const DriveSearchProblem& problem, DriveSearchResult& result);

@@ -53,11 +53,32 @@ enum class Objective {
   sliding,
   formula_contact_ratio,  ///< with the path between the tips (Eq. 10), regardless of the flanks
   mass,
-  safety  ///< smallest of S_H/S_Hmin and S_F/S_Fmin
+  safety,      ///< smallest of S_H/S_Hmin and S_F/S_Fmin
+  efficiency,  ///< η with gear 1 driving
+  balance,     ///< greatest load reserve divided by the least one (design/design_objectives.hpp)
+  cost,        ///< mass times a factor that grows with the face width
+  noise        ///< estimated transmission error under load, peak to peak
 };
-inline constexpr std::array<std::string_view, 9> kObjectiveNames{
-    "contact_ratio",         "ratio", "size",  "shift", "area", "sliding",
-    "formula_contact_ratio", "mass",  "safety"};
+inline constexpr std::array<std::string_view, 13> kObjectiveNames{
+    "contact_ratio", "ratio",  "size",       "shift",   "area", "sliding", "formula_contact_ratio",
+    "mass",          "safety", "efficiency", "balance", "cost", "noise"};
+
+/// True if greater values are better.
+inline constexpr bool seeks_greatest(Objective objective) {
+  switch (objective) {
+    case Objective::contact_ratio:
+    case Objective::area:
+    case Objective::formula_contact_ratio:
+    case Objective::safety:
+    case Objective::efficiency: return true;
+    default: return false;
+  }
+}
+/// True if the objective is computed from a rating.
+inline constexpr bool needs_rating(Objective objective) {
+  return objective == Objective::safety || objective == Objective::balance ||
+         objective == Objective::noise;
+}
 
 /// The racks of both gears, and the depths of the straight edges below the datum line, modules.
 struct SearchRacks {
@@ -122,6 +143,7 @@ using DrawDesign = std::function<DrawnDesign(const SearchProblem&, const DesignR
 
 inline constexpr double kFaceModules = 10.0;      ///< default b/m_n
 inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
+inline constexpr double kUsualFriction = 0.05;    ///< μ for the objective `efficiency`
 
 /// Limits in modules that ensure running designs. The caller can use them as defaults; SearchLimits
 /// itself does not.
@@ -153,8 +175,10 @@ struct SearchProblem {
   bool shorten_tips = false;  ///< if true, tips are shortened by the clearance that is lost at
                               ///< tight centres
   SearchLimits limits;
-  double lambda = 0.625;      ///< λ of the line of balanced strength (Eq. 11)
-  double target_ratio = 0.0;  ///< for the objective `ratio`
+  double lambda = 0.625;           ///< λ of the line of balanced strength (Eq. 11)
+  double target_ratio = 0.0;       ///< for the objective `ratio`
+  std::optional<double> friction;  ///< μ of the flanks, for the efficiency of every design
+  double cost_exponent = 0.5;      ///< exponent of b/d_1 for the objective `cost`
   std::vector<Objective> objectives{Objective::contact_ratio};
   std::optional<double> shift_step;  ///< step of the grid of shifts, if its points are requested
   std::array<double, 2> density{kSteelDensity, kSteelDensity};  ///< ρ  kg/mm³
@@ -183,7 +207,11 @@ struct SearchProblem {
     return all;
   }
   /// True if masses must be computed.
-  bool weighs() const { return rating || ranks_by(Objective::mass); }
+  bool weighs() const { return rating || ranks_by(Objective::mass) || ranks_by(Objective::cost); }
+  /// μ if efficiencies must be computed.
+  std::optional<double> flank_friction() const {
+    return friction || !ranks_by(Objective::efficiency) ? friction : kUsualFriction;
+  }
   bool ranks_by(Objective objective) const {
     return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
   }

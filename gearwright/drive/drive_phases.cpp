@@ -30,6 +30,8 @@ ContactErrors turned_over(ContactErrors errors) {
   return errors;
 }
 
+}  // namespace
+
 bool first_drives(const Drive& drive, std::size_t m, double load) {
   if (drive.flow && !drive.flow->self_locking() && drive.flow->driver[m] >= 0)
     return drive.flow->driver[m] == 0;
@@ -37,8 +39,6 @@ bool first_drives(const Drive& drive, std::size_t m, double load) {
   return -a.factor() * load * turning(drive, a.body, m) > 0.0;
 }
 
-// Finds the delays γ of the copies of a planet. For planets that mesh with each other, they are the
-// delays at a central gear whose mesh has the same frequency.
 void find_delays(const Drive& drive, std::size_t m, MeshPhase& phase) {
   const DriveGraph& graph = drive.graph;
   const PlanetSet* set = set_of(drive, m);
@@ -53,6 +53,8 @@ void find_delays(const Drive& drive, std::size_t m, MeshPhase& phase) {
   phase.sense = gear.factor() * turning(drive, gear.body, m) < 0.0 ? -1.0 : 1.0;
   phase.phases = mesh_phases(gear.teeth, set->assembly.turns);
 }
+
+namespace {
 
 // The thickness of the tooth of one gear of a mesh, as a share of the pitch.
 double share_of(const Drive& drive, std::size_t m, int side) {

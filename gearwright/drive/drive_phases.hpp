@@ -39,6 +39,14 @@ struct MeshPhase {
 /// ω of a body relative to the frame of the mesh.   Domain  one input (contract)
 double turning(const Drive& drive, std::size_t body, std::size_t mesh);
 
+/// True if the first gear of the mesh drives. `load` is its lossless load per unit torque on the
+/// input, which decides if there is no power flow.   Domain  one input (contract)
+bool first_drives(const Drive& drive, std::size_t mesh, double load);
+
+/// Sets the delays γ of the copies of a planet, and their sense. For planets that mesh with each
+/// other, they are the delays at a central gear whose mesh has the same frequency.
+void find_delays(const Drive& drive, std::size_t mesh, MeshPhase& phase);
+
 /// The planet set that contains the mesh; null if there is none.
 const PlanetSet* set_of(const Drive& drive, std::size_t mesh);
 

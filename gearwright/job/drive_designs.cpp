@@ -12,6 +12,7 @@
 #include "gearwright/arrange/judge_drive.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/drive/drive_rating.hpp"
+#include "gearwright/drive/windup.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_search.hpp"
@@ -51,7 +52,8 @@ class Designer {
     if (!own) return DriveFault::no_teeth;
     const bool same_cost = !problem_.asks(DriveObjective::efficiency) &&
                            !problem_.asks(DriveObjective::efficiency_backward) &&
-                           !problem_.asks(DriveObjective::clearance);
+                           !problem_.asks(DriveObjective::clearance) &&
+                           !problem_.asks(DriveObjective::noise);
     std::optional<Outcome> best;
     for (GearShifts& shifts : shift_trials(own->drive->graph)) {
       if (best && same_cost && std::holds_alternative<FoundDrive>(*best)) break;
@@ -126,6 +128,8 @@ class Designer {
     if (drive_level(drive, wanted, !any_spacing) != Level::green) return DriveFault::verdict;
     if (drive.flow) candidate.efficiency = drive.flow->efficiency;
     if (drive.backward) candidate.efficiency_backward = drive.backward->efficiency;
+    if (problem_.asks(DriveObjective::noise) && !problem_.modules.empty())
+      candidate.noise = windup_variation(drive);
     return FoundDrive{std::move(candidate), std::move(drive)};
   }
 

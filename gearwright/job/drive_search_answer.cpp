@@ -102,8 +102,8 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
   for (ListingColumn& column :
        listing_columns(units, records,
                        {"planets", "normal_module_mm", "face_width_mm", "ratio", "efficiency",
-                        "efficiency_backward", "size_mm", "neighbour_clearance_mm", "safety_flank",
-                        "safety_root", "phasing", "profile_shift"}))
+                        "efficiency_backward", "noise", "size_mm", "neighbour_clearance_mm",
+                        "safety_flank", "safety_root", "phasing", "profile_shift"}))
     columns.push_back(std::move(column));
   text += "\n" + design_listing(columns);
   if (!designs.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
@@ -118,7 +118,7 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
 std::string drives_csv(const FoundDrives& f, UnitSystem units) {
   constexpr const char* kColumns[] = {"ratio",        "efficiency",       "efficiency_backward",
                                       "size_mm",      "normal_module_mm", "face_width_mm",
-                                      "safety_flank", "safety_root"};
+                                      "safety_flank", "safety_root",      "noise"};
   std::string out = "teeth,planets,profile_shift";
   for (const char* key : kColumns) out += "," + key_in(units, key);
   out += "\r\n";

@@ -223,7 +223,7 @@ std::string search_json_text(const Search& search, const SearchRun& run, UnitSys
   if (run.rating_not_read) {
     warn(WarningCode::not_read,
          "The table [rating] has no effect on this search. It is used only with safety_flank_min, "
-         "safety_root_min or objective = \"safety\" in [search].");
+         "safety_root_min or one of the objectives safety, balance and noise in [search].");
   }
   if (!edges) {
     warn(WarningCode::edges_left_out,
@@ -324,11 +324,28 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
     records.push_back(design_quantities().of({&p, &a.designs[i]}));
   }
   std::vector<ListingColumn> columns{ranks, places};
-  for (ListingColumn& column : listing_columns(
-           units, records,
-           {"module_mm", "teeth", "helix_angle_deg", "ratio", "center_distance_mm", "profile_shift",
-            "contact_ratio", "contact_ratio_true", "sliding_max", "face_width_mm", "overlap_ratio",
-            "backlash_mm", "S_H", "S_F", "mass_kg", "area", "interference"}))
+  for (ListingColumn& column : listing_columns(units, records,
+                                               {"module_mm",
+                                                "teeth",
+                                                "helix_angle_deg",
+                                                "ratio",
+                                                "center_distance_mm",
+                                                "profile_shift",
+                                                "contact_ratio",
+                                                "contact_ratio_true",
+                                                "sliding_max",
+                                                "face_width_mm",
+                                                "overlap_ratio",
+                                                "backlash_mm",
+                                                "S_H",
+                                                "S_F",
+                                                "mass_kg",
+                                                "efficiency",
+                                                "balance",
+                                                "relative_cost",
+                                                "noise_um",
+                                                "area",
+                                                "interference"}))
     columns.push_back(std::move(column));
   text += "\n" + design_listing(columns);
   if (!a.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
@@ -384,6 +401,7 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
   if (p.crossed()) pair["shaft_angle_deg"] = tidy_degrees(*p.shaft_angle);
   pair["mounting"] = p.mounting == Mounting::tight ? "tight" : "extended";
   if (p.shorten_tips) pair["shorten_tips"] = true;
+  if (const auto friction = p.flank_friction()) pair["friction_coefficient"] = *friction;
   if (const auto& ends = p.allowances.backlash) {
     if ((*ends)[0] == (*ends)[1]) {
       pair["backlash_mm"] = (*ends)[0];

@@ -51,6 +51,8 @@ void each_number(Row& row, const F& f) {
   f(row.interference);
   f(row.area);
   f(row.mass);
+  f(row.efficiency);
+  f(row.noise);
 }
 
 template <class Point, class F>
@@ -71,7 +73,7 @@ void each_number_of_point(Point& p, const F& f) {
   f(p.interference);
 }
 
-constexpr std::size_t kNumbers = 19 + 2 * 12 + 3;
+constexpr std::size_t kNumbers = 19 + 2 * 12 + 5;
 constexpr std::size_t kPointNumbers = 14;
 
 // Passes numbers to the compressor one by one, so that the uncompressed bytes of a million points

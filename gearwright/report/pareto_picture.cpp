@@ -33,9 +33,9 @@ Quantity quantity_of(Objective objective) {
   const ObjectiveWords w = words_of(objective);
   FigureAxis axis{std::string(w.name), std::string(w.unit)};
   axis.unit += fmt::format("{}{} values are better", w.unit.empty() ? "" : ", ",
-                           w.greater ? "greater" : "smaller");
+                           seeks_greatest(objective) ? "greater" : "smaller");
   axis.symbol = w.symbol;
-  return {axis, Along::objective, w.greater};
+  return {axis, Along::objective, seeks_greatest(objective)};
 }
 
 std::string title_of(const DesignRow& row) {

@@ -48,6 +48,10 @@ constexpr Entry kEntries[] = {
     {"S_H", ""},
     {"S_F", ""},
     {"mass_kg", {}},
+    {"efficiency", {}},
+    {"balance", {}},
+    {"relative_cost", {}},
+    {"noise_um", {}},
     {"area", "size of the region of profile shifts within the limits, in modules²"}};
 
 struct Column {
@@ -218,15 +222,19 @@ std::string_view words_of(Limit limit) { return kLimitWords[static_cast<std::siz
 
 ObjectiveWords words_of(Objective objective) {
   switch (objective) {
-    case Objective::contact_ratio: return {"contact ratio", "ε_α", "", true};
-    case Objective::formula_contact_ratio: return {"contact ratio by formula", "ε_α", "", true};
-    case Objective::ratio: return {"error of the ratio", "", "", false};
-    case Objective::size: return {"size m²(z₁² + z₂²)", "", "mm²", false};
-    case Objective::shift: return {"sum of profile shifts", "Σx", "modules", false};
-    case Objective::area: return {"area of the region of profile shifts", "", "modules²", true};
-    case Objective::sliding: return {"greatest specific sliding", "ζ", "", false};
-    case Objective::mass: return {"mass", "m", "kg", false};
-    case Objective::safety: return {"least ratio of safety to required safety", "", "", true};
+    case Objective::contact_ratio: return {"contact ratio", "ε_α", ""};
+    case Objective::formula_contact_ratio: return {"contact ratio by formula", "ε_α", ""};
+    case Objective::ratio: return {"error of the ratio", "", ""};
+    case Objective::size: return {"size m²(z₁² + z₂²)", "", "mm²"};
+    case Objective::shift: return {"sum of profile shifts", "Σx", "modules"};
+    case Objective::area: return {"area of the region of profile shifts", "", "modules²"};
+    case Objective::sliding: return {"greatest specific sliding", "ζ", ""};
+    case Objective::mass: return {"mass", "m", "kg"};
+    case Objective::safety: return {"least ratio of safety to required safety", "", ""};
+    case Objective::efficiency: return {"efficiency", "η", ""};
+    case Objective::balance: return {"balance of the load reserves", "", ""};
+    case Objective::cost: return {"relative cost", "", ""};
+    case Objective::noise: return {"estimated transmission error under load", "", "µm"};
   }
   contract_failed("postcondition", "known objective", __FILE__, __LINE__);
 }
@@ -239,7 +247,7 @@ std::optional<double> value_of(const SearchProblem& problem, const DesignRow& ro
   any.balanced = true;
   const auto value = cost(problem, any, objective);
   if (!value) return std::nullopt;
-  return words_of(objective).greater ? -*value : *value;
+  return seeks_greatest(objective) ? -*value : *value;
 }
 
 std::string design_name(const Trial& trial) {

@@ -58,7 +58,6 @@ struct ObjectiveWords {
   std::string_view name;    ///< "contact ratio"
   std::string_view symbol;  ///< "ε_α", written as in figure/markup.hpp; may be empty
   std::string_view unit;    ///< may be empty
-  bool greater = false;     ///< true if greater values are better
 };
 ObjectiveWords words_of(Objective objective);
 

@@ -171,9 +171,11 @@ void check_objectives(const TableReader& t, const SearchProblem& p) {
   for (const Objective objective : p.objectives) {
     if (objective == Objective::sliding)
       t.fail("objective", "sliding is not available on crossed axes");
-    if (objective == Objective::safety)
+    if (needs_rating(objective))
       t.fail("objective",
-             "safety is not available on crossed axes, because ISO 6336 covers parallel axes only");
+             fmt::format("{} is not available on crossed axes, because ISO 6336 covers parallel "
+                         "axes only",
+                         kObjectiveNames[static_cast<std::size_t>(objective)]));
   }
 }
 

@@ -37,10 +37,14 @@ std::string rating_key(const Json& search) {
   for (const char* key : {"safety_flank_min", "safety_root_min"})
     if (search.contains(key)) return key;
   const Json& objective = search.contains("objective") ? search["objective"] : search;
-  const bool safety = objective == "safety" ||
-                      (objective.is_array() &&
-                       std::find(objective.begin(), objective.end(), "safety") != objective.end());
-  return safety ? "objective" : "";
+  for (std::size_t i = 0; i < kObjectiveNames.size(); ++i) {
+    const Json name = kObjectiveNames[i];
+    if (needs_rating(static_cast<Objective>(i)) &&
+        (objective == name || (objective.is_array() && std::find(objective.begin(), objective.end(),
+                                                                 name) != objective.end())))
+      return "objective";
+  }
+  return "";
 }
 
 constexpr const char* kNeedsRating =
@@ -107,8 +111,11 @@ bool has_default_face_load(const JobSpec& spec) {
 }
 
 bool wants_rating(const SearchProblem& problem, const RatingTable& rating) {
-  return problem.limits.safety_flank || problem.limits.safety_root ||
-         problem.ranks_by(Objective::safety) || (rating.given && problem.ranks_by(Objective::mass));
+  const bool by_rating =
+      std::any_of(problem.objectives.begin(), problem.objectives.end(), needs_rating);
+  const bool by_mass = problem.ranks_by(Objective::mass) || problem.ranks_by(Objective::cost);
+  return problem.limits.safety_flank || problem.limits.safety_root || by_rating ||
+         (rating.given && by_mass);
 }
 
 void read_search_rating(const Json& tree, JobSpec& spec) {
@@ -151,6 +158,9 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
            "cannot be combined with shaft_angle_deg, because ISO 6336 rates gears on parallel "
            "axes");
   if (!rating.given) t.fail(by, kNeedsRating);
+  if (problem.ranks_by(Objective::noise) && rating.input.edition == RatingEdition::vdi_2736)
+    t.fail("objective",
+           "noise is not available with standard = \"VDI 2736:2014\", which has no mesh stiffness");
   if (!rating.spectrum.empty()) {
     t.fail(by,
            "cannot be combined with [[rating.spectrum]], which a search does not support; give one "

@@ -69,11 +69,26 @@ class DriveSearch(unittest.TestCase):
         self.assertGreater(limited["rejected"]["size"], 0)
         self.assertLessEqual(max(d["size_mm"] for d in limited["designs"]), 150)
 
+    def test_noise_ranks(self):
+        names = ["noise", "size", "efficiency"]
+        found = Run("search", None, "--json", folder=folder(spec(SET | {"objective": names}))).json["search"]
+        designs = found["designs"]
+        noise = [d["noise"] for d in designs]
+        self.assertEqual(noise, sorted(noise))
+        self.assertEqual(designs[0]["phasing"], "sequential")
+        costs = [(d["noise"], d["size_mm"], -d["efficiency"]) for d in designs]
+        front = [i for i, a in enumerate(costs) if not any(b != a and all(x <= y for x, y in zip(b, a)) for b in costs)]
+        self.assertEqual(found["pareto"], front)
+        self.assertIn("ΔΘ/Θ", Run("search", None, folder=folder(spec(SET | {"objective": names}))).out)
+        plain = Run("search", None, "--json", folder=folder(spec(SET))).json["search"]["designs"][0]
+        self.assertIsNone(plain["noise"])
+
     def test_what_a_search_cannot_be(self):
         for keys, key in (({"sun2_teeth": 20}, "search.sun2_teeth"), ({"stages": 2}, "search.stages"),
                           ({"kind": "conical"}, "search.kind"), ({"output": "ring"}, "search.output"),
                           ({"ratio": [5, 4]}, "search.ratio"), ({"size_max_mm": -1}, "search.size_max_mm"),
-                          ({"normal_module_mm": None, "size_max_mm": 100}, "search.size_max_mm"), ({"objective": "noise"}, "search.objective")):
+                          ({"normal_module_mm": None, "size_max_mm": 100}, "search.size_max_mm"),
+                          ({"objective": "colour"}, "search.objective"), ({"objective": "torque_ripple"}, "search.objective")):
             refused = Run("search", None, "--json", folder=folder(spec(SET | keys)))
             self.assertEqual((refused.status, refused.json["error"]["key"]), (1, key), refused.err)
         folder_wanted = Run("search", None, "--out", "o", folder=folder(spec(SET)))

@@ -1,0 +1,46 @@
+// Values by which the designs of a search are ranked and that combine its other results: balance of
+// the safety factors, relative cost, and an estimate of the noise.
+//
+//   R_H, R_F   load reserves of flank and root: (S_H/S_Hmin)², S_F/S_Fmin
+//   δ          mean deflection of the teeth along the line of action, µm
+//   λ          length of the contact lines (pair/contact_lines.hpp)
+//                                              theory: docs/theory/09-design-search.md, 9.8
+#pragma once
+
+#include <optional>
+
+#include "gearwright/design/design_row.hpp"
+#include "gearwright/rating/rating.hpp"
+
+namespace gearwright {
+
+/// The greatest load reserve divided by the least one, ≥ 1. The reserves are those of the flanks,
+/// of root 1 and of root 2. The square makes flank and root comparable, because the pressure on the
+/// flanks grows with the square root of the load, and the stress at the root in proportion to it.
+/// Only the weaker flank counts, because both flanks have the same pressure, and no profile shift
+/// changes the ratio of their safety factors. A limit that is not given counts as 1. Absent if the
+/// row has no safety factors.
+///
+/// Formula   max(R_H, R_F1, R_F2)/min(R_H, R_F1, R_F2), R_H = min(R_H1, R_H2); [T9.17]
+std::optional<double> load_balance(const SearchProblem& problem, const DesignRow& row);
+
+/// The relative cost, kg: the mass times a factor that grows with the face width. It ranks designs
+/// of the same kind and is no price: no published relation was found, so the exponent is an input.
+///
+/// Formula   m (b/d_1)^e; [T9.18]
+double relative_cost(const SearchProblem& problem, const DesignRow& row);
+
+/// The mean deflection of the teeth under the rated torque, without application factor. Absent if
+/// the rating has no mesh stiffness.
+///
+/// Formula   F_t/(b c_γα cos α_t), c_γα of ISO 6336-1, clause 9, method B
+std::optional<double> mean_deflection(const RatedPair& pair, const Rating& rating);
+
+/// The variation of the deflection, peak to peak, µm. It is the transmission error of perfect teeth
+/// under load if every mm of contact line has the same stiffness. Absent if the row has no
+/// deflection, or if its teeth lose contact.
+///
+/// Formula   δ_pp = δ ε_α (1/λ_min − 1/λ_max); [T9.16]
+std::optional<double> noise_of(const DesignRow& row, const std::optional<double>& deflection);
+
+}  // namespace gearwright

@@ -1,0 +1,55 @@
+// Estimates the noise of the candidates of a search for drives from their numbers of teeth.
+#include <cmath>
+#include <vector>
+
+#include "gearwright/base/parallel.hpp"
+#include "gearwright/design/drive_space.hpp"
+#include "gearwright/drive/windup.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Every stage of a train has its own mesh frequency. λ_m/T_o is the torque of its wheel per tooth,
+// for the torque 1 on the output.
+std::optional<double> noise_of_train(const StandardTeeth& teeth, const DriveCandidate& candidate) {
+  std::vector<WindupMesh> meshes;
+  double torque = 1.0;
+  for (auto stage = candidate.stages.rbegin(); stage != candidate.stages.rend(); ++stage) {
+    const auto& [z1, z2] = *stage;
+    WindupMesh& mesh = meshes.emplace_back(teeth.mesh(z1, z2));
+    mesh.frequency = meshes.size();
+    mesh.weight = std::pow(torque / z2, 2);
+    torque *= static_cast<double>(z1) / z2;
+  }
+  return windup_variation(meshes);
+}
+
+std::optional<double> noise_of_set(const DriveSearchProblem& problem, const StandardTeeth& teeth,
+                                   const DriveCandidate& candidate) {
+  PlanetarySpec set = set_of(problem, candidate);
+  set.normal_module.reset();  // without a module, only speeds, loads and places are computed
+  auto graph = graph_of(set);
+  if (!graph) return std::nullopt;
+  const auto drive = make_drive({std::move(graph).take()});
+  return drive ? windup_variation(*drive, teeth) : std::nullopt;
+}
+
+}  // namespace
+
+void estimate_noise(const DriveSearchProblem& problem, std::vector<DriveCandidate>& candidates,
+                    int threads) {
+  const PerMember& helix = problem.base.helix_deg;
+  const StandardTeeth teeth{problem.base.normal_pressure_angle,
+                            Angle::degrees(helix.each[0].value_or(helix.all.value_or(0.0)))};
+  parallel_for(
+      candidates.size(),
+      [&](std::size_t k) {
+        DriveCandidate& one = candidates[k];
+        one.noise =
+            one.stages.empty() ? noise_of_set(problem, teeth, one) : noise_of_train(teeth, one);
+      },
+      threads);
+}
+
+}  // namespace gearwright

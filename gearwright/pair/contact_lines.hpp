@@ -1,0 +1,42 @@
+// The total length of the contact lines of a pair on parallel axes, and how it varies with rotation.
+//
+//   ε_α, ε_β   transverse contact ratio, overlap ratio
+//   τ          rotation, in pitches
+//   λ(τ)       total length of all contact lines divided by b/cos β_b; its mean is ε_α
+//                                              theory: docs/theory/09-design-search.md, 9.8
+//
+// If every mm of contact line has the same stiffness, the deflection of the teeth under a constant
+// load is proportional to 1/λ. Its variation is then the transmission error of perfect teeth under
+// load. It is 0 if ε_α or ε_β is a whole number.
+#pragma once
+
+#include <optional>
+
+namespace gearwright {
+
+/// λ(τ). A tooth begins contact at one end of its face at τ = 0, and leaves contact at the other
+/// end at τ = ε_α + ε_β.
+///
+/// Formula   λ = Σ_k |[τ + k − ε_β, τ + k] ∩ [0, ε_α]|/ε_β over all whole k; on spur gears the
+///           number of k with 0 ≤ τ + k < ε_α; [T9.14]
+/// Domain    ε_α, ε_β ≥ 0 (contract)
+double contact_lines(double transverse_ratio, double overlap_ratio, double turn);
+
+struct ContactLineRange {
+  double least, greatest;  ///< of λ
+};
+
+/// The least and the greatest λ.
+///
+/// Formula   [T9.15]
+/// Domain    ε_α, ε_β ≥ 0 (contract)
+ContactLineRange contact_line_range(double transverse_ratio, double overlap_ratio);
+
+/// The variation of the deflection, peak to peak, divided by the deflection under λ = ε_α. None if
+/// λ vanishes at some rotation, because the teeth then lose contact.
+///
+/// Formula   ε_α (1/λ_min − 1/λ_max); [T9.16]
+/// Domain    ε_α, ε_β ≥ 0 (contract)
+std::optional<double> deflection_variation(double transverse_ratio, double overlap_ratio);
+
+}  // namespace gearwright
