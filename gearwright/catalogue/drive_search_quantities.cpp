@@ -132,6 +132,16 @@ void add_search(Quantities<DriveSearchView>& q) {
         "until the list is long enough",
         [](const S& s) { return Value(static_cast<long long>(s.designs->computed)); })
       .always();
+  q.add(Type::index, "hopeless", "hopeless", "",
+        "number of feasible trains that were not computed, because by an estimate from 64 rated "
+        "trains of the same module they cannot have the required safeties",
+        [](const S& s) { return Value(static_cast<long long>(s.designs->hopeless)); })
+      .always();
+  q.add(Type::index, "beyond_limit", "not computed", "",
+        "number of other feasible sets that were not computed, because at most 20 000 sets of each "
+        "module are computed; 0 if the list is long enough",
+        [](const S& s) { return Value(static_cast<long long>(s.designs->beyond_limit)); })
+      .always();
   q.add(Type::map, "left_out", "not listed", "",
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "
         "mounted), `neighbours` (planets too close to each other with their profile shifts), "

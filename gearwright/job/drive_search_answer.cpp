@@ -32,7 +32,14 @@ struct FoundDrives {
 
 // A change that the user may try if no drive is listed.
 std::string advice(const FoundDrives& f) {
-  const auto& left_out = f.designs.left_out;
+  auto left_out = f.designs.left_out;
+  left_out[static_cast<std::size_t>(DriveFault::safety)] += f.designs.hopeless;
+  if (f.designs.beyond_limit > 0)
+    return fmt::format(
+        "No drive was found among the {} computed sets, but {} sets were not computed, so there "
+        "may "
+        "be a drive. Narrow the band of the ratio or the bands of numbers of teeth.",
+        f.designs.computed, f.designs.beyond_limit);
   const auto most = std::max_element(left_out.begin(), left_out.end());
   if (f.result.found.empty() || *most == 0)
     return "No drive satisfies all limits. Widen the band of the ratio, the bands of numbers of "
@@ -79,6 +86,13 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
   for (std::size_t i = 0; i < std::size(kFaults); ++i)
     if (designs.left_out[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);
+  if (designs.hopeless > 0)
+    text += fmt::format("{} trains cannot have the safeties by an estimate from rated trains.\n",
+                        designs.hopeless);
+  if (designs.beyond_limit > 0)
+    text += fmt::format(
+        "{} sets were not computed, because the limit is {} computed sets of each module.\n",
+        designs.beyond_limit, kMostComputedDrives);
   if (designs.list.empty()) return text + "\n" + sentence_in(units, advice(f)) + "\n";
   if (!f.problem.series.empty())
     text += fmt::format("All gears have the thickness allowances of series {} (DIN 3967).\n",
