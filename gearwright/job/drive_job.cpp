@@ -8,6 +8,7 @@
 #include "gearwright/arrange/judge_drive.hpp"
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -182,6 +183,11 @@ Verdict judge(const DriveJob& job) {
   for (std::size_t m = 0; m < contacts.size(); ++m)
     unknown = unknown || (mesh_backlash(job.drive.geometry, m) && !contacts[m]);
   if (unknown) verdict.not_judged.emplace_back("contact");
+  const auto& ratings = job.drive.ratings;
+  for (std::size_t m = 0; m < ratings.size(); ++m)
+    if (!ratings[m] && job.drive.flow->driver[m] >= 0)
+      verdict.not_judged.push_back(
+          fmt::format("rating of the mesh {}", printable(job.drive.graph.meshes[m].name)));
   return verdict;
 }
 
