@@ -43,6 +43,10 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
       for (const char* key : {"speed_rpm", "torque_Nm"})
         if (k > 0) stage.erase(key);
       stage["teeth"] = c.stages[k];
+      // The hand alternates from stage to stage, so that both gears of an intermediate shaft have
+      // the same hand and their axial forces have opposite directions.
+      if (const auto& beta = problem.base.helix_deg.all; beta && k % 2 == 1 && *beta != 0.0)
+        stage["helix_angle_deg"] = -*beta;
       if (!problem.series.empty())
         stage["thickness_allowance_mm"] = {allowance(c.stages[k][0]), allowance(c.stages[k][1])};
       if (const auto& x = c.shifts; !x.empty() && x[2 * k] && x[2 * k + 1])

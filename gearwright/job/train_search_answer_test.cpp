@@ -1,11 +1,16 @@
-// Searches for trains: (1) a list of modules finds what its modules find alone.
+// Searches for trains: (1) a list of modules finds what its modules find alone; (2) the axial forces
+// on an intermediate shaft have opposite directions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "gearwright/drive/drive_forces.hpp"
 #include "gearwright/job/drive_answer.hpp"
+#include "gearwright/job/drive_job.hpp"
+#include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright {
 namespace {
@@ -49,6 +54,44 @@ TEST(TrainSearchAnswerTest, AListOfModulesFindsWhatEachModuleFinds) {
   std::vector<double> found;
   for (const Json& design : search["designs"]) found.push_back(design["size_mm"]);
   EXPECT_EQ(found, sizes);
+}
+
+// Law (2). The forces of a gear and of its mate are opposite, so the forces on the shaft have opposite
+// directions if its force is the difference of their magnitudes.
+TEST(TrainSearchAnswerTest, AxialForcesOnAnIntermediateShaftAreOpposite) {
+  const auto answer = trains_of("6",
+                                "ratio = [-58, -56]\nstages = 3\npinion_teeth = 18\n"
+                                "wheel_teeth = [68, 72]\nface_width_mm = 100\n",
+                                1);
+  ASSERT_TRUE(answer) << answer.error().message();
+  ASSERT_FALSE(answer->specs.empty());
+  const Json& stages = answer->specs[0]["stage"];
+  ASSERT_EQ(stages.size(), 3u);
+  EXPECT_EQ(stages[0]["helix_angle_deg"], 15);
+  EXPECT_EQ(stages[1]["helix_angle_deg"], -15);
+  EXPECT_EQ(stages[2]["helix_angle_deg"], 15);
+  Json loaded = answer->specs[0];
+  loaded["stage"][0]["torque_Nm"] = 36.0;
+  loaded["stage"][0]["speed_rpm"] = 1450;
+  const auto spec = read_spec(toml_text(loaded), SpecFormat::toml);
+  ASSERT_TRUE(spec) << spec.error().message();
+  const auto job = solve_drive(*spec);
+  ASSERT_TRUE(job) << job.error().message();
+  const DriveGraph& graph = job->drive.graph;
+  std::size_t shafts = 0;
+  for (std::size_t b = 0; b < graph.bodies.size(); ++b) {
+    std::vector<double> axial;
+    for (std::size_t m = 0; m < graph.meshes.size(); ++m)
+      for (const int side : {0, 1})
+        if (graph.gear(graph.meshes[m], side).body == b)
+          axial.push_back(std::abs(mesh_forces(job->drive, m)->axial));
+    if (axial.size() != 2) continue;
+    ++shafts;
+    const double sum = std::abs(body_forces(job->drive, b)->axial);
+    EXPECT_NEAR(sum, std::abs(axial[0] - axial[1]), 1e-9 * (axial[0] + axial[1]));
+    EXPECT_GT(std::min(axial[0], axial[1]), 100.0);
+  }
+  EXPECT_EQ(shafts, 2u);
 }
 
 }  // namespace
