@@ -9,6 +9,7 @@
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -146,10 +147,29 @@ std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive) {
   return std::nullopt;
 }
 
+namespace {
+
+// A finding if the planets under load have a greater K_γ than the rating.
+std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
+  // A relative difference of K_γ changes S_F by as much and S_H by half of it. A hundredth is far
+  // less than the uncertainty of both.
+  constexpr double kSameFactor = 0.01;
+  const auto computed = mesh_load_factor(drive), rated = rated_mesh_load_factor(drive);
+  if (!computed || !rated || *computed <= (1 + kSameFactor) * *rated) return std::nullopt;
+  return Warning{WarningCode::mesh_load_factor,
+                 fmt::format("The planets under this load have K_γ = {}, but the safeties are "
+                             "computed with K_γ = {}; give mesh_load_factor = {} in [rating].",
+                             fixed_decimals(*computed, 3), fixed_decimals(*rated, 3),
+                             fixed_decimals(*computed, 3))};
+}
+
+}  // namespace
+
 Result<DriveJob> with_load(Result<DriveJob> solved, Progress* progress) {
   if (!solved || !solved->spec.given.contains("load")) return solved;
   DriveJob job = std::move(solved).take();
   if (auto error = load_drive(job, progress)) return *error;
+  if (auto finding = greater_mesh_load_factor(job.drive)) job.drive.findings.push_back(*finding);
   job.verdict = judge(job);
   return job;
 }
