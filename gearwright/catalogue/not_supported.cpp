@@ -30,6 +30,12 @@ constexpr std::string_view kInternal =
     "is determined by the number of teeth; teeth = -61 is an internal gear with 61 teeth, and a "
     "positive number is an external gear";
 
+constexpr std::string_view kOutputTorque =
+    "is not a key; give the torque on the input by torque_Nm, which is the torque on the output "
+    "divided by ratio and efficiency, T_in = T_out/(i η). The verb drive computes i and η without "
+    "a "
+    "torque";
+
 constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",
      "is not allowed, because a spec has at most two gears, [gear1] and [gear2]; write a separate "
@@ -58,6 +64,9 @@ constexpr auto kRows = std::to_array<Row>({
     {"stage[#].gears[#].form", "\"rack\"",
      "is not supported in a stage, because both gears of a stage turn; describe a rack by "
      "[[drive.gear]] with form = \"rack\""},
+    {"*.torque_output_Nm", "", kOutputTorque},
+    {"*.output_torque_Nm", "", kOutputTorque},
+    {"*.torque_out_Nm", "", kOutputTorque},
     {"**.units", "", kUnits},
     {"*.unit", "", kUnits},
 });

@@ -113,9 +113,9 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
     return absent_input("rating.torque_Nm",
                         "; a rating needs a load. Give torque_Nm on the input of the drive or in "
                         "[rating], or give power_kW with speed_rpm in [rating]");
-  constexpr double kSameTorque = 1e-9;  // relative; a torque from power and speed may differ by
-                                        // rounding
-  if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameTorque * std::abs(*own))
+  constexpr double kSameLoad = 1e-9;  // relative; a torque from power and speed may differ by
+                                      // rounding
+  if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameLoad * std::abs(*own))
     return Error{
         "rating.torque_Nm", format_number(*rated),
         fmt::format(
@@ -123,10 +123,16 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
             format_number(*own))};
   load.torque = std::abs(rated.value_or(own.value_or(0.0)));
   if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
-  if (spec.rating.input.speed) {
-    load.speed = spec.rating.input.speed;
-  } else if (!drive.graph.speeds_rpm.empty()) {
-    load.speed = std::abs(drive.graph.speeds_rpm.front());
+  if (!drive.graph.speeds_rpm.empty()) load.speed = std::abs(drive.graph.speeds_rpm.front());
+  if (const auto& speed = spec.rating.input.speed) {
+    if (load.speed && std::abs(*load.speed - *speed) > kSameLoad * *load.speed)
+      return Error{
+          "rating.speed_rpm", format_number(*speed),
+          fmt::format(
+              "contradicts the speed of {} 1/min of the input of the drive; leave out one of the "
+              "two",
+              format_number(drive.graph.speeds_rpm.front()))};
+    load.speed = speed;
   }
   return load;
 }
