@@ -66,8 +66,8 @@ void add_found(Quantities<F>& q) {
            "0 if the drive is self-locking",
            [](const F& f) { return of_drive(f, "efficiency_backward"); });
   q.number("size_mm", "size", "",
-           "diameter over planets and rings without profile shifts; for a train, sum of the centre "
-           "distances",
+           "diameter over the planets and over the root circles of the rings, without the rims of "
+           "the rings and without profile shifts; for a train, sum of the centre distances",
            [](const F& f) { return Value(f.candidate.size); })
       .always();
   q.number("center_distance_mm", "centre distance", "a", "centre distance of the meshes of the set",

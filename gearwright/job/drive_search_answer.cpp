@@ -95,7 +95,7 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
         designs.beyond_limit, kMostComputedDrives);
   if (designs.list.empty()) return text + "\n" + sentence_in(units, advice(f)) + "\n";
   if (!f.problem.series.empty())
-    text += fmt::format("All gears have the thickness allowances of series {} (DIN 3967).\n",
+    text += fmt::format("All gears have the mean thickness allowances of series {} (DIN 3967).\n",
                         f.problem.series);
   if (f.default_face_load)
     text += fmt::format(
