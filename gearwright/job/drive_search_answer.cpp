@@ -46,8 +46,10 @@ std::string advice(const FoundDrives& f) {
            "teeth, or coaxial_teeth, or use spacing = \"nearest\".";
   switch (static_cast<DriveFault>(most - left_out.begin())) {
     case DriveFault::safety:
-      return "No drive has the required safeties. Try greater modules, a greater face_width_mm, "
-             "more planets or a stronger material.";
+      return fmt::format(
+          "No drive has the required safeties. Try greater modules, a greater face_width_mm, {} or "
+          "a stronger material.",
+          f.problem.kind == DriveKind::train ? "greater pinion_teeth" : "more planets");
     case DriveFault::neighbours:
       return "In every set the planets are too close to each other. Try fewer planets or a smaller "
              "neighbour_clearance_min.";

@@ -56,6 +56,20 @@ TEST(TrainSearchAnswerTest, AListOfModulesFindsWhatEachModuleFinds) {
   EXPECT_EQ(found, sizes);
 }
 
+// If no train has the safeties, the advice names keys of trains.
+TEST(TrainSearchAnswerTest, AdviceForUnsafeTrainsIsForTrains) {
+  const auto answer = trains_of("1.5",
+                                "ratio = [11.8, 12.2]\npinion_teeth = [17, 28]\n"
+                                "wheel_teeth = [50, 110]\nsafety_flank_min = 9\n",
+                                4);
+  ASSERT_TRUE(answer) << answer.error().message();
+  const Json& search = answer->record["search"];
+  EXPECT_EQ(search["hopeless"], search["feasible_count"]);
+  const std::string text = answer->listing();
+  EXPECT_NE(text.find("greater pinion_teeth"), std::string::npos) << text;
+  EXPECT_EQ(text.find("planets or"), std::string::npos) << text;
+}
+
 // Law (2). The forces of a gear and of its mate are opposite, so the forces on the shaft have opposite
 // directions if its force is the difference of their magnitudes.
 TEST(TrainSearchAnswerTest, AxialForcesOnAnIntermediateShaftAreOpposite) {
