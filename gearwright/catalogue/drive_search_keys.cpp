@@ -124,8 +124,9 @@ const KeyTable& drive_search_keys() {
                    "with each module")
            .with_list({.least = 1, .most = 100, .single = true, .order = {.strict = true}}),
        Key::positive("size_max_mm", "", &Problem::size_max, "no limit",
-                     "greatest overall diameter, or for a train the greatest sum of the centre "
-                     "distances; both are computed without profile shifts"),
+                     "greatest diameter over the planets and over the root circles of the rings, "
+                     "to which the rim of a ring adds; for a train, the greatest sum of the "
+                     "centre distances; both are computed without profile shifts"),
        of_set("normal_pressure_angle_deg"),
        of_set("helix_angle_deg"),
        of_set("profile_shift", "chosen for each set, without undercut"),

@@ -72,8 +72,8 @@ void add_found(Quantities<F>& q) {
            "`objective` = `noise`",
            [](const F& f) { return Value(f.candidate.noise); });
   q.number("size_mm", "size", "",
-           "diameter over planets and rings without profile shifts; for a train, sum of the centre "
-           "distances",
+           "diameter over the planets and over the root circles of the rings, without the rims of "
+           "the rings and without profile shifts; for a train, sum of the centre distances",
            [](const F& f) { return Value(f.candidate.size); })
       .always();
   q.number("center_distance_mm", "centre distance", "a", "centre distance of the meshes of the set",
@@ -137,6 +137,16 @@ void add_search(Quantities<DriveSearchView>& q) {
         "number of feasible sets whose teeth were computed; the best sets are computed first, "
         "until the list is long enough",
         [](const S& s) { return Value(static_cast<long long>(s.designs->computed)); })
+      .always();
+  q.add(Type::index, "hopeless", "hopeless", "",
+        "number of feasible trains that were not computed, because by an estimate from 64 rated "
+        "trains of the same module they cannot have the required safeties",
+        [](const S& s) { return Value(static_cast<long long>(s.designs->hopeless)); })
+      .always();
+  q.add(Type::index, "beyond_limit", "not computed", "",
+        "number of other feasible sets that were not computed, because at most 20 000 sets of each "
+        "module are computed; 0 if the list is long enough",
+        [](const S& s) { return Value(static_cast<long long>(s.designs->beyond_limit)); })
       .always();
   q.add(Type::map, "left_out", "not listed", "",
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "

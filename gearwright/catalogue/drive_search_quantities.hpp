@@ -28,6 +28,8 @@ struct DriveDesigns {
   std::vector<FoundDrive> list;     ///< sorted by the first objective, the best drive first
   std::vector<std::size_t> pareto;  ///< indices in `list`
   std::size_t computed = 0;
+  std::size_t hopeless = 0;      ///< trains whose safeties are too small by an estimate
+  std::size_t beyond_limit = 0;  ///< candidates that were not computed because of the limit
   std::array<std::size_t, kDriveFaultNames.size()> left_out{};
 };
 

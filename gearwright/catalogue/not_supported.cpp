@@ -33,6 +33,12 @@ constexpr std::string_view kInternal =
     "is determined by the number of teeth; teeth = -61 is an internal gear with 61 teeth, and a "
     "positive number is an external gear";
 
+constexpr std::string_view kOutputTorque =
+    "is not a key; give the torque on the input by torque_Nm, which is the torque on the output "
+    "divided by ratio and efficiency, T_in = T_out/(i η). The verb drive computes i and η without "
+    "a "
+    "torque";
+
 constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",
      "is not allowed, because a spec has at most two gears, [gear1] and [gear2]; write a separate "
@@ -64,6 +70,9 @@ constexpr auto kRows = std::to_array<Row>({
     {"*.transverse_diametral_pitch_per_in", "",
      "is not a key; give normal_diametral_pitch_per_in, the transverse diametral pitch divided by "
      "cos β, or transverse_module_mm, 25.4 divided by the transverse diametral pitch"},
+    {"*.torque_output_Nm", "", kOutputTorque},
+    {"*.output_torque_Nm", "", kOutputTorque},
+    {"*.torque_out_Nm", "", kOutputTorque},
     {"**.units", "", kUnits},
     {"*.unit", "", kUnits},
 });

@@ -105,7 +105,9 @@ const Quantities<Verdict>& verdict_quantities() {
         .always()
         .list({0});
     q.add(Type::text, "not_judged", "not judged", "",
-          "parts of the spec that this verb did not compute: `pair`, `contact`, `load`, `rating`",
+          "parts of the spec that this verb did not compute: `pair`, `contact`, `load`, `rating`, "
+          "or in "
+          "a drive the rating of a mesh that ISO 6336 does not cover",
           [](const V& v) { return ValueList(v.not_judged.begin(), v.not_judged.end()); })
         .always()
         .list({0});

@@ -34,7 +34,7 @@ inline constexpr std::array<std::string_view, 5> kDriveKindNames{"planetary", "s
 enum class DriveObjective {
   efficiency,           ///< greatest efficiency with the input driving
   ratio,                ///< ratio nearest to the target
-  size,                 ///< least overall diameter
+  size,                 ///< least DriveCandidate::size
   efficiency_backward,  ///< greatest efficiency with the output driving
   clearance,            ///< greatest clearance between neighbouring planets
   planets,              ///< greatest number of planets
@@ -100,7 +100,9 @@ struct DriveCandidate {
   double ratio = 0.0;      ///< i
   long long places = 0;    ///< N*; 0 for a train
   double clearance = 0.0;  ///< c  modules, without shifts; infinite for a train and for one planet
-  double size = 0.0;  ///< mm: overall diameter without shifts; for a train, sum of centre distances
+  double size =
+      0.0;  ///< mm: diameter over the planets and the root circles of rings without shifts;
+            ///< for a train, sum of centre distances
   /// Efficiencies with given or estimated losses; 0 if self-locking or not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;
   std::optional<double> face_width{};  ///< b  mm, if the search sizes the face width

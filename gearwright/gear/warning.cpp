@@ -323,6 +323,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the teeth have no backlash at this centre distance; the gears of a textbook are computed in "
      "this way, but gears that are made need a backlash",
      "", "Give thickness allowances or a series of DIN 3967."},
+    {C::mesh_load_factor, "mesh_load_factor", kCaution,
+     "verbs rate and run, for a drive with [load]: K_γ of the planets under load is greater than "
+     "K_γ of the rating",
+     "the planets share the load less evenly than the rating assumes"},
 }};
 
 constexpr bool each_has_its_row() {

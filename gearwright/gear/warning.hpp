@@ -124,6 +124,8 @@ enum class WarningCode {
   redundant_meshes,
   // Information about the backlash of a pair or a mesh.
   no_backlash,
+  // A load of the rating that differs from a computed load.
+  mesh_load_factor,
   count  ///< the number of codes, not a code
 };
 

@@ -66,10 +66,17 @@ std::string mesh_listing(const Drive& drive, UnitSystem units) {
   for (const DriveMesh& mesh : drive.graph.meshes) names.push_back(printable(mesh.name, 17));
   const std::vector<ValueRecord> records =
       records_of(drive_mesh_quantities(), drive, drive.graph.meshes);
+  std::vector<std::string> rated_names;
+  std::vector<ValueRecord> rated;
+  for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
+    if (!drive.ratings[m]) continue;
+    rated_names.push_back(names[m]);
+    rated.push_back(records[m]);
+  }
   std::string out;
-  if (!drive.ratings.empty())
+  if (!rated.empty())
     out = "\nStrength by ISO 6336\n" +
-          row_listing(units, names, records,
+          row_listing(units, rated_names, rated,
                       {"rating.torque_Nm", "rating.speed_rpm", "rating.S_H", "rating.S_F"});
   return out + "\nMeshes\n" +
          row_listing(units, names, records,

@@ -1,16 +1,15 @@
 #include "gearwright/job/drive_designs.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <variant>
 
 #include "gearwright/arrange/judge_drive.hpp"
 #include "gearwright/base/parallel.hpp"
+#include "gearwright/design/train_strength.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/drive/windup.hpp"
 #include "gearwright/job/drive_job.hpp"
@@ -45,26 +44,68 @@ class Designer {
 
   // If the search gives no profile shifts, those with the better design by the objectives are chosen.
   Outcome operator()(DriveCandidate candidate) const {
-    if (spec_.tree->tables["search"].contains("profile_shift")) return sized(std::move(candidate));
-    // The shifts do not depend on the face width.
-    if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
-    const auto own = read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
-    if (!own) return DriveFault::no_teeth;
     const bool same_cost = !problem_.asks(DriveObjective::efficiency) &&
                            !problem_.asks(DriveObjective::efficiency_backward) &&
                            !problem_.asks(DriveObjective::clearance) &&
                            !problem_.asks(DriveObjective::noise);
     std::optional<Outcome> best;
-    for (GearShifts& shifts : shift_trials(own->drive->graph)) {
+    for (GearShifts& shifts : trials(candidate)) {
       if (best && same_cost && std::holds_alternative<FoundDrive>(*best)) break;
       candidate.shifts = std::move(shifts);
       Outcome other = sized(candidate);
       if (!best || is_better(other, *best)) best = std::move(other);
     }
-    return std::move(*best);
+    return best ? std::move(*best) : DriveFault::no_teeth;
   }
 
+  // A train with its greatest face width and, for each stage, the greatest safeties over all trials
+  // of profile shifts. None if it cannot be rated.
+  std::optional<RatedTrain> rated(DriveCandidate candidate) const {
+    if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
+    RatedTrain best{candidate, std::vector<StageSafety>(candidate.stages.size())};
+    bool any = false;
+    for (GearShifts& shifts : trials(candidate)) {
+      candidate.shifts = std::move(shifts);
+      const auto own =
+          read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
+      if (!own) continue;
+      auto made = make_drive(*own->drive);
+      if (!made) continue;
+      Drive drive = std::move(made).take();
+      if (rate_drive(*own, drive)) continue;
+      const auto& ratings = drive.ratings;
+      if (!std::all_of(ratings.begin(), ratings.end(), [](const auto& r) { return r.has_value(); }))
+        continue;
+      any = true;
+      for (std::size_t k = 0; k < best.stages.size(); ++k) {
+        const Rating& r = ratings[k]->rating;
+        best.stages[k].flank =
+            std::max(best.stages[k].flank, std::min(r.S_H[0].value, r.S_H[1].value));
+        best.stages[k].root =
+            std::max(best.stages[k].root, std::min(r.S_F[0].value, r.S_F[1].value));
+      }
+    }
+    return any ? std::optional(std::move(best)) : std::nullopt;
+  }
+
+  // The safeties that every design must have.
+  StageSafety required() const {
+    return {problem_.safety_flank.value_or(spec_.rating.safety_flank_min.value_or(1.0)),
+            problem_.safety_root.value_or(spec_.rating.safety_root_min.value_or(1.0))};
+  }
+
+  bool rates() const { return rates_; }
+
  private:
+  // The profile shifts to be tried: those of the search if it gives them. None if the candidate has
+  // no teeth. They do not depend on the face width.
+  std::vector<GearShifts> trials(DriveCandidate candidate) const {
+    if (spec_.tree->tables["search"].contains("profile_shift")) return {candidate.shifts};
+    if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
+    const auto own = read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
+    return own ? shift_trials(own->drive->graph) : std::vector<GearShifts>();
+  }
+
   // Compares two designs by the objectives, the first one first.
   bool is_better(const Outcome& a, const Outcome& b) const {
     const auto costs = [&](const Outcome& outcome) {
@@ -138,7 +179,13 @@ class Designer {
   bool rates_;
 };
 
-// The candidates of a search. They are computed in several steps.
+// Number of trains of each module that are rated for the estimate, and the least number of trains of
+// a module that makes an estimate worth its time.
+constexpr std::size_t kEstimateTrains = 64, kLeastForEstimate = 1000;
+
+// The candidates of a search. They are computed in several steps. The estimate and the number of
+// computed candidates belong to one module. So a search over a list of modules makes the same
+// decisions on the candidates of a module as a search with this module alone.
 class Candidates {
  public:
   Candidates(const JobSpec& spec, const DriveSearchProblem& problem,
@@ -148,6 +195,39 @@ class Candidates {
         all_(all),
         made_(all.size()),
         threads_(threads) {}
+
+  // Leaves out the trains that cannot have the required safeties, by an estimate from trains of the
+  // same module that are evenly distributed over the order of the candidates. Returns their number.
+  std::size_t leave_out_hopeless() {
+    if (problem_.kind != DriveKind::train || !designer_.rates()) return 0;
+    std::map<double, std::vector<std::size_t>> of_module;
+    for (std::size_t i = 0; i < all_.size(); ++i) of_module[all_[i].module].push_back(i);
+    std::size_t hopeless = 0;
+    for (const auto& [module, which] : of_module) {
+      if (which.size() < kLeastForEstimate) continue;
+      std::vector<std::optional<RatedTrain>> trains(kEstimateTrains);
+      parallel_for(
+          trains.size(),
+          [&, &list = which](std::size_t i) {
+            trains[i] =
+                designer_.rated(all_[list[(2 * i + 1) * list.size() / (2 * trains.size())]]);
+          },
+          threads_);
+      std::vector<RatedTrain> rated;
+      for (auto& train : trains)
+        if (train) rated.push_back(std::move(*train));
+      is_rated_ = is_rated_ || !rated.empty();
+      const TrainStrength strength(rated);
+      for (const std::size_t i : which) {
+        DriveCandidate widest = all_[i];
+        if (problem_.face_width) widest.face_width = greatest_face_width(problem_, widest);
+        if (!strength.is_hopeless(widest, designer_.required())) continue;
+        made_[i] = State::left_out;
+        ++hopeless;
+      }
+    }
+    return hopeless;
+  }
 
   // Computes the candidates with these indices. An error of the spec is the same for all
   // candidates.
@@ -180,13 +260,13 @@ class Candidates {
   std::vector<std::size_t> next(std::size_t count) {
     std::vector<std::size_t> which;
     for (; first_ < all_.size() && which.size() < count; ++first_)
-      if (made_[first_] == State::open) which.push_back(first_);
+      if (made_[first_] == State::open && take(first_)) which.push_back(first_);
     return which;
   }
 
   // The candidates on the Pareto front that have not been computed. Candidates that were left out
   // do not count.
-  std::vector<std::size_t> next_of_front(std::size_t count) const {
+  std::vector<std::size_t> next_of_front(std::size_t count) {
     std::vector<std::size_t> places, which;
     std::vector<DriveCandidate> left;
     for (std::size_t i = 0; i < all_.size(); ++i) {
@@ -195,81 +275,38 @@ class Candidates {
       places.push_back(i);
     }
     for (const std::size_t i : pareto_front(problem_, left))
-      if (made_[places[i]] == State::open && which.size() < count) which.push_back(places[i]);
+      if (made_[places[i]] == State::open && which.size() < count && take(places[i]))
+        which.push_back(places[i]);
     return which;
+  }
+
+  // Number of candidates that have neither been computed nor left out.
+  std::size_t open() const {
+    return static_cast<std::size_t>(std::count(made_.begin(), made_.end(), State::open));
   }
 
  private:
   enum class State { open, listed, left_out };
+
+  // Counts a candidate that will be computed. False if the limit of its module is reached.
+  bool take(std::size_t i) {
+    std::size_t& computed = computed_[all_[i].module];
+    if (computed == kMostComputedDrives) return false;
+    ++computed;
+    return true;
+  }
+
   Designer designer_;
   const DriveSearchProblem& problem_;
   const std::vector<DriveCandidate>& all_;
   std::vector<State> made_;
+  std::map<double, std::size_t> computed_;  // by module
   std::size_t first_ = 0;
   bool is_rated_ = false;
   int threads_;
 };
 
 }  // namespace
-
-bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem) {
-  return spec.rating.given || problem.safety_flank || problem.safety_root || problem.face_width;
-}
-
-std::string teeth_text(const DriveCandidate& c) {
-  std::vector<std::string> list;
-  for (std::size_t m = 0; m < kSetMembers; ++m)
-    if (c.teeth[m] > 0)
-      list.push_back(fmt::format("{} {}", to_string(static_cast<SetMember>(m)), c.teeth[m]));
-  for (const auto& [z1, z2] : c.stages) list.push_back(fmt::format("{}:{}", z1, z2));
-  return fmt::format("{}", fmt::join(list, ", "));
-}
-
-Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c) {
-  const Json& tree = spec.tree->tables;
-  const Json& search = tree["search"];
-  Json made;
-  made["title"] = fmt::format("{}{}", spec.title.empty() ? "" : spec.title + ", ", teeth_text(c));
-  for (const auto& [key, value] : tree.items())
-    if (key != "title" && key != "search") made[key] = value;
-  if (problem.safety_flank) made["rating"]["safety_flank_min"] = *problem.safety_flank;
-  if (problem.safety_root) made["rating"]["safety_root_min"] = *problem.safety_root;
-  const bool train = !c.stages.empty();
-  const auto allowance = [&](int teeth) { return mean_allowance(problem, c, teeth); };
-  Json shared = shared_keys(search, train);
-  if (!problem.modules.empty()) shared["normal_module_mm"] = c.module;
-  if (c.face_width) shared["face_width_mm"] = *c.face_width;
-  if (train) {
-    for (std::size_t k = 0; k < c.stages.size(); ++k) {
-      Json stage = shared;
-      for (const char* key : {"speed_rpm", "torque_Nm"})
-        if (k > 0) stage.erase(key);
-      stage["teeth"] = c.stages[k];
-      if (!problem.series.empty())
-        stage["thickness_allowance_mm"] = {allowance(c.stages[k][0]), allowance(c.stages[k][1])};
-      if (const auto& x = c.shifts; !x.empty() && x[2 * k] && x[2 * k + 1])
-        stage["profile_shift"] = {*x[2 * k], *x[2 * k + 1]};
-      made["stage"].push_back(std::move(stage));
-    }
-    return made;
-  }
-  for (std::size_t m = 0, g = 0; m < kSetMembers; ++m) {
-    if (c.teeth[m] == 0) continue;
-    const char* member = to_string(static_cast<SetMember>(m));
-    shared[member] = c.teeth[m];
-    if (!problem.series.empty()) shared["thickness_allowance_mm"][member] = allowance(c.teeth[m]);
-    if (g < c.shifts.size() && c.shifts[g]) shared["profile_shift"][member] = *c.shifts[g];
-    ++g;
-  }
-  shared["planets"] = c.planets;
-  const PlanetarySpec& base = problem.base;
-  if (!shared.contains("spacing")) shared["spacing"] = "equal";
-  if (base.fixed && !shared.contains("fixed")) shared["fixed"] = *base.fixed;
-  if (!base.inputs.empty() && !shared.contains("input")) shared["input"] = base.inputs;
-  if (!base.output.empty() && !shared.contains("output")) shared["output"] = base.output;
-  made["planetary"] = std::move(shared);
-  return made;
-}
 
 Result<DriveDesigns> drive_designs(const JobSpec& spec, const DriveSearchProblem& problem,
                                    const DriveSearchResult& result, std::size_t top, int threads) {
@@ -279,21 +316,21 @@ Result<DriveDesigns> drive_designs(const JobSpec& spec, const DriveSearchProblem
         "; drives can be rated only with a module, for example normal_module_mm = [1, 1.5, 2]");
   DriveDesigns designs;
   Candidates candidates(spec, problem, result.found, threads);
-  const auto may_compute = [&](std::size_t count) {
-    return std::min(count, kMostComputedDrives - designs.computed);
-  };
+  designs.hopeless = candidates.leave_out_hopeless();
   while (designs.list.size() < top) {
-    const auto which = candidates.next(may_compute(top - designs.list.size()));
+    const auto which = candidates.next(top - designs.list.size());
     if (which.empty()) break;
     if (auto error = candidates.compute(which, designs)) return *error;
   }
+  const bool is_short = designs.list.size() < top;
   for (std::size_t more = top; more > 0;) {
-    const auto which = candidates.next_of_front(may_compute(more));
+    const auto which = candidates.next_of_front(more);
     if (which.empty()) break;
     const std::size_t before = designs.list.size();
     if (auto error = candidates.compute(which, designs)) return *error;
     more -= designs.list.size() - before;
   }
+  if (is_short) designs.beyond_limit = candidates.open();
   const auto cost = [&](const FoundDrive& f) {
     return cost_of(problem, f.candidate, problem.objectives.front());
   };

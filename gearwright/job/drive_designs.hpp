@@ -23,13 +23,16 @@ bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem);
 
 /// The candidates that the result lists: the `top` best by the first objective and, if there are
 /// several objectives, up to `top` more from the Pareto front. A candidate without a green verdict
-/// is replaced by the next, until kMostComputedDrives have been computed.
+/// is replaced by the next, until kMostComputedDrives of its module have been computed. Trains that
+/// cannot have the required safeties by the estimate of design/train_strength.hpp are left out.
 ///
+/// Law       a search over a list of modules finds a drive if the search with one of these modules
+///           does
 /// Errors    a module, or the load or a material of a rating, is missing or wrong
 Result<DriveDesigns> drive_designs(const JobSpec& spec, const DriveSearchProblem& problem,
                                    const DriveSearchResult& result, std::size_t top, int threads);
 
-/// Greatest number of candidates that are computed.
+/// Greatest number of candidates of each module that are computed.
 inline constexpr std::size_t kMostComputedDrives = 20000;
 
 }  // namespace gearwright

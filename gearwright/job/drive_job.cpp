@@ -8,6 +8,8 @@
 #include "gearwright/arrange/judge_drive.hpp"
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/printable.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -111,9 +113,9 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
     return absent_input("rating.torque_Nm",
                         "; a rating needs a load. Give torque_Nm on the input of the drive or in "
                         "[rating], or give power_kW with speed_rpm in [rating]");
-  constexpr double kSameTorque = 1e-9;  // relative; a torque from power and speed may differ by
-                                        // rounding
-  if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameTorque * std::abs(*own))
+  constexpr double kSameLoad = 1e-9;  // relative; a torque from power and speed may differ by
+                                      // rounding
+  if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameLoad * std::abs(*own))
     return Error{
         "rating.torque_Nm", format_number(*rated),
         fmt::format(
@@ -121,10 +123,16 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
             format_number(*own))};
   load.torque = std::abs(rated.value_or(own.value_or(0.0)));
   if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
-  if (spec.rating.input.speed) {
-    load.speed = spec.rating.input.speed;
-  } else if (!drive.graph.speeds_rpm.empty()) {
-    load.speed = std::abs(drive.graph.speeds_rpm.front());
+  if (!drive.graph.speeds_rpm.empty()) load.speed = std::abs(drive.graph.speeds_rpm.front());
+  if (const auto& speed = spec.rating.input.speed) {
+    if (load.speed && std::abs(*load.speed - *speed) > kSameLoad * *load.speed)
+      return Error{
+          "rating.speed_rpm", format_number(*speed),
+          fmt::format(
+              "contradicts the speed of {} 1/min of the input of the drive; leave out one of the "
+              "two",
+              format_number(drive.graph.speeds_rpm.front()))};
+    load.speed = speed;
   }
   return load;
 }
@@ -145,10 +153,29 @@ std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive) {
   return std::nullopt;
 }
 
+namespace {
+
+// A finding if the planets under load have a greater K_γ than the rating.
+std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
+  // A relative difference of K_γ changes S_F by as much and S_H by half of it. A hundredth is far
+  // less than the uncertainty of both.
+  constexpr double kSameFactor = 0.01;
+  const auto computed = mesh_load_factor(drive), rated = rated_mesh_load_factor(drive);
+  if (!computed || !rated || *computed <= (1 + kSameFactor) * *rated) return std::nullopt;
+  return Warning{WarningCode::mesh_load_factor,
+                 fmt::format("The planets under this load have K_γ = {}, but the safeties are "
+                             "computed with K_γ = {}; give mesh_load_factor = {} in [rating].",
+                             fixed_decimals(*computed, 3), fixed_decimals(*rated, 3),
+                             fixed_decimals(*computed, 3))};
+}
+
+}  // namespace
+
 Result<DriveJob> with_load(Result<DriveJob> solved, Progress* progress) {
   if (!solved || !solved->spec.given.contains("load")) return solved;
   DriveJob job = std::move(solved).take();
   if (auto error = load_drive(job, progress)) return *error;
+  if (auto finding = greater_mesh_load_factor(job.drive)) job.drive.findings.push_back(*finding);
   job.verdict = judge(job);
   return job;
 }
@@ -182,6 +209,11 @@ Verdict judge(const DriveJob& job) {
   for (std::size_t m = 0; m < contacts.size(); ++m)
     unknown = unknown || (mesh_backlash(job.drive.geometry, m) && !contacts[m]);
   if (unknown) verdict.not_judged.emplace_back("contact");
+  const auto& ratings = job.drive.ratings;
+  for (std::size_t m = 0; m < ratings.size(); ++m)
+    if (!ratings[m] && job.drive.flow->driver[m] >= 0)
+      verdict.not_judged.push_back(
+          fmt::format("rating of the mesh {}", printable(job.drive.graph.meshes[m].name)));
   return verdict;
 }
 

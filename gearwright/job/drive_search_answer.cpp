@@ -33,15 +33,24 @@ struct FoundDrives {
 
 // A change that the user may try if no drive is listed.
 std::string advice(const FoundDrives& f) {
-  const auto& left_out = f.designs.left_out;
+  auto left_out = f.designs.left_out;
+  left_out[static_cast<std::size_t>(DriveFault::safety)] += f.designs.hopeless;
+  if (f.designs.beyond_limit > 0)
+    return fmt::format(
+        "No drive was found among the {} computed sets, but {} sets were not computed, so there "
+        "may "
+        "be a drive. Narrow the band of the ratio or the bands of numbers of teeth.",
+        f.designs.computed, f.designs.beyond_limit);
   const auto most = std::max_element(left_out.begin(), left_out.end());
   if (f.result.found.empty() || *most == 0)
     return "No drive satisfies all limits. Widen the band of the ratio, the bands of numbers of "
            "teeth, or coaxial_teeth, or use spacing = \"nearest\".";
   switch (static_cast<DriveFault>(most - left_out.begin())) {
     case DriveFault::safety:
-      return "No drive has the required safeties. Try greater modules, a greater face_width_mm, "
-             "more planets or a stronger material.";
+      return fmt::format(
+          "No drive has the required safeties. Try greater modules, a greater face_width_mm, {} or "
+          "a stronger material.",
+          f.problem.kind == DriveKind::train ? "greater pinion_teeth" : "more planets");
     case DriveFault::neighbours:
       return "In every set the planets are too close to each other. Try fewer planets or a smaller "
              "neighbour_clearance_min.";
@@ -80,9 +89,16 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
   for (std::size_t i = 0; i < std::size(kFaults); ++i)
     if (designs.left_out[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);
+  if (designs.hopeless > 0)
+    text += fmt::format("{} trains cannot have the safeties by an estimate from rated trains.\n",
+                        designs.hopeless);
+  if (designs.beyond_limit > 0)
+    text += fmt::format(
+        "{} sets were not computed, because the limit is {} computed sets of each module.\n",
+        designs.beyond_limit, kMostComputedDrives);
   if (designs.list.empty()) return text + "\n" + wrapped(sentence_in(units, advice(f)));
   if (!f.problem.series.empty())
-    text += fmt::format("All gears have the thickness allowances of series {} (DIN 3967).\n",
+    text += fmt::format("All gears have the mean thickness allowances of series {} (DIN 3967).\n",
                         f.problem.series);
   if (f.default_face_load)
     text += wrapped(fmt::format(

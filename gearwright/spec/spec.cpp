@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/gear/gear.hpp"
@@ -112,6 +114,16 @@ void share_with_rating(const Json& tree, JobSpec& spec) {
   if (rating.input.quality || !one || !two) return;
   if (one->tolerance.quality && two->tolerance.quality)
     rating.input.quality = {*one->tolerance.quality, *two->tolerance.quality};
+}
+
+// Rejects two different speeds of gear 1.
+void check_speeds(const JobSpec& spec) {
+  const auto &own = spec.pair.speed_rpm, &rated = spec.rating.input.speed;
+  if (own && rated && std::abs(*own - *rated) > kSameInput * *own)
+    throw SpecError{{"rating.speed_rpm", format_number(*rated),
+                     fmt::format("contradicts pair.speed_rpm = {}, which is the speed of gear 1 "
+                                 "too; leave out one of the two",
+                                 format_number(*own))}};
 }
 
 // Copies the shafts of the gears to [rating].
@@ -263,6 +275,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
     if (key.place) lacks.of([&] { t.read(key, static_cast<SpecTables&>(spec)); });
   refuse_planets(tree);
   share_with_rating(tree, spec);
+  check_speeds(spec);
   share_shafts(tree, spec);
   if (search && !drives) lacks.of([&] { read_search_rating(tree, spec); });
   if (spec.search) lacks.of([&] { read_search_drawing(*search, *spec.search); });

@@ -55,11 +55,26 @@ class Stages(unittest.TestCase):
         for spec, *words in ((two + "speed_rpm = 1000\n", "stage.speed_rpm = 1000", "first stage"),
                              (two + "torque_Nm = 5\n", "stage.torque_Nm = 5", "stage 2"),
                              ('[[stage]]\ngears = [{ teeth = 20, normal_module_mm = 3 }, { form = "rack" }]\n',
-                              "stage[1].gears[2].form", "[[drive.gear]]")):
+                              "stage[1].gears[2].form", "[[drive.gear]]"),
+                             (two + "output_torque_Nm = 80\n", "stage[2].output_torque_Nm", "T_out/(i η)"),
+                             ("[planetary]\nsun = 18\ntorque_output_Nm = 80\n", "planetary.torque_output_Nm", "T_out/(i η)")):
             run = Run("drive", spec)
             self.assertEqual(run.status, 1)
             for word in words:
                 self.assertIn(word, run.err)
+
+    def test_two_speeds_of_one_input_contradict_each_other(self):
+        """The rating of a drive and the rating of a pair reject a speed that differs from that of the input or of gear 1."""
+        rating = ('[rating]\ntorque_Nm = 80\nlife_h = 10000\nquality = 6\nface_load_factor = 1.2\n'
+                  'material = "16MnCr5"\nspeed_rpm = ')
+        pair = "[gear1]\nteeth = 20\nnormal_module_mm = 3\n[gear2]\nteeth = 50\n[pair]\nspeed_rpm = 450\n" + rating
+        drive = "[[stage]]\nteeth = [20, 50]\nnormal_module_mm = 3\nspeed_rpm = -450\n" + rating
+        for spec in (pair, drive):
+            self.assertEqual(Run("rate", spec + "450\n").status, 0)
+            wrong = Run("rate", spec + "300\n")
+            self.assertEqual(wrong.status, 1)
+            for words in ("rating.speed_rpm = 300", "contradicts", "450"):
+                self.assertIn(words, wrong.err)
 
 
 class PlaneSections(unittest.TestCase):

@@ -80,6 +80,41 @@ class Shares(unittest.TestCase):
                          {name: mesh["rating"] for name, mesh in loaded.json["drive"]["meshes"].items()})
         self.assertIn("The rating uses K_γ = 1.100", Run("rate", text + rating + DRAFT).out)
 
+    def test_a_greater_factor_than_the_rating_is_a_finding(self):
+        """A pin that is 30 µm out of place unloads its planet, so the other two carry half of the load each: K_γ = 3/2."""
+        text = '''[planetary]
+sun = 18
+planet = 21
+ring = 60
+planets = 3
+normal_module_mm = 1.25
+face_width_mm = 14
+profile_shift = { sun = 0.1 }
+thickness_allowance_mm = -0.05
+torque_Nm = 18.6
+speed_rpm = 350
+[load]
+positions = 8
+accuracy = "draft"
+pin_error_um = PINS
+[rating]
+life_h = 3000
+quality = 6
+face_load_factor = 1.2
+material = "16MnCr5"
+'''
+        def factor(pins, *extra):
+            run = Run("rate", text.replace("PINS", pins) + "".join(extra), "--json")
+            verdict = run.json["verdict"]
+            return verdict, [f for f in verdict["findings"] if f["code"] == "mesh_load_factor"]
+        verdict, found = factor("[30, 0, 0]")
+        self.assertEqual(verdict["level"], "amber")
+        self.assertEqual([f["level"] for f in found], ["amber"])
+        for words in ("K_γ = 1.500", "K_γ = 1.000", "mesh_load_factor = 1.5"):
+            self.assertIn(words, found[0]["message"])
+        self.assertEqual(factor("[0, 0, 0]")[1], [])
+        self.assertEqual(factor("[30, 0, 0]", "mesh_load_factor = 1.501\n")[1], [])
+
 
 class Messages(unittest.TestCase):
     def test_bad_input_is_explained(self):

@@ -166,6 +166,17 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         self.assertIn("mesh1-gear2", ids)  # the rack, which is drawn in the section of its mesh
         self.assertLessEqual(set(re.findall(r'href="#([^"]*)"', page)), set(ids))
 
+    def test_a_rack_is_not_rated(self):
+        """ISO 6336 does not cover a rack. The verdict names its mesh, and the listing has no empty row."""
+        rating = '[rating]\nlife_h = 10000\nquality = 6\nface_load_factor = 1.2\nmaterial = "16MnCr5"\n'
+        rated = Run("rate", self.LIFT + rating, "--json")
+        self.assertEqual(rated.status, 0, rated.err)
+        (name,) = rated.json["drive"]["meshes"]
+        self.assertEqual(rated.json["verdict"]["not_judged"], [f"rating of the mesh {name}"])
+        text = Run("rate", self.LIFT + rating).out
+        self.assertNotIn("Strength", text)
+        self.assertIn(f"not judged: rating of the mesh {name}.", " ".join(text.split()))
+
     def test_a_rack_has_contact_and_a_verdict(self):
         """Under errors, the travel of the rack deviates by as much as `contact` gives for the pinion and its rack."""
         askew = self.LIFT.replace('r"], efficiency', 'r"], center_distance_mm = 20.4, efficiency')

@@ -1,0 +1,88 @@
+#include "gearwright/design/train_strength.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// The variables of the fit, and ln κ.
+struct StageShape {
+  double log_teeth, log_ratio, log_load, log_intensity;
+};
+
+std::vector<StageShape> shapes_of(const DriveCandidate& candidate) {
+  std::vector<StageShape> shapes;
+  const double log_width = std::log(candidate.face_width.value_or(1.0));
+  double log_torque = 0.0;
+  for (const auto& [z1, z2] : candidate.stages) {
+    const double log_z = std::log(z1), u = static_cast<double>(z2) / z1;
+    const double log_u = std::log(u);
+    const double log_w = log_torque - log_width - log_z;
+    shapes.push_back({log_z, log_u, log_w, log_w + std::log1p(1.0 / u) - log_z});
+    log_torque += log_u;
+  }
+  return shapes;
+}
+
+}  // namespace
+
+TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
+  std::size_t longest = 0;
+  for (const RatedTrain& train : rated) {
+    GW_EXPECTS(train.stages.size() == train.candidate.stages.size());
+    longest = std::max(longest, train.stages.size());
+  }
+  std::vector<StageFit> fits;
+  for (std::size_t k = 0; k < longest; ++k) {
+    std::vector<StageShape> shapes;
+    std::vector<StageSafety> safeties;
+    for (const RatedTrain& train : rated) {
+      if (train.stages.size() <= k) continue;
+      shapes.push_back(shapes_of(train.candidate)[k]);
+      safeties.push_back(train.stages[k]);
+    }
+    if (shapes.size() < kLeastRatedTrains) return;
+    const auto rows = static_cast<Eigen::Index>(shapes.size());
+    Eigen::MatrixX4d terms(rows, 4);
+    Eigen::MatrixX2d logs(rows, 2);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const StageShape& shape = shapes[static_cast<std::size_t>(i)];
+      const StageSafety& safety = safeties[static_cast<std::size_t>(i)];
+      terms.row(i) << 1.0, shape.log_teeth, shape.log_ratio, shape.log_load;
+      logs.row(i) << std::log(safety.flank) + shape.log_intensity / 2,
+          std::log(safety.root) + shape.log_load;
+    }
+    // The decomposition also solves for terms that are equal in all trains, such as a single z_1.
+    const Eigen::Matrix<double, 4, 2> fit = terms.completeOrthogonalDecomposition().solve(logs);
+    const Eigen::RowVector2d above = (logs - terms * fit).colwise().maxCoeff();
+    const auto bound = [&](Eigen::Index column, double margin) {
+      return Fit{fit(0, column) + above(column) + margin, fit(1, column), fit(2, column),
+                 fit(3, column)};
+    };
+    fits.push_back({bound(0, kFlankMargin), bound(1, kRootMargin)});
+  }
+  stages_ = std::move(fits);
+}
+
+bool TrainStrength::is_hopeless(const DriveCandidate& candidate,
+                                const StageSafety& required) const {
+  if (candidate.stages.size() > stages_.size()) return false;
+  const std::vector<StageShape> shapes = shapes_of(candidate);
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    const StageShape& s = shapes[k];
+    const auto log_of = [&](const Fit& fit) {
+      return fit.constant + fit.per_teeth * s.log_teeth + fit.per_ratio * s.log_ratio +
+             fit.per_load * s.log_load;
+    };
+    if (log_of(stages_[k].flank) - s.log_intensity / 2 < std::log(required.flank)) return true;
+    if (log_of(stages_[k].root) - s.log_load < std::log(required.root)) return true;
+  }
+  return false;
+}
+
+}  // namespace gearwright

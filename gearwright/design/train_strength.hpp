@@ -1,0 +1,63 @@
+// Estimates the greatest safeties of a train from rated trains of the same search, so that a search
+// does not rate trains that cannot have the required safeties.
+//
+//   T_k      Π u_j of the earlier stages: the torque on the pinion of stage k per torque on the input
+//   w        T_k/(b z_1), in proportion to the load per face width
+//   κ        w (u + 1)/(u z_1), with S_H ∝ 1/√κ and S_F ∝ 1/w if all other factors are equal
+//                                              theory: docs/theory/11-rating.md
+//
+// All trains of an estimate have the same module, helix angle, material, load and life. For each
+// stage, ln(S_H √κ) and ln(S_F w) are fitted linearly in ln z_1, ln u and ln w by least squares. These
+// terms cover the factors that change slowly with the numbers of teeth and with the load, such as
+// Z_ε, K_v, K_Hα and Y_F. The bound exceeds the fit by its greatest residual and by a margin.
+#pragma once
+
+#include <vector>
+
+#include "gearwright/design/drive_search.hpp"
+
+namespace gearwright {
+
+/// S_H and S_F of a stage, each the smaller value of its two gears.
+struct StageSafety {
+  double flank = 0.0, root = 0.0;
+};
+
+/// A rated train. Its candidate has the face width of the rating, if the search chooses it.
+struct RatedTrain {
+  DriveCandidate candidate;
+  std::vector<StageSafety> stages;
+};
+
+/// Margins of the bounds beyond the greatest residuals of the fits, in ln S. In 3000 trains with
+/// modules of 1.5 mm to 3 mm, of which 64 of each module made the estimate, no safety exceeded the
+/// greatest residual by more than 0.020 (S_H) or 0.057 (S_F).
+inline constexpr double kFlankMargin = 0.05, kRootMargin = 0.12;
+/// Least number of rated trains for an estimate.
+inline constexpr std::size_t kLeastRatedTrains = 24;
+
+class TrainStrength {
+ public:
+  /// Without rated trains, nothing is estimated.
+  TrainStrength() = default;
+  /// Fits the safeties of all stages. Stages with the same index from the input share one fit.
+  explicit TrainStrength(const std::vector<RatedTrain>& rated);
+
+  /// True if, by the estimate, a stage of the train cannot have the required safeties.
+  ///
+  /// `candidate`  with the greatest face width, if the search chooses it
+  /// Laws         (1) a train of the estimate that has the required safeties is not hopeless
+  ///              (2) a train that is not hopeless stays so if the required safeties decrease
+  bool is_hopeless(const DriveCandidate& candidate, const StageSafety& required) const;
+
+ private:
+  struct Fit {
+    double constant = 0.0, per_teeth = 0.0, per_ratio = 0.0, per_load = 0.0;
+  };
+  struct StageFit {
+    Fit flank, root;
+  };
+  std::vector<StageFit> stages_;  // empty if there are too few rated trains
+};
+
+}  // namespace gearwright
