@@ -63,7 +63,7 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
                   format_number(*given.pair.center_distance), chosen_shifts(given),
                   standard
                       ? " Gears without profile shift have this centre distance, too; for them, "
-                        "give profile_shift = 0 in [gear1]."
+                        "give `gear1.profile_shift` = 0."
                       : ""),
       0};
 }

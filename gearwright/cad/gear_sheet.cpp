@@ -11,6 +11,7 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/cad/biarc.hpp"
 #include "gearwright/cad/drawing.hpp"
+#include "gearwright/cad/sheet_callouts.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
 #include "gearwright/cad/sheet_symbols.hpp"
 

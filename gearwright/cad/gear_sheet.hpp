@@ -6,12 +6,12 @@
 // the largest scale of ISO 5455 at which the views fit on the sheet.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/cad/sheet.hpp"
-#include "gearwright/cad/sheet_callouts.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/unit_system.hpp"
@@ -26,6 +26,13 @@ struct DataRow {
 struct DataGroup {
   std::string title;
   std::vector<DataRow> rows;
+};
+
+/// What a drawing requires of the surfaces of a gear. An empty text is a visible blank. A texture
+/// that is absent has no symbol.
+struct SurfaceRequirements {
+  std::optional<std::string> flank_texture, face_texture, bore_texture;  ///< "MRR Ra 0.8"
+  std::string tip_runout, face_runout;  ///< circular runout to the axis, in the unit of the sheet
 };
 
 struct GearSheetInput {

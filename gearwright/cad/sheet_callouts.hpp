@@ -15,19 +15,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "gearwright/cad/sheet.hpp"
+#include "gearwright/cad/gear_sheet.hpp"
 
 namespace gearwright {
-
-/// What a drawing requires of the surfaces of a gear. An empty text is a visible blank. A texture
-/// that is absent has no symbol.
-struct SurfaceRequirements {
-  std::optional<std::string> flank_texture, face_texture, bore_texture;  ///< "MRR Ra 0.8"
-  std::string tip_runout, face_runout;  ///< circular runout to the axis, in the unit of the sheet
-};
 
 /// Part of the drawing to the left of the section that is already occupied.
 struct OccupiedSpace {

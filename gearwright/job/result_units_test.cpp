@@ -8,8 +8,11 @@
 #include <regex>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
 #include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/job/result_schema.hpp"
+#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 namespace {
@@ -20,6 +23,11 @@ const std::set<std::string> kNamedUnits{"value",   "expected", "expect",  "tool"
                                         "points",  "amount",   "leading", "trailing"};
 
 bool is_length(Unit unit) { return unit_in(UnitSystem::inch, unit) != unit; }
+
+// Distributions of a quantity, whose numbers are in the unit of the key of their record.
+const std::set<std::string> kInUnitOfRecord{"scatter spread", "scatter.standard_errors"};
+// Shares of the variance of a quantity, which are pure numbers.
+const std::set<std::string> kShares{"scatter.index"};
 
 struct Walk {
   std::set<std::pair<const QuantityTable*, Unit>> seen{};
@@ -51,6 +59,7 @@ struct Walk {
       if (kNamedUnits.contains(q->key) && (table.find("unit") || table.find("x"))) continue;
       if (is_length(q->unit) && !in_both && q->unit != effective)
         faults.push_back(name + ": has a length without its key");
+      if (kInUnitOfRecord.contains(table.name) || kShares.contains(table.name)) continue;
       if (is_length(effective) && q->unit != effective)
         faults.push_back(name + ": is converted, but is not in the unit of its key");
       static const std::regex kLength("(^|[^a-z/])(mm|µm)($|[^a-z²/])");
@@ -71,6 +80,17 @@ TEST(ResultUnits, every_quantity_is_in_the_unit_by_which_it_is_converted) {
     if (!inner.contains(table)) walk.check(*table, Unit::none);
   EXPECT_EQ(walk.tables.size(), result_tables().size());
   EXPECT_EQ(walk.faults, std::vector<std::string>());
+}
+
+TEST(ResultUnits, shares_of_a_length_are_not_converted) {
+  const Json record{
+      {"scatter",
+       {{"tip_clearance1_mm", {{"mean", 25.4}}},
+        {"indices", {{"tip_clearance1_mm", {{"first", {1.0}}, {"linear_share", 0.5}}}}}}}};
+  const Json inch = in_units(UnitSystem::inch, record)["scatter"];
+  EXPECT_EQ(inch["tip_clearance1_in"]["mean"], 1.0);
+  EXPECT_EQ(inch["indices"]["tip_clearance1_in"]["first"][0], 1.0);
+  EXPECT_EQ(inch["indices"]["tip_clearance1_in"]["linear_share"], 0.5);
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
         fmt::format(
             "the normal base pitches differ by {:.6g} mm, because gear 1 has {} mm and gear 2 has "
             "{} mm; gears mesh only with equal m_n cos α_n. Gear 2 needs the module {:.9g}\u00a0mm "
-            "(diametral pitch {:.6g}) at its pressure angle, or the base diameter {:.9g} mm at its "
+            "at its pressure angle (diametral pitch {:.6g}), or the base diameter {:.9g} mm at its "
             "base helix angle",
             p2 - p1, format_number(p1, p2), format_number(p2, p1), g2.normal_module * p1 / p2,
             kMmPerInch * p2 / (g2.normal_module * p1), 2 * gears[1].radius * p1 / p2));

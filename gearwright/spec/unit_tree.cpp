@@ -156,10 +156,14 @@ Json sentences_in_inch(const Json& value) {
 
 // A result, a spec, whose keys include names that the user chose, or a table whose keys are all
 // such names.
-enum class Tree { record, spec, by_name };
+enum class Tree { record, spec, by_name, shares };
 
 // Tables of a result whose keys are names that the user chose.
 constexpr std::array<std::string_view, 2> kByName{"bodies", "meshes"};
+
+// Tables of a result whose keys are quantities and whose numbers are pure, such as shares of their
+// variance.
+constexpr std::array<std::string_view, 1> kShares{"indices"};
 
 // `unit` is the unit of the nearest outer key that has one. `per` is the unit of the key of an
 // outer table of values per length.
@@ -183,12 +187,17 @@ Json in_inch(Tree tree, const Json& value, const KeyUnit* unit, const KeyUnit* p
     const bool chosen = tree == Tree::by_name || (tree == Tree::spec && !is_spec_key(key));
     const Tree inner = tree == Tree::spec                            ? tree
                        : is_one_of(kByName, key) && item.is_object() ? Tree::by_name
+                       : is_one_of(kShares, key) && item.is_object() ? Tree::shares
+                       : tree == Tree::shares                        ? tree
                                                                      : Tree::record;
     const KeyUnit* const own = chosen ? nullptr : metric_unit(key);
     const KeyUnit* const named = named_unit(value, key, metric_unit);
     const bool table_per = own && own->inverse && item.is_object();
     const KeyUnit* const of_table = chosen || is_in_unit_of_table(key) ? unit : nullptr;
-    const KeyUnit* const below = table_per ? nullptr : own ? own : named ? named : of_table;
+    const KeyUnit* const below = table_per || inner == Tree::shares ? nullptr
+                                 : own                              ? own
+                                 : named                            ? named
+                                                                    : of_table;
     Json made;
     if (is_spec(key, item))
       made = spec_in(UnitSystem::inch, item);
