@@ -42,7 +42,7 @@ int main() {
 error: normal_module = -1: must lie between 0.001 mm and 1000 mm
 9 teeth, tip diameter 22.000 mm
   warning undercut
-error: gear2.normal_module = 2.5: the normal base pitches differ by 1.47607 mm, because gear 1 has 5.90426 mm and gear 2 has 7.38033 mm; gears mesh only with equal m_n cos α_n. Gear 2 needs the module 2 mm (diametral pitch 12.7) at its pressure angle, or the base diameter 56.3815572 mm at its base helix angle
+error: gear2.normal_module = 2.5: the normal base pitches differ by 1.47607 mm, because gear 1 has 5.90426 mm and gear 2 has 7.38033 mm; gears mesh only with equal m_n cos α_n. Gear 2 needs the module 2 mm at its pressure angle (diametral pitch 12.7), or the base diameter 56.3815572 mm at its base helix angle
 to correct: the wheel
 contact lost: yes
 */

@@ -25,8 +25,9 @@ void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads) {
 
 TableColumns<DesignView> design_columns(const SearchProblem& problem) {
   // Only some searches have these columns. The problem determines which of them exist.
-  const std::set<std::string_view> optional{"backlash_mm", "face_width_mm", "S_H", "S_F",
-                                            "mass_kg"};
+  const std::set<std::string_view> optional{"backlash_mm", "face_width_mm", "S_H",
+                                            "S_F",         "mass_kg",       "efficiency",
+                                            "balance",     "relative_cost", "noise_um"};
   const DesignRow any;
   std::vector<std::string_view> without;
   for (const Quantity<DesignView>& q : design_quantities().list())

@@ -115,7 +115,7 @@ class Words(unittest.TestCase):
                  "usually 0.0001181 to 0.0003937"),
                 ("[pair]", "[pair]\ncenter_distance_in = 1", "pair.center_distance_in = 1:"),
                 ("[pair]", "[pair]\nbacklash = 2", "pair.backlash = 2: unknown key", "backlash_in"),
-                ("teeth = 17", "teeth = 17\nnormal_module_in = 0.1", "gear1.normal_module_in = 0.1: unknown key"),
+                ("teeth = 17", "teeth = 17\nnormal_module_in = 0.1", "gear1.normal_module_in = 0.1: is not a key, because modules are in mm"),
                 ("[pair]", "[compensate]\ncorrections = [\"gear1.lead_crowning_um\"]\n[pair]",
                  "compensate.corrections[1] = \"gear1.lead_crowning_um\": is not allowed", "give gear1.lead_crowning_uin"),
                 ('"inch"', '"cm"', 'units = "cm": must be one of "mm", "inch"')):
