@@ -141,6 +141,10 @@ TABLES = {
     "scatter": (of_gear() | {"scatter": {}}, ("scatter",)),
     "scatter_errors": (of_gear() | {"scatter": {"errors": {}}}, ("scatter", "errors")),
     "scatter_range": (of_gear() | {"scatter": {"errors": {"crossing_deg": {"range": [0, 1]}}}}, ("scatter", "errors", "crossing_deg")),
+    "scatter_correlations": (of_gear() | {"scatter": {
+        "errors": {"crossing_deg": [-0.01, 0.01], "intersecting_deg": [-0.01, 0.01]},
+        "correlations": [{"between": ["errors.crossing_deg", "errors.intersecting_deg"], "value": 0.5}]}},
+        ("scatter", "correlations", 0)),
     "scatter_bearings": (of_gear() | {"scatter": {"bearings": {"span_mm": 100, "radius_mm": 0.02}}}, ("scatter", "bearings")),
     "scatter_gear": (of_gear() | {"scatter": {"gear1": {}}}, ("scatter", "gear1")),
     "scatter_robust": (of_gear() | {"scatter": {"robust": {}}}, ("scatter", "robust")),
