@@ -246,7 +246,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   p.diameter = {2 * std::abs(j.w1), pair.diameter(2, j.u.v)};
   p.height = {turned * at.z, turned * j.Z.v};
   const auto rack_angle = field.one().profile.involute() ? pair.normal_pressure_angle()
-                                                            : field.one().profile.rack_angle(at.s);
+                                                         : field.one().profile.rack_angle(at.s);
   if (rack_angle) p.rack_angle = Angle::radians(*rack_angle);
   const Vec3 r_s = pair.tilt() * space(j.w1_s, 0.0);
   const Vec3 r_z = pair.tilt() * space(j.w1_z, 1.0);

@@ -1,10 +1,10 @@
 #include "gearwright/design/train_strength.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/math/decompositions.hpp"
 
 namespace gearwright {
 
@@ -48,8 +48,7 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
     }
     if (shapes.size() < kLeastRatedTrains) return;
     const auto rows = static_cast<Eigen::Index>(shapes.size());
-    Eigen::MatrixX4d terms(rows, 4);
-    Eigen::MatrixX2d logs(rows, 2);
+    Eigen::MatrixXd terms(rows, 4), logs(rows, 2);
     for (Eigen::Index i = 0; i < rows; ++i) {
       const StageShape& shape = shapes[static_cast<std::size_t>(i)];
       const StageSafety& safety = safeties[static_cast<std::size_t>(i)];
@@ -57,12 +56,11 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
       logs.row(i) << std::log(safety.flank) + shape.log_intensity / 2,
           std::log(safety.root) + shape.log_load;
     }
-    // The decomposition also solves for terms that are equal in all trains, such as a single z_1.
-    const Eigen::Matrix<double, 4, 2> fit = terms.completeOrthogonalDecomposition().solve(logs);
-    const Eigen::RowVector2d above = (logs - terms * fit).colwise().maxCoeff();
     const auto bound = [&](Eigen::Index column, double margin) {
-      return Fit{fit(0, column) + above(column) + margin, fit(1, column), fit(2, column),
-                 fit(3, column)};
+      // Terms may be equal in all trains, such as a single z_1.
+      const Eigen::VectorXd fit = least_squares(terms, logs.col(column));
+      const double above = (logs.col(column) - terms * fit).maxCoeff();
+      return Fit{fit[0] + above + margin, fit[1], fit[2], fit[3]};
     };
     fits.push_back({bound(0, kFlankMargin), bound(1, kRootMargin)});
   }

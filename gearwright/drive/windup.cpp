@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "gearwright/drive/drive_phases.hpp"
+#include "gearwright/math/lowest.hpp"
 #include "gearwright/pair/contact_lines.hpp"
 
 namespace gearwright {
@@ -44,29 +45,11 @@ std::vector<double> kinks_of(const std::vector<const WindupMesh*>& meshes) {
   return times;
 }
 
-// The least value of a convex function between two points, by golden section.
-template <class F>
-double least_of_convex(const F& f, double lo, double hi) {
-  constexpr double kGolden = 0.6180339887498949;
-  constexpr int kSteps = 30;  // the error of the value is then below 1e-12 of its curvature
-  double a = hi - kGolden * (hi - lo), b = lo + kGolden * (hi - lo);
-  double at_a = f(a), at_b = f(b);
-  for (int n = 0; n < kSteps; ++n) {
-    if (at_a < at_b) {
-      hi = b, b = a, at_b = at_a;
-      a = hi - kGolden * (hi - lo), at_a = f(a);
-    } else {
-      lo = a, a = b, at_a = at_b;
-      b = lo + kGolden * (hi - lo), at_b = f(b);
-    }
-  }
-  return std::min(at_a, at_b);
-}
-
 double spread_of(const std::vector<const WindupMesh*>& meshes) {
   // Between two kinks, each λ is linear and positive, so the sum of all 1/λ is convex. On spur gears
   // it jumps at a kink, and kNear is the distance at which both sides are evaluated.
   constexpr double kNear = 1e-10;
+  constexpr int kSteps = 30;  // the error of the value is then below 1e-12 of its curvature
   const auto rotation = [&](double t) { return rotation_at(meshes, t); };
   double least = 1e300, greatest = 0.0;
   const std::vector<double> times = kinks_of(meshes);
@@ -75,7 +58,7 @@ double spread_of(const std::vector<const WindupMesh*>& meshes) {
     if (!(hi > lo + kNear)) continue;
     const double first = rotation(lo), last = rotation(hi);
     greatest = std::max({greatest, first, last});
-    least = std::min({least, first, last, least_of_convex(rotation, lo, hi)});
+    least = std::min({least, first, last, rotation(golden_section(rotation, lo, hi, kSteps))});
   }
   return greatest - least;
 }

@@ -134,6 +134,12 @@ struct NamedErrors {
   ContactErrors errors;
 };
 
+std::vector<ContactErrors> errors_of(const std::vector<NamedErrors>& scenarios) {
+  std::vector<ContactErrors> errors;
+  for (const NamedErrors& s : scenarios) errors.push_back(s.errors);
+  return errors;
+}
+
 // The scenario of given values of the errors, in the units of their keys.
 NamedErrors scenario_at(const ContactSetup& setup, const std::vector<std::size_t>& ranged,
                         const std::array<double, kErrorCount>& value) {
@@ -181,9 +187,8 @@ Compensation compensated(const SolvedJob& job, const ContactSetup& setup, Compen
         worse_inside_ranges(*changed, job.spec, result.after.peak_to_peak, task.progress);
     if (!inside) break;
     scenarios.push_back(scenario_at(setup, ranged_errors(job.spec.compensate), *inside));
-    std::vector<ContactErrors> errors;
-    for (const NamedErrors& s : scenarios) errors.push_back(s.errors);
-    const CompensationTask wider = compensation_task(setup, corrections, errors, gear2_drives);
+    const CompensationTask wider =
+        compensation_task(setup, corrections, errors_of(scenarios), gear2_drives);
     task.pair_at = wider.pair_at;
     task.scenarios = wider.scenarios;
     result = compensate(task);
@@ -278,11 +283,10 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);
   std::vector<NamedErrors> scenarios = scenarios_of(setup, input);
-  std::vector<ContactErrors> errors;
-  for (const NamedErrors& s : scenarios) errors.push_back(s.errors);
   const bool with_load = under_load(input.aim);
-  CompensationTask task = compensation_task(
-      with_load ? with_fields_for(setup, *corrections) : setup, *corrections, errors, gear2_drives);
+  CompensationTask task =
+      compensation_task(with_load ? with_fields_for(setup, *corrections) : setup, *corrections,
+                        errors_of(scenarios), gear2_drives);
   task.positions = kPositions;
   task.progress = progress;
   task.curves = curves;

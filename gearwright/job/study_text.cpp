@@ -19,7 +19,8 @@ namespace gearwright {
 
 namespace {
 
-// A column, with its headings in CSV and in a terminal, and the path of its value in a row. A % in the path stands for the number of the percentile.
+// A column, with its headings in CSV and in a terminal, and the path of its value in a row. A % in
+// the path stands for the number of the percentile.
 struct StudyColumn {
   const char* csv;
   const char* head;  ///< empty if users do not see the column

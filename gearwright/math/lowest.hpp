@@ -27,32 +27,16 @@ LeastNode least_node(const F& f, int steps) {
           std::min(steps, best + 1) / static_cast<double>(steps), least};
 }
 
-/// The argument in [lo, hi] at which f is least.
+/// The argument at which f is least, by a golden-section search.
 ///
-/// Formula   the best of 17 equally spaced points, then a golden-section search between its
-///           neighbours
-/// Domain    f is finite and has one minimum between these neighbours. If there are several minima
-///           in the interval, the minimum next to the best point is found
-/// Accuracy  1e-8 of the interval; within this distance of the minimum, f varies by rounding only
+/// Domain    f has one minimum in [from, to]
+/// Accuracy  0.618^steps of the interval, but not better than the rounding of f permits
 template <class F>
-double place_of_least(const F& f, double lo, double hi) {
-  constexpr int kParts = 16;
-  constexpr int kSteps = 40;
+double golden_section(const F& f, double from, double to, int steps) {
   constexpr double kGolden = 0.6180339887498949;
-  const auto place = [&](int k) { return lo + (hi - lo) * k / kParts; };
-  int best = 0;
-  double least = f(lo);
-  for (int k = 1; k <= kParts; ++k) {
-    const double value = f(place(k));
-    if (!(value < least)) continue;
-    least = value;
-    best = k;
-  }
-  double from = place(std::max(0, best - 1));
-  double to = place(std::min(kParts, best + 1));
   double left = to - kGolden * (to - from), right = from + kGolden * (to - from);
   double f_left = f(left), f_right = f(right);
-  for (int k = 0; k < kSteps; ++k) {
+  for (int k = 0; k < steps; ++k) {
     if (f_left < f_right) {
       to = right;
       right = left;
@@ -68,6 +52,31 @@ double place_of_least(const F& f, double lo, double hi) {
     }
   }
   return f_left < f_right ? left : right;
+}
+
+/// The argument in [lo, hi] at which f is least.
+///
+/// Formula   the best of 17 equally spaced points, then a golden-section search between its
+///           neighbours
+/// Domain    f is finite and has one minimum between these neighbours. If there are several minima
+///           in the interval, the minimum next to the best point is found
+/// Accuracy  1e-8 of the interval; within this distance of the minimum, f varies by rounding only
+template <class F>
+double place_of_least(const F& f, double lo, double hi) {
+  constexpr int kParts = 16;
+  constexpr int kSteps = 40;
+  const auto place = [&](int k) { return lo + (hi - lo) * k / kParts; };
+  int best = 0;
+  double least = f(lo);
+  for (int k = 1; k <= kParts; ++k) {
+    const double value = f(place(k));
+    if (!(value < least)) continue;
+    least = value;
+    best = k;
+  }
+  double from = place(std::max(0, best - 1));
+  double to = place(std::min(kParts, best + 1));
+  return golden_section(f, from, to, kSteps);
 }
 
 }  // namespace gearwright

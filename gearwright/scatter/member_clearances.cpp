@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gearwright/math/involute.hpp"
 #include "gearwright/pair/clearances.hpp"
 #include "gearwright/pair/involute_pair.hpp"
 
@@ -35,8 +36,8 @@ Radii radii_of(const Gear& gear, double thickness) {
   const double x_E = reference.generating_profile_shift + shift / gear.spec.normal_module;
   if (gear.undercut || (least && x_E < *least)) return {radii.root, kNoClearance};
   const double r_b = gear.base_radius();
-  const double rho = std::sqrt((radii.form - r_b) * (radii.form + r_b)) +
-                     shift / std::sin(reference.transverse_pressure_angle);
+  const double rho =
+      roll_length(radii.form, r_b) + shift / std::sin(reference.transverse_pressure_angle);
   radii.form = rho < 0.0 ? kNoClearance : std::hypot(r_b, rho);
   return radii;
 }

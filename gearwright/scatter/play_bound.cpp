@@ -5,6 +5,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
+#include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 
@@ -61,10 +62,6 @@ bool is_covered(const Deviation& d) {
   });
 }
 
-double roll(double radius, double base_radius) {
-  return std::sqrt(std::max(0.0, radius * radius - base_radius * base_radius));
-}
-
 // 2 · ½Λ|x|² over the family, rad: the term of second order of both flanks.
 // None if the flanks can touch near a base circle.
 std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
@@ -73,7 +70,7 @@ std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   std::array<double, 2> rho_tip{};
   for (std::size_t g = 0; g < 2; ++g) {
     r_b[g] = gears[g]->base_radius();
-    rho_tip[g] = roll(gears[g]->actual_tip_radius(), r_b[g]);
+    rho_tip[g] = roll_length(gears[g]->actual_tip_radius(), r_b[g]);
   }
   const double half_face = 0.5 * std::max(gears[0]->spec.face_width, gears[1]->spec.face_width);
   const double R = std::hypot(gears[0]->actual_tip_radius(), half_face);
@@ -88,7 +85,7 @@ std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const double along = e.axial.half() + turn * R;
   const double any = e.distance.half() + along;
   const double a = setup.place().center_distance + e.distance.least;
-  const double N = roll(a, r_b[0] + r_b[1]);
+  const double N = roll_length(a, r_b[0] + r_b[1]);
   const double rho = std::min(N - rho_tip[0], N - rho_tip[1]) - any;
   if (!(rho > 0.0)) return std::nullopt;
   const double lever = r_b[1] * std::cos(gears[1]->reference().base_helix_angle);
@@ -98,8 +95,9 @@ std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   // 8/L², where L is the length over which it extends.
   for (std::size_t g = 0; g < 2; ++g) {
     const FlankExtent flank = flank_extent(*gears[g]);
-    const double L = std::min(roll(flank.rho_tip_form, r_b[g]) - roll(flank.rho_root_form, r_b[g]),
-                              flank.face_width);
+    const double L =
+        std::min(roll_length(flank.rho_tip_form, r_b[g]) - roll_length(flank.rho_root_form, r_b[g]),
+                 flank.face_width);
     for (std::size_t m = 0; m < kModifications.size(); ++m) {
       const Ends &right = e.amount[g][0][m], &left = e.amount[g][1][m];
       const double varying = std::max(right.half(), left.half());
