@@ -1,8 +1,9 @@
 // Minimises a function that takes long to compute, by models that are exact at a center and quick to
 // evaluate around it.
 //
-// The model at the first center is searched within the whole box. The search continues around a new
-// center if the function is less there, and otherwise closer to the last one.
+// The model at the first center is searched within the whole box. If the function is less at the
+// point found, this point is the next center. Otherwise, the search continues within a smaller
+// reach.
 #pragma once
 
 #include <algorithm>

@@ -66,8 +66,8 @@ class Judge {
     }
     return [this, center, all = std::move(all)](std::vector<double> v) {
       count();
-      // The estimate is finite for corrections that the teeth cannot have, too. Whether they can
-      // have them does not depend on the scenario.
+      // The estimate is finite even if teeth with these corrections do not exist. Their existence
+      // does not depend on the scenario.
       if (!task_.pair_at(v, 0)) return kInfinity;
       for (std::size_t k = 0; k < v.size(); ++k) v[k] -= center[k];
       double worst = 0.0;
@@ -75,7 +75,7 @@ class Judge {
       return worst;
     };
   }
-  // Until the next call, value() returns the values of this model; exact values if it is empty.
+  // Until the next call, value() uses this model. If the model is empty, value() is exact.
   void use(Model model) { model_ = std::move(model); }
   bool uses_model() const { return static_cast<bool>(model_); }
 
@@ -233,9 +233,9 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   return best.v;
 }
 
-// As searched(). If the aim has an estimate, all trials use it, and the search is repeated around
-// the best corrections with the estimate that is exact there. Without a result for no corrections,
-// there is no estimate either.
+// Like searched(), but if the aim has an estimate, all trials use it, and the search is repeated
+// around the best corrections with the estimate that is exact there. If the value without
+// corrections is not finite, no estimate is used.
 std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
   if (!judge.has_near() || !std::isfinite(judge.value(zero))) return searched(task, judge);
@@ -292,8 +292,8 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   }
   fine.use({});
   if (!fine.has_near()) return best.v;
-  // The estimates chose the last steps. The exact values decide between them, the corrections of the
-  // search and none.
+  // Estimates determined the last steps. Exact values decide between the result of these steps, the
+  // result of the search, and no corrections.
   const std::vector<double> written = as_written(task.corrections, found, 1e4);
   const double refined = fine.value(best.v), searched = fine.value(written);
   if (!(std::min(refined, searched) < none - same)) return zero;

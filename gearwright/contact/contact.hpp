@@ -16,7 +16,7 @@ struct ContactRequest {
   int positions = 64;              ///< per pitch of gear 1, ≥ 2
   int pitches = 1;                 ///< length of the analysed range, ≥ 1
   double marking = 0.00635;        ///< δ  mm, thickness of the marking compound
-  std::vector<Angle> rotations{};  ///< of gear 1; if not empty, used instead of even positions
+  std::vector<Angle> rotations{};  ///< of gear 1; if given, they replace even positions
   std::vector<Influence> influences{};
   Progress* progress = nullptr;  ///< reports the progress
 };
@@ -26,9 +26,9 @@ struct ContactResult {
   std::vector<ContactPoint> positions;
   std::vector<std::vector<Sensitivity>> sensitivities;  ///< [influence][position]; 0 if contact is
                                                         ///< lost
-  Angle peak_to_peak;                                   ///< of TE, over the positions with contact
+  Angle peak_to_peak;                                   ///< over the positions with contact
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
-  std::vector<Angle> harmonics;  ///< of TE, by harmonics(); empty if the request has rotations
+  std::vector<Angle> harmonics;  ///< harmonics of TE; empty if the request has rotations
   bool contact_lost = false;     ///< true if there is a position at which no tooth pair touches
   long unfinished = 0;           ///< searches that did not converge; normally 0
   RackTravel rack{};             ///< set if gear 2 is a rack
@@ -50,7 +50,8 @@ std::optional<Angle> play_between(const ContactPoint& working, const ContactPoin
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
 /// True if the gears jam at this least play, because the normal play is −kNoBacklash or less. A
-/// smaller overlap is a rounding of the centre distance. `moved` is gear 2, or the pinion of a rack.
+/// smaller overlap may result from rounding of the centre distance. `moved` is gear 2, or the
+/// pinion of a rack.
 bool jams(Angle least_play, const Gear& moved);
 
 /// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the housing

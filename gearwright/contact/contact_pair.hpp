@@ -82,7 +82,7 @@ class ContactPair {
   }
   double ratio() const { return ratio_; }                  ///< |z1/z2|; 1 for a rack
   double pitch() const { return pitch_; }                  ///< 2π/|z1|  rad
-  double rotation_sign() const { return rotation_sign_; }  ///< of gear 1 in N; −1 is clockwise
+  double rotation_sign() const { return rotation_sign_; }  ///< gear 1 in N; −1 is clockwise
   double mesh_azimuth() const { return internal_ ? std::numbers::pi : 0.0; }
   double reach() const { return reach_; }
   bool internal() const { return internal_; }
@@ -94,7 +94,7 @@ class ContactPair {
   double u_at(int gear, double diameter) const;  ///< the inverse of diameter()
   bool gear2_drives() const { return place_.gear2_drives; }
   const ContactMount& place() const { return place_; }
-  double normal_pressure_angle() const { return alpha_n_; }  ///< of the rack of gear 1, rad
+  double normal_pressure_angle() const { return alpha_n_; }  ///< α_n of the rack of gear 1, rad
 
   /// Converts a rotation of gear 1 from the housing to N, or from N to the housing.
   double to_world(double rotation1) const { return place_.gear2_drives ? -rotation1 : rotation1; }

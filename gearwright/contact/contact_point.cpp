@@ -76,7 +76,7 @@ class LineWalk {
     arm_ = GapField::arm(j);
   }
 
-  // True if, by the curvature at the touch, the gap may stay below kLineGap over half the patch.
+  // True if the curvature at the touch permits a gap below kLineGap over half the patch.
   bool worth_walking() const { return std::abs(soft_) * arm_ < 8.0 * kLineGap; }
 
   // The two points at which the straight line through the touch leaves D; none if the gap opens

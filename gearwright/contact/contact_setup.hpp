@@ -27,8 +27,8 @@ constexpr bool is_slope(Modification m) {
 struct SetupChange {
   double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that a rack F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ of the cutter of each gear
-  /// Of each gear. Slopes change the working flanks only, crownings change both flanks, and reliefs
-  /// change only where the drawing has a relief.
+  /// Amounts of each gear. Slopes change the working flanks only, crownings change both flanks, and
+  /// reliefs change only where the drawing has a relief.
   std::array<ModificationAmounts, 2> flank;
   bool left = false;  ///< true if the working flanks of gear 1 are the left ones (gear 2 drives)
 };

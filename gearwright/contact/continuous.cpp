@@ -17,7 +17,7 @@ constexpr double kSame = 1e-13;  // rad: values of TE that differ by less are eq
 constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
 constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
-constexpr double kNear = 0.08;   // of the patch: touches farther apart are on different crests
+constexpr double kNear = 0.08;   // share of the patch: farther touches are on different crests
 // The curve of TE between the positions, from the branches that lead at the positions. The branch
 // with the greatest T at a rotation leads there.
 class Branches {
@@ -269,9 +269,9 @@ CurveExtremes continuous_extremes(Transmission& transmission,
     // line through this position and a neighbouring position does.
     const double reach =
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
-    // A branch never exceeds TE, so no maximum of a branch is too great. Beyond a handover a branch
-    // lies below TE, so its minimum may be too small; it is used only if the same branch leads here
-    // and at both neighbours.
+    // A branch never exceeds TE, so the maximum of a branch is never too great. Beyond a handover,
+    // a branch lies below TE, so its minimum may be too small. The minimum is used only if the same
+    // branch leads here and at both neighbours.
     if (here.te() + reach > e.greatest) {
       if (const auto turn = curve.turning_point(i, true)) take_top(*turn);
     }

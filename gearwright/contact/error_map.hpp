@@ -12,7 +12,7 @@
 namespace gearwright {
 
 struct ErrorMap {
-  std::vector<double> x, y;                ///< in the caller's units
+  std::vector<double> x, y;                ///< errors in the caller's units
   std::vector<std::vector<double>> value;  ///< rad, [iy][ix]; NaN if nothing touches
 };
 

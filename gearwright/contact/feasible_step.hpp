@@ -37,7 +37,7 @@ struct ActiveSet {
 struct FeasibleStep {
   double d_s = 0.0, d_z = 0.0;
   ActiveSet active;
-  std::array<double, 2> multiplier{};  ///< of active.first and active.second, ≥ 0
+  std::array<double, 2> multiplier{};  ///< multipliers of active.first and active.second, ≥ 0
   bool feasible = true;  ///< false if no point satisfies all bounds; d then violates them least
 };
 

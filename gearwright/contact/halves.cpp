@@ -59,7 +59,7 @@ ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
   return result;
 }
 
-// Adds the contact of the whole gears to that of both halves.
+// Adds the contact of the whole gears to the contact of both halves.
 void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
   const auto& [a, b] = found.half;
   ContactResult& whole = found.whole;
@@ -92,9 +92,9 @@ void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
   if (per_pitch > 0 && !whole.contact_lost) whole.harmonics = harmonics_of(whole, per_pitch);
 }
 
-// The mean of the TE of both halves, rad; NaN if a half does not touch. TE of a half is that of the
-// leading branch of the two positions around a rotation. If one branch leads at both positions, it is
-// followed from the nearer one only.
+// The mean of the TE of both halves, rad; NaN if a half does not touch. TE of a half is the
+// greatest of the branches that lead at the two positions around a rotation. If one branch leads at
+// both, it is followed from the nearer position.
 class MeanError {
  public:
   MeanError(const HalvesMesh& mesh, int positions)

@@ -47,7 +47,7 @@ inline bool alike_halves(double stagger, const ContactErrors& errors) {
 
 /// A double-helical pair under its errors, driven by one of its gears.
 struct HalvesMesh {
-  const Gear* gear_1 = nullptr;              ///< of half A
+  const Gear* gear_1 = nullptr;              ///< gear 1 of half A
   std::array<const ContactPair*, 2> half{};  ///< A, and the mirror image of B
   double stagger = 0.0;                      ///< s
 
@@ -82,14 +82,14 @@ class HalvesSetup {
 /// The contact of both halves and of the whole gears at the same rotations of the gears.
 struct HalvesContact {
   std::array<ContactResult, 2> half{};  ///< A and B
-  ContactResult image{};                ///< of the mirror image of half B, at rotations_of_second()
+  ContactResult image{};                ///< the mirror image of half B, at rotations_of_second()
   /// Rotations and TE of every position of the whole gears; the place of contact is NaN. `kind` is
   /// taken from half B if only half B touches at an edge, otherwise from half A.
   ContactResult whole{};
   std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 
-  /// The positions of half A, followed by those of the mirror image of half B. The verdict judges
-  /// the places of contact of both.
+  /// The positions of half A, followed by the positions of the mirror image of half B. The verdict
+  /// judges both.
   ContactResult on_halves() const;
 };
 

@@ -27,7 +27,7 @@ struct GearModifications {
 GearModifications on_both_flanks(const FlankModifications& modifications);
 
 struct ContactOptions {
-  std::array<GearModifications, 2> modifications{};  ///< of gear 1, gear 2
+  std::array<GearModifications, 2> modifications{};  ///< for gear 1, gear 2
   bool gear2_drives = false;                         ///< if true, trailing flanks of gear 1 touch
   ContactRequest request{};
 };

@@ -27,7 +27,7 @@ inline Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; 
 
 /// The outline at a radius:  θ = arg(factor) + phase.
 struct RadialJet {
-  Complex factor;  ///< of any magnitude; only its argument is used
+  Complex factor;  ///< may have any magnitude; only its argument is used
   double phase;    ///< rad
   double d1, d2;   ///< θ′, θ″
 };
@@ -68,7 +68,7 @@ class Profile {
   /// The rotation per removal at the parameter s, which must not lie far beyond the ends. [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;
   double s_of(double u) const;  ///< s at u, solved to rounding; u beyond the piece gives the end
-  double s_of(double u, double start) const;  ///< the same; iterations begin at `start`
+  double s_of(double u, double start) const;              ///< the same; iterations begin at `start`
   const Involute* involute() const { return involute_; }  ///< null for another curve
   /// Normal angle of the generating rack; none if no circular arc of a rack cut the piece.
   std::optional<double> rack_angle(double s) const;
@@ -87,7 +87,7 @@ class Profile {
   double xi_sign_ = 1.0;
   double t_lo_ = 0.0, t_hi_ = 0.0;
   double arm_per_cos_ = 0.0;         // r cos β or r_b cos β_b, mm; τ for other curves
-  double half_ = 0.0, slope_ = 0.0;  // of the flank of a rack
+  double half_ = 0.0, slope_ = 0.0;  // for the flank of a rack
 };
 
 }  // namespace gearwright

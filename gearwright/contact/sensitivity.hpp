@@ -16,7 +16,8 @@
 
 namespace gearwright {
 
-/// An error of mounting or of the lead. The units are those in which derivatives refer to it.
+/// An error of mounting or of the lead. Each unit is the unit in which derivatives refer to the
+/// error.
 enum class ErrorKind {
   center_distance,  ///< per mm
   crossing,         ///< per rad

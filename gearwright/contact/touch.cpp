@@ -11,7 +11,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kLastStep = 1e-7;    // scaled; the remaining error is the square of this length
-constexpr double kLongestStep = 0.6;  // of half the patch, per step
+constexpr double kLongestStep = 0.6;  // greatest step, relative to half the patch
 constexpr double kFlat = 1e-14;  // rad, scaled: smaller slopes and curvatures are rounding errors
 constexpr double kTinyBend = -1e-15;  // replaces a curvature of 0
 constexpr int kMaxSteps = 80;

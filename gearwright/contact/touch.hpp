@@ -25,7 +25,7 @@ struct Touch {
   double s = 0.0, z = 0.0;  ///< the touch on flank 1
   double s2 = 0.0;          ///< its parameter on flank 2
   detail::ActiveSet active;
-  std::array<double, 2> multiplier{};  ///< of the active bounds, rad per scaled bound
+  std::array<double, 2> multiplier{};  ///< multipliers of the active bounds, rad per scaled bound
   bool flat = false;  ///< true if T is constant in one direction within rounding (line contact)
   int evaluations = 0;
 

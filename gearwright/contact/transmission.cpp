@@ -24,8 +24,8 @@ bool is_convex(const std::vector<FlankPatch>& flank) {
 }
 
 // True if the teeth of a ring reach beyond the point at which the line of action touches the base
-// circle of the pinion. There, the hollow flank of the ring is more curved than that of the pinion,
-// and its tip is another maximum of T.
+// circle of the pinion. There, the hollow flank of the ring is more curved than the flank of the
+// pinion, and its tip is another maximum of T.
 bool reaches_beyond_action(const ContactPair& pair) {
   const Involute* one = pair.patches(1).front().profile.involute();
   const Involute* two = pair.patches(2).front().profile.involute();
@@ -233,8 +233,8 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
       if (t.found() && detail::wins(t, own, best[i]))
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
-    // Far beyond the path of contact, T is less than WaveCrests estimates. Crests that were left
-    // out because of too great an estimate of another crest may then be the highest.
+    // Far beyond the path of contact, T is less than WaveCrests estimates. The highest crest may
+    // then be one that was left out because the estimate of another crest was too great.
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

@@ -108,8 +108,8 @@ class Transmission::Track {
   }
 
   // Follows a touch from position m in one direction. `step` returns the touch at a rotation from a
-  // predicted one. The track ends if there is none, if T decreases and is well below T of another
-  // pair, or if `known` returns true because another track has passed this touch.
+  // predicted one. The track ends if there is no such touch, if T decreases and is well below T of
+  // another pair, or if `known` returns true because another track contains this touch.
   template <class Step, class Known>
   void walk(int m, const PairTouch& from, int direction, const Step& step, const Known& known) {
     PairTouch last = from;
