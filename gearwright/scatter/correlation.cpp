@@ -16,8 +16,8 @@ namespace {
 
 using Matrix = std::vector<std::vector<double>>;
 
-// The least square of a diagonal entry of L. With less, one input is a function of the others within
-// rounding.
+// Least permitted square of a diagonal entry of L. Below it, one input is a function of the others
+// within rounding.
 constexpr double kLeastPivot = 1e-9;
 constexpr double kShownStep = 1e-4;  // resolution of the correlations in an error
 
@@ -56,13 +56,14 @@ Matrix with_last(const Matrix& r, std::size_t first, std::size_t second) {
   return moved;
 }
 
-// The range of one correlation in which R is positive definite if all others stay the same; none if
-// there is no such range. If the two inputs are the last of R, their correlation appears in the last
-// row of L only, and the range is the one in which the last pivot is positive.
+// The range of one correlation in which R is positive definite if all other correlations stay the
+// same; none if there is no such range. The rows of the two inputs are moved to the end of R. Their
+// correlation then affects only the last row of L, and the last pivot is positive within the range.
 std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCorrelation& c) {
   Matrix m = with_last(r, c.first, c.second);
   const std::size_t n = m.size();
-  // Without this correlation, given the others, the two inputs have the covariance −p.
+  // If this correlation is 0 and all other inputs are given, the covariance of the two inputs is
+  // −p.
   const auto without = [&](std::size_t last) {
     Matrix part(n - 1, std::vector<double>(n - 1));
     const auto at = [&](std::size_t i) { return i + 2 == n ? last : i; };
@@ -80,15 +81,14 @@ std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCo
   return std::array{middle - half, middle + half};
 }
 
-// The value nearest to `value` of those with few digits inside the range.
+// The value with few digits inside the range that is nearest to `value`.
 double nearest_inside(double value, const std::array<double, 2>& range) {
   const double lo = (std::floor(range[0] / kShownStep) + 1) * kShownStep;
   const double hi = (std::ceil(range[1] / kShownStep) - 1) * kShownStep;
   return std::clamp(value, std::min(lo, hi), std::max(lo, hi));
 }
 
-// The greatest factor, in steps, with which R is positive definite if all correlations are
-// multiplied by it.
+// The greatest factor, in steps, for all correlations at which R is still positive definite.
 double common_factor(std::size_t size, std::span<const ToleranceCorrelation> correlations) {
   double factor = 1.0;
   const auto exists = [&](double f) {
@@ -180,7 +180,7 @@ Copula::Copula(std::span<const ScatterTolerance> tolerances,
 std::vector<double> Copula::correlated(std::vector<double> u) const {
   if (rows_.empty()) return u;
   const std::vector<double> independent = u;
-  // Φ of a great score is 1 within rounding, but u lies inside the interval.
+  // Φ of a large score is rounded to 1, but u must be less than 1.
   constexpr double kEnd = std::numeric_limits<double>::epsilon();
   for (const Row& row : rows_) {
     double score = 0.0;

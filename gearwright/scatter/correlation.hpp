@@ -42,7 +42,7 @@ class Copula {
   Copula(std::span<const ScatterTolerance> tolerances,
          std::span<const ToleranceCorrelation> correlations);
 
-  /// u of these u′, for all coordinates of the tolerances, in order.   Formula [T14.30]
+  /// Converts u′ to u, for all coordinates of the tolerances in order.   Formula [T14.30]
   ///
   /// Laws      (1) without correlations, or if all are 0, u = u′   (2) u is uniform if u′ is
   std::vector<double> correlated(std::vector<double> u) const;

@@ -48,8 +48,8 @@ class Distribution {
   explicit Distribution(const DistributionSpec& spec);
 
   DistributionSpec spec_;
-  double mean_ = 0.0, sigma_ = 0.0;  // of the normal distribution before truncation
-  double from_ = 0.0, to_ = 0.0;     // its distribution function at the ends of the range
+  double mean_ = 0.0, sigma_ = 0.0;  // mean and standard deviation before truncation
+  double from_ = 0.0, to_ = 0.0;     // distribution function of the same, at the ends of the range
 };
 
 /// The two coordinates of a point in a disc, from two numbers in (0, 1).   Formula [T14.2]

@@ -10,14 +10,14 @@ namespace gearwright {
 namespace {
 
 constexpr double kWideStep = 1.0 / 16, kStep = 1.0 / 64;  // relative to w_i
-// The second difference of a smooth function is 16 times smaller at the smaller step. That of a bend
-// is 4 times smaller.
+// At the smaller step, the second difference of a smooth function is 16 times smaller, and the
+// second difference at a bend is 4 times smaller.
 constexpr double kBend = 1.0 / 8;
-// A change of the slope times w_i that is smaller, relative to the standard deviation of the quantity,
-// explains at most 0.5 % of the variance.
+// Limit of the change of the slope times w_i, relative to the standard deviation of the quantity. A
+// smaller change explains at most 0.5 % of the variance.
 constexpr double kSmallBend = 0.5;
-// A smaller second difference is the rounding error of the peak to peak, rad. Other quantities are
-// more accurate.
+// A second difference below this value, rad, is a rounding error of the peak to peak. Other
+// quantities are more accurate.
 constexpr double kRoundingBend = 4e-12;
 
 // True if the coordinates change the member continuously about x = 0.

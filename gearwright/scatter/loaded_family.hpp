@@ -35,7 +35,7 @@ std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const Load
 /// The spreads for each torque of task.load, from the first task.load->samples samples of each
 /// replicate.
 ///
-/// Domain    task.load is given; `samples` are those of scatter_of() (contract)
+/// Domain    task.load is given; `samples` come from scatter_of() (contract)
 /// Accuracy  as loaded_contact() for each member
 /// Laws      (1) without deviations, the numbers are those of loaded_contact()
 ///           (2) the result is the same, byte for byte, for any number of threads

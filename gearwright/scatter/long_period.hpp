@@ -16,7 +16,7 @@ namespace gearwright {
 
 /// Peak to peak of TE over lcm(z1, |z2|) pitches at the positions of `touches`, rad.
 ///
-/// Formula   [T14.22]; exact for deviations of gear 2, to first order in those of gear 1
+/// Formula   [T14.22]; exact for deviations of gear 2, and to first order for deviations of gear 1
 /// Domain    a touch at every position; `pitch` of a gear has a value for each tooth, or is empty
 ///           (contract)
 /// Laws      (1) without deviations it is the peak to peak of the touches

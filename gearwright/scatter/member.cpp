@@ -77,7 +77,7 @@ class FlankTouches {
       sum += touches[position].found() ? touches[position].te() : kNan;
     return sum / static_cast<double>(touches_.size());
   }
-  // Places of the half where they are farther out, and the mean share of edges.
+  // The places of contact of the half with the greater values, and the mean share of edges.
   ContactScore score(const ProfileTarget& profile) {
     ContactScore worst;
     double edges = 0.0;
@@ -105,7 +105,7 @@ class FlankTouches {
     const auto teeth = [&](int which) { return std::abs(setup.gear(which).spec.teeth); };
     return long_period_span(transmissions_[0], touches_[0], {teeth(1), teeth(2)}, deviation.pitch);
   }
-  // The derivative of span(), which must be greater than 0. Not for double-helical pairs.
+  // The derivative of span(). Domain span() > 0; not for double-helical pairs (contract)
   double slope(const Influence& by) { return span_slope(transmissions_[0], *extremes_, by); }
 
  private:

@@ -4,8 +4,8 @@
 //   s       reduction of the backlash by ΔE_sn, as an angle of gear 2
 //                                    theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
 //
-// The numbers are the same as those of the verb contact for the same errors, except for the peak to
-// peak, which is computed for the continuous curve.
+// The verb contact gives the same numbers for the same errors. Only the peak to peak differs,
+// because here it is computed for the continuous curve.
 #pragma once
 
 #include <array>
@@ -40,7 +40,7 @@ constexpr std::size_t kScatterQuantities = 14;
 struct FamilyMember {
   std::array<double, kScatterQuantities> value{};  ///< NaN if there is no such number
   bool lost = false;                               ///< true if nothing touches at some position
-  bool jam = false;                                ///< jams() at the least play
+  bool jam = false;                                ///< result of jams() for the least play
 
   double operator[](ScatterQuantity q) const { return value[static_cast<std::size_t>(q)]; }
   bool edge() const { return (*this)[ScatterQuantity::edge_share] > 0.0; }
@@ -73,11 +73,11 @@ class MemberSetup {
 /// Domain    involute teeth, or no change (contract)
 double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickness);
 
-/// The numbers of the member with this deviation. For a double-helical pair, TE and backlash are those of
-/// the whole gears, one of which floats along its axis. Errors of mounting apply to both halves, and
-/// deviations of the teeth are the same on both halves. `edge_share` is the mean of both halves, and
-/// `along_face` and `along_profile` are those of the half with the greater value; `along_face` is > 0
-/// away from the apex.
+/// The numbers of the member with this deviation. For a double-helical pair, TE and backlash
+/// describe the whole gears, one of which floats along its axis. Errors of mounting apply to both
+/// halves, and deviations of the teeth are the same on both halves. `edge_share` is the mean of
+/// both halves, and `along_face` and `along_profile` are those of the half with the greater value;
+/// `along_face` is > 0 away from the apex.
 ///
 /// Domain    positions ≥ 2; modifications that check_ends() accepts; no deviations of pitch for a
 ///           double-helical pair (contract)

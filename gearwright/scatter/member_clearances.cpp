@@ -18,7 +18,7 @@ struct Radii {
   double root, form;
 };
 
-// True if the tip is that of the blank, so that it does not move with the rack.
+// True if the blank determines the tip, so that the tip does not move with the rack.
 bool has_plain_tip(const Gear& gear) {
   return gear.actual_tip_radius() == gear.tip_diameter / 2 &&
          gear.tip_form_radius() == gear.tip_diameter / 2;

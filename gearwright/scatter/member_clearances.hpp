@@ -17,14 +17,14 @@ struct MemberClearances {
   std::array<double, 2> tip, form;
 };
 
-/// The clearances as those of a pair with this centre distance and these thicknesses. Tilted axes do
-/// not change them.
+/// The clearances of a pair with this centre distance and these thicknesses. Tilted axes do not
+/// change them.
 ///
 /// Formula   [T14.31]
 /// NaN       if the axes of the drawing cross, for teeth that are not involutes, and without a
-///           working pressure angle. With a change of thickness also for teeth that a pinion cutter
-///           has cut, with a circular root fillet, or whose tip the cutter determines; the form
-///           clearance also if the tooth is undercut
+///           working pressure angle. If the thickness changes, also NaN for teeth that a pinion
+///           cutter has cut, with a circular root fillet, or whose tip the cutter determines; the
+///           form clearance also if the tooth is undercut
 /// Laws      (1) they are those of a pair made anew with this centre distance and these thicknesses
 MemberClearances clearances_of(const ContactSetup& setup, const Deviation& deviation);
 

@@ -24,8 +24,8 @@ struct ScatterTask;  // scatter/scatter.hpp
 
 struct DensityRequest {
   double marking = 0.00635;  ///< δ  mm
-  int positions = 32;        ///< of each sample, per pitch
-  int samples = 32;          ///< of each replicate, a power of two, at most ScatterTask::samples
+  int positions = 32;        ///< number per pitch for each sample
+  int samples = 32;          ///< per replicate, a power of two, at most ScatterTask::samples
   RasterSize size{17, 33};
 };
 
@@ -44,7 +44,7 @@ struct FlankDensity {
 struct PatternDensity {
   double marking = 0.0;  ///< δ  mm
   std::int64_t samples = 0;
-  std::array<FlankDensity, 2> flanks;  ///< of gear 1 and gear 2
+  std::array<FlankDensity, 2> flanks;  ///< flanks of gear 1 and gear 2
 };
 
 /// The density over the first samples of each replicate of a family. Pitch deviations and

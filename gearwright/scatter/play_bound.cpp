@@ -23,12 +23,12 @@ struct Ends {
   double size() const { return std::max(std::abs(least), std::abs(greatest)); }
 };
 
-// The parts of a deviation over the corners. Each of them is linear in x, so
-// these are its ends over all members.
+// The ranges of the parts of a deviation over the corners. Each part is linear in x, so these
+// ranges contain all members.
 struct Extent {
   Ends distance, crossing, intersecting, axial;
   std::array<Ends, 2> twist;
-  // Of each gear, flank and modification.
+  // Amounts, by gear, flank and modification.
   std::array<std::array<std::array<Ends, kModifications.size()>, 2>, 2> amount;
 
   void include(const Deviation& d) {

@@ -5,8 +5,8 @@
 //   ρ, r_b2   least radius of curvature of the touching flanks, base radius of gear 2, mm
 //
 // T + ½Λ|x|² is convex in the deviations x. TE of a flank is the greatest T, so the play, which is
-// minus the sum of TE of both flanks, is concave up to a term of second order. Its least value is
-// that of the worst corner, up to this term.
+// minus the sum of TE of both flanks, is concave up to a term of second order. Up to this term, the
+// worst corner has the least value.
 //                                    theory: docs/theory/14-scatter.md, [T14.29]
 // Internal to scatter/.
 #pragma once
@@ -18,12 +18,12 @@
 
 namespace gearwright {
 
-/// A value, rad, below which the least play of no member lies, at the positions of the task. The
-/// convex hull of `corners` must contain all x.
+/// A lower bound of the least play of all members at the positions of the task, rad. The convex
+/// hull of `corners` must contain all x.
 ///
 /// Formula   [T14.29]
-/// None if there is no corner, if a corner has no play, and for all but external involute pairs on
-/// parallel axes without reliefs, topographies, waves, changed leads of cutters, and halves
+/// None without a corner, if a corner has no play, or unless the pair is an external involute pair
+/// on parallel axes without reliefs, topographies, waves, changed leads of cutters and halves
 /// Laws      (1) no member within the ranges has less play
 std::optional<double> least_play_bound(const ContactSetup& setup, const ScatterTask& task,
                                        const std::vector<std::vector<double>>& corners);

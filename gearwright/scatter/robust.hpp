@@ -19,7 +19,7 @@ namespace gearwright {
 
 struct RobustTask {
   std::vector<WorkshopCorrection> corrections;
-  std::vector<Correction> bounds;  ///< of each correction in its unit, lo ≤ 0 ≤ hi
+  std::vector<Correction> bounds;  ///< bounds of each correction in its unit, lo ≤ 0 ≤ hi
   double percent = 95.0;           ///< 100 p, the percentile that is minimised
   /// If given, f_k is the loaded peak to peak under the worst of its torques.
   std::optional<LoadedFamily> load{};
@@ -27,10 +27,11 @@ struct RobustTask {
 
 /// The family without or with corrections, computed with samples of another seed than the search.
 struct JudgedFamily {
-  std::vector<std::vector<double>> x;  ///< of the samples, in the users' units of the tolerances
-  Spread peak_to_peak;                 ///< f; its only percentile is the one that is minimised
-  Probability edge;                    ///< that an edge touches or, under load, carries load
-  Probability lost;                    ///< that a sample has no f
+  std::vector<std::vector<double>> x;  ///< points x of the samples, in the users' units
+  Spread peak_to_peak;                 ///< f; its only percentile is the minimised percentile
+  Probability edge;                    ///< probability that an edge touches or, under load, carries
+                                       ///< load
+  Probability lost;                    ///< probability that a sample has no f
   std::vector<LoadedSpread> loaded{};  ///< by torque, under load
 
   /// The percentile, rad.
@@ -38,7 +39,7 @@ struct JudgedFamily {
 };
 
 struct RobustCorrections {
-  std::vector<double> value;  ///< in the units of the corrections
+  std::vector<double> value;  ///< values in the units of the corrections
   JudgedFamily before, after;
 };
 
@@ -52,7 +53,8 @@ struct RobustCorrections {
 /// Laws      (1) in the samples of the other seed, the corrections increase neither the percentile
 ///           nor the number of samples without f; if they would, every correction is 0   (2) the
 ///           result is the same, byte for byte, for any number of threads   (3) with tolerances
-///           of width 0, the percentile after the corrections is that of the nominal optimum
+///           of width 0, the percentile after the corrections equals the value at the nominal
+///           optimum
 Result<RobustCorrections> robust_corrections(const ContactSetup& setup, const ScatterTask& task,
                                              const RobustTask& robust);
 

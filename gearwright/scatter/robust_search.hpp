@@ -14,8 +14,8 @@
 
 namespace gearwright {
 
-/// A quantity for any corrections. All corrections are evaluated with one set of samples, so that
-/// differences between them are not due to chance.
+/// Evaluates a quantity of the family for given corrections. All corrections are evaluated with one
+/// set of samples, so that differences between them are not due to chance.
 class CorrectedFamily {
  public:
   struct Values {

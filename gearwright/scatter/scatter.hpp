@@ -34,7 +34,7 @@ struct ToleranceGroup {
 struct LoadedFamily {
   PairCompliance compliance;
   LoadRequest request;  ///< its root stresses are not used
-  int samples = 32;     ///< of each replicate, a power of two, at most ScatterTask::samples
+  int samples = 32;     ///< per replicate, a power of two, at most ScatterTask::samples
 };
 
 struct ScatterTask {
@@ -61,7 +61,7 @@ struct ScatterTask {
 
 /// A point x with its member.
 struct ScatterSample {
-  std::vector<double> x;  ///< in the users' units of the tolerances
+  std::vector<double> x;  ///< coordinates in the users' units of the tolerances
   FamilyMember member;
 };
 

@@ -88,8 +88,8 @@ struct ScatterTolerance {
 
 /// A member of the family, described by its errors, modifications and deviations in mm and rad.
 struct Deviation {
-  ContactErrors errors;               ///< of the member, including the drawn errors
-  PairModifications modifications;    ///< of the member, including the drawn modifications
+  ContactErrors errors;               ///< drawn errors plus the member's deviations
+  PairModifications modifications;    ///< drawn modifications plus the member's deviations
   bool modified = false;              ///< true if the modifications differ from the drawn ones
   std::array<double, 2> thickness{};  ///< ΔE_sn of each gear, mm, relative to the drawn gear
   /// ε of each tooth of a gear, rad, > 0 if the tooth is ahead; empty for equal pitches.

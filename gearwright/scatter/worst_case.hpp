@@ -16,8 +16,8 @@ namespace gearwright {
 /// worst corners of the box and at the worst samples. Its steps follow the coordinates and the last
 /// improvement, and are halved if there is no improvement.
 ///
-/// Accuracy  a local maximum, the worst one found from several starts; not a bound.
-///           WorstMember::bound of the least play is one [T14.29]
+/// Accuracy  the worst local maximum found from several starts, which is not a bound.
+///           WorstMember::bound is a bound of the least play [T14.29]
 /// Laws      (1) no sample and no corner that was tried is worse than the result
 std::optional<WorstMember> worst_member(const ContactSetup& setup, const ScatterTask& task,
                                         const std::vector<ScatterSample>& samples,
