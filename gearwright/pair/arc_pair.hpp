@@ -24,7 +24,7 @@ struct ArcPairContact {
 };
 
 struct ArcPair : MountedGears {
-  ArcPair() = default;                   ///< empty, and not an aggregate; mount_arcs() makes it
+  ArcPair() = default;                   ///< empty; prevents aggregate initialisation
   double overlap_ratio;                  ///< ε_β  of the common face, with the pitch of gear 1
   std::vector<ArcPairContact> contacts;  ///< empty if the leads of the gears do not match
   double face_for_contact;  ///< the least face width that always contains a point of contact, mm

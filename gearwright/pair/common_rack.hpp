@@ -71,7 +71,7 @@ RackAngles<T> angles_at(const BasePair<T>& gears, const T& alpha_n) {
 template <class T>
 struct RackSide {
   T helix_angle;             ///< β_i   rad, signed, on the pitch cylinder
-  T cos_helix, tan_helix;    ///< of β_i
+  T cos_helix, tan_helix;    ///< cos β_i and tan β_i
   T transverse_angle;        ///< α_ti  rad
   T tan_transverse;          ///< tan α_ti
   T pitch_radius;            ///< r_i   mm

@@ -23,7 +23,7 @@ namespace gearwright {
 double contact_lines(double transverse_ratio, double overlap_ratio, double turn);
 
 struct ContactLineRange {
-  double least, greatest;  ///< of λ
+  double least, greatest;  ///< least and greatest λ
 };
 
 /// The least and the greatest λ.

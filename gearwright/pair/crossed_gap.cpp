@@ -46,11 +46,11 @@ struct TipPoint {
 
 /// The gap between a tip point of A and the outline of B.
 struct TipGap {
-  double value = std::numeric_limits<double>::infinity();  // as a turn of B
+  double value = std::numeric_limits<double>::infinity();  // turn of B
   double side = 1.0;
   double arm = 0.0;
   double turn_a = 0.0;
-  Vec3 point = Vec3::Zero();  // in the frame of A at rest
+  Vec3 point = Vec3::Zero();  // point in the frame of A at rest
   ArcName arc = ArcName::root_fillet;
 };
 

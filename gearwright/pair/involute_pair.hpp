@@ -42,7 +42,7 @@ struct CrossedPlaces {
 
 /// The members that involute pairs on any axes have.
 struct InvolutePair : MountedGears {
-  InvolutePair() = default;  ///< empty, and not an aggregate; mount() makes it
+  InvolutePair() = default;  ///< empty; prevents aggregate initialisation
   MeshInput<double> input;
   Mesh<double> mesh;
   std::optional<double>
@@ -84,7 +84,7 @@ struct InternalMargins {
 };
 
 struct ParallelPair : InvolutePair {
-  ParallelPair() = default;  ///< empty, and not an aggregate, like InvolutePair and CrossedPair
+  ParallelPair() = default;  ///< empty; prevents aggregate initialisation, as in InvolutePair
   std::array<std::optional<double>, 2> fillet_clearance;  ///< mm: mating tip corner to root fillet
   std::optional<InternalMargins> margins;                 ///< only for internal pairs
   /// ε_α of the path from one tip form circle to the other; 0 without contact.

@@ -1,5 +1,5 @@
-// Two mounted gears: the data that pairs of all kinds of teeth have in common. Also the size below which
-// their backlash counts as none.
+// Two mounted gears: the data that pairs of all kinds of teeth have in common. The file also
+// defines the size below which a backlash counts as none.
 //
 // Gear 1 drives and turns clockwise seen from +z. At rotation 0, tooth 0 of gear 1 and space 0 of gear
 // 2 lie on the centre line, at the mesh. The housing frame is described in kinematics/pose.hpp.
@@ -16,12 +16,12 @@
 namespace gearwright {
 
 /// A normal backlash between −kNoBacklash and kNoBacklash is called "no backlash" and is printed as
-/// 0.0000 mm, for pairs and racks. A centre distance without backlash that is rounded to four decimals
-/// changes j_n by less: by at most 2 · 0.5e-4 tan α_wn, which is 3.6e-5 mm for 20°.   mm
+/// 0.0000 mm, for pairs and racks. Rounding the backlash-free centre distance to four decimals
+/// changes j_n by less: at most 2 · 0.5e-4 tan α_wn, which is 3.6e-5 mm for 20°. mm
 constexpr double kNoBacklash = 0.5e-4;
 
 struct MountedGears {
-  MountedGears() = default;  ///< empty, and not an aggregate; mount() makes it
+  MountedGears() = default;  ///< empty; prevents aggregate initialisation
   std::array<Gear, 2> gears{};
   double center_distance = 0.0;            ///< a    mm
   double reference_center_distance = 0.0;  ///< a_d  mm

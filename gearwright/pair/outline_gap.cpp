@@ -75,7 +75,7 @@ struct Motion {
   }
 
   struct Gap {
-    double value;  ///< as a turn of B
+    double value;  ///< gap as a turn of B
     double side;   ///< sign of ψ
     double lost;   ///< greatest possible rounding error of the value
   };
@@ -109,7 +109,7 @@ struct Motion {
     OutlineTouch t;
     t.gap = value;
     t.arm = arm * to_arm;
-    const double turn = -gap.side * gap.value;  // of B, counter-clockwise
+    const double turn = -gap.side * gap.value;  // turn of B, counter-clockwise
     double phi_1 = phi;
     if (first_moves) {
       t.turn_2 = turn;
@@ -178,7 +178,7 @@ class ArcFamily {
 
  private:
   struct Position {
-    double along, across;  ///< of the tangent, e^{i(τ + φ)}
+    double along, across;  ///< components of the tangent, e^{i(τ + φ)}
     Vec2 w, d;             ///< the point in the mesh, relative to the axes of A and B
   };
   Position position(const ProfilePlace& p) const {

@@ -86,7 +86,7 @@ struct PairBacklash {
   double normal_base;                        ///< j_bn  mm, along the common normal
   double normal;                             ///< j_n   mm
   std::array<double, 2> circumferential;     ///< j_wt  mm, at the working pitch circles
-  std::array<Angle, 2> rotation;             ///< j_φ   of each gear, with the other one held
+  std::array<Angle, 2> rotation;             ///< j_φ of each gear while the other gear is held
   std::optional<std::array<Angle, 2>> free;  ///< the part of the rotation without collisions
 };
 

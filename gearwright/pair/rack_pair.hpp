@@ -52,7 +52,7 @@ struct RackGeometry {
 };
 
 struct RackPair {
-  RackPair() = default;  ///< empty, and not an aggregate; mount_rack() makes it
+  RackPair() = default;  ///< empty; prevents aggregate initialisation
   Gear pinion;
   RackGeometry rack;
   double center_distance;                ///< H    mm
