@@ -50,7 +50,7 @@ double shift_for(const Gear& gear, double x_E) {
   return x_E - (gear.reference().generating_profile_shift - gear.spec.profile_shift);
 }
 
-// The cause of or the remedy for undercut, as the end of a sentence.
+// The end of a sentence that names the cause of undercut or a remedy for it.
 std::string without_undercut(const Gear& gear) {
   if (const ArcTeeth* arcs = gear.arcs()) {
     return fmt::format(

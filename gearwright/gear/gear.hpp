@@ -58,7 +58,7 @@ struct InvoluteTeeth {
 
 /// The data of gears cut by a rack of arcs only.
 struct ArcTeeth {
-  RackOfArcs rack;                            ///< in modules
+  RackOfArcs rack;                            ///< lengths in modules
   std::optional<double> reference_thickness;  ///< s_n  mm, with the allowance
   Angle flank_begin;                          ///< τ at the root end of the flank arc. If there are
                                               ///< several, it is the undercut arc, or the lowest
@@ -73,7 +73,7 @@ struct TipBulge {
 };
 
 struct Gear {
-  Gear() = default;  ///< empty, and not an aggregate; make_gear() makes a gear from a spec
+  Gear() = default;  ///< empty; prevents aggregate initialisation
   CylindricalSpec spec;
   std::optional<PinionCutting> cut_by;  ///< none if cut by its rack
   std::variant<InvoluteTeeth, ArcTeeth> flanks;

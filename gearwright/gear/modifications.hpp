@@ -81,7 +81,7 @@ enum class Modification {
 /// A modification as a member of FlankModifications. It is either a relief or an amount alone.
 struct ModificationMember {
   Modification kind;
-  std::string_view name;               ///< of the member, "tip_relief"
+  std::string_view name;               ///< name of the member, "tip_relief"
   Relief FlankModifications::*relief;  ///< `relief` or `alone` is set, and the other is null
   double FlankModifications::*alone;
 
@@ -109,7 +109,6 @@ constexpr const ModificationMember& member_of(Modification m) {
   return kModifications[static_cast<std::size_t>(m)];
 }
 
-/// An amount of each modification, mm.
 struct ModificationAmounts {
   std::array<double, kModifications.size()> mm{};
 
