@@ -44,7 +44,7 @@ struct EdgeCircle {
 struct EdgeArc {
   ArcName cuts;  ///< the part of the gear tooth that the arc cuts
   std::variant<EdgeLine, EdgeCircle> shape;
-  bool smooth_start = true;  ///< true if point and normal equal those at the end of the preceding
+  bool smooth_start = true;  ///< true if point and normal are the same at the end of the preceding
                              ///< arc
 };
 

@@ -12,7 +12,6 @@ namespace gearwright {
 
 namespace {
 
-// Checks the range of each number.
 std::optional<Error> check_numbers(const DoubleArcRack& r) {
   const double alpha = r.pressure_angle.deg();
   if (!(alpha > 0.0 && alpha < 90.0))

@@ -37,7 +37,6 @@ struct RackOfArcs {
 /// Largest gap between neighbouring arcs, modules. The later arc is moved to close the gap.
 constexpr double kSameRackPoint = 1e-6;
 
-/// The point of an arc at τ, modules.
 Vec2 point_at(const RackArc& arc, Angle tau);
 
 /// Height of the end of the edge above the datum line, modules.

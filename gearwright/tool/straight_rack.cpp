@@ -20,7 +20,6 @@ EdgeArc line(ArcName cuts, const EdgeLine& piece, bool smooth) { return {cuts, p
 
 EdgeArc circle(ArcName cuts, const EdgeCircle& piece, bool smooth) { return {cuts, piece, smooth}; }
 
-// Checks the range of each number.
 std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
   const double alpha_deg = Angle::radians(alpha).deg();
   if (!(rack.addendum >= 0.0 && rack.addendum <= kMaxModules)) {
