@@ -128,7 +128,7 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
 namespace {
 
 // An end of a branch is not moved if its height would change by at most this fraction. Where the
-// radius is stationary, only half of the digits of the parameter of a moved end are accurate.
+// radius is stationary, the parameter of a moved end is accurate to half of its digits only.
 constexpr double kSameHeight = 1e-12;
 
 void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double lo, double hi) {
@@ -146,7 +146,7 @@ constexpr double kHeightRounding = 1e-14;
 
 // Returns the least difference of the half angles of a and b at any height that equals h within
 // rounding. At the start of a branch that is tangent to a circle about the axis, θ varies like the
-// square root of the height, so a rounding error of h changes θ much more than θ is rounded.
+// square root of the height, so a rounding error of h causes a much greater error of θ.
 double surely_above(const Branch& a, const Branch& b, double h) {
   const double near = kHeightRounding * std::abs(h);
   const double below = a.theta_at(std::max(a.height_lo, h - near));

@@ -56,7 +56,6 @@ struct FlankRuler {
 
 FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion);
 
-/// A fillet arc.
 struct FilletArc {
   double radius;    ///< r_r or r_t  mm
   double distance;  ///< D  distance of the centre from the gear axis, mm
@@ -86,7 +85,6 @@ std::optional<FilletArc> tip_fillet_at(const Involute& flank, double xi);
 /// Domain    r_t > 0 (contract)
 std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius);
 
-/// An arc and the roll angle of the point where it touches the flank.
 struct CircularFillet {
   double roll;  ///< ξ_C or ξ_J  rad
   FilletArc arc;
