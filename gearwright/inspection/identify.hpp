@@ -109,7 +109,7 @@ struct IdentifiedGear : DrawnGear {
   double shift_uncertainty;
   Angle helix_uncertainty;
 
-  /// False if |x_E| > 1.5, which gears do not have.
+  /// False if |x_E| > 1.5, because such gears do not occur.
   bool plausible() const { return generating_shift >= -1.5 && generating_shift <= 1.5; }
 };
 

@@ -1,6 +1,6 @@
 // Computes what an identification of a gear shows about its inputs: a tip or a root that contradicts
 // the flanks, an implausible gear, and a mistake in the number of teeth or in the unit of a reading
-// that explains it.
+// that explains these findings.
 //                                              theory: docs/theory/10-inspection.md
 #include <array>
 #include <cmath>
@@ -67,7 +67,7 @@ Identification without_contradiction(const IdentifyProblem& problem) {
   IdentifyProblem others = problem;
   (contradiction->reading == "tip_diameter" ? others.tip : others.root).value.reset();
   answer = detail::identify_readings(others, detail::LeaveOut::one);
-  // The other readings are also compared with the gear that they give.
+  // The contradicting reading is also compared with the gear that the other readings give.
   auto expected = contradiction;
   if (!answer.candidates.empty()) {
     const IdentifiedGear& gear = answer.candidates.front();

@@ -23,12 +23,13 @@ namespace gearwright::detail {
 namespace {
 
 // Lengths in modules.
-constexpr double kMostUsualAllowance = 0.1;  // of small modules, for which DIN 3967 has wide limits
+constexpr double kMostUsualAllowance = 0.1;  // with wide limits for small modules in DIN 3967
 constexpr double kMostAllowance = 0.2;       // beyond this value, a thickness is implausible
-constexpr double kNearTip = 0.02;            // usual tolerance of a tip, of its radius
-constexpr double kMinusTip = 0.05;           // undersize of a tip that still shows x = 0
-constexpr double kMostWear = 0.1;            // of a tip, of its radius
-constexpr double kShortestTip = 0.25;        // below the rack; a shorter tip contradicts the flanks
+constexpr double kNearTip = 0.02;            // usual tolerance of a tip radius
+constexpr double kMinusTip = 0.05;           // greatest undersize that indicates x = 0
+constexpr double kMostWear = 0.1;            // greatest wear of a tip radius
+constexpr double kShortestTip = 0.25;        // below the tip that the rack gives; a shorter tip
+                                             // contradicts the flanks
 // Greatest usual series of DIN 3967 for gears without a requirement on their backlash.
 constexpr std::string_view kUsualSeries = "c27";
 

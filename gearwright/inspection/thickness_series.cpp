@@ -97,7 +97,7 @@ std::optional<int> whole(std::string_view text) {
 }
 
 // The standard tolerance of a grade for a nominal size, mm; none beyond the table.
-// The number of a grade of ISO 286; 0 if the text is none.
+// The number of a grade of ISO 286; 0 if the text is not a grade.
 int grade_of(std::string_view text) {
   const int grade = whole(text).value_or(0);
   return grade <= kMaxGrade ? std::max(grade, 0) : 0;
