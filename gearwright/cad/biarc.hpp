@@ -21,7 +21,7 @@ namespace gearwright {
 
 struct BiarcChain {
   std::vector<Vec2> points;    ///< mm, from the root side to the tip side; the ends are identical
-                               ///< to those of the arc
+                               ///< to the ends of the arc
   std::vector<double> bulges;  ///< one fewer than points; bulges[i] belongs to the arc from
                                ///< points[i] to points[i + 1]
   double deviation_mm;  ///< greatest normal distance of the exact curve, measured at 256 points per

@@ -9,7 +9,7 @@
 //   line      plane                              line
 //
 // Edges along the teeth are lines, or B-splines that follow the helix. Every vertex, edge and pole
-// is written once: the boundary poles of a face are identical to those of its edges and of the
+// is written once: the boundary poles of a face are also the poles of its edges and of the
 // neighbouring faces. An edge lies exactly on its faces, except that a helix spline deviates from a
 // true cylinder by less than kHelixTarget_mm. The x direction of each circle points away from the
 // middle of its wall. Walls that span less than a full turn therefore never cross the seam at u =

@@ -66,7 +66,7 @@ class ShellWriter {
     double z;  ///< mm
   };
   /// Adds a neck, which is a cylinder between teeth below and teeth above it, and the two plane
-  /// faces next to it. `side` is that of the teeth. The neck of an internal gear is its groove.
+  /// faces next to it. `side` is the side of the teeth. The neck of an internal gear is its groove.
   void add_neck(double radius, const NeckEnd& below, const NeckEnd& above, Side side);
 
   /// Adds the bore or the rim and the two end faces, and completes the solid.

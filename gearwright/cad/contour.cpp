@@ -153,8 +153,8 @@ std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
   points.reserve(root_to_tip.size());
   for (const Vec2& p : root_to_tip) points.push_back(put(piece.mirrored ? mirrored(p) : p));
   if (!piece.mirrored) std::reverse(points.begin(), points.end());
-  // The ends of the piece may differ from those of the arc, because slivers are omitted and because
-  // joints are moved to the centre lines.
+  // The ends of the piece may differ from the ends of the arc, because slivers are omitted and
+  // because joints are moved to the centre lines.
   GW_EXPECTS((points.front() - piece.begin).norm() < 3 * kShortestArc);
   GW_EXPECTS((points.back() - piece.end).norm() < 3 * kShortestArc);
   points.front() = piece.begin;

@@ -44,7 +44,7 @@ struct GearSheetInput {
   SurfaceRequirements surfaces;       ///< runout and texture, with symbols in the axial section
   std::string mass;                   ///< "0.41 kg", empty if unknown
   std::string number;                 ///< number of the sheet, such as "1/2"
-  UnitSystem units = UnitSystem::mm;  ///< of the dimensions; inches have four decimals
+  UnitSystem units = UnitSystem::mm;  ///< unit of the dimensions; inches have four decimals
 };
 
 struct GearSheet {

@@ -57,7 +57,7 @@ struct TriangleMesh {
 /// A mesh with its name and its pose, as input of the file writers.
 struct MeshPart {
   std::string name;                                        ///< UTF-8
-  TriangleMesh mesh;                                       ///< in the gear frame
+  TriangleMesh mesh;                                       ///< mesh in the gear frame
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to the file's frame
   std::optional<std::size_t> colour{};                     ///< index for part_colour(); if absent,
                                                            ///< the index of the part

@@ -54,7 +54,7 @@ class Cap {
   /// Adds the cap of an internal gear. Its circle is a ring of a wall, with first vertex `circle`.
   void add(MeshBuilder& builder, const CapPlace& place, std::uint32_t circle) const;
 
-  /// Adds the cap of an external gear. `columns` are those of the wall of its hole, or empty if it
+  /// Adds the cap of an external gear. `columns` belong to the wall of its hole and are empty if it
   /// has no hole. `hole` is the first vertex of the ring in which this wall ends.
   void add(MeshBuilder& builder, const CapPlace& place, const std::vector<Column>& columns,
            std::uint32_t hole) const;

@@ -196,7 +196,7 @@ class ModifiedWriter {
 
   brep::ShellWriter& shell_;
   const ModifiedFit& fit_;
-  Band band_;  // in the frame of the solid
+  Band band_;  // band in the frame of the solid
   double height_;
   SinCos turn_;
   int copies_;

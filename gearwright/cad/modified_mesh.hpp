@@ -2,11 +2,10 @@
 //
 //   ε    chord tolerance of the mesh, mm        c   material removed from the flank, mm
 //
-// The first grid is that of the teeth as cut, computed with the fraction kCutShare of ε. A line of
-// vertices is added where each relief begins. Segments and steps along the face are then halved
-// until c in the middle of each facet differs from the mean of its corners by less than the rest of
-// ε, and by less than a tenth of the greatest c. A mesh with ε = 5 µm therefore shows a crowning of
-// 5 µm.
+// The first grid represents the teeth as cut, with the fraction kCutShare of ε. A line of vertices
+// is added where each relief begins. Segments and steps along the face are then halved until c in
+// the middle of each facet differs from the mean of its corners by less than the rest of ε, and by
+// less than a tenth of the greatest c. A mesh with ε = 5 µm therefore shows a crowning of 5 µm.
 #pragma once
 
 #include <vector>

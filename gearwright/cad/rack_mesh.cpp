@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMostVertices = 2e6;  // of a mesh; the same limit as in cad/mesh.cpp
+constexpr double kMostVertices = 2e6;  // vertices of a mesh, as in cad/mesh.cpp
 constexpr double kSameStation_mm = 1e-6;
 
 // A station is a line of constant s. It stores the two ends of this line on the border and the

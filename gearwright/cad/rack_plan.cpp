@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kNarrow_mm = 1e-6;  // mm, a hundredth of the resolution of manufacturing machines
 
-// All strips of the teeth k_0 … k_1 of an infinite rack. The teeth are numbered like those of the
-// bar.
+// All strips of the teeth k_0 … k_1 of an infinite rack. The teeth are numbered like the teeth of
+// the bar.
 std::vector<RackStrip> endless(const ToothedBody& body, int k_0, int k_1) {
   const std::vector<Arc>& arcs = body.outline.arcs;
   const double pitch = body.rack->pitch;

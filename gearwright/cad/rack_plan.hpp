@@ -58,7 +58,7 @@ class RackPlan {
   Vec2 end_of_line(double s, double z, double corner, double y) const;
 
   double length_, width_, slope_;
-  std::array<double, 4> corners_;  // in ascending order of s
+  std::array<double, 4> corners_;  // s of the corners, ascending
   double low_corner_, high_corner_;
   std::vector<RackStrip> strips_;
 };

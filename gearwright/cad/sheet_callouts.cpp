@@ -32,7 +32,8 @@ SheetBox texture_box(const std::string& words, double shelf) {
   return {{kEnd - texture_width(words), shelf}, {kEnd, shelf + kTextureHeight}};
 }
 
-// The greatest distance from the centre line to the circle, its axis included, between two heights.
+// The greatest horizontal extent of a circle, with its centre line, on one side between two
+// heights.
 double half_chord(double radius, double lo, double hi) {
   if (lo <= 1 && hi >= -1) return radius + kCentreLine;
   const double y = std::min(std::abs(lo), std::abs(hi));
@@ -91,7 +92,7 @@ void Callouts::place_above() {
   const bool flank = required_.flank_texture.has_value();
   const bool bore = required_.bore_texture && section_.bore;
   double frame = std::max(section_.body + kTipFrame, floor);
-  double shelf = frame - row;  // of the upper symbol
+  double shelf = frame - row;  // shelf of the upper symbol
   if (flank && !long_enough(shelf, anchor)) shelf = anchor - kLeast;
   const double below = flank && bore ? row : 0.0;
   if (shelf - below < floor && (flank || bore)) {

@@ -24,7 +24,7 @@ struct TitleBlock {
   std::string scale, format, number;  ///< "1:2", "A4", "1/2"
   std::string mass, datum;            ///< examples: "0.41 kg", or empty if unknown; "axis of the
                                       ///< bore"
-  UnitSystem units;                   ///< of the dimensions
+  UnitSystem units;                   ///< unit of the dimensions
 };
 
 /// Draws the title block, 180 mm wide, at the lower right corner of `within`. Returns the box that

@@ -107,7 +107,7 @@ struct ToothedBody {
   /// Domain    external gears with the same bore, without gears above them, and with a distance
   ///           between the end faces
   std::vector<ToothedBody> above{};
-  double neck = 0.0;       ///< of a gear in `above`: radius of the cylinder below it  mm
+  double neck = 0.0;       ///< radius of the cylinder below a gear in `above`, mm
   std::string separate{};  ///< the reason why the gear is not joined to another gear of its body
 
   /// True for an internal gear.
