@@ -36,8 +36,8 @@ std::vector<Angle> harmonics(const std::vector<LoadedPosition>& positions);
 /// The load share of a tooth pair at one position, summed over the places where it touches.
 double share_of(const LoadedPosition& position, int pair);
 
-/// The torque with the least peak-to-peak loaded transmission error among those with harmonics;
-/// nullptr if there are fewer than two torques or no torque has harmonics.
+/// Among the torques with harmonics, the torque with the least peak-to-peak loaded transmission
+/// error; nullptr if there are fewer than two torques or no torque has harmonics.
 const LoadedTorque* quietest(const LoadedContact& contact);
 
 }  // namespace gearwright

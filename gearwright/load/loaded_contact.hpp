@@ -74,7 +74,7 @@ struct LoadedPosition {
   bool solved() const { return kind != TouchKind::none; }
 };
 
-/// The contact under one torque. Means and extremes are those of the solved positions. If no position
+/// The contact under one torque. Means and extremes cover the solved positions only. If no position
 /// is solved, they keep their initial values.
 struct LoadedTorque {
   double torque = 0.0;  ///< N mm

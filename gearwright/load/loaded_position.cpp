@@ -9,8 +9,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// If gear 2 drives, the z axis of frame N is opposite to that of the housing frame, so the order of
-// the slices is reversed.
+// If gear 2 drives, the z axis of frame N is opposite to the z axis of the housing frame, so the
+// order of the slices is reversed.
 void reverse(LoadedPair& pair) {
   pair.line_load.reverseInPlace();
   pair.pressure.reverseInPlace();

@@ -10,7 +10,7 @@ namespace gearwright {
 
 /// If a contact has no result, the numbers are NaN, and face_load_factor is absent.
 struct LoadedScore {
-  Angle peak_to_peak;                        ///< of the loaded transmission error
+  Angle peak_to_peak;                        ///< peak to peak of the loaded transmission error
   double max_pressure = 0.0;                 ///< MPa
   std::optional<double> face_load_factor{};  ///< K_Hβ, for line contact only
   bool edge_carries = false;

@@ -6,8 +6,8 @@
 //
 // Most of the computing time of a position is needed to find the places and the compliance between
 // them. The places move when the flanks change. The gap is corrected to first order in e, but
-// compliance and curvature remain those at e = 0. The change of TE therefore has an error of a few
-// percent.
+// compliance and curvature keep their values at e = 0. The change of TE therefore has an error of a
+// few percent.
 #pragma once
 
 #include <span>

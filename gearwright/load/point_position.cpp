@@ -24,7 +24,7 @@ constexpr double kStill = 1e-11;  // last change of forces and approach, relativ
 constexpr int kWhole = 10;        // iterations that change the ellipses by full steps
 constexpr double kLeastPart = 0.1,
                  kMostPart = 5.0;  // limits of the step length afterwards; 1 is a full step
-constexpr int kHalvings = 40;      // of the interval in which the end of the flank lies
+constexpr int kHalvings = 40;      // halvings of the interval in which the end of the flank lies
 constexpr double kNoLength =
     1e-3;  // relative to the semi-axis: a shorter footprint has a single node
 constexpr double kIdle =
@@ -209,7 +209,7 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   double mean = 0.0;
   // x is measured from the middle of the footprint, which is the first node, and divided by the
   // distance of the last node from the middle. The fit of a short footprint far from the touch is
-  // therefore as accurate as that of a long one.
+  // therefore as accurate as the fit of a long one.
   const double center = here.x.front();
   const double length = std::abs(here.x.back() - center);
   for (std::size_t m = 0; m < here.x.size(); ++m) {

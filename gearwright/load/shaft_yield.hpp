@@ -43,7 +43,7 @@ class ShaftYield {
              const PairCompliance& compliance, const LoadRequest& request);
 
   struct Place {
-    int slice;                     ///< in the order of the frame N
+    int slice;                     ///< index in the order of the frame N
     std::array<double, 2> radius;  ///< mm, on each gear
   };
   bool any() const { return shafts_[0].influence || shafts_[1].influence; }
