@@ -56,8 +56,8 @@ class StripSolver {
  public:
   using Fields = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// `matrices` must be those for waves if Scalar is double, and those for free functions of z if
-  /// it is complex.
+  /// If Scalar is double, `matrices` must belong to waves. If it is complex, they must belong to
+  /// free functions of z.
   StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices);
   ~StripSolver();
   StripSolver(StripSolver&&) noexcept;

@@ -45,7 +45,7 @@ struct SectionMesh {
     bool forward;
   };
   std::vector<Edge> edges;                     ///< edges of tooth 0 on its side y > 0
-  std::vector<std::vector<Edge>> tooth_edges;  ///< of each tooth; the first is tooth −side_teeth
+  std::vector<std::vector<Edge>> tooth_edges;  ///< each tooth's edges; first: tooth −side_teeth
   int fillet_begin = 0, flank_begin = 0, flank_end = 0;  ///< t at the ends of fillet and flank
   /// Nodes of each tooth, in the same order for all teeth. The first tooth is −side_teeth.
   std::vector<std::vector<int>> teeth;

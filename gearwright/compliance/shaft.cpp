@@ -109,7 +109,7 @@ ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
   };
 
   // A rigid displacement and rotation of the shaft are added, so that its deflections at the
-  // bearings equal those of the bearings.
+  // bearings equal the deflections of the bearings.
   std::array<double, 2> off{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double place = shaft.bearing_stiffness ? -R[i] / (*shaft.bearing_stiffness)[i] : 0.0;

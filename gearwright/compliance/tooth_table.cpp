@@ -208,7 +208,7 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       if (s.tau == 0.0)
         for (int d = 1; d < n_; ++d) direct[n_ - 1 - d] = direct[n_ - 1 + d];
       // For the images beyond an end of the face, the metric has no term of g. An image is mirrored
-      // in z only, so its shift g Δz along s is that of the load itself.
+      // in z only, so its shift g Δz along s equals the shift of the load itself.
       const FlankMetric across{0.0, metric.zz - metric.sz * metric.sz};
       for (int j = 0; j < n_; ++j) {
         for (int l = 0; l < n_; ++l) {

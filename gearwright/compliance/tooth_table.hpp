@@ -96,7 +96,7 @@ class ToothTable {
                                             // slice][read slice][load place][read place]
   std::vector<double> image_;               // ordered like same_: mirror images of H[b, b] at the
                                             // ends of the face
-  std::vector<std::vector<double>> other_;  // of each tooth −side … side: ordered like same_
+  std::vector<std::vector<double>> other_;  // for each tooth −side … side, ordered like same_
   Eigen::MatrixXd hertz_;                   // H[a, a] between slices
   detail::RootPoints root_;
   // Stresses of teeth −1, 0 and 1: [tooth][load place](6·points·slices × load slices)
