@@ -134,8 +134,8 @@ std::vector<double> shaft_deviation(const RatedPair& pair, const MeshShafts& sha
     const RatedGear& gear = pair.gears[pair.place(which)];
     GW_EXPECTS(!gear.internal());
     const double r_b = gear.base_diameter / 2;
-    // The hand of gear 2 is opposite to that of gear 1. In an internal pair, the hands are equal.
-    // Both gears then turn in the same sense, so −hand1 applies there too.
+    // The hand of gear 2 is opposite to the hand of gear 1. In an internal pair, the hands are
+    // equal. Both gears then turn in the same sense, so −hand1 applies there too.
     const double hand = which == 1 ? shafts.hand1 : -shafts.hand1;
     const ShaftLoad load{F_bt, push * hand * F_bt * r_b * tilt, -b / 2, b / 2};
     const std::vector<double> w = shaft_deflection(*shaft, load, z).w;

@@ -29,7 +29,6 @@ struct Factor {
   const char* branch = "";   ///< "helical, ε_β ≥ 1"; empty if the formula has only one form
 };
 
-/// A factor without a value.
 inline constexpr Factor kNoFactor{std::numeric_limits<double>::quiet_NaN(), "", ""};
 inline bool is_there(const Factor& f) { return !std::isnan(f.value); }
 

@@ -70,7 +70,6 @@ struct Material {
 /// elasticity and density must be given.
 Material material_of_kind(MaterialKind kind);
 
-/// A row of the table.
 struct NamedMaterial {
   std::string_view name;
   MaterialKind kind;

@@ -48,7 +48,7 @@ struct RatedGear {
 };
 
 struct RatedPair {
-  RatedPair() = default;           ///< empty, and not an aggregate; rated_pair() makes it
+  RatedPair() = default;           ///< empty; prevents aggregate initialisation
   std::array<RatedGear, 2> gears;  ///< pinion, wheel
   bool exchanged = false;          ///< true if the pinion is gear 2 of the spec
   double normal_module = 0.0;      ///< m_n   mm

@@ -57,7 +57,7 @@ struct RatingInput {
 };
 
 struct Rating {
-  Rating() = default;  ///< empty, and not an aggregate; rate() makes it
+  Rating() = default;  ///< empty; prevents aggregate initialisation
   RatingEdition edition = RatingEdition::iso_2006;
   Factor F_t;               ///< N
   std::optional<Factor> v;  ///< m/s
