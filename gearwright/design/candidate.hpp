@@ -24,7 +24,7 @@ inline constexpr std::size_t kBatch = 1024;
 /// Data that all candidates of a batch share. Axes are parallel, and lengths are in normal modules.
 struct CandidateConstants {
   double tan_alpha = 0.0;                                      ///< tan α_n
-  std::array<double, 2> addendum{}, dedendum{}, edge_depth{};  ///< of the two racks
+  std::array<double, 2> addendum{}, dedendum{}, edge_depth{};  ///< dimensions of the two racks
   std::array<double, 2> flank_depth{};  ///< depth of the straight edge, for the interference limit
   bool tight = false, shorten = false;
 };

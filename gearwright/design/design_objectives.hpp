@@ -14,12 +14,12 @@
 
 namespace gearwright {
 
-/// The greatest load reserve divided by the least one, ≥ 1. The reserves are those of the flanks,
-/// of root 1 and of root 2. The square makes flank and root comparable, because the pressure on the
-/// flanks grows with the square root of the load, and the stress at the root in proportion to it.
-/// Only the weaker flank counts, because both flanks have the same pressure, and no profile shift
-/// changes the ratio of their safety factors. A limit that is not given counts as 1. Absent if the
-/// row has no safety factors.
+/// The greatest load reserve divided by the least one, ≥ 1. The flanks, root 1 and root 2 have one
+/// reserve each. The square makes flank and root comparable, because the pressure on the flanks
+/// grows with the square root of the load, and the stress at the root in proportion to it. Only the
+/// weaker flank counts, because both flanks have the same pressure, and no profile shift changes
+/// the ratio of their safety factors. A limit that is not given counts as 1. Absent if the row has
+/// no safety factors.
 ///
 /// Formula   max(R_H, R_F1, R_F2)/min(R_H, R_F1, R_F2), R_H = min(R_H1, R_H2); [T9.17]
 std::optional<double> load_balance(const SearchProblem& problem, const DesignRow& row);

@@ -1,7 +1,7 @@
 // One feasible design: its values at a point of the region, and the criteria by which it is ranked.
 //
-// The values are computed with the formulas for a mounted pair (pair/mesh.hpp), so they equal those
-// of the mounted design.
+// The values are computed with the formulas for a mounted pair (pair/mesh.hpp), so they equal the
+// values of the mounted design.
 #pragma once
 
 #include <array>
@@ -91,7 +91,7 @@ struct RankKey {
 };
 RankKey rank_key(const SearchProblem& problem, Objective objective, const DesignRow& row);
 
-/// True if the key of a is smaller than that of b.
+/// True if the key of a is smaller than the key of b.
 bool ranks_before(const SearchProblem& problem, Objective objective, const DesignRow& a,
                   const DesignRow& b);
 
@@ -104,7 +104,7 @@ class ParetoFront {
  public:
   explicit ParetoFront(const SearchProblem& problem) : problem_(&problem) {}
   void add(const DesignRow& row);
-  /// In the order in which they were added.
+  /// The rows in the order in which they were added.
   const std::vector<DesignRow>& rows() const { return rows_; }
 
  private:

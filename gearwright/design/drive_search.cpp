@@ -19,7 +19,7 @@ namespace gearwright {
 namespace {
 
 using M = SetMember;
-constexpr std::size_t kCarrier = kSetMembers;  // the index of the carrier follows those of the
+constexpr std::size_t kCarrier = kSetMembers;  // index of the carrier, after the indices of the
                                                // members
 constexpr std::size_t at(M m) { return static_cast<std::size_t>(m); }
 
@@ -160,8 +160,8 @@ class SetSearch {
   }
 
   // Clearance between the planet gears at the centre distance of the first mesh. A second planet
-  // gear with another centre distance has profile shifts. They are computed only when the drive is
-  // made, so this gear is not checked here.
+  // gear with another centre distance has profile shifts. These shifts are computed only when the
+  // drive is made, so the second gear is not checked here.
   double clearance_of(const TeethOfSet& z, const SetMeshes& meshes, double step) const {
     const double a = distance(meshes.list[0]);
     double tip = z[at(M::planet)] * transverse_ + 2.0;

@@ -50,7 +50,7 @@ struct DriveSearchProblem {
   std::array<double, 2> ratio{};       ///< band of i, both ends included, signed
   std::optional<double> target_ratio;  ///< by default the middle of the band
   TeethBand planets{3, 3};
-  /// Bands for the members of this kind of set. By default, those of teeth_band() are used.
+  /// Bands for the members of this kind of set. By default, the bands of teeth_band() are used.
   std::array<std::optional<TeethBand>, kSetMembers> teeth{};
   TeethBand stages{2, 2};  ///< number of stages of a train, all with one module
   TeethBand pinion{17, 40}, wheel{17, 150};

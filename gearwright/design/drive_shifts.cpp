@@ -49,8 +49,8 @@ std::array<double, 2> balanced_shifts(const std::array<int, 2>& z,
   return {first, std::max(sum == 0.0 ? 0.0 - first : rounded_up(x[1]), rounded_up(limits[1]))};
 }
 
-// Gives a gear whose shift follows from the centre distance its x_u if it would be undercut. The
-// shift of its mating gear then follows.
+// Sets the shift of a gear to x_u if the shift that follows from the centre distance would cause
+// undercut. The shift of its mating gear then follows.
 void raise(DriveGraph graph, const GearShifts& limits, GearShifts& shifts) {
   bool all_given = true;
   for (std::size_t g = 0; g < shifts.size(); ++g) {

@@ -133,8 +133,8 @@ class FewTeethSearch {
     }
   }
 
-  // Mounts the candidates until one is accepted. Candidates are mounted by rank, and those with
-  // equal rank in the order of the grid.
+  // Mounts the candidates until one is accepted. Candidates are mounted by rank and, if ranks are
+  // equal, in the order of the grid.
   void mount_the_best(std::vector<Candidate>& all) {
     std::vector<Candidate*> order;
     for (Candidate& c : all) {

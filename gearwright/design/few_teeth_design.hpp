@@ -43,13 +43,13 @@ struct FewTeethProblem {
   double clearance = 0.0;                 ///< C
   double backlash = 0.0;                  ///< circumferential backlash
   double contact_ratio = 1.2;             ///< total contact ratio, which determines the face width
-  std::optional<double> face_width;       ///< of both gears; by default, it follows from the
-                                          ///< contact ratio
+  std::optional<double> face_width;       ///< face width of both gears; by default, it follows from
+                                          ///< the contact ratio
   Progress* progress = nullptr;           ///< reports the progress
 };
 
 struct FewTeethDesign {
-  FewTeethDesign() = default;  ///< empty, and not an aggregate; only design_few_teeth() fills it
+  FewTeethDesign() = default;  ///< empty; prevents aggregate initialisation
   CylindricalSpec pinion, cutter;
   double wheel_tip_diameter, wheel_shift;
   double generating_distance, center_distance;

@@ -18,7 +18,7 @@ struct Corner {
   double u;      // tip radius
   double angle;  // angle between the corner and the middle of its tooth, including half of the
                  // backlash
-  double ratio;  // number of teeth of the mating gear divided by that of this gear
+  double ratio;  // z of the mating gear divided by z of this gear
 };
 
 // The root fillet in the transverse section, as cut by the tip rounding of the rack. X is measured
@@ -29,7 +29,7 @@ class Fillet {
     cos_beta_ = g.teeth / (2.0 * g.r);
     const double sin_n = std::sin(alpha_n);
     radius_ = (g.dedendum - g.flank_depth) / (1.0 - sin_n);
-    const double depth = g.dedendum - radius_;  // of the centre of the rounding
+    const double depth = g.dedendum - radius_;  // depth of the centre of the rounding
     across_ = std::numbers::pi / 4.0 - depth * std::tan(alpha_n) - radius_ / std::cos(alpha_n);
     down_ = depth - x;
     end_ = std::numbers::pi / 2.0 - alpha_n;

@@ -252,8 +252,8 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
         "there is no pair with `{}` = {} whose minimum centre distance is the given distance",
         gear_field(known + 1, "helix_angle"), format_number(p.helix[known]->deg()));
   } else if (p.working_normal_pressure_angle || wanted_sum == 0.0) {
-    // If x1 + x2 = 0 at the minimum centre distance, the working pressure angle equals that of the
-    // rack.
+    // If x1 + x2 = 0 at the minimum centre distance, the working pressure angle equals the pressure
+    // angle of the rack.
     const Angle alpha = p.working_normal_pressure_angle.value_or(p.normal_pressure_angle);
     const double cos_wn = std::cos(alpha.rad());
     const std::optional<double> sum =

@@ -44,7 +44,7 @@ class Least {
     if (!to || knob_->kind == Knob::Kind::teeth) return to;
     const double move = *to - knob_->value;
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(move))) - 3.0);
-    constexpr double kWhole = 1e-6;  // in steps: tolerance that prevents whole steps from being
+    constexpr double kWhole = 1e-6;  // steps: tolerance that prevents whole steps from being
                                      // rounded up
     const double rounded =
         knob_->value + std::copysign(std::ceil(std::abs(move) / step - kWhole) * step, move);

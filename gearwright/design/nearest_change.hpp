@@ -48,8 +48,8 @@ struct NearestChanges {
 /// Greatest number of trials of a search for which changes are computed, because trials are then
 /// evaluated repeatedly.
 inline constexpr std::int64_t kMaxForChange = 2'000'000;
-/// Greatest number of graphs computed for one member. 2000 graphs of the slowest kind, those with
-/// shortened tips, take 1 s.
+/// Greatest number of graphs computed for one member. 2000 graphs with shortened tips, which are
+/// the slowest ones, take 1 s.
 inline constexpr std::int64_t kMaxChangeQuestions = 10'000;
 
 /// Returns the changes by ascending effort. The watch receives the number of evaluations of trials.

@@ -23,8 +23,8 @@
 namespace gearwright {
 
 struct SearchCounts {
-  std::int64_t tested = 0;  ///< number of trials; only those with coprime numbers of teeth, if this
-                            ///< is required
+  std::int64_t tested = 0;  ///< number of trials; if required, only trials with coprime numbers of
+                            ///< teeth
   std::int64_t feasible = 0;
   std::array<std::int64_t, kLimits> rejected{};  ///< counted by the first limit that leaves no
                                                  ///< design
@@ -93,7 +93,7 @@ class Search {
 /// The result of a search. Designs are sorted by the first objective, best first. If there are
 /// several objectives, the designs of the Pareto front precede all others.
 struct SearchAnswer {
-  SearchAnswer() = default;  ///< empty, and not an aggregate; only a Search fills it
+  SearchAnswer() = default;  ///< empty; prevents aggregate initialisation
   SearchCounts counts;
   std::vector<DesignRow> designs;
   std::vector<std::size_t> pareto;  ///< indices of the Pareto front in `designs`

@@ -120,13 +120,13 @@ class ShiftGraph {
   };
   SumMargin sum_margin(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
-  /// All bounds of x1 on a line Σ = const, except that of the path length.
+  /// All bounds of x1 on a line Σ = const, except the bound of the path length.
   ShiftBounds bounds_before_path(double sum, int limits = kRegionLimits) const {
     return bounds_before_path(place(sum), sum, limits);
   }
   /// The interval of x1 on a line Σ = const, including the limit of the path length.
   ShiftSlice slice(double sum, int limits = kRegionLimits) const;
-  /// One end of slice() without its name. It is used to integrate the area.
+  /// One end of slice(), without the name of its limit. It is used to integrate the area.
   double slice_end(double sum, LineSide side) const;
   /// The ends of bounds_before_path() without names. This is sufficient for most lines.
   LineEnds ends_before_path(const SumPlace& at, double sum, int limits = kRegionLimits) const;

@@ -87,7 +87,7 @@ PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, 
   const CandidateConstants constants = constants_of(graph);
   const double sum_lo = region.sums.front().lo;
   const double sum_hi = region.sums.back().hi;
-  // Gears with shortened tips may have greater shifts than those with full tips.
+  // Gears with shortened tips may have greater shifts than gears with full tips.
   const double k = p.shorten_tips ? std::min(graph.place(sum_lo).k, graph.place(sum_hi).k) : 0.0;
   const double x1_hi = max_shift(p, g[0], k);
   const double x2_hi = max_shift(p, g[1], k);

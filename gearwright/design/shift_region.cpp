@@ -88,7 +88,7 @@ void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, 
       return;
     }
   }
-  // Another edge lies between those at l and r.
+  // Another edge lies between the edges at l and r.
   const double middle = (l + r) / 2.0;
   const ShiftEdge at_middle = edge_of(graph.slice(middle), side);
   find_changes(graph, side, l, at_l, middle, at_middle, found);

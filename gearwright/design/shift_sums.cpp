@@ -113,7 +113,8 @@ bool ShiftGraph::overlap_ratio_is_enough() const {
   return overlap >= *problem_->limits.overlap_ratio - kTouching;
 }
 
-// For an external pair, the clearance is at most that of the racks, because a − R − Σ ≤ 0. [T9.5]
+// For an external pair, the clearance is at most the clearance of the racks, because a − R − Σ ≤ 0.
+// [T9.5]
 bool ShiftGraph::tip_clearance_can_be_enough() const {
   if (internal_ || !problem_->limits.tip_clearance) return true;
   const double most =

@@ -1,5 +1,5 @@
-// Converts between a tip radius and the curvature radius of the flank at the tip. Also contains
-// functions that tighten a bound. Internal to design/.
+// Converts between a tip radius and the curvature radius of the flank at the tip, and tightens
+// bounds. Internal to design/.
 //
 //   u, b   tip and base radius
 //   q      √(u² − b²), curvature radius of the flank at its tip
