@@ -31,7 +31,7 @@ struct PlanetSet {
   std::optional<double>
       sun_ring_phase;  ///< γ_rs; none if no planet gear meshes with a sun and a ring, or without
                        ///< geometry
-  Phasing phasing;     ///< of the meshes with the sun, or with the ring if there is no sun
+  Phasing phasing;     ///< phasing of the meshes with the sun, or with the ring if there is no sun
 };
 
 /// Transmission error at the output while the input turns uniformly.
@@ -43,7 +43,7 @@ struct DriveError {
   /// Peak-to-peak value, rad. If the meshes have several frequencies, it is the sum of the values
   /// of all frequencies. The error reaches this sum when the peaks coincide.
   double peak_to_peak = 0.0;
-  std::vector<Line> lines;  ///< in the order of frequency
+  std::vector<Line> lines;  ///< lines in the order of frequency
   /// p_t/2π  mm, set if the output is a rack. An error in rad multiplied by this length is the
   /// error of the travel of the rack.
   std::optional<double> lever{};
@@ -56,7 +56,7 @@ struct PlanetShares {
   std::vector<std::vector<double>> share;  ///< fraction of the load of the set, [planet][position]
   double mesh_load_factor = 1.0;        ///< K_γ = N max share, over all meshes of the set [T13.26]
   std::optional<std::size_t> floating;  ///< body that is free to move radially
-  std::vector<Vec2> displacement;       ///< of the floating body, mm, at each position
+  std::vector<Vec2> displacement;       ///< displacement of the floating body, mm, at each position
 
   double mean(std::size_t planet) const;
   double greatest(std::size_t planet) const;
@@ -79,7 +79,7 @@ struct LoadedDrive {
 };
 
 /// Backlash as the motion of the input while the output is held, and of the output while the input is
-/// held, rad; of the travel of a rack, 2π per pitch.
+/// held, rad; for a rack, its travel, with 2π per pitch.
 struct DriveBacklash {
   double input, output;
   std::optional<double> input_lever{}, output_lever{};  ///< p_t/2π  mm, of a rack, as in DriveError
@@ -96,10 +96,10 @@ struct MeshRating {
 /// Contact of a mesh under errors of mounting. For a double-helical pair, the contact of the whole
 /// gears.
 struct MeshContact {
-  ContactResult driving, other;     ///< of the working flanks and of the other flanks
-  std::optional<Angle> least_play;  ///< of gear 2 or of the rack; none if one of the flanks never
-                                    ///< touches
-  ContactResult on_halves;          ///< of the working flanks of a double-helical pair
+  ContactResult driving, other;     ///< contact of the working flanks and of the other flanks
+  std::optional<Angle> least_play;  ///< least play of gear 2 or of the rack; none if one of the
+                                    ///< flanks never touches
+  ContactResult on_halves;          ///< contact of the working flanks of a double-helical pair
 
   /// The contact with the places that the verdict judges.
   const ContactResult& judged() const { return on_halves.positions.empty() ? driving : on_halves; }
@@ -109,7 +109,7 @@ struct Drive {
   DriveGraph graph;
   DriveMotion motion;
   DriveGeometry geometry;
-  std::vector<std::optional<MeshEfficiency>> efficiencies;  ///< of each mesh
+  std::vector<std::optional<MeshEfficiency>> efficiencies;  ///< one for each mesh
   std::optional<PowerFlow> flow;  ///< none if an efficiency is unknown, or if meshes are redundant
   std::optional<PowerFlow> backward;  ///< power flow if the output drives; none also if there are
                                       ///< several inputs
@@ -117,13 +117,13 @@ struct Drive {
   std::optional<DriveBacklash> backlash;  ///< none if there are several inputs, redundant meshes,
                                           ///< or loaded meshes without geometry
   std::optional<DriveError> error;        ///< none if `backlash` is none or a mesh loses contact
-  std::vector<std::optional<MeshRating>> ratings;  ///< of each mesh; empty if they are not rated
+  std::vector<std::optional<MeshRating>> ratings;  ///< one per mesh; empty if not rated
   std::optional<LoadedDrive> loaded;               ///< none if no load was requested
   /// Of each mesh under the errors of the spec; empty if there are none. None for a mesh if its
   /// flanks or the senses of rotation are unknown.
   std::vector<std::optional<MeshContact>> contacts;
   std::vector<Warning> findings;
-  std::vector<Drive> stages;  ///< of a train; each stage is a separate drive
+  std::vector<Drive> stages;  ///< stages of a train; each is a separate drive
 
   /// Speed of a body, 1/min; for the body of a rack, pitches per minute. None if the speeds of the
   /// inputs are not given.
@@ -134,7 +134,7 @@ struct Drive {
   /// Transverse pitch p_t of the rack on a body, mm, computed from the module of its pinion. None
   /// if the body has no rack or the module is unknown.
   std::optional<double> rack_pitch(std::size_t body) const;
-  /// p_t/2π  mm: its product with a travel that is stored as an angle is the travel. None as for
+  /// p_t/2π mm. A travel that is stored as an angle must be multiplied by this length. None as for
   /// rack_pitch().
   std::optional<double> lever(std::size_t body) const;
   /// Speed v = n p_t of the body of a rack, m/s. None if the speed or the pitch is unknown.
@@ -155,8 +155,8 @@ struct DriveInput {
   DriveGraph graph;
   std::vector<DriveGraph> stages{};
   int harmonics = 3;  ///< number of harmonics of the phasing and the transmission error
-  /// True to add to the fault of impossible teeth the changes that make the drive possible. This
-  /// takes the time of up to 80 drives.
+  /// If true, the fault of impossible teeth lists changes that make the drive possible. The search
+  /// for them takes as long as computing up to 80 drives.
   bool remedies = false;
 };
 

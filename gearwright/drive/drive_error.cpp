@@ -37,7 +37,7 @@ Wave root_of_unity(int turn) {
 // The harmonics of the curve of a mesh. Empty if the curve is 0 or does not move the output.
 struct MeshCurve {
   std::vector<Wave> waves;   // complex amplitudes of harmonics 0, 1, …, kErrorPositions/2
-  std::vector<Wave> shares;  // of each harmonic: mean over the planets of e^{−2πikγ}
+  std::vector<Wave> shares;  // for each harmonic: mean over the planets of e^{−2πikγ}
 };
 
 class DriveCurves {

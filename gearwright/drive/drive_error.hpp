@@ -34,8 +34,8 @@ using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 /// Formula   [T13.21], [T13.22]; meshes that share a gear have one frequency, and the angle between
 ///           them on the gear gives their phase, [T13.17]. Flanks that have neither modifications
 ///           nor errors of mounting are conjugate, and their curve is 0
-/// Domain    a drive made by make_drive(), with its flow if there is one, and with `contacts` under the
-///           same errors, which are not computed again, or without; harmonics ≥ 1 (contract)
+/// Domain    a drive made by make_drive(), with its flow if there is one; if it has `contacts`,
+///           they belong to the same errors and are not computed again; harmonics ≥ 1 (contract)
 /// None      if there are several inputs, a redundant mesh or, in a mesh that moves the output, no
 ///           geometry, lost contact, several pinions on one rack, an error of the teeth of a rack, or a
 ///           measured gear that is loaded on the flank without readings

@@ -23,7 +23,7 @@ struct MeshForces {
   double axial;       ///< F_z on the first gear, along +z; 0 for double-helical gears
 };
 
-/// The sum of the forces of all meshes of a body, of copy 0 if it is a planet.
+/// The sum of the forces of all meshes of a body. For a planet, it is the sum for copy 0.
 struct BodyForces {
   double radial;   ///< N; the bearings share it according to the positions of the gears
   double axial;    ///< N, along +z

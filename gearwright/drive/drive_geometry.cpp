@@ -184,8 +184,8 @@ bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made)
 }
 
 // With large shifts, the centre distance is less than a_d + (x1 + x2) m_n, so the tip clearance is
-// less than that of the generating racks. If it is also less than the verdict requires, the tip is
-// lowered by k m_n, which restores the clearance of the racks.
+// less than the clearance of the generating racks. If it is also less than the verdict requires,
+// the tip is lowered by k m_n, which restores the clearance of the racks.
 void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kLeast = 0.1;  // m_n, the tip clearance that the verdict requires
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {

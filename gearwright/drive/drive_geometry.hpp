@@ -30,8 +30,8 @@ struct DriveGeometry {
   std::vector<std::optional<double>> distance;  ///< a of each mesh  mm
   std::vector<std::optional<double>> shift;     ///< x of each gear
   std::vector<std::optional<Gear>> gears;
-  std::vector<std::optional<Pair>> pairs;      ///< of each mesh of two gears
-  std::vector<std::optional<RackPair>> racks;  ///< of each mesh with a rack
+  std::vector<std::optional<Pair>> pairs;      ///< one for each mesh of two gears
+  std::vector<std::optional<RackPair>> racks;  ///< one for each mesh with a rack
   std::vector<GeometryFault> faults;
 };
 
@@ -50,7 +50,7 @@ DriveGeometry drive_geometry(const DriveGraph& graph);
 /// Position of a planet in the frame of its carrier.
 struct RiderPlace {
   double distance;  ///< from the axis of the carrier to the axis of the planet  mm
-  double angle;     ///< of copy 0, counter-clockwise from copy 0 of the first rider  rad
+  double angle;     ///< angle of copy 0, counter-clockwise from copy 0 of the first rider rad
 };
 
 /// Computes the positions of the planets of a group, in their order, from the centre distances of

@@ -91,7 +91,7 @@ struct DriveGraph {
   /// The carrier that is the frame of a mesh; none if the frame is the housing.   Domain  a checked
   /// graph
   std::optional<std::size_t> frame(const DriveMesh& mesh) const;
-  /// Number of copies of a mesh: that of its planets, otherwise 1.
+  /// Number of copies of a mesh: as many as its planets have, otherwise 1.
   int copies(const DriveMesh& mesh) const;
   bool is_fixed(std::size_t body) const;
   bool is_input(std::size_t body) const;

@@ -254,7 +254,7 @@ class Layout {
   const Drive& drive_;
   const DriveGraph& graph_;
   DriveLayout made_;
-  std::vector<std::size_t> first_;  // of each gear: index of its copy 0 in made_.gears
+  std::vector<std::size_t> first_;  // for each gear: index of its copy 0 in made_.gears
   std::vector<double> phi_;         // φ of each placed gear in the section z = 0
   std::vector<char> known_;
 };

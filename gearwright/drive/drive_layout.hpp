@@ -55,8 +55,8 @@ Result<DriveLayout> drive_layout(const Drive& drive);
 DriveLayout turned(const Drive& drive, DriveLayout layout, double input_turns);
 
 /// Least number of turns of the input after which the drive looks the same: gears have moved by
-/// whole teeth, and each equally spaced planet is where one of them was before. None with several
-/// inputs, or if there is no such number.
+/// whole teeth, and each equally spaced planet has the place that one of them had before. None with
+/// several inputs, or if there is no such number.
 std::optional<Rational> turns_until_alike(const Drive& drive);
 
 }  // namespace gearwright

@@ -59,8 +59,9 @@ std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet
 /// None if place_of() returns none.
 std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_t gear);
 
-/// The phases of all meshes; none if a load is too large for a fraction or if, of the meshes that move
-/// the output, one has no involute teeth, an idler has no place, or several have the same rack.
+/// The phases of all meshes; none if a load is too large for a fraction. Also none if, among the
+/// meshes that move the output, one has no involute teeth, one has an idler without a place, or
+/// several have one rack.
 ///
 /// Formula   meshes that share a gear have one frequency, and the angle between them on the gear
 ///           gives their phase [T13.17]

@@ -257,7 +257,7 @@ class Placing {
   const DriveGraph& graph_;
   DrivePlaces made_;
   std::vector<std::optional<double>> distances_;
-  std::vector<std::size_t> axis_;  // of each body: the least index of the bodies on its axis
+  std::vector<std::size_t> axis_;  // for each body: the least index of the bodies on its axis
 };
 
 }  // namespace

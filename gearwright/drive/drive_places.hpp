@@ -24,7 +24,7 @@ struct SlotRange {
 };
 
 struct DrivePlaces {
-  std::vector<Vec2> axes;        ///< of each body; for a rider, of its copy 0  mm
+  std::vector<Vec2> axes;        ///< axis of each body; for a rider, of its copy 0 mm
   std::vector<double> turned;    ///< direction from the carrier's axis to copy 0 of a rider  rad
   std::vector<double> radii;     ///< r_a of each gear, r_f of a ring, h_a of a rack  mm
   std::vector<int> mesh_slot;    ///< slot of each mesh
@@ -36,8 +36,8 @@ struct DrivePlaces {
   Vec2 axis_of(const Drive& drive, std::size_t body, int copy) const;
 };
 
-/// The pair of a rack and its pinion; null if the gear is not a rack or has no pair. Of a rack with
-/// several pinions, this is the first pair.
+/// The pair of a rack and its pinion; null if the gear is not a rack or has no pair. If a rack has
+/// several pinions, the result is the first pair.
 const RackPair* rack_pair_of(const Drive& drive, std::size_t gear);
 
 /// Computes the axes of all bodies and the slots of all gears.

@@ -19,10 +19,11 @@ namespace gearwright {
 std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph);
 
 /// The least and the greatest possible centre distance of the meshes that share the distance of
-/// `mesh`, around the distance that applies if none is given, mm. None if that one is impossible.
+/// `mesh`, around the distance that applies if none is given, mm. None if that distance is
+/// impossible.
 ///
-/// Accuracy  a limit is possible, and m_n/1000 beyond it is not; between them, steps of m_n/40 are
-///           tried
+/// Accuracy  a limit is possible, and a distance m_n/1000 beyond it is impossible; between the
+///           limits, steps of m_n/40 are tried
 /// Domain    a mesh of two gears with teeth
 std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph, std::size_t mesh);
 

@@ -25,7 +25,7 @@ struct DriveLoadCase {
   int harmonics = 3;                    ///< number of harmonics of the transmission error
   std::optional<std::size_t> floating;  ///< body that is free to move radially
   std::vector<double> pin_errors;       ///< mm, in the order of PlanetErrors::pins
-  std::vector<LoadRequest> requests;    ///< of each mesh: bodies, slices, accuracy
+  std::vector<LoadRequest> requests;    ///< for each mesh: bodies, slices, accuracy
   MeshErrors errors{};                  ///< errors of mounting of the meshes
 };
 

@@ -28,7 +28,7 @@ struct Resultant {
 
 struct Phasing {
   PhasingClass kind = PhasingClass::mixed;
-  std::vector<Resultant> resultants;  ///< of harmonics 1, 2, …
+  std::vector<Resultant> resultants;  ///< for the harmonics 1, 2, …
 };
 
 /// γ_i of a central gear with z teeth, z < 0 for a ring.

@@ -20,7 +20,7 @@
 
 namespace gearwright::detail {
 
-/// The deviations of a set from the ideal one.
+/// The deviations of a set from the ideal set.
 struct PlanetErrors {
   std::optional<std::size_t> floating;  ///< body that is free to move radially
   std::vector<double> pins;  ///< ε  mm, tangential error of each pin, > 0 counter-clockwise: all
@@ -76,7 +76,7 @@ class PlanetEquilibrium {
   std::vector<std::size_t> meshes_;
   std::vector<double> nominal_;                       // nominal force of each mesh
   std::vector<double> weights_;                       // w of each mesh
-  std::vector<std::optional<Eigen::Index>> columns_;  // of each body: column of its first copy
+  std::vector<std::optional<Eigen::Index>> columns_;  // for each body: column of its first copy
   Eigen::Index unknowns_ = 0;
   std::optional<Eigen::Index> displaced_;  // the column of D's first component
   SharingProblem problem_;                 // springs in the order of mesh and planet

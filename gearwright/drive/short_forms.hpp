@@ -54,7 +54,7 @@ struct PlanetarySpec {
   PerMember face_width;     ///< b  mm
   PerMember allowance;      ///< E_sn  mm
   PerMember tip_diameter;   ///< d_a  mm
-  PerMember bore;           ///< bore; of a ring, only its own number, the outside of the rim  mm
+  PerMember bore;           ///< bore mm; a ring has only its own number, the outside of its rim
   PerMesh efficiency;
   PerMesh center_distance;                        ///< a  mm; `all` applies to the first mesh only
   double friction = 0.05;                         ///< μ
@@ -87,7 +87,7 @@ struct PairStage {
 struct StageSpec {
   std::optional<PlanetarySpec> planetary;  ///< absent for a pair
   PairStage pair;
-  std::vector<double> speeds_rpm{};   ///< of the input of the pair
+  std::vector<double> speeds_rpm{};   ///< speeds of the input of the pair
   std::optional<double> torque_Nm{};  ///< on the input of the pair
   double friction = 0.05;             ///< μ of the pair
 };

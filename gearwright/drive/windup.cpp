@@ -154,8 +154,8 @@ std::optional<double> windup_variation(const Drive& set, const StandardTeeth& te
     phase.first_drives = detail::first_drives(set, m, to_input[m].value());
     detail::find_delays(set, m, phase);
     // The time at which a loaded flank of the planet gear passes the pitch point, as in
-    // drive_phases.cpp. The teeth are half a pitch thick. The sun is on the other side of the planet
-    // than the ring.
+    // drive_phases.cpp. The teeth are half a pitch thick. The sun and the ring are on opposite
+    // sides of the planet.
     const double sense = detail::turning(set, planet.body, m) < 0.0 ? -1.0 : 1.0;
     const double theta = (a_rides ? b : a).teeth < 0 ? 0.0 : 0.5;
     const double passing =
