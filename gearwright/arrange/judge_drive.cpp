@@ -219,8 +219,8 @@ std::string running(const Drive& drive) {
   if (!pair) return text + " There is no backlash between the rack and its pinion.";
   const CylindricalSpec& spec = pair->gear(1).spec;
   const double recommended = recommended_backlash(pair->center_distance(), spec.normal_module);
-  // The same E_sn of both gears changes j_bn by −2 (E_sn − mean) cos α_n, where `mean` is that of their
-  // present allowances, and j_n = j_bn/cos α_wn.
+  // The same E_sn of both gears changes j_bn by −2 (E_sn − mean) cos α_n, where `mean` is the mean
+  // of their present allowances, and j_n = j_bn/cos α_wn.
   const double per_allowance =
       2 * std::cos(spec.normal_pressure_angle.rad()) / pair->involute()->mesh.rack.angles.cos_alpha;
   const double mean = (spec.thickness_allowance + pair->gear(2).spec.thickness_allowance) / 2;
@@ -270,7 +270,7 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
   std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     if (a.finding.level != b.finding.level) return a.finding.level > b.finding.level;
     if (a.finding.level == Level::green) return false;
-    // Findings about the whole drive come before those about a mesh.
+    // Findings about the whole drive precede findings about a mesh.
     if (a.mesh.has_value() != b.mesh.has_value()) return !a.mesh;
     return a.finding.code < b.finding.code;
   });

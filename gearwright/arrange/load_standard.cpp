@@ -68,7 +68,7 @@ constexpr double kOverlap = 2.0;      // least overlap ratio of a helical face t
 constexpr double kWidest = 12.0;      // modules; computing a wider face takes long and adds nothing
 constexpr double kLeastWider = 1.2;
 constexpr double kThickRim = 8.0;  // modules; an internal gear with this rim counts as solid
-constexpr int kPositions = 8, kMostSlices = 16;  // of drafted()
+constexpr int kPositions = 8, kMostSlices = 16;  // resolution of drafted()
 
 struct StiffnessFactor {
   std::string of;

@@ -26,8 +26,8 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
 bool equal_halves(const Halves& halves, const ContactErrors& errors, const LoadInput& input);
 
 /// Derives the input for one half from the input for the whole gears: half of the torque, and the
-/// deflections over this half. If `below`, the rotations and z are those of the mirror image.
-/// Probes are omitted.
+/// deflections over this half. If `below`, the rotations and z belong to the mirror image. Probes
+/// are omitted.
 LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Gear& gear_1,
                         bool below);
 

@@ -36,7 +36,6 @@ std::optional<Error> apply_tip_fits(Arranged& nominal);
 ///           `pair.distance_tolerance` if ISO 286 has no such tolerance
 Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal, Scope scope);
 
-/// One toleranced number.
 struct TolerancedNumber {
   enum class Of { thickness, tip, distance } of;
   int gear;   ///< 1 or 2; 0 for the pair
