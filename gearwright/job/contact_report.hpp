@@ -18,14 +18,14 @@ NamedAmount named_error(std::size_t index, double value);
 /// teeth are circular arcs.
 bool wants_contact(const SolvedJob& job);
 
-/// The contact of one pair of flanks over a pitch, with what their pictures need: of two gears, of a pinion
-/// and its rack, or of one half of a double-helical pair.
+/// The contact of one pair of flanks over a pitch, with the data of its pictures. The flanks belong
+/// to two gears, to a pinion and its rack, or to one half of a double-helical pair.
 struct FlankContact : ContactScene {
   std::shared_ptr<const ContactPair> pair;  ///< the mirror image of a half at z < 0
   bool below = false;                       ///< true for the half at z < 0
-  Angle behind{};                           ///< rotation of this half minus that of gear 1
+  Angle behind{};                           ///< rotation of this half minus the rotation of gear 1
 
-  /// The patterns on both gears; of a rack, only that on the pinion is used.
+  /// The patterns on both gears; for a rack, only the pattern on the pinion is used.
   std::array<FlankRaster, 2> pattern(int positions, const RasterSize& size) const;
   /// The gap on gear 1 at a position of this scene.
   FlankRaster gap(const ContactPoint& at, const RasterSize& size) const;

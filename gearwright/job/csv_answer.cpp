@@ -89,7 +89,6 @@ void add_records(UnitSystem units, const std::string& path, const QuantityTable&
   });
 }
 
-// A column of plain values and its heading.
 struct CsvColumn {
   std::string name;
   UnitSystem units;

@@ -209,7 +209,7 @@ class Workpieces {
 
   const DriveJob& job_;
   const DriveGraph& graph_;
-  std::vector<ToothedBody> shapes_;  // of each gear
+  std::vector<ToothedBody> shapes_;  // shape of each gear
   std::vector<ToothedBody> made_;
 };
 

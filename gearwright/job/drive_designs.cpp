@@ -42,7 +42,8 @@ class Designer {
   Designer(const JobSpec& spec, const DriveSearchProblem& problem)
       : spec_(spec), problem_(problem), rates_(rates_drives(spec, problem)) {}
 
-  // If the search gives no profile shifts, those with the better design by the objectives are chosen.
+  // If the search gives no profile shifts, the shifts that give the better design by the objectives
+  // are chosen.
   Outcome operator()(DriveCandidate candidate) const {
     const bool same_cost = !problem_.asks(DriveObjective::efficiency) &&
                            !problem_.asks(DriveObjective::efficiency_backward) &&
@@ -97,8 +98,8 @@ class Designer {
   bool rates() const { return rates_; }
 
  private:
-  // The profile shifts to be tried: those of the search if it gives them. None if the candidate has
-  // no teeth. They do not depend on the face width.
+  // The profile shifts to be tried. If the search gives shifts, only these are tried. None if the
+  // candidate has no teeth. They do not depend on the face width.
   std::vector<GearShifts> trials(DriveCandidate candidate) const {
     if (spec_.tree->tables["search"].contains("profile_shift")) return {candidate.shifts};
     if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
@@ -106,7 +107,7 @@ class Designer {
     return own ? shift_trials(own->drive->graph) : std::vector<GearShifts>();
   }
 
-  // Compares two designs by the objectives, the first one first.
+  // Compares two designs by the objectives in their order.
   bool is_better(const Outcome& a, const Outcome& b) const {
     const auto costs = [&](const Outcome& outcome) {
       const auto* found = std::get_if<FoundDrive>(&outcome);

@@ -23,8 +23,9 @@ bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem);
 
 /// The candidates that the result lists: the `top` best by the first objective and, if there are
 /// several objectives, up to `top` more from the Pareto front. A candidate without a green verdict
-/// is replaced by the next, until kMostComputedDrives of its module have been computed. Trains that
-/// cannot have the required safeties by the estimate of design/train_strength.hpp are left out.
+/// is replaced by the next, until kMostComputedDrives of its module have been computed. Trains are
+/// left out if, by the estimate of design/train_strength.hpp, they cannot have the required
+/// safeties.
 ///
 /// Law       a search over a list of modules finds a drive if the search with one of these modules
 ///           does

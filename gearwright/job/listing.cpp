@@ -167,7 +167,7 @@ std::string file_listing(const std::vector<JobFile>& files, UnitSystem units) {
   std::string out = "\n";
   for (const JobFile& f : files) {
     std::string note = f.note;
-    // The deviation follows the first part of the note, before what the file omits.
+    // The deviation follows the first part of the note and precedes the omissions of the file.
     if (f.deviation_mm)
       note.insert(std::min(note.find(';'), note.size()),
                   fmt::format(", within {:.2g} µm", *f.deviation_mm * kUmPerMm));

@@ -1,4 +1,5 @@
-// The verb `load`: the pair of a spec under torque, and probes of its teeth. Their part of `run`.
+// The verb `load`: the pair of a spec under torque, probes of its teeth, and the load part of
+// `run`.
 #pragma once
 
 #include <optional>

@@ -31,9 +31,9 @@ Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, in
   return measure(arranged, request, warnings);
 }
 
-// The tools of a gear. If an inch spec gives the diametral pitch P and no tool, the balls and pins
-// are those of North American practice, 1.728/P for an external and 1.68/P for an internal gear
-// (ANSI/AGMA 2002-B88, the sizes of Van Keuren), if they touch the usable flanks.
+// The tools of a gear. If an inch spec gives the diametral pitch P and no tool, balls and pins have
+// the diameters of North American practice, provided that they touch the usable flanks: 1.728/P for
+// an external and 1.68/P for an internal gear (ANSI/AGMA 2002-B88, the sizes of Van Keuren).
 MeasureInput tools_of(const SolvedJob& job, int which) {
   constexpr double kExternal = 1.728, kInternal = 1.68;  // diameters of balls and pins, modules
   MeasureInput tools = job.spec.gear(which).measure;

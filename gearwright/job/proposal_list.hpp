@@ -18,8 +18,8 @@ namespace gearwright {
 ///
 /// Formula   [T12.28], [T12.32]
 struct GradeDeviations {
-  std::optional<double> pitch;  ///< of the base pitch
-  std::optional<double> helix;  ///< of the helix slope, over the common face
+  std::optional<double> pitch;  ///< deviation of the base pitch
+  std::optional<double> helix;  ///< deviation of the helix slope, over the common face
 };
 GradeDeviations grade_deviations(const SolvedJob& job);
 

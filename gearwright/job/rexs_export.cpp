@@ -196,7 +196,7 @@ Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& pat
     gears[i] = writer.gear(gear, name, shafts[i], job.spec.gear(which).modifications);
   }
   writer.stage("stage", gears[0], gears[1], job.pair->center_distance());
-  // Torque and speed of gear 1 in the spec become those of the driving gear.
+  // Converts the torque and the speed of gear 1 in the spec to the driving gear.
   const std::size_t driver = job.spec.load.driver == 2 ? 1 : 0;
   const double ratio = driver == 1 ? job.pair->gear_ratio() : 1.0;
   auto speed = job.spec.pair.speed_rpm;

@@ -95,7 +95,8 @@ bool all_equal(const ListingColumn& column) {
                      [&](const std::string& cell) { return cell == column.cells.front(); });
 }
 
-// True if every number of `a` is `factor` times that of `b`, and the columns have the same unit.
+// True if every number of `a` is `factor` times the number of `b`, and the columns have the same
+// unit.
 bool proportional(const ListingColumn& a, const ListingColumn& b, double factor) {
   // Two formulas of one quantity differ by rounding only.
   constexpr double kRounding = 1e-9;

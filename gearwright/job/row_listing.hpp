@@ -38,9 +38,9 @@ std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
                         const std::vector<ValueRecord>& records,
                         std::initializer_list<std::string_view> keys);
 
-/// Lists designs below each other. The first column names the designs. Of the others, a column with
-/// the same text in all rows, or with the numbers of an earlier column, is a line of the list
-/// "Common to all designs" above the table, if there are at least two designs.
+/// Lists designs below each other. The first column names the designs. If there are at least two
+/// designs, any other column that has the same text in all rows, or the numbers of an earlier
+/// column, becomes a line of the list "Common to all designs" above the table.
 std::string design_listing(const std::vector<ListingColumn>& columns);
 
 }  // namespace gearwright

@@ -109,7 +109,7 @@ class Grades {
     all_.push_back({table + "helix_waves", 1.0, share,
                     VaryingWave{which, true, gear.helix_waves.value_or(kWaves), f.helix_form},
                     source_});
-    // The long period, which alone depends on pitches, is computed for single-helical pairs only.
+    // Only the long period depends on pitches. It is computed for single-helical pairs only.
     if (!job_.halves[0])
       all_.push_back({table + "pitch", 1.0, share,
                       VaryingPitch{which, f.total_pitch, f.single_pitch}, source_});
@@ -329,7 +329,7 @@ PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer, Pro
 namespace {
 
 // The first key that applies to single-helical pairs only. Derivatives, tooth contact under load, the
-// marking pattern and the long period of a sample are those of one pair of flanks.
+// marking pattern and the long period of a sample belong to one pair of flanks.
 std::optional<Error> not_for_halves(const ScatterInput& input) {
   for (const auto& [key, given] :
        {std::pair("robust", input.robust.has_value()), std::pair("loaded", input.loaded),

@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-// A share of samples with edge contact above this is a finding: one of twenty gear pairs.
+// If a greater share of samples has edge contact, this is a finding: one of twenty gear pairs.
 constexpr double kOftenEdge = 0.05;
 
 }  // namespace

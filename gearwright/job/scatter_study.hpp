@@ -21,7 +21,6 @@
 
 namespace gearwright {
 
-/// A design of a list.
 struct ListedDesign {
   std::int64_t number;  ///< N
   std::int64_t trial;
@@ -95,7 +94,6 @@ Json unfinished_study(const StudyRun& run);
 std::string study_listing(const JobSpec& spec, const StudyRun& run, std::size_t most);
 /// A row for each design. Designs without a scatter are at the end.
 std::string study_csv(const JobSpec& spec, const StudyRun& run);
-/// The page of the study.
 std::string study_page(const JobSpec& spec, const StudyRun& run);
 
 /// The number of designs in the table for users.

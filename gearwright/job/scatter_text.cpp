@@ -159,7 +159,7 @@ std::string spread_head(const ScatterTask& task) {
   return out + "\n";
 }
 
-// The rows of a table, without those whose numbers are all zero to their digits.
+// The rows of a table, without the rows whose numbers are all printed as zero.
 class NonzeroRows {
  public:
   // `cells` are the numbers of the row, and `more` are further lines that belong to it.

@@ -10,7 +10,7 @@ namespace gearwright {
 
 /// A spec with its gears and its pair. Warnings name the keys of the file.
 struct SolvedJob : Arranged {
-  JobSpec spec;  ///< as read; computed values are in `completed`
+  JobSpec spec;  ///< spec as read; computed values are in `completed`
   /// The halves of double-helical gears. In this case, `gears` and `pair` describe only the half at
   /// z > 0.
   std::array<std::optional<Halves>, 2> halves{};

@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-constexpr std::size_t kLineWidth = 80;    ///< width of sentences, which is that of a terminal
+constexpr std::size_t kLineWidth = 80;    ///< width of sentences, the usual width of a terminal
 constexpr std::size_t kTableWidth = 110;  ///< width of tables with a row for each design
 
 /// Number of characters of UTF-8 text.

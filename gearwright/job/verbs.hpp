@@ -36,7 +36,7 @@ struct Answer {
   std::function<std::string()> listing;  ///< the record for a terminal
   std::function<std::string()> csv;      ///< empty if the verb has no table
   UnitSystem units =
-      UnitSystem::mm;  ///< of the specs, of their notes and of all output; `record` is in mm
+      UnitSystem::mm;  ///< units of the specs, the notes and all output; `record` is in mm
 };
 
 /// The answer with its specs and notes in the units of the spec.

@@ -35,7 +35,8 @@ const Member* find(const ValueRecord& record, std::string_view path) {
   return nullptr;
 }
 
-// A value with the unit of the sheet. Lengths in inch have four decimals, also if the last is zero.
+// A value with the unit of the sheet. Lengths in inch have four decimals, even if the last one is
+// zero.
 std::string number(const QuantityInfo& info, double value, UnitSystem units) {
   const UnitSystem own = system_of(info, units);
   if (unit_in(own, info.unit) == Unit::inch)
@@ -245,7 +246,7 @@ Group modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem 
   return group;
 }
 
-// Without a class, its row is blank, so that the workshop notices that it is missing.
+// If no class is given, its row is blank, so that the workshop notices the omission.
 Group tolerances(const ToleranceInput& asked, const Records& measure) {
   if (!asked.quality) {
     Group blank("Tolerances, ISO 1328-1");
