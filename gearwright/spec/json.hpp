@@ -13,8 +13,8 @@ namespace gearwright {
 
 using Json = nlohmann::ordered_json;
 
-/// The nesting depth of the brackets in a text, without those in strings. Callers check the depth
-/// before a foreign text is parsed, because trees are written and destroyed recursively.
+/// The nesting depth of the brackets in a text. Brackets in strings do not count. Callers check the
+/// depth before a foreign text is parsed, because trees are written and destroyed recursively.
 int json_depth(std::string_view text);
 
 /// Throws  nlohmann::json::parse_error

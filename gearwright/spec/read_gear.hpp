@@ -50,7 +50,7 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which
 //
 // A key sets both flanks. With the prefix right_ or left_ it sets one flank and takes precedence.
 
-constexpr std::size_t kMaxTopography = 4 << 20;  ///< in bytes, enough for 200 000 points
+constexpr std::size_t kMaxTopography = 4 << 20;  ///< bytes, enough for 200 000 points
 
 /// The modifications of the right and the left flank. They remove nothing if the gear has no such
 /// table. make_removal_field checks the conditions on the finished gear.

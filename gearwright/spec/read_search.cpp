@@ -50,7 +50,7 @@ std::optional<std::vector<double>> read_pitches(TableReader& t) {
   } else {
     pitches = *t.numbers("diametral_pitches_per_in");
   }
-  std::sort(pitches.rbegin(), pitches.rend());  // the modules then rise
+  std::sort(pitches.rbegin(), pitches.rend());  // the modules are then in ascending order
   if (const auto twice = std::adjacent_find(pitches.begin(), pitches.end()); twice != pitches.end())
     t.fail("diametral_pitches_per_in", fmt::format("contains {} twice", *twice));
   for (double& p : pitches) p = kMmPerInch / p;

@@ -31,12 +31,13 @@ struct RexsStage {
 /// A body that transmits torque to other machines.
 struct RexsEnd {
   std::string body;
-  const RexsComponent* load = nullptr;             ///< its load; the one with a torque first
+  const RexsComponent* load = nullptr;             ///< its load; if it has several, one with a
+                                                   ///< torque
   std::optional<double> torque_Nm{}, speed_rpm{};  ///< with their signs
 };
 
 struct RexsSet {
-  std::map<std::string, const RexsComponent*> gears;  ///< by member; of copies, the first
+  std::map<std::string, const RexsComponent*> gears;  ///< by member; the first of several copies
   std::map<std::string, const RexsStage*> meshes;     ///< by the name of the mesh in [planetary]
   std::size_t planets = 0;
   std::optional<std::vector<std::string>> fixed;  ///< none if the file does not state it

@@ -158,7 +158,7 @@ class Reader {
     const auto generated = flank->number("generated_addendum_modification_coefficient");
     if (!x || !generated) return std::nullopt;
     const double alpha = flank->number("normal_pressure_angle").value_or(20.0) * kRadPerDeg;
-    // Without the rounding error of the difference.
+    // The rounding removes the rounding error of the difference.
     return std::round((*generated - *x) * 2 * *module * std::tan(alpha) * 1e12) / 1e12;
   }
 
@@ -193,7 +193,7 @@ class Reader {
     return spec;
   }
 
-  // Adds the torque and the speed of gear 1. Those of gear 2 are converted by the ratio.
+  // Adds the torque and the speed of gear 1. Torque and speed of gear 2 are converted by the ratio.
   void add_pair_load(Json& spec, const RexsStage& s) const {
     const double ratio =
         std::abs(static_cast<double>(rexs_teeth(*s.gears[1])) / rexs_teeth(*s.gears[0]));

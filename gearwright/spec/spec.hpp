@@ -40,12 +40,12 @@ struct JobSpec : SpecTables {
   std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;
   std::vector<std::string> inherited;  ///< keys of gear 2 copied from gear 1: material, quality
 
-  UnitSystem units() const { return given.units; }  ///< of the text, and of answers
+  UnitSystem units() const { return given.units; }  ///< units of the text and of answers
 };
 
 /// Reads a spec from text. File names are relative to `folder`, or to the working directory if
 /// `folder` is empty. All missing inputs are reported as one error. They are the inputs that every
-/// spec needs and those that `use` needs.
+/// spec needs and the inputs that `use` needs.
 ///
 /// Throws    IoError if a named file exists and cannot be read
 /// Errors    the key with its table ("gear1.normal_module_mm") as the field, its value, and the

@@ -12,10 +12,10 @@ namespace gearwright {
 
 enum class SpecFormat { toml, json };
 
-constexpr std::size_t kMaxSpec = 4 << 20;  ///< in bytes, more than any spec needs
+constexpr std::size_t kMaxSpec = 4 << 20;  ///< bytes, more than any spec needs
 
 struct SpecText {
-  std::string name;  ///< as given by the user; "standard input" for "-"
+  std::string name;  ///< name given by the user; "standard input" for "-"
   std::string text;
   SpecFormat format = SpecFormat::toml;
   std::filesystem::path folder{};  ///< base of relative file names; if empty, the working directory

@@ -29,8 +29,8 @@ bool is_one_of(const List& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-// The unit of a path whose last key is in the catalogue, or null. A word that only ends like the
-// key of a length is a name that the user chose.
+// The unit of a path whose last key is in the catalogue, or null. Other words that end like the key
+// of a length are names that the user chose.
 const KeyUnit* declared_metric(std::string_view path) {
   return is_spec_key(path) ? metric_unit(path) : nullptr;
 }
@@ -161,7 +161,7 @@ enum class Tree { record, spec, by_name, shares };
 // Tables of a result whose keys are names that the user chose.
 constexpr std::array<std::string_view, 2> kByName{"bodies", "meshes"};
 
-// Tables of a result whose keys are quantities and whose numbers are pure, such as shares of their
+// Tables of a result whose keys are quantities and whose numbers have no unit, such as shares of a
 // variance.
 constexpr std::array<std::string_view, 1> kShares{"indices"};
 
