@@ -28,7 +28,6 @@ struct CorrectionEntry {
 /// All corrections, in the order of the documents.
 const std::vector<CorrectionEntry>& correction_entries();
 
-/// The entry of a correction.
 const CorrectionEntry& entry_of(const WorkshopCorrection& correction);
 
 /// The quantity that the corrections minimise.

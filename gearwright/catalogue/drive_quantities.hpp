@@ -34,7 +34,7 @@ Value error_lines(const DriveError& error);
 
 /// A drive under load: `drive.load` of a result.
 ///
-/// Domain    with Drive::loaded (contract)
+/// Domain a drive with Drive::loaded (contract)
 const Quantities<Drive>& drive_load_quantities();
 
 /// The shares of the planets of a set of a drive.

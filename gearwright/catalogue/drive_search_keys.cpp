@@ -39,7 +39,7 @@ Key of_set(std::string_view key, std::string_view fallback = {}) {
   return k;
 }
 
-// As objective_called(), if searches for drives have the objective.
+// Like objective_called(), but only for objectives of searches for drives.
 std::string_view drive_objective_called(std::string_view word) {
   const std::string_view objective = objective_called(word);
   const auto& names = kDriveObjectiveNames;

@@ -108,7 +108,6 @@ void add_found(Quantities<F>& q) {
            [](const F& f) { return Value(least_safety(f.drive, &Rating::S_F)); });
 }
 
-// A map from each name to its number.
 template <std::size_t N, class T>
 Value counts(const std::array<std::string_view, N>& names, const std::array<T, N>& numbers) {
   ValueMap map;

@@ -18,7 +18,7 @@ class TextUnit {
   TextUnit(UnitSystem units, std::string_view unit);
 
   double operator()(double value) const;
-  int digits(int decimals) const;  ///< as digits_in()
+  int digits(int decimals) const;  ///< result of digits_in()
   std::string text() const;        ///< "in", "in²"
 
  private:

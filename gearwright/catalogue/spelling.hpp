@@ -22,7 +22,7 @@ namespace gearwright {
 /// the error names the key that is given.
 struct GivenKeys : std::set<std::string, std::less<>> {
   using set::set;
-  UnitSystem units = UnitSystem::mm;  ///< of the spec; the paths are always those of the catalogue
+  UnitSystem units = UnitSystem::mm;  ///< units of the spec; paths belong to the catalogue
   /// For a spec in inch, the values of the lengths as they are written, by path.
   std::map<std::string, std::string, std::less<>> written{};
 };

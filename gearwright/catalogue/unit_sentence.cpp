@@ -51,7 +51,8 @@ std::optional<NumberText> number_at(std::string_view text) {
 }
 
 // The number in the inch unit. A text of four or more digits, three of them decimals, is usually rounded,
-// so the result has one digit less, which is then true. Other texts give at least four digits.
+// so the result has one digit less and is correct in all digits. Other texts give at least four
+// digits.
 std::string number_in(const NumberText& number, const KeyUnit& unit) {
   const double x = unit.to_inch(number.value);
   if (x == 0.0) return "0";

@@ -21,7 +21,7 @@ struct QuantityInfo;  // catalogue/quantity.hpp
 struct Member;
 
 using ValueList = std::vector<Value>;
-using ValueRecord = std::vector<Member>;                      ///< in the order of the catalogue
+using ValueRecord = std::vector<Member>;                      ///< in the catalogue's order
 using ValueMap = std::vector<std::pair<std::string, Value>>;  ///< the names depend on the job
 
 class Value {
