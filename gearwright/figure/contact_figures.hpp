@@ -42,7 +42,7 @@ ContourField field_of(const FlankRaster& raster);
 /// The regions in which a field of a raster is below a level, as points (height along the face,
 /// diameter), mm.
 std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& field, double level);
-/// The values of step i of a map, counted from the lowest one: "below 10 µm", "10 µm to 20 µm".
+/// The range of step i of a map, counted from the lowest step: "below 10 µm", "10 µm to 20 µm".
 /// Empty if the map has one step.
 std::string step_words(const std::vector<double>& levels, std::size_t i, std::string_view unit);
 /// Adds the values of a raster to a figure, as shaded steps between the levels and as its grid. If
@@ -84,7 +84,7 @@ Figure small_pattern(std::string id, std::string title, const FlankRaster& patte
 /// Peak-to-peak transmission error as a function of two errors of mounting.
 struct ContactMap {
   ErrorMap map;                     ///< rad, over two errors in the units of `axes`
-  std::array<NamedAmount, 2> axes;  ///< of x and y: names, units and the values of the spec
+  std::array<NamedAmount, 2> axes;  ///< x and y: names, units and the values of the spec
   bool whole = true;                ///< false if some values have not yet been computed
 };
 /// Round levels within the values of the map, arc seconds, in ascending order. They are few enough

@@ -298,8 +298,8 @@ class PowerDiagram {
     write_name({x, top}, name_of(n), under, end);
   }
 
-  // Writes a name and the words under it above a node. If they would overlap those of another node,
-  // they are lifted, and a line leads to the node.
+  // Writes a name and the words under it above a node. If they would overlap the words of another
+  // node, they are moved up, and a line leads to the node.
   void write_name(const Vec2& at, const std::string& name, const std::string& under, bool end) {
     const double px = kWidth / (f_.x.hi - f_.x.lo);
     const std::string& longest = name.size() > under.size() ? name : under;

@@ -266,8 +266,8 @@ class Scheme {
     top_ = std::max(top_, y + 0.8);
   }
 
-  // Writes the name of a body above the end of its shaft, and its speed and torque below. If
-  // another shaft is inside this one and goes on below, all words are above.
+  // Writes the name of a body above the end of its shaft, and its speed and torque below. If the
+  // shaft is hollow, all words are above, because the inner shaft is drawn below.
   void end_of(std::size_t body, const Vec2& at, bool left, bool hollow) {
     if (graph_.is_fixed(body)) ground(at, false);
     const char* part = graph_.is_input(body) ? "in" : graph_.output == body ? "out" : "held";
@@ -338,8 +338,8 @@ class Scheme {
   const DrivePlaces& places_;
   Figure f_;
   double scale_ = 1.0;
-  std::vector<double> radii_;             // of each gear, in units of the picture
-  std::vector<std::vector<Rise>> rises_;  // of each body
+  std::vector<double> radii_;             // radius of each gear, in units of the picture
+  std::vector<std::vector<Rise>> rises_;  // rises of each body
   double left_ = 0.0, right_ = 0.0, top_ = 0.0, bottom_ = 0.0;
   double left_most_ = 0.0, right_most_ = 0.0;
 };

@@ -82,7 +82,7 @@ struct FigureMark {
   int group = -1;          ///< index of the group with which the mark turns; −1: none
   std::optional<FigureLength> length = {};  ///< at the end of a text or of a label
 
-  /// The words of a text or the label of another mark, with its length; markup.
+  /// The markup of a text, or of the label of another mark, including its length.
   std::string text() const;
 };
 
@@ -94,7 +94,8 @@ struct FigureSlide {
   std::string style;
 };
 
-/// A point of a plane figure whose name is in a column beside the plot, joined to it by a line.
+/// A point of a plane figure whose name is in a column beside the plot. A line joins the name to
+/// the point.
 struct FigureLeader {
   Vec2 at;
   std::string markup;                       ///< SVG markup
@@ -131,7 +132,7 @@ struct FigureShades {
 
 /// The values that a map shows in shaded steps.
 struct FigureGrid {
-  std::string words, unit;     ///< of the values
+  std::string words, unit;     ///< name and unit of the values
   std::vector<double> x, y;    ///< data coordinates of the columns and rows
   std::vector<double> values;  ///< row by row; infinite where there is no value
 };

@@ -8,7 +8,8 @@
 namespace gearwright {
 
 /// {"id", "title", "description", "x": {"words", "unit"}, "y", "curves": [{"name", "points": [[x,
-/// y], …]}]}. The curves are the named lines and, as one more curve, the bars. A break of a line is
+/// y], …]}]}. The curves are the named lines, and the bars as one additional curve. A break of a
+/// line is
 /// [null, null]. If there are circles or named dots, they are in "circles" and "points". The values
 /// of a map are in "grid": {"words", "unit", "x": […], "y": […], "values": [[…], …]}, a row for each
 /// y, null where there is no value.

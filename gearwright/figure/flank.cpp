@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kEllipses = 7;                           // approximate number of drawn ellipses
 constexpr double kLowFlank = 0.36, kHighFlank = 0.72;  // limits of the drawn height over the width
-constexpr double kBeyond = 0.09;  // height drawn beyond root and beyond tip, over that of the flank
+constexpr double kBeyond = 0.09;  // height drawn beyond root and tip, relative to the flank
 const std::vector<double> kGapLevels{1, 2, 5, 10, 20, 50};  // µm, greatest gaps of the drawn bands
 
 Vec2 on_flank(const FlankPlace& place) { return {place.height, 2 * place.radius}; }

@@ -14,8 +14,8 @@ constexpr double kBaseline = 5.0;      // px from the middle of the letters down
 constexpr int kBoxWeight = 8;          // weight of an overlap with a box; a crossed line has 1
 constexpr int kOutside = 1000;
 // px. If a label must be drawn in any case, each multiple of this distance between the label and
-// its point counts as one crossed line, because a reader could take a distant label for that of
-// another point.
+// its point counts as one crossed line, because a reader could assign a distant label to another
+// point.
 constexpr double kNear = 18.0;
 
 double width_of(std::string_view plain) {

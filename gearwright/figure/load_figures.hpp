@@ -1,5 +1,5 @@
-// Makes the figures of teeth under load. Each torque has its own curve. Pressures and stresses are
-// those of the selected torque.
+// Makes the figures of teeth under load. Each torque has its own curve. Pressures and stresses
+// belong to the selected torque.
 #pragma once
 
 #include <array>

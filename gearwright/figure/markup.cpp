@@ -78,7 +78,7 @@ std::string symbol_html(std::string_view symbol) {
 std::string symbol_svg(std::string_view symbol) {
   using Place = SymbolPiece::Place;
   std::string result;
-  int shift = 0;  // of the baseline, px down
+  int shift = 0;  // shift of the baseline, px down
   for (const SymbolPiece& piece : symbol_pieces(symbol)) {
     const int wanted = piece.place == Place::base ? 0 : piece.place == Place::below ? 3 : -4;
     const char* style = wanted == 0 ? "v" : "s";

@@ -18,7 +18,7 @@ namespace gearwright {
 struct RackScene {
   const RackPair* pair = nullptr;
   std::array<std::string, 2> shapes;      ///< names of the definitions of pinion and rack
-  std::vector<NamedCircle> circles = {};  ///< of the pinion; by default tip, pitch and base circle
+  std::vector<NamedCircle> circles = {};  ///< pinion; by default tip, pitch and base circle
 };
 
 /// The extent of a picture with this ratio of width to height.

@@ -18,7 +18,7 @@ struct EdgeLook {
   std::string_view words, style;
 };
 
-// In the order of ShiftEdge.
+// The rows are in the order of ShiftEdge.
 constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"least shift of gear 1", "edge-g1"},
                                                     {"greatest shift of gear 1", "edge-g1 far"},
                                                     {"least shift of gear 2", "edge-g2"},
