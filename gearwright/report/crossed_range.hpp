@@ -1,5 +1,5 @@
 // Properties of a crossed pair as functions of the pressure angle of the common rack, without
-// backlash. Also the common x axis of their pictures.
+// backlash, and the common x axis of their pictures.
 //
 //   α_wn  pressure angle of the common rack, the only free parameter     Σ, a  position of the axes
 //   ε     contact ratio, from tip to tip      f, f′  face widths for one flank and for both flanks

@@ -21,7 +21,7 @@ struct DriveReportInput {
   Verdict verdict;
   std::vector<ReportFile> files;
   std::string spec_text;              ///< the spec, verbatim; left out if empty
-  UnitSystem units = UnitSystem::mm;  ///< of tables and sentences
+  UnitSystem units = UnitSystem::mm;  ///< units of tables and sentences
   std::string version;                ///< version of the program
 };
 

@@ -18,7 +18,6 @@ constexpr int kRatioDigits = 4;   ///< pure numbers
 /// percent-encoded.
 std::string file_link(std::string_view name);
 
-/// Returns figures side by side.
 std::string side_by_side(std::string_view figures);
 
 /// Returns the legend of the colours of gear 1 and gear 2.

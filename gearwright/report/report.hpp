@@ -60,7 +60,7 @@ struct ReportInput {
   Verdict verdict;                             ///< on the gears, the pair and the contact
   std::vector<ReportFile> files;
   std::string spec_text;              ///< the spec, verbatim; omitted if empty
-  UnitSystem units = UnitSystem::mm;  ///< of tables and sentences
+  UnitSystem units = UnitSystem::mm;  ///< units of tables and sentences
   std::string version;                ///< version of the program
 };
 

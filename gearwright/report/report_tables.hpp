@@ -26,7 +26,7 @@ std::string gear_table(const std::vector<const Gear*>& gears,
                        UnitSystem units = UnitSystem::mm);
 
 /// Additional data of gears with few teeth: the points F, C and J, and the circular fillets. The
-/// symbols are those of gear_figures.hpp. Empty if no gear has such data.
+/// symbols are defined in gear_figures.hpp. Empty if no gear has such data.
 std::string few_teeth_table(const std::vector<const Gear*>& gears,
                             UnitSystem units = UnitSystem::mm);
 

@@ -18,7 +18,8 @@
 
 namespace gearwright {
 
-inline constexpr std::size_t kMaxDots = 2000;  ///< in one picture; more cannot be distinguished
+inline constexpr std::size_t kMaxDots = 2000;  ///< greatest number in one picture; more dots cannot
+                                               ///< be distinguished
 
 /// The corners of the staircase through the points that no other point dominates. The staircase
 /// separates the designs found from the part of the plane without designs. `greater` is true for an
@@ -53,7 +54,7 @@ inline constexpr int kChartMin = 7, kChartMax = 100;  ///< range of tooth number
 /// The range of possible profile shifts over the number of teeth, on a logarithmic axis. Curves
 /// show the undercut limit, and the limits for tip thicknesses of 0, 0.2 and 0.4 modules. The
 /// filled area is the range of gear 1 within the limits of the problem. Rack and helix angle are
-/// those of the trial. The shifts of the given design are marked.
+/// taken from the trial. The shifts of the given design are marked.
 std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial,
                                 const DesignRow* design);
 

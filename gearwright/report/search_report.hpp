@@ -23,7 +23,7 @@ struct SearchReport {
                                       ///< reasons and changes that would help
   std::size_t rows = 200;             ///< number of designs in the table
   std::string version;                ///< version of the program
-  UnitSystem units = UnitSystem::mm;  ///< of the lengths
+  UnitSystem units = UnitSystem::mm;  ///< units of the lengths
 };
 
 inline constexpr std::size_t kRegionPictures = 20;  ///< number of the best designs that have a

@@ -98,7 +98,7 @@ Figure section_of(const InvolutePair& pair) {
           pair.side() > 0.0 ? "gear 1 below, gear 2 above" : "both axes above"),
       window(pair));
   for (const std::size_t i : {0u, 1u}) {
-    // Names of gear 1 are on the right, those of gear 2 on the left.
+    // Names of gear 1 are on the right, and names of gear 2 on the left.
     const double side = i == 0 ? 1.0 : -1.0;
     for (const NamedCircle& cut : mesh_circles(pair, i)) add_cylinder(f, pair, i, cut, side);
     const double radius = pair.mesh.rack.sides[i].pitch_radius;

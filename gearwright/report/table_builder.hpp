@@ -38,8 +38,8 @@ class TableBuilder {
   /// Sets the words, with symbols, that are next to the caption of a folded table instead of the
   /// first values.
   void decisive(std::string_view words);
-  /// Chooses by their keys in the catalogue the rows that are next to the caption of a folded table
-  /// instead of the first rows. The call must precede the rows.
+  /// Selects, by keys of the catalogue, the rows that a folded table shows next to its caption. By
+  /// default, these are the first rows. The call must precede the rows.
   void decisive_rows(std::vector<std::string_view> keys);
 
   /// Returns the table. On screen, only the caption and the first values of a long table are
@@ -57,7 +57,7 @@ class TableBuilder {
   std::string first_;     ///< the first values, HTML
   std::string decisive_;  ///< words shown instead of the first values, HTML; may be empty
   std::vector<std::string_view> decisive_keys_;
-  std::string_view key_;  ///< of the row that is being added; empty if it has none
+  std::string_view key_;  ///< key of the row that is being added; empty if it has none
   bool beside_ = false;   ///< true if the values of this row are next to the caption
   bool row_has_value_ = false;
   int rows_ = 0;
