@@ -33,7 +33,6 @@ struct Cure {
   bool needs_contact = false;  ///< true if the finding comes from a contact analysis
 };
 
-/// One number of this spec that may be changed.
 struct Lever {
   Adjustable what;
   int gear;

@@ -61,7 +61,6 @@ enum class Adjustable {
   center_distance,      ///< a     mm, of the pair
 };
 
-/// A change of a spec.
 struct SpecChange {
   Adjustable what;
   int gear;  ///< 1, 2; 0 for the pair or both gears
@@ -122,11 +121,11 @@ struct Judged {
   /// True if the spec gives neither the centre distance nor all profile shifts. A given centre
   /// distance would then determine the missing profile shift.
   bool distance_sets_shifts = false;
-  bool tolerances = false;               ///< true if findings are also computed at the tolerance
-                                         ///< ends
+  bool tolerances = false;  ///< true if findings are also computed at the tolerance
+                            ///< ends
   std::optional<std::array<double, 2>> backlash_ends{};  ///< least and greatest j_n  mm, within the
                                                          ///< tolerances
-  std::optional<JudgedRating> rating{};  ///< none if not computed
+  std::optional<JudgedRating> rating{};                  ///< none if not computed
 };
 
 /// Example: " The lowest safety factor is 1.03 against pitting and 1.65 against root breakage." The
