@@ -39,7 +39,6 @@ class FileHandle {
   /// The error number if opening failed, otherwise 0.
   int error() const { return error_; }
 
-  /// Writes all bytes.
   int write(std::string_view bytes);
   /// Reads `most` bytes, or fewer at the end of the file.
   int read(std::size_t most, std::string& bytes);

@@ -14,7 +14,7 @@
 
 #include "gearwright/base/system.hpp"
 
-// libstdc++ converts a std::string to a path with mbrtowc, whose encoding is that of the C locale.
+// libstdc++ converts a std::string to a path with mbrtowc, which uses the encoding of the C locale.
 // In msvcrt, this cannot be UTF-8, so the linker replaces mbrtowc by this function (--wrap,
 // cmake/gw_portable.cmake), which converts UTF-8 to UTF-16. For a character of two UTF-16 units, it
 // returns the first unit with three of the four bytes. It keeps the second unit in `state` and
