@@ -26,7 +26,6 @@ struct sqlite3_stmt;
 
 namespace gearwright {
 
-/// One row of `chunks`.
 struct ChunkRow {
   std::int64_t chunk = 0;
   ChunkCounts counts;
