@@ -19,7 +19,6 @@ struct StudyCommand : CampaignCommand {
   bool given() const { return designs || out || shard || resume || top; }
 };
 
-/// Adds the options of a study to the verb scatter.
 void add_study_options(CLI::App* sub, StudyCommand& command);
 
 /// Adds the verb scatter to a program that supports it only for the designs of a search.

@@ -81,7 +81,6 @@ std::string pair_html(const PairValue& p) {
                     pair_table(pair, units));
 }
 
-// The figures in the units of the spec.
 std::vector<Figure> in_units_of(const Model& model, std::vector<Figure> figures) {
   for (Figure& f : figures) f = in_units(model.job.spec.units(), std::move(f));
   return figures;
