@@ -304,17 +304,17 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
            "Computes the tooth contact of the pair under errors over one pitch. errors is a dict "
            "with keys of [errors], or a row of the array that transmission_error accepts; "
            "modifications is {\"gear1\": {…}, \"gear2\": {…}}; other arguments are keys of "
-           "[contact], for example positions=64, driver, pattern. Absent values are those of the "
+           "[contact], for example positions=64, driver, pattern. Absent values are taken from the "
            "pair's spec")
       .def("rate", &rating_of,
            "Computes the strength by ISO 6336 or VDI 2736. Arguments are keys of [rating], for "
-           "example torque_Nm, speed_rpm, quality; absent values are those of the pair's spec. "
+           "example torque_Nm, speed_rpm, quality; absent values are taken from the pair's spec. "
            "Gears need a material, for example material={\"name\": \"18CrNiMo7-6\"}")
       .def("loaded", &loaded_of, py::arg("errors") = py::none(),
            py::arg("modifications") = py::none(),
            "Computes the pair under torque. Arguments are keys of [load], for example "
-           "torque_Nm=[100, 200], positions, slices; errors and modifications are those of "
-           "contact(). Absent values are those of the pair's spec");
+           "torque_Nm=[100, 200], positions, slices; errors and modifications have the form that "
+           "contact() accepts. Absent values are taken from the pair's spec");
   m.def("solve", &solve_spec, py::arg("spec"), py::arg("verb") = "",
         ("Returns the program's JSON answer as a dict. `spec` is a dict with the tables of a spec "
          "file, a Pair or a Gear; `verb` is one of " +
@@ -332,9 +332,8 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
         "gear1=, samples=, robust=). Returns a Record with a distribution for each quantity, "
         "probability, indices, worst and robust; its attribute members is a structured array with "
         "a row for each sample and a column for each input and quantity, named by its key, and "
-        "to_parquet(path) writes these rows to a Parquet file; its attribute figures contains "
-        "those of the report, with pattern=True also the density of the "
-        "contact pattern");
+        "to_parquet(path) writes these rows to a Parquet file; its attribute figures contains the "
+        "figures of the report and, with pattern=True, the density of the contact pattern");
   m.def("_verify", &verify, py::arg("cases"));
   return contact;
 }

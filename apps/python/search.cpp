@@ -230,12 +230,11 @@ void bind_search(py::module_& m) {
   type.def("__len__", [](const Found& f) { return f.run.answer.designs.size(); })
       .def("__getitem__", &design, "The design of this rank as a Record")
       .def("pair", &pair_of, py::arg("place") = 0, "The Pair of a design")
-      .def(
-          "scatter", &ranked_by_scatter, py::arg("top") = py::none(), py::arg("threads") = 0,
-          "Ranks the designs by the greatest percentile of their transmission error, with the keys "
-          "of [scatter] (errors=, quality=, samples=); absent keys are those of the spec. Returns "
-          "a dict like `scatter_designs` in the program's JSON. pair(row[\"design\"] - 1) is the "
-          "Pair of a row. If top is given, only this number of the best designs is ranked")
+      .def("scatter", &ranked_by_scatter, py::arg("top") = py::none(), py::arg("threads") = 0,
+           "Ranks the designs by the greatest percentile of their transmission error, with the "
+           "keys of [scatter] (errors=, quality=, samples=); absent keys are taken from the spec. "
+           "Returns a dict like `scatter_designs` in the program's JSON. pair(row[\"design\"] - 1) "
+           "is the Pair of a row. If top is given, only this number of the best designs is ranked")
       .def("to_numpy", &to_numpy,
            "A structured array with the columns of search.parquet and a row for each design")
       .def("to_parquet", &to_parquet, py::arg("path"),

@@ -157,7 +157,7 @@ const Quantities<FoundCorrection>& correction_quantities() {
   return define("compensate.corrections", [](Quantities<C>& q) {
     q.text("key", "key of the correction, as in the spec", &C::key).always();
     q.number("value", "value", "", "in the unit of the correction", &C::value).always();
-    q.text("unit", "unit of the value, as at the end of keys", &C::unit).always();
+    q.text("unit", "unit of the value, spelled as in keys", &C::unit).always();
     q.text("spec_key", "key of the corrected spec that contains the correction", &C::spec_key)
         .always();
     q.flag("at_bound", "at the end of the searched range",

@@ -63,12 +63,12 @@ const Quantities<DriveBacklash>& drive_backlash_quantities() {
     q.number("input_deg", "backlash of the input, output held", "", "[T13.20]; null for a rack",
              [](const B& b) { return rotation(b.input, b.input_lever); });
     q.number("input_mm", "backlash of the rack, output held", "",
-             "the same of an input that is a rack, along its travel",
+             "backlash along the travel of an input that is a rack",
              [](const B& b) { return travel(b.input, b.input_lever); });
     q.number("output_deg", "backlash of the output, input held", "", "[T13.20]; null for a rack",
              [](const B& b) { return rotation(b.output, b.output_lever); });
     q.number("output_mm", "backlash of the rack, input held", "",
-             "the same of an output that is a rack, along its travel",
+             "backlash along the travel of an output that is a rack",
              [](const B& b) { return travel(b.output, b.output_lever); });
   });
 }
@@ -84,7 +84,7 @@ const Quantities<DriveError>& drive_error_quantities() {
              })
         .unit(Unit::arcsec);
     q.number("output_peak_to_peak_um", "transmission error of the rack", "",
-             "the same of an output that is a rack, along its travel",
+             "transmission error along the travel of an output that is a rack",
              [](const E& e) { return travel(kUmPerMm * e.peak_to_peak, e.lever); })
         .unit(Unit::um);
     q.record<drive_error_line_quantities>("lines", "harmonics of the mesh frequencies [T13.22]",
@@ -261,15 +261,16 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
       });
     };
     forces("radial_force_N", "radial force of the teeth", "F_r",
-           "resultant of all meshes of the body, of one planet [T13.31]; null without torque_Nm",
+           "resultant of all meshes of the body, for planets of one planet [T13.31]; null without "
+           "torque_Nm",
            [](const BodyForces& f) { return f.radial; });
-    forces(
-        "axial_force_N", "axial force of the teeth", "F_z",
-        "sum over all meshes of the body, of one planet, along +z [T13.31]; null without torque_Nm",
-        [](const BodyForces& f) { return f.axial; });
+    forces("axial_force_N", "axial force of the teeth", "F_z",
+           "sum over all meshes of the body along +z, for planets of one planet [T13.31]; null "
+           "without torque_Nm",
+           [](const BodyForces& f) { return f.axial; });
     forces("tilting_moment_Nm", "tilting moment of the axial forces", "M",
-           "moment of the axial forces of the teeth about an axis across the body, of one planet "
-           "[T13.31]; null without torque_Nm",
+           "moment of the axial forces of the teeth about an axis across the body, for planets of "
+           "one planet [T13.31]; null without torque_Nm",
            [](const BodyForces& f) { return newton_metres(f.tilting); });
     q.term("power_kW", "> 0 if the power flows into the drive", [](const V& v) -> Value {
       const auto n = v.drive->speed_rpm(v.body);
@@ -324,14 +325,15 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
       });
     };
     forces("tangential_force_N", "tangential force", "F_t",
-           "of one copy of the mesh on its first gear, at the working pitch circle, > 0 "
+           "force of one copy of the mesh on its first gear, at the working pitch circle, > 0 "
            "counter-clockwise seen from +z [T13.29]; null without torque_Nm",
            [](const MeshForces& f) { return f.tangential; });
     forces("separating_force_N", "separating force", "F_r",
            "radial force of one copy of the mesh on both gears [T13.29]; null without torque_Nm",
            [](const MeshForces& f) { return f.separating; });
     forces("axial_force_N", "axial force", "F_z",
-           "of one copy of the mesh on its first gear, along +z [T13.29]; null without torque_Nm",
+           "force of one copy of the mesh on its first gear, along +z [T13.29]; null without "
+           "torque_Nm",
            [](const MeshForces& f) { return f.axial; });
     q.record<pair_quantities>(
          "pair", "the two gears as mounted; null without geometry",
@@ -343,7 +345,7 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
         .when([](const V& v) { return v.drive->geometry.racks[v.mesh].has_value(); })
         .doors(kJson);
     q.record<rating_quantities>(
-         "rating", "of one copy of the mesh; only with the verb rate; null without power",
+         "rating", "rating of one copy of the mesh; only with the verb rate; null without power",
          rating_of)
         .when([](const V& v) { return !v.drive->ratings.empty(); })
         .doors(kJson);

@@ -64,8 +64,9 @@ const KeyTable& drive_search_keys() {
       "The input of a search for drives",
       {Key::word("kind", {kDriveKindNames.begin(), kDriveKindNames.end()}, &Problem::kind,
                  kRequired,
-                 "kind of the drive: sun, planet and ring; stepped planets with `sun` and `ring2`; "
-                 "two rings, and with `sun_teeth` also a sun; two suns; or a train of pairs"),
+                 "kind of the drive: a set with sun, planet and ring; a set with `sun`, stepped "
+                 "planets and `ring2`; a set with two rings, and with a sun if `sun_teeth` is "
+                 "given; a set with two suns; or a train of pairs"),
        Key::number("ratio", "i", {}, &Problem::ratio, kRequired,
                    "signed ratio n_in/n_out; a band includes its ends")
            .with_list(kDriveBand)

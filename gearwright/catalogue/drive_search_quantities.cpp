@@ -65,13 +65,12 @@ void add_found(Quantities<F>& q) {
   q.number("efficiency_backward", "efficiency, output driving", "η",
            "0 if the drive is self-locking",
            [](const F& f) { return of_drive(f, "efficiency_backward"); });
-  q.number(
-      "noise", "variation of the elastic rotation", "ΔΘ/Θ",
-      "variation of the elastic rotation of the output under load, peak to peak, divided by "
-      "this rotation [T13.33]; for perfect teeth with the same stiffness per length of the contact "
-      "line; without geometry, for gears without profile shift and overlap; only with "
-      "`objective` = `noise`",
-      [](const F& f) { return Value(f.candidate.noise); });
+  q.number("noise", "variation of the elastic rotation", "ΔΘ/Θ",
+           "variation of the elastic rotation of the output under load, peak to peak, divided by "
+           "this rotation [T13.33], for perfect teeth with the same stiffness per length of the "
+           "contact line; if there is no geometry, gears without profile shift and overlap are "
+           "assumed; only with `objective` = `noise`",
+           [](const F& f) { return Value(f.candidate.noise); });
   q.number("size_mm", "size", "",
            "diameter over the planets and over the root circles of the rings, without the rims of "
            "the rings and without profile shifts; for a train, sum of the centre distances",

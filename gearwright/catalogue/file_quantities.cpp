@@ -33,7 +33,7 @@ const Quantities<ArcView>& outline_quantities() {
              })
         .list({0, 2})
         .always();
-    q.text("unit", "unit of the points, as at the end of keys", [](const A&) {
+    q.text("unit", "unit of the points, spelled as in keys", [](const A&) {
        return Value("mm");
      }).always();
   });

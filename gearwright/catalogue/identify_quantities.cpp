@@ -41,8 +41,9 @@ const Quantities<G>& drawing_quantities() {
            [](const G& g) { return g.rack.empty() ? Value() : Value(g.rack); })
         .one_of({"ISO53-A", "ISO53-D", "AGMA-14.5", "AGMA-20", "AGMA-25", "AGMA-stub"});
     q.term("profile_shift",
-           "x_E = x + E_sn/(2 m_n tan α_n); 0 if the allowance is then usual and the tip agrees, "
-           "otherwise by the tip, otherwise x_E [T10.34]",
+           "part of x_E = x + E_sn/(2 m_n tan α_n) [T10.34]; 0 if the allowance is then usual and "
+           "agrees with the tip; otherwise computed from the tip, or x_E if the tip does not "
+           "determine it",
            &G::profile_shift)
         .always();
     q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
@@ -108,7 +109,8 @@ void add_candidate(Quantities<G>& q) {
       .always()
       .digits(2)
       .greater_first();
-  q.flag("plausible", "plausible", "false if |x_E| > 1.5, which gears do not have", &G::plausible);
+  q.flag("plausible", "plausible", "false if |x_E| > 1.5, because such gears do not occur",
+         &G::plausible);
   q.record<drawing_quantities>("drawing", "the values with which a drawing describes the gear",
                                std::identity{})
       .always();
@@ -120,7 +122,7 @@ void add_candidate(Quantities<G>& q) {
 // The units of a reading and of its tool.
 template <class R>
 void add_units(Quantities<R>& q) {
-  q.text("unit", "unit of the reading, as at the end of keys", [](const R& r) {
+  q.text("unit", "unit of the reading, spelled as in keys", [](const R& r) {
      return Value(r.reading == "helix_angle" ? "deg" : "mm");
    }).always();
   q.text("tool_unit", "unit of the diameter of the balls; null for other readings",

@@ -128,7 +128,7 @@ const Quantities<LineView>& line_quantities() {
         .unit(Unit::mm)
         .list({2, 3})
         .doors(kJson);
-    q.text("unit", "unit of the points, as at the end of keys", [](const L&) {
+    q.text("unit", "unit of the points, spelled as in keys", [](const L&) {
        return Value("mm");
      }).always();
   });
@@ -318,7 +318,7 @@ const Quantities<InterferenceView>& interference_quantities() {
     q.number("amount", "amount", "", "margin in `unit`; negative if the parts interfere",
              &I::amount)
         .when([](const I& i) { return i.amount.has_value(); });
-    q.text("unit", "unit of the amount, as at the end of keys, which is an angle for `trochoid`",
+    q.text("unit", "unit of the amount, spelled as in keys; the amount of `trochoid` is an angle",
            [](const I& i) { return Value(i.code == WarningCode::trochoid ? "rad" : "mm"); })
         .when([](const I& i) { return i.amount.has_value(); });
     q.text("message", "sentence for users", &I::message).always();

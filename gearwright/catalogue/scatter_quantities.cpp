@@ -96,9 +96,9 @@ const Quantities<WorstView>& worst_quantities() {
     q.flag("corner", "corner", "true if every input is at an end of its range",
            [](const W& w) { return w.worst->corner; });
     q.number("bound", "bound", "",
-             "value below which no pair within the ranges lies, in the unit of its key [T14.29]; "
-             "null for the peak to peak, which is not convex, and for all but external involute "
-             "pairs on parallel axes without reliefs, topographies and waves",
+             "lower bound of the values of all pairs within the ranges, in the unit of its key "
+             "[T14.29]; null for the peak to peak, which is not convex; otherwise only for "
+             "external involute pairs on parallel axes without reliefs, topographies and waves",
              [](const W& w) {
                return w.worst->bound ? Value(w.entry->shown(*w.worst->bound)) : Value();
              });

@@ -214,8 +214,8 @@ Figure ellipse_figure(const LoadScene& scene, std::size_t which) {
       flank_frame(fmt::format("ellipses{}{}", which + 1, scene.part),
                   fmt::format("Gear {}", which + 1), {{lo, hi}, {-half, half}, {}}, false, which);
   f.caption = fmt::format(
-                  " at {}. The contact ellipses are those of one tooth during its mesh, and the "
-                  "line joins their centres. ",
+                  " at {}. The contact ellipses belong to one tooth during its mesh, and the line "
+                  "joins their centres. ",
                   torque_words(shown_torque(scene))) +
               f.caption;
   f.keys = {{"action", "ellipse on the flank"}, {"before", "ellipse beyond an end of the flank"}};

@@ -103,11 +103,11 @@ std::string force_listing(const Drive& drive, UnitSystem units) {
   }
   std::string out;
   if (!meshes.empty())
-    out += "\nForces of the teeth on the first gear of each mesh, of one planet\n" +
+    out += "\nForces of the teeth on the first gear of each mesh, for one planet\n" +
            row_listing(units, meshes, of_meshes,
                        {"tangential_force_N", "separating_force_N", "axial_force_N"});
   if (!bodies.empty())
-    out += "\nForces of all teeth on each body, of one planet\n" +
+    out += "\nForces of all teeth on each body, for one planet\n" +
            row_listing(units, bodies, of_bodies,
                        {"radial_force_N", "axial_force_N", "tilting_moment_Nm"});
   return out;

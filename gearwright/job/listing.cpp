@@ -148,7 +148,7 @@ std::string pair_listing(const Pair& pair, UnitSystem units) {
                             }});
   const bool halves = pair.gear(1).gap.has_value();
   return fmt::format("\n{}{}\n", kind,
-                     halves ? "; contact ratios and axial force are those of one half" : "") +
+                     halves ? "; contact ratios and axial force apply to one half" : "") +
          quantity_listing(units, pair_quantities().table(), {pair_quantities().of(pair)}, {});
 }
 

@@ -125,15 +125,15 @@ std::optional<Error> check_place_inside(const CrossedPair& p, const CommonRack<d
   const double a = p.center_distance;
   if (!(least < most)) {
     return refused("pair.shaft_angle", Angle::radians(*p.input.shaft_angle).deg(),
-                   "at this shaft angle the flanks of the pinion are nowhere more curved than "
-                   "those of the internal gear; a smaller helix angle of the pinion, or more teeth "
-                   "on the internal gear, would help");
+                   "at this shaft angle the flanks of the pinion are nowhere more curved than the "
+                   "flanks of the internal gear; a smaller helix angle of the pinion, or more "
+                   "teeth on the internal gear, would help");
   }
   if (a > least && a < most) return std::nullopt;
   return refused("pair.center_distance", a, {least, most},
                  "must be greater than {} mm, so that the flanks of the pinion are more curved "
-                 "than those of the internal gear, and less than {} mm, the working pitch radius "
-                 "of the internal gear");
+                 "than the flanks of the internal gear, and less than {} mm, the working pitch "
+                 "radius of the internal gear");
 }
 
 std::optional<Error> check_place(const CrossedPair& p) {

@@ -61,7 +61,7 @@ std::string kind_of(const ReportInput& input) {
   if (input.rack) return fmt::format("{} rack and pinion", teeth_of(*input.gears[0], false));
   if (input.pair)
     return input.pair->visit([&](const auto& pair) { return kind_of(pair, halves); }) +
-           (halves ? "; contact ratios and axial force are those of one half" : "");
+           (halves ? "; contact ratios and axial force apply to one half" : "");
   if (input.gears.size() == 2) return "Two cylindrical gears, not mounted";
   return fmt::format("{} {}{}", teeth_of(*input.gears[0], halves),
                      input.gears[0]->involute() ? "" : "circular-arc ",

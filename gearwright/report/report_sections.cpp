@@ -149,9 +149,9 @@ std::string finding(const Rating& r) {
                        f[0].value <= f[1].value ? 1 : 2);
   };
   return fmt::format(
-      "The least safety against root breakage is {}, and that against pitting is {}. Allowable "
-      "stress numbers from the table of materials are reference values of the standard. Compare "
-      "them with the certificate of the material.",
+      "The least safety against root breakage is {}, and the least safety against pitting is {}. "
+      "Allowable stress numbers from the table of materials are reference values of the standard. "
+      "Compare them with the certificate of the material.",
       least(r.S_F), least(r.S_H));
 }
 
