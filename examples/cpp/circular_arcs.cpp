@@ -1,4 +1,4 @@
-// Circular-arc (Wildhaber-Novikov) gears: convex teeth of the pinion in concave ones of the wheel.
+// Circular-arc (Wildhaber-Novikov) gears: convex teeth of the pinion in concave teeth of the wheel.
 #include <cmath>
 #include <cstdio>
 

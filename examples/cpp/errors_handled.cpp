@@ -6,10 +6,10 @@
 using namespace gearwright;
 using namespace gearwright::literals;
 
-void tell(const Error& error) { std::printf("error: %s\n", error.message().c_str()); }
+void show(const Error& error) { std::printf("error: %s\n", error.message().c_str()); }
 
-void tell(const Result<Gear>& gear) {
-  if (!gear) return tell(gear.error());
+void show(const Result<Gear>& gear) {
+  if (!gear) return show(gear.error());
   std::printf("%d teeth, tip diameter %.3f mm\n", gear->spec.teeth, gear->tip_diameter);
   for (const Warning& warning : gear->warnings)
     std::printf("  warning %s\n", to_string(warning.code));
@@ -17,17 +17,17 @@ void tell(const Result<Gear>& gear) {
 
 int main() {
   // An invalid number: the message contains its name and the allowed range.
-  tell(make_gear({.teeth = 17, .normal_module = -1, .face_width = 5}));
+  show(make_gear({.teeth = 17, .normal_module = -1, .face_width = 5}));
 
   // An undercut gear can be made, so undercut is a warning, not an error.
-  tell(make_gear({.teeth = 9, .normal_module = 2, .face_width = 5}));
+  show(make_gear({.teeth = 9, .normal_module = 2, .face_width = 5}));
 
   // Two gears that cannot mesh.
   const Result<Gear> one = make_gear({.teeth = 20, .normal_module = 2, .face_width = 10});
   const Result<Gear> other = make_gear({.teeth = 30, .normal_module = 2.5, .face_width = 10});
   if (!one || !other) return 1;
   const Result<Pair> pair = mount(*one, *other, {.center_distance = 56});
-  if (!pair) tell(pair.error());
+  if (!pair) show(pair.error());
   if (!pair && pair.error().field == "gear2.normal_module") std::printf("to correct: the wheel\n");
 
   // Two gears that mesh, but lose contact because the shafts are too far apart.
