@@ -69,7 +69,7 @@ def identify(spec: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def measure(value: Gear | Pair) -> Any:
-    """Returns the inspection dimensions of a gear by key, or for a Pair a list of the two."""
+    """Returns the inspection dimensions of a gear by key, or for a Pair a list for both gears."""
     gears = [gear["measure"] for gear in _core.solve(value, "measure")["gears"]]
     return gears if isinstance(value, Pair) else gears[0]
 

@@ -104,7 +104,7 @@ class Drive:
     def rate(self, **rating: Any) -> dict[str, Part]:
         """Returns the strength by ISO 6336 of each loaded mesh as a dict by name. Keywords are keys of [rating], for
         example quality=[6, 6], material={"name": "17CrNiMo6"}, mesh_load_factor. If torque and speed are absent,
-        those of the drive are used."""
+        the values of the drive are used."""
         table = {**self._spec.get("rating", {}), **rating}
         answer = _core.solve({**self._spec, "rating": table}, "rate")
         rated = {name: mesh["rating"] for name, mesh in answer["drive"]["meshes"].items()}

@@ -8,7 +8,7 @@ class SpecError(ValueError):
 
     key      the key of a spec, "pair.center_distance_mm"; for a single Gear "helix_angle_deg"
     value    the given value as text; empty if there is none or if it is too long for a sentence
-    allowed  what is wrong, the permitted values with the reason, and a remedy
+    allowed  the violated rule, the permitted values with the reason, and a remedy
     message  all of these in one sentence
     """
 

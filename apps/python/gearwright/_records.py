@@ -51,6 +51,6 @@ class Record:
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        bound = ("figures", "to_parquet")  # of the engine, not pickled
+        bound = ("figures", "to_parquet")  # objects of the engine, not pickled
         kept = {name: value for name, value in self._attributes.items() if name not in bound}
         return Record, (kept, self._items, self._keys)

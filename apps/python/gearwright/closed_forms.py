@@ -1,7 +1,7 @@
 """Closed forms over arrays, with NumPy's broadcasting, for gears on parallel axes that are given by numbers alone.
 
 Angles are in rad and lengths in mm (in modules if normal_module is 1). Signs are those of ISO 21771: an internal gear
-has negative teeth, and helix_angle is that of gear 1. A missing value (no working angle, a tip inside its base circle)
+has negative teeth, and helix_angle belongs to gear 1. A missing value (no working angle, a tip inside its base circle)
 is NaN.
 """
 

@@ -6,7 +6,7 @@
 //   * No call throws. An error is a `Failed` with the message and the line that the program prints.
 //     `failed(x)` tests a result for an error.
 //   * Lengths are in mm. Angles at this interface are in degrees, as their names show. Keys of results are
-//     those of `gearwright … --json` (docs/spec.md). The catalogue has words, symbol, unit and digits.
+//     the same as in `gearwright … --json` (docs/spec.md). The catalogue has words, symbol, unit and digits.
 //   * Arrays are copies that belong to the caller, who may transfer or keep them.
 //   * Calls are synchronous and single-threaded, so the engine should run in a Web Worker. Long work is a
 //     `Work`. Call its step() for some milliseconds, handle messages, and repeat; delete it to cancel.
@@ -62,7 +62,7 @@ export interface InputKey {
   form: string; // the permitted values as part of a sentence: "a number", "true or false"
   required: boolean;
   needs: string[]; // keys that must also be given
-  excludes: string[]; // keys that must not be given together with this one
+  excludes: string[]; // keys that must not be given together with this key
   tables: string[]; // for a table: names of the possible InputTables
   fallback: string; // the value if the key is absent, as TOML or in words
   meaning: string; // one sentence, lower case, without the full stop
@@ -120,7 +120,7 @@ export interface Catalogue {
 export interface Section {
   teeth: number; // |z|
   internal: boolean;
-  /** x, y, x, y, … in mm, counter-clockwise. The outline is closed: the first point follows the last one. */
+  /** x, y, x, y, … in mm, counter-clockwise. The outline is closed: the first point follows the last point. */
   outline: Float64Array;
   /** Pieces of the outline, in order. A piece consists of the points from[i] to to[i], both included.
    *  These numbers are indices of points. The last `to` is the number of points, which stands for point 0. */
@@ -133,7 +133,7 @@ export interface Section {
   toleranceMm: number; // greatest distance of a chord from the exact curve
 }
 
-/** A closed mesh in the gear's own frame, for three.js buffers. Normals are those of the exact surface. */
+/** A closed mesh in the gear's own frame, for three.js buffers. Normals belong to the exact surface. */
 export interface Mesh {
   positions: Float32Array; // x, y, z, …, mm
   normals: Float32Array;
@@ -232,8 +232,8 @@ export interface Work<T> {
   step(milliseconds: number): { done: number; of: number; finished: boolean } | Failed;
   /** The result. Before the work is finished, this is a partial result or null. */
   result(): T | Failed | null;
-  /** Figures of the result. A map has one figure. The figures of teeth under load are those for the torque
-   *  with this index. */
+  /** Figures of the result. A map has one figure. For teeth under load, the figures show the torque with this
+   *  index. */
   figures(torque: number, width: number): Figure[] | Failed;
   delete(): void;
 }
@@ -375,7 +375,7 @@ export interface ErrorAxis {
 
 export interface SearchSession extends Work<SearchResult> {
   readonly trials: number;
-  /** The designs found so far, best first, as JSON with rows like those of search.designs. */
+  /** The designs found so far, best first, as JSON with the rows of search.designs. */
   best(most: number): string;
   /** A design of the finished search as a TOML spec. Ranks start at 1. */
   take(design: number): string | Failed;

@@ -26,7 +26,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Makes an SVG element. The arguments are those of h(). */
+/** Makes an SVG element. The arguments are the same as for h(). */
 export function svg<K extends keyof SVGElementTagNameMap>(
   tag: K,
   properties: Properties = {},

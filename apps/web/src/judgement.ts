@@ -1,6 +1,6 @@
 // Combines the verdicts of the engine on the mounted pair, its contact, its load and its rating into one
 // verdict on the spec on screen. The level is the worst of their levels, and every finding is listed once.
-// The verdict also names the parts that are pending and those that the engine cannot judge.
+// The verdict also names the parts that are pending and the parts that the engine cannot judge.
 
 import type { Verdict } from "./engine_worker";
 import { at, bench } from "./workbench";
@@ -11,7 +11,7 @@ export type Part = (typeof kParts)[number];
 type Judged = { verdict?: Verdict; error?: { message: string } };
 const kLevels = ["green", "amber", "red"];
 
-/** Combines verdicts. The headline is that of the worst verdict. All findings are listed, worst first. */
+/** Combines verdicts. The headline belongs to the worst verdict. All findings are listed, worst first. */
 export function worstOf(verdicts: Verdict[]): Verdict {
   const rank = (level: string) => kLevels.indexOf(level);
   const worst = verdicts.reduce((a, b) => (rank(b.level) > rank(a.level) ? b : a));

@@ -95,7 +95,7 @@ function findingItem(one: Finding): HTMLElement {
   );
 }
 
-/** The messages of a result: its findings, and those warnings that are not findings. */
+/** The messages of a result: its findings, and the warnings that are not findings. */
 export function noticesOf(warnings: Notice[], findings: Finding[] = []): HTMLElement[] {
   const grave = findings.filter((one) => one.level !== "green");
   const found = new Set(grave.map((one) => one.message));

@@ -126,7 +126,7 @@ export class ErrorMapView {
   }
 
   /** Handles the pointer at a point of the map. A move shows the value at the nearest node. A click sets
-   *  both errors of the spec to those of this node. */
+   *  both errors of the spec to the values at this node. */
   private at(x: number, y: number, clicked: boolean): void {
     const { map, axes } = this;
     if (!map) return;

@@ -14,7 +14,7 @@ export interface Offered {
   key: string;
   places: string[]; // the value is written to all these places: "rating.speed_rpm",
                     // "gear1.material.name"
-  instead?: string[]; // keys that make this one unnecessary if they are given
+  instead?: string[]; // keys that make this key unnecessary if they are given
   first(): Json; // initial value; "" for the material that applies if no name is given
 }
 

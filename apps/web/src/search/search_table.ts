@@ -1,5 +1,5 @@
 // The table of the designs that a search has found. A click on a heading sorts the table. A click on a row,
-// or Enter, chooses a design. Columns and digits are those of the catalogue. Values that all designs share
+// or Enter, chooses a design. Columns and digits follow the catalogue. Values that all designs share
 // are listed above the table.
 
 import type { Quantity } from "../../engine/engine";
