@@ -17,7 +17,7 @@ struct LoadProbeInput {
   int gear = 1;
   double diameter = 0.0;                     ///< mm, at which the load acts
   std::optional<std::array<double, 2>> z{};  ///< mm, heights of both ends of the load
-  std::optional<double> half_width{};        ///< mm, of the Hertz strip
+  std::optional<double> half_width{};        ///< mm, half width of the Hertz strip
   std::vector<double> read_z{};              ///< mm, heights at which the deflection is computed
 };
 

@@ -38,7 +38,7 @@ struct ThicknessAt {
   double diameter;    ///< d_y  mm
   double transverse;  ///< s_yt  mm, arc length
   double normal;      ///< s_yn  mm, arc length
-  double half_angle;  ///< rad, of the tooth at d_y
+  double half_angle;  ///< rad, half of the tooth at d_y
   double helix;       ///< β_y  rad, signed
 };
 
