@@ -31,7 +31,7 @@ WallLoop circle_loop(double radius);
 
 /// The loop of the walls. The keyway is omitted if its sides would be slivers.
 ///
-/// Errors    those of hole_error() (gear/bore.hpp)
+/// Errors    as hole_error() (gear/bore.hpp)
 /// Units     inner, outer: extreme radii of the outline, mm
 Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer);
 
@@ -46,7 +46,7 @@ struct BoreContour {
 
 /// Returns no contour if there is no bore.
 ///
-/// Errors    those of make_walls (cad/walls.hpp): a bore or keyway that reaches the root circle, or
+/// Errors    as make_walls (cad/walls.hpp): a bore or keyway that reaches the root circle, or
 ///           an internal gear whose rim does not enclose the root circle
 /// Units     inner, outer: smallest and greatest radius of the outline, mm
 Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double inner,

@@ -54,7 +54,7 @@ struct BodyContour {
   }
 };
 
-/// Errors    those of closed_contour and bore_contour
+/// Errors    as closed_contour and bore_contour
 Result<BodyContour> body_contour(const ToothedBody& body);
 
 /// Returns the error for an arc that cannot be drawn within the requested tolerance.

@@ -55,7 +55,7 @@ struct GearSheet {
 
 /// `tolerance_mm` applies to the outline, in mm on the gear.
 ///
-/// Errors    those of dxf_drawing: a severed tooth, a bore that reaches the root circle, or an arc
+/// Errors    as dxf_drawing: a severed tooth, a bore that reaches the root circle, or an arc
 ///           that cannot be fitted within the tolerance
 Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double tolerance_mm);
 

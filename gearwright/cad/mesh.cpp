@@ -88,7 +88,7 @@ class GearMesh {
   /// `below` and `above` are the radii of the walls that end on its end faces: the reach of the bore
   /// or the radius of a neck, or 0.
   ///
-  /// Errors    those of tessellate()
+  /// Errors    as tessellate()
   static Result<GearMesh> divide(const SolidGear& gear, const MeshOptions& options, double below,
                                  double above) {
     GearMesh made(gear, options);

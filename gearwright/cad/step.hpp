@@ -69,7 +69,7 @@ struct StepDocument {
 ///
 /// Units     mm
 /// Domain    at least one body, face widths > 0 (contract)
-/// Errors    those of make_walls (cad/walls.hpp); more than kMaxStepFaces faces in a solid
+/// Errors    as make_walls (cad/walls.hpp); more than kMaxStepFaces faces in a solid
 /// Accuracy  max_deviation_mm ≤ 1e-4 (kSectionMax_mm), with a target of 2e-5; points, edges and
 ///           faces agree within 1e-7 mm (kBrepUncertainty_mm), as the file states; a reader obtains
 ///           exactly the same reals

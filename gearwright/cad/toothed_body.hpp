@@ -168,7 +168,7 @@ Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
 /// cannot be made with these modifications, they remain as cut and `unmodified` contains the
 /// reason.
 ///
-/// Errors    `modifications.right.…`, `modifications.left.…`, those of make_removal_field
+/// Errors    `modifications.right.…`, `modifications.left.…`, errors of make_removal_field
 std::optional<Error> modify(ToothedBody& body, const Gear& gear,
                             const std::array<FlankModifications, 2>& flanks);
 
@@ -176,7 +176,7 @@ std::optional<Error> modify(ToothedBody& body, const Gear& gear,
 /// `rack_pair.pose_2().isometry()`.
 ///
 /// Errors    `gear2.teeth` or `gear2.height` if it is not given; `gear2.height` if the back lies
-///           above the roots, with the smallest permissible height; those of rack_outline()
+///           above the roots, with the smallest permissible height; errors of rack_outline()
 Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name);
 
 }  // namespace gearwright
