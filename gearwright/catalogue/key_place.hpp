@@ -71,7 +71,7 @@ class KeyPlace {
   template <class T, class V>
   KeyPlace(V T::*member)  // NOLINT(google-explicit-constructor): an entry names the member
       : KeyPlace(within<T>([member](T& t) -> V& { return t.*member; })) {}
-  /// A member of a member.
+  /// The member `inner` of the member `outer`.
   template <class T, class M, class V>
   KeyPlace(M T::*outer, V M::*inner)
       : KeyPlace(within<T>([outer, inner](T& t) -> V& { return t.*outer.*inner; })) {}
