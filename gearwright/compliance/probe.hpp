@@ -34,7 +34,7 @@ struct ProbeAnswer {
 
 /// Computes the compliance of a tooth of the gear at the place of the probe.
 ///
-/// Errors    those of make_section_mesh; `diameter` if it does not lie on the flank; `z` and
+/// Errors    as make_section_mesh; `diameter` if it does not lie on the flank; `z` and
 ///           `read_z` if they do not lie on the face
 Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);

@@ -25,8 +25,8 @@ Eigen::MatrixXd columns(const std::vector<Functional>& list, Eigen::Index n) {
   return m;
 }
 
-// The rows of the degrees of freedom in the plane of the section (u, v), or, if not `in_plane`, of
-// those along the axis (w). The energy of a wave does not couple the two groups.
+// Returns the rows of displacements in the plane of the section (u, v) if `in_plane`, otherwise of
+// displacements along the axis (w). The energy of a wave does not couple the two groups.
 RowMajor part(const RowMajor& fields, bool in_plane) {
   const Eigen::Index nodes = fields.rows() / 3;
   RowMajor out(in_plane ? 2 * nodes : nodes, fields.cols());

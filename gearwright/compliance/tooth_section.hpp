@@ -60,7 +60,7 @@ double bump_width(double s, double flank_hi);
 /// section_modes() receives `progress`.
 ///
 /// Domain    a gear with teeth (contract)
-/// Errors    those of make_section_mesh
+/// Errors    as make_section_mesh
 Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(
     const Gear& gear, double twist, const ElasticBody& body, ComplianceAccuracy accuracy,
     std::optional<double> also = std::nullopt, Progress* progress = nullptr);
