@@ -16,7 +16,7 @@ struct ContactRequest {
   int positions = 64;              ///< per pitch of gear 1, ≥ 2
   int pitches = 1;                 ///< length of the analysed range, ≥ 1
   double marking = 0.00635;        ///< δ  mm, thickness of the marking compound
-  std::vector<Angle> rotations{};  ///< of gear 1; if given, they replace even positions
+  std::vector<Angle> rotations{};  ///< rotations of gear 1 that replace even positions
   std::vector<Influence> influences{};
   Progress* progress = nullptr;  ///< reports the progress
 };

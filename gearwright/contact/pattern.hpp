@@ -17,8 +17,8 @@
 namespace gearwright {
 
 struct FlankRaster {
-  std::vector<double> diameter;  ///< mm, of the rows, ascending
-  std::vector<double> height;    ///< mm, of the columns, ascending; z in the gear's own frame
+  std::vector<double> diameter;  ///< mm, diameters of the rows, ascending
+  std::vector<double> height;    ///< mm, z of the columns in the gear's own frame, ascending
   std::vector<double>
       gap;  ///< mm, [row · columns + column]; infinite where the mating flank is never opposite
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr int kMaxSteps = 12;    // limit of the search for an exact ridge; two or three are usual
-constexpr double kRidge = 1e-9;  // rad of φ; such a step changes T by less than 1e-17
+constexpr double kRidge = 1e-9;  // step of φ, rad, that changes T by less than 1e-17
 constexpr double kMiss = 0.01;   // greatest error of the quadratic functions, of the amplitude
 constexpr double kMargin = 0.1;  // greatest error of T between two nodes, of the amplitude
 constexpr double kSteep = 0.5;   // ratio of the curvature of T by waves to its curvature on smooth

@@ -86,7 +86,7 @@ class WaveCrests {
   double branch_ = 0.0;  // greatest change of `aside` along one crest, between two nodes
   struct Wave {
     double height = 0.0;  // rad: amplitude
-    double rate = 0.0;    // rad of phase per mm of L
+    double rate = 0.0;    // change of phase, rad per mm of L
   };
   std::array<Wave, 2> wave_;  // over the profile of each flank
   struct Section {
