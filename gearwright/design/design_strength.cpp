@@ -152,7 +152,7 @@ void set_face_width(const ShiftGraph& graph, DesignRow& row, double width) {
 
 struct Safeties {
   std::array<std::optional<double>, 2> flank{}, root{};
-  std::optional<double> deflection{};  // µm, of the teeth under the rated torque
+  std::optional<double> deflection{};  // µm, teeth under the rated torque
 };
 
 // The safety factors for one state of the teeth: the design itself, or the pair at one combination

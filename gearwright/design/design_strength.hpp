@@ -24,7 +24,7 @@ namespace gearwright {
 /// Returns the pair of a design in the form that the rating requires. It uses closed forms if
 /// possible, and mounted gears otherwise.
 ///
-/// Errors    those of make_gear, mount and rated_pair
+/// Errors    as make_gear, mount and rated_pair
 /// Accuracy  both methods agree to 1e-12 (design/design_strength_test.cpp)
 Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row);
 /// The pair of a design, computed from gears that are cut and mounted.
