@@ -38,7 +38,7 @@ struct SharingSolution {
     iterations,   ///< more than kSharingSteps steps
   };
   Eigen::VectorXd x;
-  std::vector<double> forces;  ///< N, of each spring
+  std::vector<double> forces;  ///< N, force of each spring
   double residual = 0.0;       ///< greatest |Σ w F c − Q| over greatest |Q| + Σ |w F c|
   int iterations = 0;
   Stop stop = Stop::iterations;
