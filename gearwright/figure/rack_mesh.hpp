@@ -32,14 +32,14 @@ Figure rack_mesh_figure(const RackScene& scene, const Bounds& window);
 /// The definition of the rack's shape, in units of kOutlineUnit modules and in the frame of the
 /// rack.
 ///
-/// Errors    those of rack_outline()
+/// Errors    as rack_outline()
 Result<std::string> rack_definition(const RackPair& pair, const std::string& name);
 
 /// The section of the rack as one closed line in its own frame (pair/rack_pair.hpp), mm. If the
 /// number of teeth is not given, the rack has an odd number, at least as many as its pinion.
 ///
 /// Accuracy  fillets are chords within kOutlineTolerance modules
-/// Errors    those of rack_outline()
+/// Errors    as rack_outline()
 Result<std::vector<Vec2>> rack_section(const RackPair& pair);
 
 /// The origin of the rack, turned by 180°, in the position in which its flank touches the leading
