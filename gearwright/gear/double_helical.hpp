@@ -16,7 +16,7 @@ namespace gearwright {
 struct DoubleHelical {
   double gap = 0.0;              ///< mm, between the halves
   double stagger_pitches = 0.0;  ///< s  pitches, offset of the half at z < 0 from the other
-  std::optional<double> groove_diameter{};  ///< mm, of the groove in the gap
+  std::optional<double> groove_diameter{};  ///< mm, diameter of the gap's groove
   std::optional<double> hob_diameter{};     ///< d_a0  mm; if absent, the run-out is not computed
   Angle hob_lead_angle{};                   ///< γ_0   lead angle of the hob
   double hob_half_length = 0.0;             ///< l_0   mm, half the cutting length of the hob
