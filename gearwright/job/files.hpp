@@ -71,7 +71,7 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 /// direction, unless it is internal, so that the halves of mating gears have the same stagger.
 ///
 /// Domain    a gear for which gear_body() returns no error (contract)
-/// Errors    `double_helical.gap` if the halves are staggered but have no gap; those of modify()
+/// Errors    `double_helical.gap` if the halves are staggered but have no gap; errors of modify()
 Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
                                  const std::optional<Halves>& halves, int which,
                                  const std::array<FlankModifications, 2>& modifications);

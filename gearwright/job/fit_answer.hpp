@@ -21,7 +21,7 @@ struct FitAnswer {
   /// For each branch, the reason why the verb pair rejects it, if it does. A conjugate line of
   /// action does not guarantee that the teeth are possible.
   std::vector<std::optional<Error>> refused{};
-  std::optional<double> transverse_contact_ratio = std::nullopt;  ///< of a design with few teeth
+  std::optional<double> transverse_contact_ratio = std::nullopt;  ///< only for few teeth
 };
 
 /// Errors    the errors of fit, with the keys of the spec; `gear2` if it is missing
