@@ -20,7 +20,7 @@ namespace gearwright::detail {
 struct PointPlace {
   int pair;    // k in N
   double te;   // T  rad
-  double arm;  // mm of normal gap per rad of gap angle
+  double arm;  // normal gap per gap angle, mm/rad
   TouchKind kind;
   std::array<double, 2> curvature;  // k1 ≤ k2  1/mm
   PairTouch touch;
