@@ -28,7 +28,7 @@ struct SlidingShares {
 
 /// The clipped path of contact. The speeds of the contact change linearly with ρ_1.
 struct SlidingPath {
-  double begin, end, step;  ///< mm of ρ_1; neighbouring tooth pairs are `step` apart
+  double begin, end, step;  ///< range of ρ_1, mm; tooth pairs are `step` apart
   FlankSpeeds<double> at_begin, at_end;
   double normal_speed;  ///< v_n
 };

@@ -34,10 +34,10 @@ struct RackBar {
 /// The geometry of a rack, from its pinion and its RackBar.
 struct RackGeometry {
   RackBar bar;
-  int teeth;      ///< of its body and pictures; by default an odd number for one turn of the pinion
-  double height;  ///< mm, from the back of the rack to the datum line
-  double normal_module;         ///< m_n  mm
-  Angle helix_angle;            ///< β    with the hand opposite to the pinion
+  int teeth;             ///< in its body; by default an odd number for one turn of the pinion
+  double height;         ///< mm, from the back of the rack to the datum line
+  double normal_module;  ///< m_n  mm
+  Angle helix_angle;     ///< β    with the hand opposite to the pinion
   Angle normal_pressure_angle;  ///< α_n
   double face_width;            ///< b    mm
   double normal_pitch;          ///< p_n  mm
