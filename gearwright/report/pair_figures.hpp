@@ -34,7 +34,7 @@ std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>
 /// The mesh of a rack and its pinion, with the definition of the rack's shape. `shapes` as for
 /// mesh_figures(), with the name of the rack second.
 ///
-/// Errors    those of rack_definition()
+/// Errors    as rack_definition()
 Result<Figure> rack_figure(const RackPair& pair, const std::array<std::string, 2>& shapes);
 
 /// The path of contact as a strip with its zones, and the specific sliding along it.
