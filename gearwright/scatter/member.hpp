@@ -20,15 +20,15 @@
 namespace gearwright {
 
 enum class ScatterQuantity {
-  peak_to_peak,     ///< rad, of the continuous curve
+  peak_to_peak,     ///< rad, peak to peak of the continuous TE curve
   harmonic1,        ///< rad
   harmonic2,        ///< rad
   harmonic3,        ///< rad
-  mean,             ///< rad, of TE over the positions
+  mean,             ///< rad, mean of TE over the positions
   along_face,       ///< mean place of the contact along the face, −1 to 1
   along_profile,    ///< mean place along the profile, for circular-arc teeth
   edge_share,       ///< fraction of the positions at which an edge touches
-  least_play,       ///< rad, of gear 2; < 0 if the gears jam
+  least_play,       ///< rad, least play of gear 2; < 0 if the gears jam
   long_period,      ///< rad, peak to peak over all tooth pairs, if pitches differ
   tip_clearance1,   ///< mm, tip of gear 1 to the root of gear 2
   tip_clearance2,   ///< mm, tip of gear 2 to the root of gear 1
@@ -76,7 +76,7 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
 /// The numbers of the member with this deviation. For a double-helical pair, TE and backlash
 /// describe the whole gears, one of which floats along its axis. Errors of mounting apply to both
 /// halves, and deviations of the teeth are the same on both halves. `edge_share` is the mean of
-/// both halves, and `along_face` and `along_profile` are those of the half with the greater value;
+/// both halves, and `along_face` and `along_profile` belong to the half with the greater value;
 /// `along_face` is > 0 away from the apex.
 ///
 /// Domain    positions ≥ 2; modifications that check_ends() accepts; no deviations of pitch for a

@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// mm, of tip 1 and tip 2 and of the flanks of gear 1 and gear 2; NaN if there is no such number.
+/// Clearances of the tips and of the flanks of gear 1 and gear 2, mm. NaN marks an absent number.
 struct MemberClearances {
   std::array<double, 2> tip, form;
 };

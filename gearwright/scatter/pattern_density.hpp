@@ -31,8 +31,8 @@ struct DensityRequest {
 
 /// The places of one flank, and the number of samples that cover each place.
 struct FlankDensity {
-  std::vector<double> diameter;     ///< mm, of the rows, ascending
-  std::vector<double> height;       ///< mm, of the columns, ascending; z in the gear's own frame
+  std::vector<double> diameter;     ///< mm, diameters of the rows, ascending
+  std::vector<double> height;       ///< mm, z of the columns in the gear's own frame, ascending
   std::vector<std::int64_t> count;  ///< samples that cover the place, [row · columns + column]
   bool internal = false;
 

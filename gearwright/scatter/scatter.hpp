@@ -88,7 +88,7 @@ struct Probability {
 /// Statistics of the results under one torque, over the samples that have a solution.
 struct LoadedSpread {
   double torque;                       ///< N mm, on gear 1
-  std::optional<Spread> peak_to_peak,  ///< rad, of the loaded transmission error
+  std::optional<Spread> peak_to_peak,  ///< rad, loaded transmission error
       max_pressure,                    ///< MPa
       face_load_factor;                ///< K_Hβ; none for point contact
   Probability edge_carries{};

@@ -23,7 +23,7 @@ enum class VaryingError {
   crossing,         ///< rad
   intersecting,     ///< rad
   axial,            ///< mm
-  helix_slope1,     ///< mm of f_Hβ over the face
+  helix_slope1,     ///< f_Hβ over the face, mm
   helix_slope2,
   cutter_lead1,  ///< rad
   cutter_lead2

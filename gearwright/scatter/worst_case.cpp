@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kMostCorners = 1024;  // of a box with more, only kChosenCorners are used
+constexpr std::size_t kMostCorners = 1024;  // if a box has more, kChosenCorners are used
 constexpr std::size_t kChosenCorners = 256;
 constexpr std::size_t kStartCorners = 8;   // number of the worst corners at which a search starts
 constexpr std::size_t kStartSamples = 16;  // number of the worst samples at which a search starts
