@@ -21,7 +21,7 @@ namespace gearwright::web {
 
 namespace {
 
-// The problem of a search with a single trial. Its limits are those of [search] in the spec, or the
+// The problem of a search with a single trial. Its limits come from [search] in the spec or are
 // defaults. If `swapped` is true, gear 2 has fewer teeth and is gear 1 of the search.
 Result<SearchProblem> problem_of(const SolvedJob& job, bool swapped) {
   const Json& tree = job.spec.tree->tables;
