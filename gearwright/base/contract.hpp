@@ -13,8 +13,7 @@
 
 namespace gearwright {
 
-/// A defect in Gearwright. what() contains the condition, its file and line, and asks the user to
-/// report the defect.
+/// A defect in Gearwright. what() has the condition, its file and line, and requests a report.
 class ContractViolation : public std::logic_error {
  public:
   using std::logic_error::logic_error;
