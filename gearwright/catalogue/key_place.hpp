@@ -78,8 +78,7 @@ class KeyPlace {
   /// A member that a function returns: within<T>([](T& t) -> auto& { return t.life[0]; })
   template <class T, class F>
   static KeyPlace within(F reach);
-  /// Members that are computed from a value of type V by set(T&, const V&). The function may return
-  /// a sentence that says why the value is impossible.
+  /// Members that set(T&, const V&) computes. The function may return the reason for an error.
   template <class T, class V, class F>
   static KeyPlace by(F set);
   /// One number, or two numbers and their mean. mean(T&) is a double, and ends(T&) is an optional
