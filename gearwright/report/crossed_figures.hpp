@@ -93,8 +93,7 @@ std::string min_distance_figure(const CrossedPair& pair, UnitSystem units = Unit
 /// (the sum of shifts is 0), a sentence replaces the table. Empty if there are no approximations.
 std::string min_distance_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
-/// The table and the figure of the least centre distance, in a folded section for users who check a
-/// manual calculation.
+/// The table and the figure of the least centre distance, in a folded section for manual checks.
 std::string min_distance_part(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 }  // namespace gearwright
