@@ -175,7 +175,7 @@ std::string map_part(const ContactReport& report, UnitSystem units) {
   if (!report.map) return {};
   return "<h3>Permissible misalignment</h3>\n" +
          beside(figure_html(in_units(units, error_map_figure(*report.map))),
-                "Each point of the map stands for the pair with these two errors, and the shade of "
+                "Each point of the map represents the pair with these two errors, and the shade of "
                 "the point shows the transmission error. If the area of low values is wide, the "
                 "pair tolerates errors of housings and bearings. If it is narrow, the pair "
                 "requires accurate mounting. An oblique valley means that one error can be "
