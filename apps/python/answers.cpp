@@ -279,7 +279,7 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
   });
   for (const Quantity<ContactPoint>& q : position_quantities().list()) {
     // The transmission error occurs twice in the table: as an angle, and as the displacement of a
-    // rack. Both have the same name, which stands for the first one, the angle.
+    // rack. Both have the same name, which denotes the angle.
     const std::string name = name_of(q.info);
     if (q.info.of || py::hasattr(contact, name.c_str())) continue;
     contact.def_property_readonly(

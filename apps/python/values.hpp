@@ -48,8 +48,7 @@ bool is_path(py::handle value);
 /// TypeError
 std::filesystem::path path_of(py::handle value, const std::string& name);
 std::optional<std::filesystem::path> path_or_none(py::handle value, const std::string& name);
-/// Checks and returns a number of threads. 0 stands for all cores of the machine.   Throws
-/// SpecError
+/// Checks and returns a number of threads; 0 means all cores.   Throws SpecError
 int threads_in_range(int threads);
 
 /// Raises gearwright.SpecError.
