@@ -149,9 +149,10 @@ const KeyTable& stage_keys() {
        Key::positive("center_distance_mm", "a", {}, "backlash-free distance", "centre distance"),
        formed("profile_shift", "x", "a list of two numbers", "computed from the centre distance",
               "profile shifts", gear_keys().find("profile_shift")->range),
-       formed("thickness_allowance_mm", "E_sn", "a number, or a list of two", "0",
+       formed("thickness_allowance_mm", "E_sn", "a number, or a list of two numbers", "0",
               "thickness allowances"),
-       formed("bore_mm", "", "a number, or a list of two; for a set as in [planetary]", "no bore",
+       formed("bore_mm", "", "a number, or a list of two numbers; in a set, as in [planetary]",
+              "no bore",
               "diameters of the bores in the CAD files; a number applies to both gears except a "
               "ring, and the second number for a ring is the outside diameter of its rim",
               KeyRange::positive())
