@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/numbers.hpp"
@@ -18,14 +17,15 @@
 #include "gearwright/cad/walls.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/answer_text.hpp"
+#include "gearwright/job/compensate_answer.hpp"
+#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/nominal_csv.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/run_folder.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/report/report.hpp"
@@ -428,15 +428,6 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
     all.insert(all.begin(),
                {folder / "result.json", "result", std::nullopt, "all numbers, as JSON", text});
   return RunFiles{std::move(all), text, std::move(report.verdict)};
-}
-
-void write_run_into(const fs::path& folder, const std::vector<JobFile>& files,
-                    const FileOptions& options) {
-  if (options.progress) options.progress->begin_writing();
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  write_run(folder, files);
 }
 
 Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,

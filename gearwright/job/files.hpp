@@ -94,7 +94,8 @@ std::vector<ReportFile> report_files(const std::vector<JobFile>& files);
 /// Writes the files, each completely or not at all.   Throws  IoError
 void write_files(const std::vector<JobFile>& files);
 
-/// Makes the folder and writes the files of a run into it.   Throws  IoError
+/// Makes the folder and writes the files of a run into it. Files of an earlier run that are
+/// unchanged and not written again are removed, but no other files.   Throws  IoError
 void write_run_into(const std::filesystem::path& folder, const std::vector<JobFile>& files,
                     const FileOptions& options);
 
@@ -110,8 +111,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& fo
 
 /// Writes the files of `run` into `folder`: result.json, report.html, drawing.pdf, gear1.*, gear2.*
 /// and pair.*, as far as they apply, or only the parts in `only`. A gear without an outline has no
-/// files, and the job gets a warning. Files of an earlier run that this run does not write are
-/// removed (run_folder.hpp).
+/// files, and the job gets a warning.
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

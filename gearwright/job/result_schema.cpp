@@ -1,4 +1,4 @@
-#include "gearwright/job/result_schema.hpp"
+#include "gearwright/job/result_json.hpp"
 
 #include <nlohmann/json.hpp>
 
