@@ -12,7 +12,7 @@
 #include "gearwright/base/system.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
-#include "gearwright/job/search_refusal.hpp"
+#include "gearwright/job/search_job.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::apps {

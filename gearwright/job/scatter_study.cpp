@@ -16,7 +16,6 @@
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/solved_job.hpp"
-#include "gearwright/job/study_campaign.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {

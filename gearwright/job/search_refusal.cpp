@@ -1,4 +1,4 @@
-#include "gearwright/job/search_refusal.hpp"
+#include "gearwright/job/search_job.hpp"
 
 #include <fmt/format.h>
 
