@@ -72,7 +72,8 @@
 #include "gearwright/design/fit.hpp"
 #include "gearwright/design/search.hpp"
 
-// Files: gear_body, then STEP, STL, 3MF, GLB, DXF, SVG
+// Files: gear_body or drive_solids, then STEP, STL, 3MF, GLB, DXF, SVG
+#include "gearwright/cad/drive_solids.hpp"
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/mesh_files.hpp"
 #include "gearwright/cad/step.hpp"

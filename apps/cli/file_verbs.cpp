@@ -12,7 +12,7 @@
 #include "apps/common/watch.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/job/drive_answer.hpp"
-#include "gearwright/job/drive_bodies.hpp"
+#include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"

@@ -71,6 +71,21 @@ WantedSafety wanted_safety(const JobSpec& spec);
 /// The verdict on the drive, including the safeties if the drive is rated.
 Verdict judge(const DriveJob& job);
 
+/// The solids of the drive, as of drive_solids().
+///
+/// Errors    a drive without a layout; those of drive_solids()
+Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
+
+/// One file of the whole drive, made in the same way as by make_file(). In a 3MF file the bodies
+/// are laid out for printing.
+///
+/// Domain    bodies = drive_bodies(job) (contract)
+/// Errors    `drive` if an outline is requested and the gears lie in several planes; those of
+///           make_file()
+Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
+                                const std::vector<ToothedBody>& bodies,
+                                const std::filesystem::path& path, const FileOptions& options);
+
 /// The files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb and
 /// drive.3mf (laid out for printing). A drive with one section also has its outlines, drive.dxf and
 /// drive.svg.

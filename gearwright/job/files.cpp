@@ -6,11 +6,10 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/arrange/notes.hpp"
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
+#include "gearwright/cad/drive_solids.hpp"
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/mesh_files.hpp"
 #include "gearwright/cad/svg_outline.hpp"
@@ -222,26 +221,6 @@ Error of_body(Error error, const std::string& name) {
   const bool of_spec = error.field == "teeth" || error.field.starts_with("bore.");
   if (of_spec) return within(name, std::move(error));
   return {name, "", error.rule};
-}
-
-Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
-                                 const std::optional<Halves>& halves, int which,
-                                 const std::array<FlankModifications, 2>& modifications) {
-  ToothedBody body = gear_body(gear, name, gear.internal() ? rim(gear) : gear.bore).value();
-  if (halves) {
-    const auto& [gap, stagger, groove, hob, lead, length] = halves->given;
-    if (stagger != 0.0 && gap == 0.0) {
-      return refused("double_helical.gap", gap,
-                     "must be greater than 0 for files of staggered halves, which do not meet in "
-                     "the middle plane");
-    }
-    const double turn = 2.0 * kPi * stagger / gear.spec.teeth;
-    body.face_width = halves->face_width;
-    body.two_helices =
-        TwoHelices{gap, halves->groove_diameter.value_or(0.0) / 2.0, which == 1 ? turn : -turn};
-  }
-  if (auto error = modify(body, gear, modifications)) return *error;
-  return body;
 }
 
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {

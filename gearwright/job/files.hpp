@@ -66,16 +66,6 @@ std::string_view ending(FileKind kind);
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
-/// A gear in its own frame with its bore or, if it is internal, its rim, with both halves if it is
-/// double-helical, and with its modifications. The halves of gear 2 are turned in the opposite
-/// direction, unless it is internal, so that the halves of mating gears have the same stagger.
-///
-/// Domain    a gear for which gear_body() returns no error (contract)
-/// Errors    `double_helical.gap` if the halves are staggered but have no gap; those of modify()
-Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
-                                 const std::optional<Halves>& halves, int which,
-                                 const std::array<FlankModifications, 2>& modifications);
-
 /// Replaces the member of a body in an error of the room cad by a member of the gear. A spec has no
 /// tolerance or number of faces, so errors about these become errors of the gear.
 Error of_body(Error error, const std::string& name);
