@@ -46,8 +46,9 @@
 #include "gearwright/contact/pattern.hpp"
 #include "gearwright/contact/rack_contact.hpp"
 
-// Tolerances: scatter_of, their effect over many pairs; robust_corrections
+// Tolerances: scatter_of, their effect over many pairs; sample_warnings; robust_corrections
 #include "gearwright/scatter/robust.hpp"
+#include "gearwright/scatter/sample_warnings.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
 // Elastic teeth: loaded, teeth under torque; probes of one tooth

@@ -11,10 +11,10 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/load_answer.hpp"
-#include "gearwright/job/scatter_findings.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/math/minimise.hpp"
 #include "gearwright/scatter/grades.hpp"
+#include "gearwright/scatter/sample_warnings.hpp"
 #include "gearwright/scatter/tolerance.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
@@ -399,7 +399,13 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
   auto scatter = scatter_of(answer.setup, task);
   if (!scatter) return of_scatter(task, scatter.error());
   answer.scatter = std::move(scatter).take();
-  warn_of_samples(answer.scatter, job);
+  for (Warning& w : sample_warnings(answer.scatter)) job.warnings.push_back(std::move(w));
+  const PairInput& pair = job.completed.pair;
+  if (input.bearings && (pair.distance_tolerance || pair.distance_deviations))
+    job.warnings.push_back(
+        {WarningCode::not_read,
+         "The tolerance of the centre distance is not varied, because the bores of "
+         "[scatter.bearings] determine the centre distance. A greater radius_mm includes it."});
   if (input.robust) {
     auto made_robust = robust_task(answer.setup, *input.robust);
     if (!made_robust) return made_robust.error();
