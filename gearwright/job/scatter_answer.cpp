@@ -12,7 +12,6 @@
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/solved_job.hpp"
-#include "gearwright/math/minimise.hpp"
 #include "gearwright/scatter/grades.hpp"
 #include "gearwright/scatter/sample_warnings.hpp"
 #include "gearwright/scatter/tolerance.hpp"
@@ -247,12 +246,7 @@ ProfileTarget profile_target(const Pair& pair) {
 }
 
 Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& input) {
-  if (!can_minimise()) {
-    return Error{"scatter.robust", "",
-                 "corrections cannot be computed by this build, which has no minimiser (NLopt); "
-                 "use the installed program",
-                 FailureKind::not_in_build};
-  }
+  if (auto error = needs_minimiser("scatter.robust")) return *error;
   auto corrections = corrections_of(setup, input.corrections, "scatter.robust.corrections");
   if (!corrections) return corrections.error();
   RobustTask task{std::move(corrections).take(), {}, input.percentile};
