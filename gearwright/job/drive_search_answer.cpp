@@ -13,7 +13,6 @@
 #include "gearwright/job/drive_designs.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/row_listing.hpp"
-#include "gearwright/job/text_layout.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/unit_tree.hpp"

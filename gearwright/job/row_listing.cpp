@@ -6,8 +6,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "gearwright/job/text_layout.hpp"
-
 namespace gearwright {
 
 namespace {
