@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_search_quantities.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_designs.hpp"

@@ -161,8 +161,8 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   if (kind == FailureKind::not_under_load)
     return none(spelled(answer.error(), job.spec.given).message());
   if (!without_contact(answer.error())) return answer.error();
-  const auto is_said = [](const Warning& w) { return w.code == WarningCode::no_contact; };
-  if (std::none_of(job.warnings.begin(), job.warnings.end(), is_said)) {
+  const auto is_listed = [](const Warning& w) { return w.code == WarningCode::no_contact; };
+  if (std::none_of(job.warnings.begin(), job.warnings.end(), is_listed)) {
     const Error why = spelled(answer.error(), job.spec.given);
     job.warnings.push_back(
         {WarningCode::no_contact, "Corrections cannot be computed: " + why.message() + ".", 0});

@@ -246,15 +246,15 @@ Group modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem 
 }
 
 // Without a class, its row is blank, so that the workshop notices that it is missing.
-Group tolerances(const ToleranceInput& asked, const Records& measure) {
-  if (!asked.quality) {
+Group tolerances(const ToleranceInput& given, const Records& measure) {
+  if (!given.quality) {
     Group blank("Tolerances, ISO 1328-1");
     blank.row("Flank tolerance class", "", "");
     return blank;
   }
   Group group(
       fmt::format("Tolerances in {}, ISO 1328-1:{}, class {}", unit_text(measure.units, Unit::um),
-                  asked.edition == FlankTolerances::iso_2013 ? 2013 : 1995, *asked.quality));
+                  given.edition == FlankTolerances::iso_2013 ? 2013 : 1995, *given.quality));
   for (const char* key :
        {"single_pitch_um", "cumulative_pitch_um", "profile_total_um", "profile_form_um",
         "profile_slope_um", "helix_total_um", "helix_form_um", "helix_slope_um", "runout_um"})
