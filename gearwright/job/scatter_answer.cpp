@@ -270,13 +270,7 @@ int few_samples(const ScatterTask& task, int most) {
 // The family of loaded teeth for the first samples of each replicate. All samples share the
 // compliance.
 Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
-  // The samples under load must use the same flanks as the samples without load.
-  const int driver = job.spec.load.driver;
-  if (driver != job.spec.contact.driver)
-    return Error{"load.driver", std::to_string(driver),
-                 fmt::format("must equal the driver of [contact], which is {}, for a scatter under "
-                             "load; give driver = {} in [contact] if gear {} drives",
-                             job.spec.contact.driver, driver, driver)};
+  if (auto error = other_driver(job.spec)) return *error;
   auto made = load_task(job);
   if (!made) return made.error();
   LoadTask load = std::move(made).take();
@@ -295,6 +289,15 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
 }
 
 }  // namespace
+
+std::optional<Error> other_driver(const JobSpec& spec) {
+  const int driver = spec.load.driver;
+  if (driver == spec.contact.driver) return std::nullopt;
+  return Error{"load.driver", std::to_string(driver),
+               fmt::format("must equal the driver of [contact], which is {}, for a scatter under "
+                           "load; give driver = {} in [contact] if gear {} drives",
+                           spec.contact.driver, driver, driver)};
+}
 
 Error of_scatter(const ScatterTask& task, Error error) {
   const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
@@ -337,24 +340,36 @@ std::optional<Error> not_for_halves(const ScatterInput& input) {
 
 }  // namespace
 
-Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
+Result<VariedInputs> varied_inputs(const SolvedJob& job) {
   const ScatterInput& input = job.spec.scatter;
-  if (const auto missing = missing_error(SpecUse::scatter, job.spec)) return *missing;
   if (job.halves[0])
     if (auto error = not_for_halves(input)) return *error;
-  auto made = setup_of(job, errors_of(job));
-  if (!made) return made.error();
+  VariedInputs varied;
   auto tolerances = tolerances_of(job);
   if (!tolerances) return tolerances.error();
-  auto groups = groups_of(input, *tolerances);
+  varied.tolerances = std::move(tolerances).take();
+  auto groups = groups_of(input, varied.tolerances);
   if (!groups) return groups.error();
-  auto correlations = correlations_of(input, *tolerances, *groups);
+  varied.groups = std::move(groups).take();
+  auto correlations = correlations_of(input, varied.tolerances, varied.groups);
   if (!correlations) return correlations.error();
+  varied.correlations = std::move(correlations).take();
+  return varied;
+}
+
+Result<ScatterAnswer> prepared_scatter(const SolvedJob& job) {
+  const ScatterInput& input = job.spec.scatter;
+  if (const auto missing = missing_error(SpecUse::scatter, job.spec)) return *missing;
+  auto varied = varied_inputs(job);
+  if (!varied) return varied.error();
+  auto made = setup_of(job, errors_of(job));
+  if (!made) return made.error();
   ScatterAnswer answer{std::move(made).take(), {}, {}, {}};
   ScatterTask& task = answer.task;
-  task.tolerances = std::move(tolerances).take();
-  task.correlations = std::move(correlations).take();
-  task.groups = std::move(groups).take();
+  VariedInputs inputs = std::move(varied).take();
+  task.tolerances = std::move(inputs.tolerances);
+  task.correlations = std::move(inputs.correlations);
+  task.groups = std::move(inputs.groups);
   const ContactInput& contact = job.spec.contact;
   task.member = {job.spec.given.contains("contact.positions") ? contact.positions : kPositions,
                  contact.driver == 2,
