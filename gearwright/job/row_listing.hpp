@@ -34,6 +34,10 @@ std::string padded_left(const std::string& text, std::size_t width);
 /// line ends with a line break.
 std::string wrapped(std::string_view text);
 
+/// The member of a record, or of one of its inner records ("span.length_mm"), or null if the record
+/// lacks it.
+const Member* member_at(const ValueRecord& record, std::string_view path);
+
 struct ListingColumn {
   std::string words;  ///< term for the quantity, in full
   std::string head;   ///< heading: the symbol, or words

@@ -17,6 +17,7 @@
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/solved_job.hpp"
 
 namespace gearwright {
@@ -25,14 +26,8 @@ namespace {
 
 // The member of a record with this path, "span.length_mm", or null if there is no value.
 const Member* find(const ValueRecord& record, std::string_view path) {
-  const std::size_t dot = std::min(path.find('.'), path.size());
-  for (const Member& m : record) {
-    if (m.info->key != path.substr(0, dot) || all_nothing(m.value)) continue;
-    if (dot == path.size()) return &m;
-    const ValueRecord* inner = m.value.record();
-    return inner ? find(*inner, path.substr(dot + 1)) : nullptr;
-  }
-  return nullptr;
+  const Member* const m = member_at(record, path);
+  return m && !all_nothing(m->value) ? m : nullptr;
 }
 
 // A value with the unit of the sheet. Lengths in inch have four decimals, also if the last is zero.
